@@ -194,7 +194,8 @@ def _run(options: StartOptions) -> int:
     app = QApplication(sys.argv[:1])
     chosen: Choices = {} if options.language is None else {"language": options.language}
     store = SettingsStore(default_path(), for_this_run=chosen)
-    controller = ArmController(open_device, SIMULATED)
+    opener = partial(open_device, sim_firmware=options.sim_firmware)
+    controller = ArmController(opener, SIMULATED)
     program = Program(
         app,
         store,
@@ -275,8 +276,13 @@ SIMULATED: Final = tuple(
 
 
 @contextmanager
-def open_device(device: Device) -> Iterator[can.BusABC]:
-    """Open a device; behind a simulated one an arm comes to life until it is closed again."""
+def open_device(device: Device, sim_firmware: str | None = None) -> Iterator[can.BusABC]:
+    """Open a device; behind a simulated one an arm comes to life until it is closed again.
+
+    Args:
+        device: Which.
+        sim_firmware: The version of a simulated arm of generation 2, today's with ``None``.
+    """
     from armui.bus.adapters import open_bus  # noqa: PLC0415 - python-can, loaded with the first device
 
     if not device.simulated:
@@ -287,9 +293,7 @@ def open_device(device: Device) -> Iterator[can.BusABC]:
     from armui.sim.firmware import Firmware  # noqa: PLC0415
     from armui.sim.node import Node  # noqa: PLC0415
 
-    with (
-        open_bus(device) as arm_side,
-        open_bus(device) as bus,
-        Node(Firmware(Generation(device.generation or 2), model=device.model), arm_side),
-    ):
+    generation = Generation(device.generation or 2)
+    arm = Firmware(generation, model=device.model, version=sim_firmware)
+    with open_bus(device) as arm_side, open_bus(device) as bus, Node(arm, arm_side):
         yield bus

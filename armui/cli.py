@@ -56,6 +56,8 @@ def _run_window(parser: argparse.ArgumentParser, options: argparse.Namespace) ->
         parser.error("--sim is a device of its own: leave out --interface")
     if options.generation is not None and not options.sim:
         parser.error("--generation belongs to --sim: a real arm says for itself which it is")
+    if options.firmware is not None and (not options.sim or options.generation == 1):
+        parser.error("--firmware belongs to --sim in generation 2: a real arm tells its own")
     if _no_display():
         print(
             "armui: no display found. Start it in a desktop session, or set DISPLAY or "
@@ -80,6 +82,7 @@ def _run_window(parser: argparse.ArgumentParser, options: argparse.Namespace) ->
     return app.run(
         StartOptions(
             sim_generation=(options.generation or 2) if options.sim else None,
+            sim_firmware=options.firmware,
             interface=options.interface,
             channel=options.channel,
             bitrate=options.bitrate,
@@ -100,8 +103,22 @@ def _replay_parser() -> argparse.ArgumentParser:
         "replay", type=Path, metavar="FILE", help="the log: .blf, .asc, .log, .trc, .csv, ..."
     )
     parser.add_argument("--lang", choices=("zh", "en"), help="language of the windows")
-    parser.set_defaults(sim=False, generation=None, interface=None, channel=None, bitrate=None)
+    parser.set_defaults(sim=False, generation=None, firmware=None)
+    parser.set_defaults(interface=None, channel=None, bitrate=None)
     return parser
+
+
+def _version(text: str) -> str:
+    from armui.protocol.firmware_version import (  # noqa: PLC0415 - faster start
+        RECOMMENDED,
+        FirmwareVersion,
+    )
+
+    if FirmwareVersion.parse(text) is None:
+        raise argparse.ArgumentTypeError(
+            f"{text!r} is no firmware version; write it as {RECOMMENDED}"
+        )
+    return text
 
 
 def _no_display() -> bool:
@@ -125,6 +142,12 @@ def _parser() -> argparse.ArgumentParser:
         type=int,
         choices=(1, 2),
         help="protocol of the simulated arm (2)",
+    )
+    parser.add_argument(
+        "--firmware",
+        type=_version,
+        metavar="VERSION",
+        help="firmware version of the simulated arm, as S-V1.7-3 (S-V1.8-9)",
     )
     parser.add_argument("--interface", help="python-can's name of the adapter, e.g. socketcan")
     parser.add_argument("--channel", help="the adapter's channel, e.g. can0")

@@ -13,6 +13,7 @@ class StartOptions(NamedTuple):
 
     Attributes:
         sim_generation: Connect to the simulated arm that speaks this generation.
+        sim_firmware: The version it has, as ``S-V1.8-9``; today's with ``None``.
         interface, channel, bitrate: Connect to this device.
         model: Which arm of the family that is; by default the one chosen for it the last time.
         replay: Show this log in the window 回放.
@@ -20,6 +21,7 @@ class StartOptions(NamedTuple):
     """
 
     sim_generation: int | None = None
+    sim_firmware: str | None = None
     interface: str | None = None
     channel: str | None = None
     bitrate: int | None = None

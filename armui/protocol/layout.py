@@ -16,8 +16,14 @@ if TYPE_CHECKING:
 LEAVE_UNCHANGED = "Leave unchanged"
 """What the value tables call the raw value that leaves a setting as it is (generation 2)."""
 
-_SHORT_FORMS = {"ArcPoint": (1, 8), "BusSilence": (1, 8), "LinkageSetting": (4, 8)}
-"""Messages that generation 1 sends shorter than generation 2; either accepts both lengths."""
+_SHORT_FORMS = {
+    "ArcPoint": (1, 8),
+    "BusSilence": (1, 8),
+    "FirmwareVersion": (1, 8),
+    "LinkageSetting": (4, 8),
+}
+"""Messages that generation 1 sends shorter than generation 2, and the question for the version,
+which hosts send with one byte or with eight; both lengths are accepted."""
 
 
 class Selection(NamedTuple):

@@ -90,7 +90,7 @@ class Firmware(Readings):
         *,
         seed: int = 0,
         joints_deg: Sequence[float] = (0.0,) * JOINT_COUNT,
-        version: str = str(RECOMMENDED),
+        version: str | None = None,
         model: PiperModel = PiperModel.PIPER,
         flash: Flash | None = None,
         bugs: frozenset[FirmwareBug] = frozenset(),
@@ -101,13 +101,13 @@ class Firmware(Readings):
             generation: The protocol it speaks.
             seed: Of the little noise there is; the same seed and calls give the same frames.
             joints_deg: Where it lies, joint 1 first, counted from the factory's zeros.
-            version: What it answers to 0x4AF (generation 2).
+            version: Of its firmware, as ``S-V1.8-9`` (generation 2); today's with None.
             model: Which arm of the family it is.
             flash: Where its settings are kept; without it they end with this object.
             bugs: Known bugs that it has.
         """
         self.generation = generation
-        self.type = ArmType.of(model, version)
+        self.type = ArmType.of(model, version or str(RECOMMENDED))
         self.flash: Flash = flash or MemoryFlash()
         self.settings = self.flash.load(model)
         self.condition = Condition()

@@ -16,7 +16,7 @@ from armui.protocol.generation import Generation
 
 CODECS = {generation: Codec(generation) for generation in Generation}
 ONE, TWO = CODECS[Generation.ONE], CODECS[Generation.TWO]
-LENIENT = {0x158: {1, 8}, 0x422: {1, 8}, 0x470: {4, 8}}
+LENIENT = {0x158: {1, 8}, 0x422: {1, 8}, 0x470: {4, 8}, 0x4AF: {1, 8}}
 """Sent shorter by generation 1; both generations accept both lengths."""
 
 

@@ -1,0 +1,45 @@
+"""`armui --sim --firmware`: the simulated arm in the program has the version asked for."""
+
+from __future__ import annotations
+
+import time
+
+import can
+import pytest
+
+from armui.app import SIMULATED, open_device
+from armui.cli import main
+from armui.protocol.version import VERSION_ID, find_version
+
+WITHIN_S = 20.0
+
+
+@pytest.mark.parametrize(("asked", "told"), [("S-V1.7-3", "S-V1.7-3"), (None, "S-V1.8-9")])
+def test_the_arm_tells_the_version(asked: str | None, told: str) -> None:
+    text, deadline_s = b"", time.monotonic() + WITHIN_S
+    with open_device(SIMULATED[0], sim_firmware=asked) as bus:
+        bus.send(can.Message(arbitration_id=VERSION_ID, data=b"\1", is_extended_id=False))
+        while find_version(text) is None:
+            assert time.monotonic() < deadline_s
+            message = bus.recv(timeout=1.0)
+            if message is not None and message.arbitration_id == VERSION_ID:
+                text += bytes(message.data)
+    assert find_version(text) == told
+
+
+@pytest.mark.parametrize(
+    ("words", "reason"),
+    [
+        (["--firmware", "S-V1.7-3"], "--firmware belongs to --sim"),
+        (
+            ["--sim", "--generation", "1", "--firmware", "S-V1.7-3"],
+            "belongs to --sim in generation",
+        ),
+        (["--sim", "--firmware", "1.7"], "'1.7' is no firmware version; write it as S-V1.8-9"),
+    ],
+)
+def test_a_version_for_no_simulated_arm_is_refused(words, reason, capsys) -> None:
+    with pytest.raises(SystemExit) as ended:
+        main(words)
+    assert ended.value.code == 2
+    assert reason in capsys.readouterr().err
