@@ -13,7 +13,7 @@ import errno
 import json
 import stat
 from collections.abc import Callable, Mapping
-from dataclasses import asdict, dataclass, fields, replace
+from dataclasses import asdict, dataclass, field, fields, replace
 from pathlib import Path
 from typing import Any, Final, Literal, TypedDict, Unpack, get_args
 
@@ -28,19 +28,27 @@ from armui.system.error_text import error_text
 
 Language = Literal["zh", "en"]
 ThemeName = Literal["light", "dark", "system"]
+PictureDirection = Literal["iso", "front", "side", "top"]
 SessionFormat = Literal[".blf", ".asc", ".log", ".mf4"]
+GamepadMode = Literal["joint", "base", "tool"]
+GamepadButtons = Mapping[str, Mapping[str, str]]
+"""By the name of a device, which button (its name) does what (`armui.gamepad.layout.ACTIONS`)."""
 
 _MOST_BYTES: Final = 1_000_000
 """A thousand times what the settings need: a larger file is something else."""
 _MOST_SHOWN: Final = 60
 """Characters of a value that is told to be wrong."""
 _LONGEST_PATH: Final = 4096
+_MOST_DEVICES: Final = 200
+_LONGEST_NAME: Final = 200
 _LOCK_S: Final = 0.05
 """So long a change waits for another program that is writing the same file."""
 
 JOG_STEP_MIN_DEG: Final = 0.001
 """The resolution of an angle on the bus."""
 JOG_STEP_MAX_DEG: Final = 30.0
+
+TRAIL_LONGEST_S: Final = 600
 
 ROTATE_MIN_MB: Final = 1
 ROTATE_MAX_MB: Final = 4000
@@ -63,6 +71,14 @@ class Choices(TypedDict, total=False):
     session_format: SessionFormat
     session_rotate_mb: int
     session_save_at_faults: bool
+    picture_direction: PictureDirection
+    picture_orthographic: bool
+    picture_tool_frame: bool
+    picture_trail_s: int
+    gamepad: bool
+    gamepad_mode: GamepadMode
+    gamepad_one_axis: bool
+    gamepad_buttons: GamepadButtons
 
 
 @dataclass(frozen=True, slots=True)
@@ -80,6 +96,14 @@ class Settings:
         session_format: The suffix of their files.
         session_rotate_mb: A file that is as large is followed by another.
         session_save_at_faults: The last minutes are saved by themselves at a fault or a stop.
+        picture_direction: From where the 3D picture shows the arm to begin with.
+        picture_orthographic: It is drawn without perspective.
+        picture_tool_frame: It shows the axes of the tool centre point.
+        picture_trail_s: So many seconds of the tool's way are shown in it; 0: none.
+        gamepad: A gamepad or SpaceMouse jogs the arm.
+        gamepad_mode: What its axes move.
+        gamepad_one_axis: Only one of them at a time.
+        gamepad_buttons: What its buttons do, where the operator has chosen otherwise.
     """
 
     language: Language = "zh"
@@ -92,6 +116,14 @@ class Settings:
     session_format: SessionFormat = ".blf"
     session_rotate_mb: int = 100
     session_save_at_faults: bool = False
+    picture_direction: PictureDirection = "iso"
+    picture_orthographic: bool = False
+    picture_tool_frame: bool = True
+    picture_trail_s: int = 15
+    gamepad: bool = False
+    gamepad_mode: GamepadMode = "joint"
+    gamepad_one_axis: bool = True
+    gamepad_buttons: GamepadButtons = field(default_factory=dict)
 
 
 Subscriber = Callable[[Settings], None]
@@ -115,8 +147,16 @@ def check(name: str, value: object) -> Refusal | None:
         "urdf_path": value is None or _is_path(value),
         "session_folder": value is None or _is_path(value),
         "session_format": value in get_args(SessionFormat),
-        "session_rotate_mb": _is_rotate_mb(value),
+        "session_rotate_mb": _is_whole(value, ROTATE_MIN_MB, ROTATE_MAX_MB),
         "session_save_at_faults": isinstance(value, bool),
+        "picture_direction": value in get_args(PictureDirection),
+        "picture_orthographic": isinstance(value, bool),
+        "picture_tool_frame": isinstance(value, bool),
+        "picture_trail_s": _is_whole(value, 0, TRAIL_LONGEST_S),
+        "gamepad": isinstance(value, bool),
+        "gamepad_mode": value in get_args(GamepadMode),
+        "gamepad_one_axis": isinstance(value, bool),
+        "gamepad_buttons": _are_buttons(value),
     }
     if allowed.get(name, False):
         return None
@@ -143,10 +183,24 @@ def _is_path(value: object) -> bool:
     return True
 
 
-def _is_rotate_mb(value: object) -> bool:
-    if isinstance(value, bool) or not isinstance(value, int):
+def _is_whole(value: object, least: int, most: int) -> bool:
+    return isinstance(value, int) and not isinstance(value, bool) and least <= value <= most
+
+
+def _are_buttons(value: object) -> bool:
+    """Names to names to names, none of them longer than any device has."""
+    if not isinstance(value, Mapping) or len(value) > _MOST_DEVICES:
         return False
-    return ROTATE_MIN_MB <= value <= ROTATE_MAX_MB
+    return all(
+        _is_name(device)
+        and isinstance(buttons, Mapping)
+        and all(_is_name(what) and _is_name(button) for what, button in buttons.items())
+        for device, buttons in value.items()
+    )
+
+
+def _is_name(value: object) -> bool:
+    return isinstance(value, str) and len(value) <= _LONGEST_NAME
 
 
 def _check_jog_step(value: object) -> Refusal | None:
@@ -312,14 +366,14 @@ def _from_entries(entries: Mapping[str, Any]) -> tuple[Settings, tuple[Refusal, 
     """The settings of a file; what it says that is not possible is left at its first value."""
     good: dict[str, Any] = {}
     problems = []
-    for field in fields(Settings):
-        if field.name not in entries:
+    for each in fields(Settings):
+        if each.name not in entries:
             continue
-        value = entries[field.name]
-        if check(field.name, value) is None:
-            good[field.name] = tuple(value) if isinstance(value, list) else value
+        value = entries[each.name]
+        if check(each.name, value) is None:
+            good[each.name] = tuple(value) if isinstance(value, list) else value
         else:
-            params = {"field": field.name, "value": _shown(value)}
+            params = {"field": each.name, "value": _shown(value)}
             problems.append(Refusal(RefusalCode.SETTING_BAD, params))
     return Settings(**good), tuple(problems)
 

@@ -46,6 +46,14 @@ def test_a_change_is_there_in_the_next_run(path: Path) -> None:
         "session_format": ".blf",
         "session_rotate_mb": 100,
         "session_save_at_faults": False,
+        "picture_direction": "iso",
+        "picture_orthographic": False,
+        "picture_tool_frame": True,
+        "picture_trail_s": 15,
+        "gamepad": False,
+        "gamepad_mode": "joint",
+        "gamepad_one_axis": True,
+        "gamepad_buttons": {},
     }
 
 

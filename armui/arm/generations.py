@@ -21,6 +21,7 @@ _ALIKE: Final = frozenset(
         "joints_deg",
         "pose",
         "firmware",
+        "identity",
         "version_heard_s",
         "status_heard_s",
         "foreign_targets_s",

@@ -23,6 +23,9 @@ MOTION_IDS: Final = frozenset(
 )
 """Frames that move an arm, switch its motors or change what its motions count on."""
 
+_ANSWER: Final = 0x61
+"""0x181–0x187 byte 0, 'a': the arm answers with the identifier it was asked with."""
+
 OTHER_COMMAND_IDS: Final = frozenset(
     {0x121, 0x191, 0x422, 0x472, 0x474, 0x477, 0x479, 0x47A, 0x47D, 0x487}
 )
@@ -38,6 +41,11 @@ _FORGOTTEN_S: Final = 2.0
 _LEADER_RATE_HZ: Final = 20.0
 _LOCKSTEP: Final = 3
 """So many frames may the identifiers of a leader differ: one cycle is under way, one was lost."""
+
+
+def is_arms_answer(arbitration_id: int, data: bytes) -> bool:
+    """Whether a frame with a command's identifier is the arm's answer (CPV)."""
+    return arbitration_id in _SPEEDS_AND_POSITIONS and data[:1] == bytes((_ANSWER,))
 
 
 @dataclass(frozen=True, slots=True)
@@ -146,6 +154,8 @@ class OtherHosts:
     def note(self, arbitration_id: int, data: bytes, at_s: float) -> None:
         """Take in a frame that this program did not send, heard at a monotonic time."""
         if arbitration_id not in MOTION_IDS and arbitration_id not in OTHER_COMMAND_IDS:
+            return
+        if is_arms_answer(arbitration_id, data):
             return
         before = self._series.get(arbitration_id)
         if before is None or at_s - before.last_s > _FORGOTTEN_S:

@@ -76,6 +76,10 @@ class RefusalCode(StrEnum):
     FRAME_NOT_HELD = "frame_not_held"
     FRAME_OF_UPGRADE = "frame_of_upgrade"  # frame
     FRAME_RESUMES = "frame_resumes"
+    GAMEPAD_LOST = "gamepad_lost"  # name
+    GAMEPAD_NOT_IN_FRONT = "gamepad_not_in_front"
+    GAMEPAD_SILENT = "gamepad_silent"  # name
+    GAMEPAD_UNATTENDED = "gamepad_unattended"  # seconds
     GENERATION_UNKNOWN = "generation_unknown"
     GRIPPER_NO_ZERO = "gripper_no_zero"
     GRIPPER_NOT_A_NUMBER = "gripper_not_a_number"  # gripper, value, minimum, maximum, unit
@@ -123,6 +127,7 @@ class RefusalCode(StrEnum):
     MESH_MISSING = "mesh_missing"
     MESH_UNREADABLE = "mesh_unreadable"
     MODEL_DIFFERS = "model_differs"
+    MODEL_OTHER = "model_other"
     MOVED_SINCE_CHECK = "moved_since_check"  # value
     NAME_EMPTY = "name_empty"
     NAME_TAKEN = "name_taken"

@@ -13,6 +13,7 @@ from typing import Annotated, Final, Generic, TypeVar
 
 from armui.arm.gripper import GripperState
 from armui.arm.limits import JOINTS, JointLimits
+from armui.protocol.version import ArmIdentity
 
 T = TypeVar("T")
 Six = tuple[T, T, T, T, T, T]
@@ -180,9 +181,11 @@ class ArmState:
         accelerations_deg_s2: Highest acceleration of each joint, 0x47C.
         end_limits: Highest speeds and accelerations of the end, 0x478.
         collision_levels: 0 (none) to 8 of each joint, 0x47B.
+        drag_assistance: 0 (none) to 10 of each joint, 0x488; firmware from S-V1.8-1.
         teaching_handle: 0x47E, generation 2.
         end_motion: Each joint's part in the motion of the end, 0x481–0x486.
         firmware: Version text of 0x4AF; generation 1 has none.
+        identity: What else the arm told with it.
         version_heard_s: When a part of an arm's answer to 0x4AF was last heard, readable or not.
         foreign_targets_s: When the joint targets of another sender, a teaching input or another
             host, were last heard in full (0x155–0x157, with any identifier offset).
@@ -206,9 +209,11 @@ class ArmState:
     accelerations_deg_s2: Six[Reading[float] | None] = _NOTHING
     end_limits: Reading[EndLimits] | None = None
     collision_levels: Reading[Six[int]] | None = None
+    drag_assistance: Reading[Six[int]] | None = None
     teaching_handle: Reading[TeachingHandleSettings] | None = None
     end_motion: Six[Reading[EndMotion] | None] = _NOTHING
     firmware: str | None = None
+    identity: ArmIdentity | None = None
     version_heard_s: float | None = None
     status_heard_s: tuple[float | None, ...] = (None, None, None)
     foreign_targets_s: float | None = None

@@ -27,7 +27,7 @@ from armui.arm.units import DEGREES_PER
 from armui.protocol.addressing import OFFSETS
 from armui.protocol.codec import Codec, InvalidFrame, Message
 from armui.protocol.message_fields import record_reader
-from armui.protocol.version import LONGEST, find_version, is_question
+from armui.protocol.version import AnswerCollector, is_question
 
 _Signals = Mapping[str, float]
 
@@ -68,11 +68,10 @@ class Tracker:
         self._drivers_slow: list[Reading[DriverSlow] | None] = [None] * 6
         self._limits: list[Reading[JointLimits] | None] = [None] * 6
         self._accelerations: list[Reading[float] | None] = [None] * 6
-        self._collision_levels: Reading[Six[int]] | None = None
+        self._levels: dict[str, Reading[Six[int]]] = {}
         self._records: dict[str, Reading[Any]] = {}
         self._end_motion: list[Reading[EndMotion] | None] = [None] * 6
-        self._version_bytes = bytearray()
-        self._firmware: str | None = None
+        self._answer = AnswerCollector()
         self._version_heard_s: float | None = None
         self._silences = 0
         self._foreign_targets_s: list[float | None] = [None] * len(_TARGET_MESSAGES)
@@ -125,9 +124,11 @@ class Tracker:
             drivers_slow=_six(self._drivers_slow),
             limits=_six(self._limits),
             accelerations_deg_s2=_six(self._accelerations),
-            collision_levels=self._collision_levels,
+            collision_levels=self._levels.get("CollisionFeedback"),
+            drag_assistance=self._levels.get("DragAssistanceFeedback"),
             end_motion=_six(self._end_motion),
-            firmware=self._firmware,
+            firmware=None if self._answer.identity is None else self._answer.identity.software,
+            identity=self._answer.identity,
             version_heard_s=self._version_heard_s,
             status_heard_s=tuple(self._status_heard_s),
             foreign_targets_s=self._all_targets_s(),
@@ -144,7 +145,8 @@ class Tracker:
             "GripperFeedback": self._on_gripper,
             "LimitFeedback": self._on_limits,
             "AccelerationFeedback": self._on_acceleration,
-            "CollisionFeedback": self._on_collision_levels,
+            "CollisionFeedback": self._levels_handler("CollisionFeedback"),
+            "DragAssistanceFeedback": self._levels_handler("DragAssistanceFeedback"),
             "FirmwareVersion": self._on_firmware,
             "JointFeedback12": _pair(self._joints, 0, "J1", "J2"),
             "JointFeedback34": _pair(self._joints, 2, "J3", "J4"),
@@ -205,9 +207,12 @@ class Tracker:
         acceleration_deg_s2 = signals["MaxAcceleration"] * factor
         self._accelerations[int(signals["Joint"]) - 1] = Reading(acceleration_deg_s2, at_s)
 
-    def _on_collision_levels(self, signals: _Signals, at_s: float) -> None:
-        levels: Six[int] = _six([int(signals[f"J{joint}"]) for joint in JOINTS])
-        self._collision_levels = Reading(levels, at_s)
+    def _levels_handler(self, message: str) -> Callable[[_Signals, float], None]:
+        def on_levels(signals: _Signals, at_s: float) -> None:
+            levels: Six[int] = _six([int(signals[f"J{joint}"]) for joint in JOINTS])
+            self._levels[message] = Reading(levels, at_s)
+
+        return on_levels
 
     def _record_handler(self, field: str, record: type) -> Callable[[_Signals, float], None]:
         read: Callable[[_Signals], object] = record_reader(record)
@@ -227,14 +232,7 @@ class Tracker:
 
     def _on_firmware(self, signals: _Signals, at_s: float) -> None:
         self._version_heard_s = at_s
-        self._version_bytes += _version_payload(signals)
-        found = find_version(bytes(self._version_bytes))
-        if found is not None:
-            self._firmware = found
-            self._version_bytes.clear()
-        else:
-            # what may be the beginning of the text
-            del self._version_bytes[:-LONGEST]
+        self._answer.take(_version_payload(signals), at_s)
 
     def _driver_fast_handler(self, joint: int) -> Callable[[_Signals, float], None]:
         name = f"DriverFast{joint}"

@@ -28,6 +28,7 @@ ANSWERS: Final = frozenset(
         "EndLimitFeedback",
         "CollisionFeedback",
         "TeachingFeedback",
+        "DragAssistanceFeedback",
     }
 )
 """Messages that answer something: each one is delivered, none is folded away."""
@@ -59,7 +60,7 @@ class Intake:
         self._answered = answered
         self._tracker = Tracker(codec)
         self._epoch = 0
-        self._next_codecs: deque[tuple[Codec, int]] = deque()
+        self._next_codecs: deque[tuple[Codec, int | None]] = deque()
         self._state = ArmState()
         self._others = OtherHosts()
         self._traffic = OtherTraffic()
@@ -75,11 +76,18 @@ class Intake:
         """What other hosts were heard to send; may be read from any thread."""
         return self._traffic
 
-    def use_codec(self, codec: Codec) -> None:
-        """Forget what was heard; speak this codec from the next frame on; any thread may say so.
+    def use_codec(self, codec: Codec, *, forget: bool = True) -> None:
+        """Speak this codec from the next frame on; any thread may say so.
 
-        From this call on :attr:`state` holds nothing that was heard or decoded before it.
+        Args:
+            codec: What to speak.
+            forget: From this call on :attr:`state` holds nothing that was heard or decoded before
+                it. Otherwise the codec only reads other hosts' frames otherwise: it must be of the
+                same generation and addressing.
         """
+        if not forget:
+            self._next_codecs.append((codec, None))
+            return
         self._next_codecs.append((codec, self._epoch + 1))
         self._epoch += 1
 
@@ -88,7 +96,8 @@ class Intake:
         while self._next_codecs:
             before, (self.codec, epoch) = self.codec, self._next_codecs.popleft()
             self.line.switch(before, self.codec, now_s)
-            self._tracker = Tracker(self.codec, epoch)
+            if epoch is not None:
+                self._tracker = Tracker(self.codec, epoch)
 
     def take(self, frame: Frame, at_s: float, flags: int) -> None:
         """Take in a frame that this program did not send.

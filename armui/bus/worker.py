@@ -143,12 +143,13 @@ class BusWorker(QThread):
         """Who else is told of every frame from now on."""
         self._line.want(taps)
 
-    def use_codec(self, codec: Codec) -> None:
+    def use_codec(self, codec: Codec, *, forget: bool = True) -> None:
         """Forget what was heard; speak this codec from the next frame on.
 
-        From this call on :attr:`state` holds nothing that was heard or decoded before it.
+        From this call on :attr:`state` holds nothing that was heard or decoded before it, unless
+        nothing is to be forgotten; see :meth:`armui.bus.intake.Intake.use_codec`.
         """
-        self._intake.use_codec(codec)
+        self._intake.use_codec(codec, forget=forget)
 
     def close(self, within_ms: int) -> bool:
         """Close the device and end the thread.

@@ -2,21 +2,24 @@
 
 from __future__ import annotations
 
+import argparse
 import os
 import sys
 from itertools import chain
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from armui.decode.firmware import FirmwareFinder
 from armui.decode.lines import LineFormat
 from armui.protocol.codec import Codec
+from armui.protocol.firmware_version import RECOMMENDED, FirmwareVersion, quirks_of
 from armui.protocol.generation import Generation
 from armui.session.detection import detect_generation
 from armui.session.frames import NotALogError
 from armui.session.reader import SUFFIXES, LogFile
 
 if TYPE_CHECKING:
-    import argparse
+    from armui.session.frames import Channel, FrameBatch
 
 EXIT_COMPLETE = 0
 """Every frame of the log was read; unknown frames are no failure."""
@@ -47,6 +50,11 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         default="auto",
         help="protocol of the recorded arm; auto looks for evidence in the log (default)",
     )
+    parser.add_argument(
+        "--firmware", type=_version, metavar=str(RECOMMENDED),
+        help="the arm's firmware, which says how its MIT frames are laid out, where the log does "
+        f"not tell it (default: {RECOMMENDED})",
+    )  # fmt: skip
     parser.add_argument("--json", action="store_true", help="one JSON object a line")
 
 
@@ -54,7 +62,7 @@ def run(options: argparse.Namespace) -> int:
     """Decodes a log to the standard output.
 
     Args:
-        options: `file`, `generation` and `json`, as `add_arguments` declares them.
+        options: `file`, `generation`, `firmware` and `json`, as `add_arguments` declares them.
 
     Returns:
         The exit code: 0 complete, 1 some places of the log could not be read, 2 no log.
@@ -62,7 +70,7 @@ def run(options: argparse.Namespace) -> int:
     path = Path(options.file)
     try:
         with LogFile(path) as log:
-            return _decode(log, options.generation, as_json=options.json)
+            return _decode(log, options.generation, options.firmware, as_json=options.json)
     except NotALogError as error:
         _complain(path, str(error))
         return EXIT_NO_LOG
@@ -74,7 +82,16 @@ def run(options: argparse.Namespace) -> int:
         return EXIT_INTERRUPTED
 
 
-def _decode(log: LogFile, wanted: str, *, as_json: bool) -> int:
+def _version(text: str) -> FirmwareVersion:
+    version = FirmwareVersion.parse(text)
+    if version is None:
+        raise argparse.ArgumentTypeError(
+            f"{text!r} is no firmware version; write it as {RECOMMENDED}"
+        )
+    return version
+
+
+def _decode(log: LogFile, wanted: str, firmware: FirmwareVersion | None, *, as_json: bool) -> int:
     batches = log.batches()
     if wanted == "auto":
         looked_at, verdict = detect_generation(batches)
@@ -83,9 +100,12 @@ def _decode(log: LogFile, wanted: str, *, as_json: bool) -> int:
         batches = chain(looked_at, batches)
     else:
         generation = Generation(int(wanted))
-    lines = LineFormat(Codec(generation), as_json=as_json)
+    lines = LineFormat(Codec(generation, firmware=firmware), as_json=as_json)
     said = 0
+    layout = _Layout(log.path, firmware)
     for batch in batches:
+        if generation is Generation.TWO and layout.look_at(batch):
+            lines.speak(Codec(generation, firmware=layout.firmware))
         sys.stdout.write("\n".join(lines.lines(batch)))
         sys.stdout.write("\n")
         said = _say_damages(log, said)
@@ -94,6 +114,43 @@ def _decode(log: LogFile, wanted: str, *, as_json: bool) -> int:
     if log.damages.not_kept:
         _complain(log.path, f"{log.damages.not_kept} further places cannot be read")
     return EXIT_INCOMPLETE if log.damages.count else EXIT_COMPLETE
+
+
+class _Layout:
+    """Which firmware's MIT frames the log is read with: what it tells, else what was said."""
+
+    def __init__(self, path: Path, asked: FirmwareVersion | None) -> None:
+        self._path = path
+        self._finder = FirmwareFinder()
+        self._told: dict[Channel, FirmwareVersion] = {}
+        self._warned = False
+        self.firmware = asked
+        if asked is not None:
+            _complain(path, f"firmware {asked}, as --firmware says, unless the log tells another")
+
+    def look_at(self, batch: FrameBatch) -> bool:
+        """Take in what a batch tells, and say what is new; whether the firmware is another."""
+        self._finder.feed(batch)
+        for channel, version in self._finder.versions.items():
+            if self._told.get(channel) != version:
+                self._told[channel] = version
+                self._say(channel, version)
+        before, self.firmware = self.firmware, self._finder.first or self.firmware
+        if self.firmware is None and self._finder.has_mit and not self._warned:
+            self._warned = True
+            _complain(
+                self._path,
+                "the log names no firmware: MIT frames are read as those of S-V1.8-8 and later; "
+                "say --firmware if the arm is older",
+            )
+        return before != self.firmware
+
+    def _say(self, channel: Channel, version: FirmwareVersion) -> None:
+        first = self._finder.first
+        text = f"firmware {version}, as the log tells"
+        if first is not None and quirks_of(first).mit_layout != quirks_of(version).mit_layout:
+            text = f"firmware {version} on {channel}; all MIT frames are read as those of {first}"
+        _complain(self._path, text)
 
 
 def _say_damages(log: LogFile, said: int) -> int:

@@ -18,7 +18,7 @@ from armui.protocol.frame import Frame, FrameFlag
 from armui.session.frames import NOT_OF_THE_ARM
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Iterator, Sequence
 
     from numpy.typing import NDArray
 
@@ -28,6 +28,8 @@ if TYPE_CHECKING:
 
 _MOST_TEMPLATES: Final = 4_096
 """Templates kept of one message; hostile logs have more combinations of codes than memory."""
+_NO_MEANING: Final = -1
+"""Stands for every code that a message's selector does not have."""
 _KINDS: Final = {
     FrameFlag.IMPOSSIBLE: "impossible frame",
     FrameFlag.ERROR: "error frame",
@@ -99,7 +101,12 @@ class LineFormat:
     def __init__(self, codec: Codec, *, as_json: bool) -> None:
         self._codec = codec
         self._as_json = as_json
-        self._plans: dict[int, _MessagePlan | None] = {}
+        self._plans: dict[tuple[int, int], _MessagePlan] = {}
+
+    def speak(self, codec: Codec) -> None:
+        """Read the frames of later batches as another codec does."""
+        self._codec = codec
+        self._plans.clear()
 
     def lines(self, batch: FrameBatch) -> list[str]:
         """A line for each frame of a batch, in order."""
@@ -108,16 +115,31 @@ class LineFormat:
         ends = np.flatnonzero(np.diff(keys[order])) + 1
         lines = [""] * len(batch)
         for rows in np.split(order, ends):
-            plan = self._plan(int(keys[rows[0]]), batch)
-            for row, line in zip(rows.tolist(), self._group(batch, rows, plan), strict=True):
-                lines[row] = line
+            for same, plan in self._with_plans(batch, rows, int(keys[rows[0]])):
+                for row, line in zip(same.tolist(), self._group(batch, same, plan), strict=True):
+                    lines[row] = line
         return lines
 
-    def _plan(self, key: int, batch: FrameBatch) -> _MessagePlan | None:
-        if key not in self._plans:
-            layout = self._codec.layout(key & 0xFFFFFFFF)
-            if layout is None:
-                return None
+    def _with_plans(
+        self, batch: FrameBatch, rows: NDArray[np.intp], key: int
+    ) -> Iterator[tuple[NDArray[np.intp], _MessagePlan | None]]:
+        """Frames with the same identifier and channel, those with the same signals together."""
+        layout = self._codec.layout(key & 0xFFFFFFFF)
+        if layout is None:
+            yield rows, None
+        elif layout.selector is None:
+            yield rows, self._plan((key, 0), layout, batch)
+        else:
+            codes = signal_column(payload_words(batch.payloads[rows]), layout.selector)
+            known = np.where(np.isin(codes, list(layout.variants)), codes, _NO_MEANING)
+            for code in np.unique(known).tolist():
+                plan = self._plan((key, code), layout.variant_of(code), batch)
+                yield rows[known == code], plan
+
+    def _plan(
+        self, place: tuple[int, int], layout: MessageLayout, batch: FrameBatch
+    ) -> _MessagePlan:
+        if place not in self._plans:
             checked = {name for name, _legal in layout.checked}
             gaps = tuple(
                 signal
@@ -126,9 +148,9 @@ class LineFormat:
                 if signal.is_scaled or signal.bits > 8
             )
             codes = bit_mask(s for s in layout.signals.values() if s not in gaps)
-            channel = _channel_name(batch, key >> 32)
-            self._plans[key] = _MessagePlan(layout, gaps, np.uint64(codes), channel, {})
-        return self._plans[key]
+            channel = _channel_name(batch, place[0] >> 32)
+            self._plans[place] = _MessagePlan(layout, gaps, np.uint64(codes), channel, {})
+        return self._plans[place]
 
     def _group(
         self, batch: FrameBatch, rows: NDArray[np.intp], plan: _MessagePlan | None
@@ -199,7 +221,7 @@ class LineFormat:
             parts.append(data.hex(" ").upper())
         else:
             parts.append(f"{message.name:<19}")
-            names = self._codec.signals(message.name)
+            names = _names(self._codec, message)
             parts.append("  ".join(self._signal_text(message, name, gaps) for name in names))
             if invalid_frame:
                 parts.append(_literal(f"({': '.join(invalid_frame)})"))
@@ -223,7 +245,7 @@ class LineFormat:
         head = _literal(json.dumps(line))[1:-1]
         signals = (
             ", ".join(
-                self._signal_json(message, name, gaps) for name in self._codec.signals(message.name)
+                self._signal_json(message, name, gaps) for name in _names(self._codec, message)
             )
             if message
             else ""
@@ -251,6 +273,11 @@ def _reading_of(decoded: Message | InvalidFrame) -> _Reading:
     if isinstance(decoded, InvalidFrame):
         return _Reading(decoded.message, (decoded.kind.value, decoded.detail))
     return _Reading(decoded, None)
+
+
+def _names(codec: Codec, message: Message) -> list[str]:
+    """The signals a frame has, in the order of its bits."""
+    return [name for name in codec.signals(message.name) if name in message.signals]
 
 
 def _channel_name(batch: FrameBatch, index: int) -> str:

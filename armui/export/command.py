@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING, Final
 from armui.export.progress_bar import ProgressBar
 from armui.export.words import problem_text, report_lines
 from armui.protocol.generation import Generation
+from armui.protocol.piper_model import PiperModel
 from armui.session.exports.request import (
     ArmWishes,
     ExportCancelledError,
@@ -88,6 +89,10 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "log tells, else what fits the end pose in it)",
     )  # fmt: skip
     parser.add_argument(
+        "--model", choices=[str(each) for each in PiperModel],
+        help="the arm (default: what fits the end pose in the log, else piper)",
+    )  # fmt: skip
+    parser.add_argument(
         "--channel", help="channel of the log (default: that on which most of an arm is heard)"
     )
     parser.add_argument("--force", action="store_true", help="replace a target that is there")
@@ -137,7 +142,12 @@ def _request(options: argparse.Namespace) -> ExportRequest:
         export_format,
         options.begin,
         options.end,
-        ArmWishes(generation, options.firmware, options.channel),
+        ArmWishes(
+            generation,
+            options.firmware,
+            options.channel,
+            None if options.model is None else PiperModel(options.model),
+        ),
         options.force,
     )
 

@@ -11,6 +11,7 @@ from armui.protocol.addressing import Addressing
 from armui.protocol.database import load_database
 from armui.protocol.encoding import (
     allowed,
+    chosen_variant,
     listed,
     neutral_value,
     number,
@@ -18,11 +19,13 @@ from armui.protocol.encoding import (
     unknown_signal,
 )
 from armui.protocol.errors import EncodeError
+from armui.protocol.firmware_version import RECOMMENDED, quirks_of
 from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
 from armui.protocol.layout import message_layout
 
 if TYPE_CHECKING:
+    from armui.protocol.firmware_version import FirmwareQuirks, FirmwareVersion, MitLayout
     from armui.protocol.layout import MessageLayout, SignalLayout
 
 __all__ = ["Codec", "EncodeError", "InvalidFrame", "InvalidFrameKind", "Message"]
@@ -82,15 +85,28 @@ class Codec:
     Attributes:
         generation: The protocol spoken.
         addressing: The identifier offsets of the arm.
+        firmware: The arm's version, which says how its MIT frames are laid out; ``None``: not
+            known, they are taken for those of the version that the maker recommends.
     """
 
-    def __init__(self, generation: Generation, addressing: Addressing = Addressing()) -> None:  # noqa: B008 - frozen
+    def __init__(
+        self,
+        generation: Generation,
+        addressing: Addressing = Addressing(),  # noqa: B008 - frozen
+        firmware: FirmwareVersion | None = None,
+    ) -> None:
         self.generation = generation
         self.addressing = addressing
-        layouts = _layouts(generation)
+        self.firmware = firmware
+        layouts = _layouts(generation, self.quirks.mit_layout)
         self._by_name = {layout.name: layout for layout in layouts}
         self._by_wire_id = {addressing.to_wire(layout.arbitration_id): layout for layout in layouts}
         self._latest: dict[int, tuple[bytes, Message | InvalidFrame]] = {}
+
+    @property
+    def quirks(self) -> FirmwareQuirks:
+        """What the firmware does; that of the recommended version where it is not known."""
+        return quirks_of(self.firmware or RECOMMENDED)
 
     def decode(self, frame: Frame) -> Message | InvalidFrame:
         """What a frame says; who reads it leaves it as it is.
@@ -122,11 +138,13 @@ class Codec:
         Raises:
             EncodeError: Unknown message or signal, a value out of range, not finite or outside its
                 table, a signal left out that has no neutral value, None where nothing can be left
-                unchanged.
+                unchanged, a signal that another one says is not there.
         """
         layout = self._message(name)
         if not signals.keys() <= layout.signals.keys():
             raise unknown_signal(layout, next(s for s in signals if s not in layout.signals))
+        if layout.selector is not None:
+            layout = chosen_variant(layout, signals)
         raw = {
             signal.name: raw_value(layout, signal, signals[signal.name])
             if signal.name in signals
@@ -159,6 +177,14 @@ class Codec:
             EncodeError: No such message in this generation.
         """
         return tuple(self._message(message).signals)
+
+    def may_lack(self, message: str, signal: str) -> bool:
+        """Whether a frame of the message may hold something else in a signal's place.
+
+        Raises:
+            EncodeError: No such message or signal in this generation.
+        """
+        return self._signal(message, signal).selection is not None
 
     def unit(self, message: str, signal: str) -> str:
         """Unit of a signal, "" for bare numbers and codes.
@@ -244,9 +270,10 @@ class Codec:
 
 
 @cache
-def _layouts(generation: Generation) -> tuple[MessageLayout, ...]:
+def _layouts(generation: Generation, mit_layout: MitLayout) -> tuple[MessageLayout, ...]:
     """Every message of a generation, prepared once: a codec is made for each arm and handshake."""
-    return tuple(message_layout(message) for message in load_database(generation).messages)
+    database = load_database(generation, mit_layout)
+    return tuple(message_layout(message) for message in database.messages)
 
 
 def _decoded(layout: MessageLayout, frame: Frame) -> Message | InvalidFrame:
@@ -255,6 +282,8 @@ def _decoded(layout: MessageLayout, frame: Frame) -> Message | InvalidFrame:
         if len(data) not in layout.lengths:
             return _wrong_length(layout, frame)
         data = data[: layout.length].ljust(layout.length, b"\0")
+    if layout.selector is not None:
+        layout = layout.variant(data)
     # neither words nor scaled by cantools: see MessageLayout.scale
     values = layout.unpack(data, False, False)
     for name, legal in layout.checked:

@@ -50,8 +50,9 @@ class MoveMode(enum.IntEnum):
     MOVE_J = 0x01
     MOVE_L = 0x02
     MOVE_C = 0x03
-    MOVE_M = 0x04  # generation 2
+    MOVE_M = 0x04  # generation 2, up to S-V1.8-7
     MOVE_CPV = 0x05  # generation 2
+    MOVE_M_FROM_1_8_8 = 0x06  # generation 2, from S-V1.8-8
 
 
 class TeachingState(enum.IntEnum):
@@ -110,6 +111,7 @@ class Mounting(enum.IntEnum):
     LEVEL = 0x01
     ON_THE_LEFT_SIDE = 0x02
     ON_THE_RIGHT_SIDE = 0x03
+    UPSIDE_DOWN = 0x04  # level, from S-V1.8-8
 
 
 class ArcPointNumber(enum.IntEnum):
@@ -159,6 +161,7 @@ class ParameterQuery(enum.IntEnum):
     COLLISION_LEVELS = 0x02
     TRAJECTORY_INDEX = 0x03  # generation 2
     TEACHING_SETTING = 0x04  # generation 2
+    DRAG_ASSISTANCE = 0x05  # generation 2, from S-V1.8-1
 
 
 class FactoryReset(enum.IntEnum):
@@ -191,6 +194,44 @@ class SettingIndex(enum.IntEnum):
     END_LIMIT_SETTING = 0x79
     COLLISION_SETTING = 0x7A
     TEACHING_SETTING = 0x7D  # generation 2
+    DRAG_ASSISTANCE_SETTING = 0x87  # generation 2, from S-V1.8-1
+
+
+class GripperMeasure(enum.IntEnum):
+    """What bytes 0–3 of 0x159 and 0x2A8 are: 0x159 byte 6 bit 2, 0x2A8 byte 7; from S-V1.8-8."""
+
+    OPENING = 0x00
+    ANGLE = 0x01
+
+
+class CpvAction(enum.IntEnum):
+    """0x181–0x187 byte 0, generation 2."""
+
+    ANSWER = 0x61
+    READ = 0x72
+    WRITE = 0x77
+
+
+class CpvKind(enum.IntEnum):
+    """0x181–0x187 bytes 1–2, two letters; generation 2."""
+
+    ACCELERATION = 0x6163
+    DECELERATION = 0x6463
+    ZERO_LEARNING = 0x6565
+    SPEED_KI = 0x6B69
+    SPEED_KP = 0x6B70
+    POSITION_TARGET = 0x706F
+    POSITION_KP = 0x7070
+    SPEED_TARGET = 0x7370
+    PROFILE_SPEED = 0x7676
+
+
+class LeaderZero(enum.IntEnum):
+    """0x191 bytes 0–2, generation 2, from S-V1.7-4."""
+
+    LEADER_AND_FOLLOWER = 0x010000
+    BOTH_TO_ZERO = 0x010001
+    LEADER_TO_ZERO = 0x010101
 
 
 class TransferAnswer(enum.IntEnum):
@@ -203,6 +244,9 @@ class TransferAnswer(enum.IntEnum):
 
 VALID = 0xAE
 """Makes a field of 0x159, 0x475 or 0x477 take effect."""
+
+MOVE_UNCHANGED = 0xFF
+"""0x151 byte 1: keep the kind of motion; generation 2."""
 
 ALL_JOINTS = 7
 """The joint number that means every joint in 0x471 and 0x475."""

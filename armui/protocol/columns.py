@@ -29,8 +29,18 @@ def signal_column(words: NDArray[np.uint64], signal: SignalLayout) -> NDArray[An
         signal: The signal's layout.
 
     Returns:
-        int64 where the signal is not scaled, else float64.
+        int64 where the signal is not scaled, else float64; NaN in rows that hold something else in
+        its place.
     """
+    selection = signal.selection
+    if selection is not None:
+        rest = np.uint64(_WORD_BITS - selection.bits)
+        there = words << np.uint64(selection.first_bit) >> rest == np.uint64(selection.raw)
+        return np.where(there, _column(words, signal), np.nan)
+    return _column(words, signal)
+
+
+def _column(words: NDArray[np.uint64], signal: SignalLayout) -> NDArray[Any]:
     moved = words << np.uint64(signal.first_bit)
     rest = np.uint8(_WORD_BITS - signal.bits)
     raw = moved.view(np.int64) >> rest if signal.is_signed else (moved >> rest).view(np.int64)

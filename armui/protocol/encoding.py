@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from armui.protocol.errors import EncodeError
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable
+    from collections.abc import Iterable, Mapping
 
     from armui.protocol.layout import MessageLayout, SignalLayout
 
@@ -61,6 +61,35 @@ def neutral_value(layout: MessageLayout, signal: SignalLayout) -> int:
     if raw not in signal.legal_raw:
         raise _refused(layout, signal, None, f"it must be given: {allowed(signal)}")
     return raw
+
+
+def chosen_variant(layout: MessageLayout, signals: Mapping[str, float | None]) -> MessageLayout:
+    """The message as its selector, given or neutral, has it.
+
+    Raises:
+        EncodeError: The selector is wrong, or it leaves no room for one of the signals.
+    """
+    selector = layout.selector
+    if selector is None:
+        return layout
+    given = selector.name in signals
+    raw = (
+        raw_value(layout, selector, signals[selector.name])
+        if given
+        else neutral_value(layout, selector)
+    )
+    variant = layout.variant_of(raw)
+    for name in signals:
+        if name not in variant.signals:
+            selection = layout.signals[name].selection
+            word = selector.words.get(selection.raw if selection else raw, "")
+            raise EncodeError(
+                f"{layout.name}.{name} is only there with {selector.name} = {word!r}; give that",
+                message=layout.name,
+                signal=name,
+                value=signals[name],
+            )
+    return variant
 
 
 def unknown_signal(layout: MessageLayout, signal: str) -> EncodeError:

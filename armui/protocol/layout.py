@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+import copy
+from dataclasses import dataclass, field, replace
 from functools import partial
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Container, Mapping
+    from collections.abc import Callable, Container, Iterable, Mapping, Sequence
 
     from cantools.database.can import Message as DbcMessage
     from cantools.database.can import Signal as DbcSignal
@@ -17,6 +18,22 @@ LEAVE_UNCHANGED = "Leave unchanged"
 
 _SHORT_FORMS = {"ArcPoint": (1, 8), "BusSilence": (1, 8), "LinkageSetting": (4, 8)}
 """Messages that generation 1 sends shorter than generation 2; either accepts both lengths."""
+
+
+class Selection(NamedTuple):
+    """What another signal of the message must hold for a signal to be there.
+
+    Attributes:
+        selector: That signal's name.
+        first_bit: Its highest bit, counted from the payload's first and highest one.
+        bits: Its length.
+        raw: What it must hold.
+    """
+
+    selector: str
+    first_bit: int
+    bits: int
+    raw: int
 
 
 @dataclass(frozen=True, slots=True)
@@ -40,6 +57,8 @@ class SignalLayout:
         first_bit: The signal's highest bit, counted from the payload's first and highest one.
         bits: Its length.
         is_signed: Two's complement.
+        selection: When the signal is there, where its bits hold something else at other times;
+            ``None``: always.
     """
 
     name: str
@@ -56,6 +75,7 @@ class SignalLayout:
     first_bit: int
     bits: int
     is_signed: bool
+    selection: Selection | None = None
 
     @property
     def is_count(self) -> bool:
@@ -79,6 +99,11 @@ class SignalLayout:
             return (value - self.offset) * self.divisor
         return (value - self.offset) / self.scale
 
+    def raw_in(self, data: bytes) -> int:
+        """The raw value in a payload, without regard to its sign."""
+        word = int.from_bytes(data, "big")
+        return word >> 8 * len(data) - self.first_bit - self.bits & (1 << self.bits) - 1
+
 
 @dataclass(frozen=True, slots=True)
 class MessageLayout:
@@ -96,6 +121,10 @@ class MessageLayout:
         checked: (name, legal raw values) of the signals whose payload bits can hold illegal values.
         divided: (name, divisor) of the scaled signals whose scale is one over a whole number.
         stretched: The other scaled signals.
+        selector: The signal that says what others mean; ``None`` in most messages.
+        variants: With a selector, the message without those signals that are not there, by the
+            selector's raw value. Of such a message ``unpack`` and ``pack`` are its variants'.
+        rest: With a selector, the message without any signal that may not be there.
     """
 
     name: str
@@ -109,6 +138,19 @@ class MessageLayout:
     checked: tuple[tuple[str, Container[int]], ...]
     divided: tuple[tuple[str, int], ...]
     stretched: tuple[SignalLayout, ...]
+    selector: SignalLayout | None = None
+    variants: Mapping[int, MessageLayout] = field(default_factory=dict)
+    rest: MessageLayout | None = None
+
+    def variant(self, data: bytes) -> MessageLayout:
+        """The message as this payload has it; the message itself where it has no selector."""
+        if self.selector is None:
+            return self
+        return self.variant_of(self.selector.raw_in(data))
+
+    def variant_of(self, raw: int) -> MessageLayout:
+        """The message with this raw value of the selector."""
+        return self.variants.get(raw, self.rest or self)
 
     def scale(self, raw: dict[str, float]) -> dict[str, float]:
         """Turn raw values into physical ones, in place.
@@ -125,33 +167,66 @@ class MessageLayout:
 
 def message_layout(message: DbcMessage) -> MessageLayout:
     """Prepares one message of the database."""
-    in_order = sorted(message.signals, key=_byte_and_bit)
-    signals = {signal.name: _signal_layout(signal) for signal in in_order}
+    selector = next((signal for signal in message.signals if signal.is_multiplexer), None)
+    if selector is None:
+        return _plain_layout(message, message.signals)
+    codes = sorted({raw for signal in message.signals for raw in signal.multiplexer_ids or ()})
+    rest = [signal for signal in message.signals if signal.multiplexer_ids is None]
+    variants = {
+        raw: _plain_layout(
+            message, [*rest, *(s for s in message.signals if raw in (s.multiplexer_ids or ()))]
+        )
+        for raw in codes
+    }
+    whole = _plain_layout(message, message.signals)
+    return replace(
+        whole,
+        selector=whole.signals[selector.name],
+        variants=variants,
+        rest=_plain_layout(message, rest),
+    )
+
+
+def _plain_layout(message: DbcMessage, of: Sequence[DbcSignal]) -> MessageLayout:
+    """A message with some of its signals, each of which is there in every payload."""
+    in_order = sorted(of, key=_byte_and_bit)
+    signals = {signal.name: _signal_layout(signal, message) for signal in in_order}
     checked = tuple(
         (signal.name, signals[signal.name].legal_raw)
         for signal in in_order
         if _can_be_illegal(signal, signals[signal.name])
     )
     scaled = [signal for signal in signals.values() if signal.is_scaled]
+    part = message if len(of) == len(message.signals) else _part(message, in_order)
     return MessageLayout(
         name=message.name,
         arbitration_id=message.frame_id,
         length=message.length,
         lengths=_SHORT_FORMS.get(message.name, (message.length,)),
-        reserved_mask=_reserved_mask(message),
+        reserved_mask=_reserved_mask(message.length, signals.values()),
         signals=signals,
-        unpack=message.decode_simple,
-        pack=partial(message.encode, scaling=False, strict=False),
+        unpack=part.decode_simple,
+        pack=partial(part.encode, scaling=False, strict=False),
         checked=checked,
         divided=tuple((s.name, s.divisor) for s in scaled if s.divisor and not s.offset),
         stretched=tuple(s for s in scaled if not s.divisor or s.offset),
     )
 
 
-def _reserved_mask(message: DbcMessage) -> int:
-    ones = {s.name: -1 if s.is_signed else 2**s.length - 1 for s in message.signals}
-    used = message.encode(ones, scaling=False, strict=False)
-    return int.from_bytes(used, "big") ^ (1 << 8 * message.length) - 1
+def _part(message: DbcMessage, of: Sequence[DbcSignal]) -> DbcMessage:
+    """A message of cantools with some of another's signals, without a selector."""
+    signals = [copy.copy(signal) for signal in of]
+    for signal in signals:
+        signal.is_multiplexer, signal.multiplexer_ids = False, None
+        signal.multiplexer_signal = None
+    return type(message)(message.frame_id, message.name, message.length, signals, strict=True)
+
+
+def _reserved_mask(length: int, signals: Iterable[SignalLayout]) -> int:
+    reserved = (1 << 8 * length) - 1
+    for signal in signals:
+        reserved &= ~((1 << signal.bits) - 1 << 8 * length - signal.first_bit - signal.bits)
+    return reserved
 
 
 def _byte_and_bit(signal: DbcSignal) -> tuple[int, int]:
@@ -160,7 +235,20 @@ def _byte_and_bit(signal: DbcSignal) -> tuple[int, int]:
     return byte, bit if signal.length == 1 else -bit
 
 
-def _signal_layout(signal: DbcSignal) -> SignalLayout:
+def _selection(signal: DbcSignal, message: DbcMessage) -> Selection | None:
+    if signal.multiplexer_ids is None:
+        return None
+    (raw,) = signal.multiplexer_ids
+    by = message.get_signal_by_name(signal.multiplexer_signal or "")
+    return Selection(by.name, _first_bit(by), by.length, raw)
+
+
+def _first_bit(signal: DbcSignal) -> int:
+    first: int = signal.start // 8 * 8 + 7 - signal.start % 8
+    return first
+
+
+def _signal_layout(signal: DbcSignal, message: DbcMessage) -> SignalLayout:
     words = {int(raw): str(word) for raw, word in (signal.choices or {}).items()}
     exhaustive = len(words) > 1
     scale, offset = float(signal.scale), float(signal.offset)
@@ -189,9 +277,10 @@ def _signal_layout(signal: DbcSignal) -> SignalLayout:
         exhaustive=exhaustive,
         legal_raw=legal,
         unchanged_raw=next((raw for raw, word in words.items() if word == LEAVE_UNCHANGED), None),
-        first_bit=signal.start // 8 * 8 + 7 - signal.start % 8,
+        first_bit=_first_bit(signal),
         bits=signal.length,
         is_signed=signal.is_signed,
+        selection=_selection(signal, message),
     )
 
 

@@ -13,7 +13,9 @@ from armui.protocol.codec import Codec
 from armui.protocol.detect import GenerationDetector
 from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
+from armui.protocol.version import VERSION_ID, AnswerCollector, is_question
 from armui.session.frames import NOT_OF_THE_ARM
+from armui.session.session import HasDataRows
 
 if TYPE_CHECKING:
     from armui.session.frames import Channel, FrameBatch
@@ -23,6 +25,8 @@ _STATUS_ID: Final = 0x2A1
 _LOOKED_BACK_S: Final = 3.0
 _FRAMES: Final = 6_000
 """So many frames of an arm, two seconds of it, tell the generation as well as all of them."""
+_ANSWER_FRAMES: Final = 2_000
+"""So many frames with the version are looked at: an answer has eleven."""
 _ARM: Final = range(0x251, 0x2D0)
 """Where the cyclic feedback lies under every offset."""
 
@@ -38,6 +42,8 @@ class ChannelSurvey:
         reason: Why, as the end of a sentence that begins "generation N, because".
         is_certain: Whether anything tells; if not, the operator should choose.
         feedback_offset: Added to the identifiers of its feedback (0x470).
+        firmware: The version it names anywhere in the log, as ``S-V1.8-5``; "" where none was
+            found.
     """
 
     channel: Channel
@@ -46,6 +52,7 @@ class ChannelSurvey:
     reason: str
     is_certain: bool
     feedback_offset: int
+    firmware: str = ""
 
 
 def survey(session: Session) -> tuple[ChannelSurvey, ...]:
@@ -80,7 +87,24 @@ def _channel(session: Session, last: FrameBatch, channel: Channel) -> ChannelSur
         reason=verdict.reason,
         is_certain=detector.has_evidence,
         feedback_offset=_offset(last, rows.tolist()),
+        firmware=_firmware(session, channel),
     )
+
+
+def _firmware(session: Session, channel: Channel) -> str:
+    if not isinstance(session, HasDataRows):
+        return ""
+    found = session.data_rows(channel, VERSION_ID)
+    if found is None:
+        return ""
+    collector = AnswerCollector()
+    last = slice(-_ANSWER_FRAMES, None)
+    rows = zip(found.times_s[last], found.lengths[last], found.payloads[last], strict=True)
+    for at_s, length, payload in rows:
+        data = bytes(payload[:length])
+        if not is_question(data):
+            collector.take(data, float(at_s))
+    return "" if collector.identity is None else collector.identity.software
 
 
 def _is_feedback(arbitration_id: int) -> bool:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import enum
 from typing import TYPE_CHECKING, Final
 
-from armui.arm.other_hosts import MOTION_IDS, OTHER_COMMAND_IDS
+from armui.arm.other_hosts import MOTION_IDS, OTHER_COMMAND_IDS, is_arms_answer
 from armui.protocol.frame import FrameFlag
 
 if TYPE_CHECKING:
@@ -36,8 +36,8 @@ MOVABLE_FEEDBACK: Final = range(0x2A1, 0x2A9)
 """Feedback that 0x470 can move; the rest has the same identifiers on every arm."""
 _FEEDBACK_OFFSETS: Final = range(0x2A1, 0x2C9)
 FIXED_FEEDBACK: Final = frozenset(
-    {*range(0x251, 0x257), *range(0x261, 0x267), *range(0x481, 0x487)}
-    | {0x473, 0x476, 0x478, 0x47B, 0x47C, 0x47E}
+    {*range(0x251, 0x257), *range(0x261, 0x267), *range(0x2AA, 0x2AD), *range(0x481, 0x487)}
+    | {0x473, 0x476, 0x478, 0x47B, 0x47C, 0x47E, 0x488}
 )
 _HOSTS: Final = MOTION_IDS | OTHER_COMMAND_IDS
 _NO_DATA_FRAME: Final = FrameFlag.EXTENDED | FrameFlag.REMOTE | FrameFlag.FD
@@ -60,7 +60,7 @@ def sender_of(frame: Frame, flags: int, addressing: Addressing) -> Sender:
         return Sender.UNKNOWN
     arbitration_id, data = frame
     if arbitration_id in _HOSTS:
-        return Sender.OTHER
+        return Sender.ARM if is_arms_answer(arbitration_id, data) else Sender.OTHER
     if arbitration_id == VERSION_ID:
         return Sender.OTHER if data == _QUESTION else Sender.ARM
     if arbitration_id in FIXED_FEEDBACK:

@@ -36,7 +36,8 @@ def row_of(record: Record, codec: Codec, *, proven: bool) -> Callable[[_Signals]
     if told is None:
         return None
     fields = record.fields
-    if all(len(field.signals) == 1 and field.signals[0] in told for field in fields):
+    plain = all(len(field.signals) == 1 and field.signals[0] in told for field in fields)
+    if plain and not any(codec.may_lack(record.message, name) for name in told):
         factors = [factor_of(record, field, codec) for field in fields]
         return _plain([field.signals[0] for field in fields], factors)
     makers = tuple(_maker(record, field, codec, told) for field in fields)
@@ -81,6 +82,8 @@ def _maker(record: Record, field: Field, codec: Codec, told: frozenset[str]) -> 
         return lambda signals: sum(bit for bit, name in bits if signals[name] == 1)
     name = field.signals[0]
     factor = factor_of(record, field, codec)
+    if codec.may_lack(record.message, name):
+        return lambda signals: signals.get(name, _NAN) * factor
     if factor == 1:
         return itemgetter(name)
     return lambda signals: signals[name] * factor

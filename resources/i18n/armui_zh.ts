@@ -1,5 +1,4 @@
-<?xml version="1.0" encoding="utf-8"?>
-<!DOCTYPE TS>
+<?xml version='1.0' encoding='utf-8'?>
 <TS version="2.1" language="zh_CN" sourcelanguage="en_US">
 <context>
     <name>AboutArm</name>
@@ -154,15 +153,15 @@
         <translation>给电机上电，电机保持当前位置。</translation>
     </message>
     <message>
-        <source>Takes the motor&apos;s power: the arm drops. Asks first.</source>
+        <source>Takes the motor's power: the arm drops. Asks first.</source>
         <translation>切断电机动力，机械臂会下落。执行前会询问。</translation>
     </message>
     <message>
-        <source>Makes the present position the joint&apos;s zero. Asks first.</source>
+        <source>Makes the present position the joint's zero. Asks first.</source>
         <translation>将关节当前位置设为零点。执行前会询问。</translation>
     </message>
     <message>
-        <source>Clears the error of the joint&apos;s driver; nothing moves.</source>
+        <source>Clears the error of the joint's driver; nothing moves.</source>
         <translation>清除关节驱动器的错误，机械臂不会运动。</translation>
     </message>
     <message>
@@ -476,7 +475,7 @@
         <translation>{count} 个参数中有 {failed} 个未恢复。</translation>
     </message>
     <message>
-        <source>No file is open; the arm&apos;s own values are shown.</source>
+        <source>No file is open; the arm's own values are shown.</source>
         <translation>未打开文件；显示的是机械臂当前的值。</translation>
     </message>
     <message>
@@ -596,7 +595,7 @@
         <translation>仲裁失败：优先级更高的帧先发出，属正常现象</translation>
     </message>
     <message>
-        <source>the adapter&apos;s CAN controller reports</source>
+        <source>the adapter's CAN controller reports</source>
         <translation>适配器的 CAN 控制器有报告</translation>
     </message>
     <message>
@@ -628,7 +627,7 @@
         <translation>收发器：请检查 CAN_H、CAN_L 是否短路或断路</translation>
     </message>
     <message>
-        <source>nobody acknowledges: check the arm&apos;s power, the cable and the bit rate</source>
+        <source>nobody acknowledges: check the arm's power, the cable and the bit rate</source>
         <translation>无人应答：请检查机械臂电源、线缆和波特率</translation>
     </message>
     <message>
@@ -699,7 +698,7 @@
         <translation>该帧的含义；下方是其中的信号</translation>
     </message>
     <message>
-        <source>By the identifier: what is not this program&apos;s and no arm sends is another host&apos;s</source>
+        <source>By the identifier: what is not this program's and no arm sends is another host's</source>
         <translation>按 ID 判断：既不是本程序发送、也不是机械臂会发送的帧，属于其他上位机</translation>
     </message>
     <message>
@@ -774,7 +773,7 @@
         <translation>开始统计以来适配器报告的总线错误</translation>
     </message>
     <message>
-        <source>Lost by the system&apos;s queue or by the adapter since the counting began</source>
+        <source>Lost by the system's queue or by the adapter since the counting began</source>
         <translation>开始统计以来被系统队列或适配器丢失的帧</translation>
     </message>
 </context>
@@ -1022,7 +1021,7 @@
         <translation>正在打开 CAN 设备。</translation>
     </message>
     <message>
-        <source>The CAN device is open, but no arm is heard on it. Check the arm&apos;s power, the cable and the bit rate.</source>
+        <source>The CAN device is open, but no arm is heard on it. Check the arm's power, the cable and the bit rate.</source>
         <translation>CAN 设备已打开，但没有收到机械臂的反馈。请检查机械臂电源、线缆和波特率。</translation>
     </message>
     <message>
@@ -1464,6 +1463,10 @@
     <message>
         <source>Check</source>
         <translation>检查</translation>
+    </message>
+<message>
+        <source>Jog</source>
+        <translation>点动</translation>
     </message>
 </context>
 <context>
@@ -1935,7 +1938,7 @@
         <translation>日志中没有任何帧。未写入文件。</translation>
     </message>
     <message>
-        <source>No frame of the log is an arm&apos;s. No file was written. Another channel?</source>
+        <source>No frame of the log is an arm's. No file was written. Another channel?</source>
         <translation>日志中没有机械臂的帧。未写入文件。是否应选择其他通道？</translation>
     </message>
     <message>
@@ -1959,8 +1962,8 @@
         <translation>无法写入 {target}：{detail}</translation>
     </message>
     <message>
-        <source>Parquet needs the package pyarrow: pip install &apos;armui[parquet]&apos;. CSV has the same table without it.</source>
-        <translation>Parquet 需要 pyarrow 包：pip install &apos;armui[parquet]&apos;。CSV 无需它，内容是同一表格。</translation>
+        <source>Parquet needs the package pyarrow: pip install 'armui[parquet]'. CSV has the same table without it.</source>
+        <translation>Parquet 需要 pyarrow 包：pip install 'armui[parquet]'。CSV 无需它，内容是同一表格。</translation>
     </message>
     <message>
         <source>The export failed: {detail}</source>
@@ -1987,7 +1990,7 @@
         <translation>已读取 {frames:,} 帧，按第 {generation} 代协议解析。</translation>
     </message>
     <message>
-        <source>{count:,} of them are none of the arm&apos;s.</source>
+        <source>{count:,} of them are none of the arm's.</source>
         <translation>其中 {count:,} 帧不是机械臂的帧。</translation>
     </message>
 </context>
@@ -2420,7 +2423,7 @@
         <translation>在下一个设定值到来之前关节失力：若没有设定值立即跟上，机械臂会坠落。请托住机械臂。之后只能通过复位恢复。</translation>
     </message>
     <message>
-        <source>Drives one motor past the arm&apos;s own planning and limits. With gains of 0 its joint has no strength and falls. Support the arm, keep away from it.</source>
+        <source>Drives one motor past the arm's own planning and limits. With gains of 0 its joint has no strength and falls. Support the arm, keep away from it.</source>
         <translation>绕过机械臂自身的规划和限位直接驱动一个电机。增益为 0 时该关节无力并坠落。请托住机械臂，并与其保持距离。</translation>
     </message>
     <message>
@@ -3187,7 +3190,7 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
         <translation>6 个关节的角度限位、速度和加速度都将恢复为出厂值。为现场设置的限位（包括更窄的限位）会丢失：如以后还需要，请先保存参数备份。</translation>
     </message>
     <message>
-        <source>This arm&apos;s protocol (generation 1) has no command for it. Enter the values, or restore a backup.</source>
+        <source>This arm's protocol (generation 1) has no command for it. Enter the values, or restore a backup.</source>
         <translation>该机械臂的协议（第 1 代）没有此指令。请手动输入数值，或从备份恢复。</translation>
     </message>
 </context>
@@ -3334,6 +3337,10 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
     <message>
         <source>Click here to jog by keys.</source>
         <translation>点击此处后可用键盘点动。</translation>
+    </message>
+<message>
+        <source>Jogging is not possible now.</source>
+        <translation>现在不能点动。</translation>
     </message>
 </context>
 <context>
@@ -4029,7 +4036,7 @@ Lamps give no feedback: this is only what will be sent.</source>
     </message>
     <message>
         <source>The limits move with the zero, and so does every stored trajectory. With a wrong zero the arm runs into its stops.
-Set it only at the mark of the joint&apos;s zero, with the arm standing still. The arm keeps it; there is no way back but to set it again.</source>
+Set it only at the mark of the joint's zero, with the arm standing still. The arm keeps it; there is no way back but to set it again.</source>
         <translation>限位和已存轨迹会随零点一起改变；零点设错，机械臂会撞上机械限位。
 请仅在关节对准零位标记且机械臂静止时设置。机械臂会保存该零点，只能通过重新设置更改。</translation>
     </message>
@@ -4147,7 +4154,7 @@ Set it only at the mark of the joint&apos;s zero, with the arm standing still. T
         <translation>机械臂已确认急停。</translation>
     </message>
     <message>
-        <source>The arm has NOT confirmed the emergency stop; it is sent again and again. Cut the arm&apos;s power if it moves.</source>
+        <source>The arm has NOT confirmed the emergency stop; it is sent again and again. Cut the arm's power if it moves.</source>
         <translation>机械臂尚未确认急停，正在反复发送。若机械臂仍在运动，请切断其电源。</translation>
     </message>
     <message>
@@ -4235,7 +4242,7 @@ Set it only at the mark of the joint&apos;s zero, with the arm standing still. T
         <translation>6 个电机均已使能。</translation>
     </message>
     <message>
-        <source>These joints did not enable: {joints}. Press Enable again; if that fails, check their drivers and the arm&apos;s power.</source>
+        <source>These joints did not enable: {joints}. Press Enable again; if that fails, check their drivers and the arm's power.</source>
         <translation>以下关节未能使能：{joints}。请再按一次“使能”；若仍失败，请检查其驱动器和机械臂电源。</translation>
     </message>
     <message>
@@ -4291,7 +4298,7 @@ Set it only at the mark of the joint&apos;s zero, with the arm standing still. T
         <translation>末端负载未得到确认。{reason}</translation>
     </message>
     <message>
-        <source>Switching the feedback of the end&apos;s motion</source>
+        <source>Switching the feedback of the end's motion</source>
         <translation>正在切换末端速度/加速度反馈</translation>
     </message>
     <message>
@@ -4303,7 +4310,7 @@ Set it only at the mark of the joint&apos;s zero, with the arm standing still. T
         <translation>机械臂已停止上报末端速度/加速度。</translation>
     </message>
     <message>
-        <source>The feedback of the end&apos;s motion is not switched. {reason}</source>
+        <source>The feedback of the end's motion is not switched. {reason}</source>
         <translation>末端速度/加速度反馈未切换成功。{reason}</translation>
     </message>
     <message>
@@ -4467,7 +4474,7 @@ Set it only at the mark of the joint&apos;s zero, with the arm standing still. T
         <translation>回放中止。{reason}</translation>
     </message>
     <message>
-        <source>Recording the arm&apos;s motion</source>
+        <source>Recording the arm's motion</source>
         <translation>开始录制机械臂运动</translation>
     </message>
     <message>
@@ -4523,7 +4530,7 @@ Set it only at the mark of the joint&apos;s zero, with the arm standing still. T
         <translation>未读到以下关节的限位：{joints}。现按出厂限位检查；重新连接可再次读取。</translation>
     </message>
     <message>
-        <source>Joint {joint}: the limits stored in the arm cannot be true. The factory limits hold; set the joint&apos;s limits anew.</source>
+        <source>Joint {joint}: the limits stored in the arm cannot be true. The factory limits hold; set the joint's limits anew.</source>
         <translation>关节 {joint}：机械臂中保存的限位不合理。现按出厂限位检查；请重新设置该关节的限位。</translation>
     </message>
     <message>
@@ -4539,7 +4546,7 @@ Set it only at the mark of the joint&apos;s zero, with the arm standing still. T
         <translation>事件：{code}</translation>
     </message>
     <message>
-        <source>The emergency stop is NOT on the bus: no CAN device is open, or it does not take the frame. Cut the arm&apos;s power if it moves.</source>
+        <source>The emergency stop is NOT on the bus: no CAN device is open, or it does not take the frame. Cut the arm's power if it moves.</source>
         <translation>急停没有发到总线上：没有打开 CAN 设备，或设备不接收该帧。若机械臂在运动，请切断其电源。</translation>
     </message>
     <message>
@@ -4555,7 +4562,7 @@ Set it only at the mark of the joint&apos;s zero, with the arm standing still. T
         <translation>未完成的急停已撤回；机械臂没有停止。</translation>
     </message>
     <message>
-        <source>The arm on {device} has never confirmed its emergency stop, and another device is connected now. Cut that arm&apos;s power if it moves.</source>
+        <source>The arm on {device} has never confirmed its emergency stop, and another device is connected now. Cut that arm's power if it moves.</source>
         <translation>{device} 上的机械臂一直没有确认急停，而现在连接的是另一设备。若那台机械臂在运动，请切断其电源。</translation>
     </message>
     <message>
@@ -4603,7 +4610,7 @@ Set it only at the mark of the joint&apos;s zero, with the arm standing still. T
         <translation>机械臂未确认恢复出厂值。{reason}</translation>
     </message>
     <message>
-        <source>Sent by hand: {frame}. It counts as another program&apos;s command.</source>
+        <source>Sent by hand: {frame}. It counts as another program's command.</source>
         <translation>手动发送：{frame}。按其他程序的指令处理。</translation>
     </message>
     <message>
@@ -4629,6 +4636,26 @@ Set it only at the mark of the joint&apos;s zero, with the arm standing still. T
     <message>
         <source>What just happened could not be saved: {reason}</source>
         <translation>无法保存刚才发生的事：{reason}</translation>
+    </message>
+<message>
+        <source>Connected as a {chosen}, but the pose it reports is that of a {fits}. Connect it as a {fits}.</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>The pose the arm reports fits its angles in no model of the family, {chosen} included.</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>{device} jogs {axes} (joints)</source>
+        <translation>{device} 点动 {axes}（关节）</translation>
+    </message>
+    <message>
+        <source>{device} jogs {axes} (base frame)</source>
+        <translation>{device} 点动 {axes}（基坐标系）</translation>
+    </message>
+    <message>
+        <source>{device} jogs {axes} (tool frame)</source>
+        <translation>{device} 点动 {axes}（工具坐标系）</translation>
     </message>
 </context>
 <context>
@@ -4686,7 +4713,7 @@ Set it only at the mark of the joint&apos;s zero, with the arm standing still. T
         <translation>无法识别的报文：{kind}（最近 {id}）</translation>
     </message>
     <message>
-        <source>The arm&apos;s status frames come more rarely: {share} % fewer than before</source>
+        <source>The arm's status frames come more rarely: {share} % fewer than before</source>
         <translation>机械臂状态报文变少：比之前少 {share} %</translation>
     </message>
     <message>
@@ -5515,7 +5542,7 @@ Set it only at the mark of the joint&apos;s zero, with the arm standing still. T
         <translation>{name}（本程序指令）</translation>
     </message>
     <message>
-        <source>{name}, other host&apos;s command</source>
+        <source>{name}, other host's command</source>
         <translation>{name}（其他主机指令）</translation>
     </message>
     <message>
@@ -5527,7 +5554,7 @@ Set it only at the mark of the joint&apos;s zero, with the arm standing still. T
         <translation>本程序指令</translation>
     </message>
     <message>
-        <source>other host&apos;s command</source>
+        <source>other host's command</source>
         <translation>其他主机指令</translation>
     </message>
     <message>
@@ -6002,7 +6029,7 @@ Lead it near its rest pose, then stop recording.</source>
         <translation>关节 {joints} 堵转。请解除卡阻，然后清除错误。</translation>
     </message>
     <message>
-        <source>Sensor fault, joint {joints}. Clear the error; if it comes back, check the joint&apos;s encoder.</source>
+        <source>Sensor fault, joint {joints}. Clear the error; if it comes back, check the joint's encoder.</source>
         <translation>关节 {joints} 传感器异常。请清除错误；若再次出现，请检查该关节编码器。</translation>
     </message>
     <message>
@@ -6018,7 +6045,7 @@ Lead it near its rest pose, then stop recording.</source>
         <translation>机械臂报告关节状态异常。请查看关节状态，然后清除错误。</translation>
     </message>
     <message>
-        <source>A joint&apos;s brake is not released. Hold the arm, then reset it.</source>
+        <source>A joint's brake is not released. Hold the arm, then reset it.</source>
         <translation>关节抱闸未打开。请扶住机械臂，然后复位。</translation>
     </message>
     <message>
@@ -6138,7 +6165,7 @@ Lead it near its rest pose, then stop recording.</source>
         <translation>机械臂发生碰撞。请移开障碍物，然后清除错误。</translation>
     </message>
     <message>
-        <source>A stop is outstanding: it goes out once the CAN device is back. Cut the arm&apos;s power if it moves.</source>
+        <source>A stop is outstanding: it goes out once the CAN device is back. Cut the arm's power if it moves.</source>
         <translation>有一次急停未完成：CAN 设备恢复后立即发出。若机械臂在运动，请切断其电源。</translation>
     </message>
     <message>
@@ -6148,6 +6175,10 @@ Lead it near its rest pose, then stop recording.</source>
     <message>
         <source>A stop is outstanding: the arm was away and has not confirmed it. Press the emergency stop to send it now, or withdraw it.</source>
         <translation>有一次急停未完成：机械臂曾离线，没有确认。按急停立即发送，或撤回。</translation>
+    </message>
+<message>
+        <source>No arm is connected. Connect one, or the simulated arm to try everything out.</source>
+        <translation>未连接机械臂。请连接机械臂，或先用仿真机械臂试用全部功能。</translation>
     </message>
 </context>
 <context>
@@ -6177,7 +6208,7 @@ Lead it near its rest pose, then stop recording.</source>
         <translation>以下关节的电机未使能：{joints}。请先按“使能”。</translation>
     </message>
     <message>
-        <source>Not every motor has reported yet whether it is enabled. Wait a moment; if it stays so, check the arm&apos;s power and the CAN cable.</source>
+        <source>Not every motor has reported yet whether it is enabled. Wait a moment; if it stays so, check the arm's power and the CAN cable.</source>
         <translation>尚未收到全部电机的使能状态。请稍候；若一直如此，请检查机械臂电源和 CAN 线。</translation>
     </message>
     <message>
@@ -6285,7 +6316,7 @@ Lead it near its rest pose, then stop recording.</source>
         <translation>{axis}：“{value}”不是数值。请输入毫米或度的数字，例如 12.5。</translation>
     </message>
     <message>
-        <source>The target is {missing} mm out of the arm&apos;s reach. Choose one nearer to the arm, or turn the tool.</source>
+        <source>The target is {missing} mm out of the arm's reach. Choose one nearer to the arm, or turn the tool.</source>
         <translation>目标超出可达范围 {missing} mm。请选择更近的位置，或改变末端姿态。</translation>
     </message>
     <message>
@@ -6317,7 +6348,7 @@ Lead it near its rest pose, then stop recording.</source>
         <translation>尚未记录：{point}。请把机械臂移到该处并按对应按钮。</translation>
     </message>
     <message>
-        <source>The pose the arm reports does not fit its joint angles: the program cannot compute its way. Check the joints&apos; zeros; the joints can still be moved one by one.</source>
+        <source>The pose the arm reports does not fit its joint angles: the program cannot compute its way. Check the joints' zeros; the joints can still be moved one by one.</source>
         <translation>机械臂上报的位姿与关节角度不符，程序无法计算路径。请检查各关节零点；仍可单独移动各关节。</translation>
     </message>
     <message>
@@ -6369,7 +6400,7 @@ Lead it near its rest pose, then stop recording.</source>
         <translation>{gripper}：“{value}”不是数字，请输入 {minimum} 至 {maximum} {unit} 之间的值。</translation>
     </message>
     <message>
-        <source>Whether these joints stand still is not known: {joints}. Their drivers report no speed: check the arm&apos;s power and the CAN cable.</source>
+        <source>Whether these joints stand still is not known: {joints}. Their drivers report no speed: check the arm's power and the CAN cable.</source>
         <translation>无法确认以下关节是否静止：{joints}。其驱动器未上报速度，请检查机械臂电源和 CAN 线缆。</translation>
     </message>
     <message>
@@ -6401,11 +6432,11 @@ Lead it near its rest pose, then stop recording.</source>
         <translation>设备 {device} 正被其它程序占用。请关闭该程序后重新连接。</translation>
     </message>
     <message>
-        <source>{device} is switched off in the system. Switch it on in a terminal (with your interface&apos;s name for can0): sudo ip link set can0 up type can bitrate 1000000</source>
+        <source>{device} is switched off in the system. Switch it on in a terminal (with your interface's name for can0): sudo ip link set can0 up type can bitrate 1000000</source>
         <translation>设备 {device} 在系统中未启用。请在终端中启用（将 can0 换成实际的接口名）：sudo ip link set can0 up type can bitrate 1000000</translation>
     </message>
     <message>
-        <source>You may not open {device}. On Linux add your account to the group dialout (serial adapters) or install the adapter&apos;s udev rule (USB adapters), then log in again.</source>
+        <source>You may not open {device}. On Linux add your account to the group dialout (serial adapters) or install the adapter's udev rule (USB adapters), then log in again.</source>
         <translation>没有权限打开设备 {device}。Linux 下：串口适配器请将当前用户加入 dialout 组，USB 适配器请安装其 udev 规则，然后重新登录。</translation>
     </message>
     <message>
@@ -6417,7 +6448,7 @@ Lead it near its rest pose, then stop recording.</source>
         <translation>设备 {device} 需要的 Python 软件包尚未安装。请在终端中安装：pip install {package}</translation>
     </message>
     <message>
-        <source>The driver for {device} ({interface}) is missing. Install the driver of the adapter&apos;s maker; for socketcan load the kernel&apos;s modules: sudo modprobe can_raw</source>
+        <source>The driver for {device} ({interface}) is missing. Install the driver of the adapter's maker; for socketcan load the kernel's modules: sudo modprobe can_raw</source>
         <translation>缺少设备 {device}（{interface}）的驱动。请安装适配器厂家的驱动；使用 socketcan 时请加载内核模块：sudo modprobe can_raw</translation>
     </message>
     <message>
@@ -6521,7 +6552,7 @@ Lead it near its rest pose, then stop recording.</source>
         <translation>{parameter}：不能设为 {value}，请从 {choices} 中选择。</translation>
     </message>
     <message>
-        <source>This arm&apos;s protocol (generation {generation}) has no such settings; generation 2 has.</source>
+        <source>This arm's protocol (generation {generation}) has no such settings; generation 2 has.</source>
         <translation>本机械臂的协议（第 {generation} 代）没有这些参数，第 2 代才有。</translation>
     </message>
     <message>
@@ -6565,7 +6596,7 @@ Lead it near its rest pose, then stop recording.</source>
         <translation>未运行：检查之后机械臂又移动了 {value}°。请再次点击发送。</translation>
     </message>
     <message>
-        <source>Not run: the arm&apos;s joint limits are others than those of the check. Send again.</source>
+        <source>Not run: the arm's joint limits are others than those of the check. Send again.</source>
         <translation>未运行：机械臂的关节限位与检查时不同。请再次点击发送。</translation>
     </message>
     <message>
@@ -6641,7 +6672,7 @@ Lead it near its rest pose, then stop recording.</source>
         <translation>机械臂尚未反馈末端位姿，圆弧没有起点，请稍候。</translation>
     </message>
     <message>
-        <source>Row {row}: this arm&apos;s protocol moves the gripper by other figures (generation 1 by an angle, generation 2 by an opening). Change the gripper&apos;s action.</source>
+        <source>Row {row}: this arm's protocol moves the gripper by other figures (generation 1 by an angle, generation 2 by an opening). Change the gripper's action.</source>
         <translation>第 {row} 行：本机械臂协议的夹爪参数不同（第一代用角度，第二代用开度），请修改夹爪动作。</translation>
     </message>
     <message>
@@ -6865,11 +6896,11 @@ Lead it near its rest pose, then stop recording.</source>
         <translation>“{name}”未保存：{text}。原有内容未变。请检查磁盘后重新保存。</translation>
     </message>
     <message>
-        <source>Not deleted: {name}: {text}. Check the rights to the library&apos;s folder.</source>
+        <source>Not deleted: {name}: {text}. Check the rights to the library's folder.</source>
         <translation>未删除：{name}：{text}。请检查轨迹库文件夹的权限。</translation>
     </message>
     <message>
-        <source>Not brought back: {name}: {text}. Check the rights to the library&apos;s folder.</source>
+        <source>Not brought back: {name}: {text}. Check the rights to the library's folder.</source>
         <translation>未恢复：{name}：{text}。请检查轨迹库文件夹的权限。</translation>
     </message>
     <message>
@@ -6941,7 +6972,7 @@ Lead it near its rest pose, then stop recording.</source>
         <translation>机械臂是否在当前标识符上接收指令尚未证实，因此不让它运动；急停和停住仍能到达。证实方法：让机械臂处于待机，在联动控制中重新设置偏移，得到应答后即生效。</translation>
     </message>
     <message>
-        <source>For half a second {device} could send nothing, because nobody on the bus acknowledges. Check the arm&apos;s power, the CAN cable, the terminating resistors and the bit rate (1 Mbit/s).</source>
+        <source>For half a second {device} could send nothing, because nobody on the bus acknowledges. Check the arm's power, the CAN cable, the terminating resistors and the bit rate (1 Mbit/s).</source>
         <translation>{device} 已有半秒发不出任何帧，因为总线上无人应答。请检查机械臂电源、CAN 线、终端电阻和波特率（1 Mbit/s）。</translation>
     </message>
     <message>
@@ -7001,11 +7032,11 @@ Lead it near its rest pose, then stop recording.</source>
         <translation>数据：{count} 字节超出一帧的容量。最多输入 8 字节。</translation>
     </message>
     <message>
-        <source>{frame} is what an arm itself says: two senders of one identifier disturb the bus, and others would take it for the arm&apos;s word. Choose an identifier that hosts send.</source>
+        <source>{frame} is what an arm itself says: two senders of one identifier disturb the bus, and others would take it for the arm's word. Choose an identifier that hosts send.</source>
         <translation>{frame} 是机械臂自己发送的帧：同一 ID 有两个发送方会干扰总线，其他程序也会误以为是机械臂的反馈。请选择由上位机发送的 ID。</translation>
     </message>
     <message>
-        <source>{frame} is kept for firmware upgrades: what it does is not public, and it may leave the arm without firmware. Use the maker&apos;s upgrade program.</source>
+        <source>{frame} is kept for firmware upgrades: what it does is not public, and it may leave the arm without firmware. Use the maker's upgrade program.</source>
         <translation>{frame} 保留用于固件升级：其作用没有公开资料，可能使机械臂失去固件。请使用厂家的升级程序。</translation>
     </message>
     <message>
@@ -7053,8 +7084,8 @@ Lead it near its rest pose, then stop recording.</source>
         <translation>无法在 {folder} 中记录会话：{text}。此前写入的内容可以读取。请选择其他文件夹，或重试。</translation>
     </message>
     <message>
-        <source>“{name}” cannot be the name of a recording. Leave out / \ : * ? &quot; &lt; &gt; | and a dot at the beginning or the end; 120 characters at most.</source>
-        <translation>“{name}”不能作为记录的名称。请勿使用 / \ : * ? &quot; &lt; &gt; |，首尾不能是句点，最多 120 个字符。</translation>
+        <source>“{name}” cannot be the name of a recording. Leave out / \ : * ? " &lt; &gt; | and a dot at the beginning or the end; 120 characters at most.</source>
+        <translation>“{name}”不能作为记录的名称。请勿使用 / \ : * ? " &lt; &gt; |，首尾不能是句点，最多 120 个字符。</translation>
     </message>
     <message>
         <source>There is a file called “{name}” in the folder already. Choose another name.</source>
@@ -7095,6 +7126,26 @@ Lead it near its rest pose, then stop recording.</source>
     <message>
         <source>{name} can be read no further: {text}. Open it again; if that does not help, copy it to another disk first.</source>
         <translation>无法继续读取 {name}：{text}。请重新打开；若仍不行，请先将其复制到其他磁盘。</translation>
+    </message>
+<message>
+        <source>This arm was connected as a {chosen}, but the pose it reports is that of a {fits}: the program would compute with the wrong lengths. Connect it as a {fits}; until then the joints can be moved one by one.</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>{name} is gone. Plug it in again or switch it on.</source>
+        <translation>{name} 已断开。请重新插入或打开电源。</translation>
+    </message>
+    <message>
+        <source>Nothing more is heard of {name}. Let go of its buttons and press anew.</source>
+        <translation>收不到 {name} 的数据。请松开所有按键后重新按下。</translation>
+    </message>
+    <message>
+        <source>The dead-man button was held for {seconds} s without a movement of the device. Press anew.</source>
+        <translation>使能键按住 {seconds} 秒而设备没有任何动作。请重新按下。</translation>
+    </message>
+    <message>
+        <source>The main window is not in front, or a menu is open in it. Click into it, then press anew.</source>
+        <translation>主窗口不在最前，或其中打开了菜单。请点击主窗口，然后重新按下。</translation>
     </message>
 </context>
 <context>
@@ -7389,7 +7440,7 @@ Lead it near its rest pose, then stop recording.</source>
         <translation>速度</translation>
     </message>
     <message>
-        <source>Of each point&apos;s own speed</source>
+        <source>Of each point's own speed</source>
         <translation>相对于各点自身速度的百分比</translation>
     </message>
     <message>
@@ -7399,6 +7450,18 @@ Lead it near its rest pose, then stop recording.</source>
     <message>
         <source>Step by step</source>
         <translation>单步运行</translation>
+    </message>
+<message>
+        <source>Close</source>
+        <translation>关闭</translation>
+    </message>
+    <message>
+        <source>Puts this line away; the run is over.</source>
+        <translation>收起此行；运行已结束。</translation>
+    </message>
+    <message>
+        <source>point {row} of {count}</source>
+        <translation>第 {row}/{count} 点</translation>
     </message>
 </context>
 <context>
@@ -7423,7 +7486,7 @@ Lead it near its rest pose, then stop recording.</source>
         <translation>已发送：{frame}。</translation>
     </message>
     <message>
-        <source>A frame sent by hand is checked for nothing but its form, and counts as another program&apos;s: what this program is doing ends.</source>
+        <source>A frame sent by hand is checked for nothing but its form, and counts as another program's: what this program is doing ends.</source>
         <translation>手动发送的帧只检查格式，并按其他程序的指令处理：本程序正在进行的运动会结束。</translation>
     </message>
     <message>
@@ -7664,6 +7727,38 @@ Lead it near its rest pose, then stop recording.</source>
         <source>saving at faults and stops</source>
         <translation>故障或急停时自动保存</translation>
     </message>
+<message>
+        <source>view of the 3D picture</source>
+        <translation>3D 画面的视角</translation>
+    </message>
+    <message>
+        <source>3D picture without perspective</source>
+        <translation>3D 画面的平行投影</translation>
+    </message>
+    <message>
+        <source>tool frame in the 3D picture</source>
+        <translation>3D 画面中的工具坐标系</translation>
+    </message>
+    <message>
+        <source>way of the tool in the 3D picture</source>
+        <translation>3D 画面中的末端轨迹</translation>
+    </message>
+    <message>
+        <source>jogging by gamepad</source>
+        <translation>手柄点动</translation>
+    </message>
+    <message>
+        <source>what a gamepad moves</source>
+        <translation>手柄控制的对象</translation>
+    </message>
+    <message>
+        <source>one axis at a time by gamepad</source>
+        <translation>手柄一次只动一个轴</translation>
+    </message>
+    <message>
+        <source>buttons of the gamepads</source>
+        <translation>手柄按键</translation>
+    </message>
 </context>
 <context>
     <name>SettingsDialog</name>
@@ -7746,6 +7841,22 @@ Lead it near its rest pose, then stop recording.</source>
     <message>
         <source>Such a stop is always told as a fault. With this, it is also sent again by itself.</source>
         <translation>这种情况总会作为故障提示。勾选后还会自动再次发送急停。</translation>
+    </message>
+<message>
+        <source>Gamepad, SpaceMouse</source>
+        <translation>手柄、SpaceMouse</translation>
+    </message>
+    <message>
+        <source>Gamepad…</source>
+        <translation>手柄…</translation>
+    </message>
+    <message>
+        <source>on: jogs the arm</source>
+        <translation>已开启：可以点动机械臂</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>已关闭</translation>
     </message>
 </context>
 <context>
@@ -7890,7 +8001,7 @@ Lead it near its rest pose, then stop recording.</source>
         <translation>已使能</translation>
     </message>
     <message>
-        <source>Feedback of the end&apos;s motion</source>
+        <source>Feedback of the end's motion</source>
         <translation>末端运动反馈</translation>
     </message>
     <message>
@@ -8548,7 +8659,7 @@ Lead it near its rest pose, then stop recording.</source>
         <translation>机械臂反馈的速度百分比</translation>
     </message>
     <message>
-        <source>Speed of motions, 0–100 % of the arm&apos;s highest; 0 % means no motion.</source>
+        <source>Speed of motions, 0–100 % of the arm's highest; 0 % means no motion.</source>
         <translation>运动速度，为最大速度的 0～100 %；0 % 时不运动。</translation>
     </message>
     <message>
@@ -8963,7 +9074,7 @@ Afterwards the motors must be enabled again.</source>
         <translation>录制</translation>
     </message>
     <message>
-        <source>reading or saving the arm&apos;s settings</source>
+        <source>reading or saving the arm's settings</source>
         <translation>读取或保存机械臂参数</translation>
     </message>
     <message>
@@ -8979,7 +9090,7 @@ Afterwards the motors must be enabled again.</source>
         <translation>设置零点</translation>
     </message>
     <message>
-        <source>clearing a joint&apos;s error</source>
+        <source>clearing a joint's error</source>
         <translation>清除关节错误</translation>
     </message>
     <message>
@@ -9047,7 +9158,7 @@ Afterwards the motors must be enabled again.</source>
         <translation>事件</translation>
     </message>
     <message>
-        <source>What happened: every command and what became of it, every change of the arm&apos;s status, every fault with its beginning and its end.</source>
+        <source>What happened: every command and what became of it, every change of the arm's status, every fault with its beginning and its end.</source>
         <translation>发生过的一切：每条指令及其结果、机械臂的每次状态变化、每个故障的开始与结束。</translation>
     </message>
     <message>
@@ -9067,4 +9178,908 @@ Afterwards the motors must be enabled again.</source>
         <translation>记录总线上的一切，保存刚才发生的事，回放本程序或其他程序的记录。</translation>
     </message>
 </context>
-</TS>
+<context><name>Action</name><message>
+        <source>Enable or disable all motors</source>
+        <translation>全部电机使能或失能</translation>
+    </message>
+    <message>
+        <source>Joint status</source>
+        <translation>关节状态</translation>
+    </message>
+    <message>
+        <source>Session recordings</source>
+        <translation>会话记录</translation>
+    </message>
+    <message>
+        <source>Replay a recording</source>
+        <translation>回放会话记录</translation>
+    </message>
+    <message>
+        <source>Export a recording</source>
+        <translation>导出会话记录</translation>
+    </message>
+    <message>
+        <source>Back up, compare, restore parameters</source>
+        <translation>参数备份、比较、恢复</translation>
+    </message>
+    <message>
+        <source>Language: Chinese or English</source>
+        <translation>语言：中文或英文</translation>
+    </message>
+    <message>
+        <source>Theme: light or dark</source>
+        <translation>主题：浅色或深色</translation>
+    </message>
+    <message>
+        <source>User guide</source>
+        <translation>使用指南</translation>
+    </message>
+    <message>
+        <source>Keyboard shortcuts</source>
+        <translation>快捷键</translation>
+    </message>
+    <message>
+        <source>Close the program</source>
+        <translation>退出程序</translation>
+    </message>
+    <message>
+        <source>MOVE P: to the pose</source>
+        <translation>MOVE P 运动到位姿</translation>
+    </message>
+    <message>
+        <source>MOVE L: on a straight line to the pose</source>
+        <translation>MOVE L 直线运动到位姿</translation>
+    </message>
+    <message>
+        <source>MOVE C: along the arc</source>
+        <translation>MOVE C 沿圆弧运动</translation>
+    </message>
+    <message>
+        <source>Master arm (teaching input arm)</source>
+        <translation>主臂（示教输入臂）</translation>
+    </message>
+    <message>
+        <source>Slave arm (motion output arm)</source>
+        <translation>从臂（运动输出臂）</translation>
+    </message>
+    <message>
+        <source>Pause the planned motion</source>
+        <translation>暂停规划轨迹</translation>
+    </message>
+    <message>
+        <source>Continue the held motion</source>
+        <translation>继续被保持的运动</translation>
+    </message>
+    <message>
+        <source>Terminate the planned motion</source>
+        <translation>终止规划轨迹</translation>
+    </message>
+    <message>
+        <source>Target of</source>
+        <translation>目标</translation>
+    </message>
+    <message>
+        <source>Lamps of</source>
+        <translation>灯光</translation>
+    </message>
+    <message>
+        <source>Press Edit in the panel first.</source>
+        <translation>请先在该面板中按“编辑”。</translation>
+    </message>
+</context><context><name>AxisRows</name><message>
+        <source>Of the speed at the top; without the trigger a fifth</source>
+        <translation>顶部配速的百分比；不扣扳机时为五分之一</translation>
+    </message>
+</context><context><name>ButtonRows</name><message>
+        <source>Pressed: {buttons}</source>
+        <translation>按下：{buttons}</translation>
+    </message>
+    <message>
+        <source>No button</source>
+        <translation>不分配</translation>
+    </message>
+    <message>
+        <source>The buttons as they are at first</source>
+        <translation>恢复为初始的按键分配</translation>
+    </message>
+    <message>
+        <source>Restore</source>
+        <translation>恢复默认</translation>
+    </message>
+</context><context><name>ColumnsPage</name><message>
+        <source>Importing {count} rows…</source>
+        <translation>正在导入 {count} 行…</translation>
+    </message>
+    <message>
+        <source>Not imported. {reason}</source>
+        <translation>未导入。{reason}</translation>
+    </message>
+    <message>
+        <source>Giving up the import…</source>
+        <translation>正在取消导入…</translation>
+    </message>
+    <message>
+        <source>Import by columns</source>
+        <translation>按列导入</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>名称</translation>
+    </message>
+    <message>
+        <source>Becomes</source>
+        <translation>导入为</translation>
+    </message>
+    <message>
+        <source>Recording</source>
+        <translation>录制轨迹</translation>
+    </message>
+    <message>
+        <source>Points, {move}</source>
+        <translation>轨迹点，{move}</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>速度</translation>
+    </message>
+    <message>
+        <source>Of points for which no column says it</source>
+        <translation>用于未由列给出速度的轨迹点</translation>
+    </message>
+    <message>
+        <source>Import</source>
+        <translation>导入</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>{file}: {count} columns, {rows} rows; the first rows are shown</source>
+        <translation>{file}：{count} 列，{rows} 行；下面显示前几行</translation>
+    </message>
+    <message>
+        <source>; {count} further columns are left out</source>
+        <translation>；另有 {count} 列未显示</translation>
+    </message>
+</context><context><name>CommandPalette</name><message>
+        <source>Nothing is called so. Chinese, English, pinyin and initials are found.</source>
+        <translation>没有这样的名称。可按中文、英文、拼音或拼音首字母查找。</translation>
+    </message>
+    <message>
+        <source>Commands</source>
+        <translation>命令</translation>
+    </message>
+    <message>
+        <source>Name, pinyin or initials, in Chinese or English</source>
+        <translation>名称、拼音或首字母，中英文均可</translation>
+    </message>
+    <message>
+        <source>Search for a command</source>
+        <translation>查找命令</translation>
+    </message>
+    <message>
+        <source>Commands found</source>
+        <translation>找到的命令</translation>
+    </message>
+</context><context><name>CommandsButton</name><message>
+        <source>Commands</source>
+        <translation>命令</translation>
+    </message>
+</context><context><name>EditorHint</name><message>
+        <source>Insert current pose</source>
+        <translation>插入当前位姿</translation>
+    </message>
+    <message>
+        <source>Enter a point</source>
+        <translation>手动输入一点</translation>
+    </message>
+    <message>
+        <source>No points yet</source>
+        <translation>还没有点</translation>
+    </message>
+    <message>
+        <source>Bring the arm to the first point, by the jog buttons or by hand, and insert where it is. Or enter a point as figures. Then the next one.</source>
+        <translation>用点动按钮或用手把机械臂带到第一个点，再插入当前位姿；也可以直接输入数值。</translation>
+    </message>
+</context><context><name>EditorJog</name><message>
+        <source>Insert current pose</source>
+        <translation>插入当前位姿</translation>
+    </message>
+    <message>
+        <source>Makes a point of where the arm is now, after the chosen row.</source>
+        <translation>在所选行之后，把机械臂当前位姿插入为一个点。</translation>
+    </message>
+</context><context><name>EditorPage</name><message>
+        <source>Note</source>
+        <translation>备注</translation>
+    </message>
+    <message>
+        <source>Unsaved changes</source>
+        <translation>未保存的修改</translation>
+    </message>
+    <message>
+        <source>These changes were not saved when the program ended. Save them, or undo them.</source>
+        <translation>程序结束时这些更改未保存。请保存，或撤销。</translation>
+    </message>
+    <message>
+        <source>Ended at row {row}. {reason}</source>
+        <translation>在第 {row} 行结束。{reason}</translation>
+    </message>
+    <message>
+        <source>Saved.</source>
+        <translation>已保存。</translation>
+    </message>
+    <message>
+        <source>Not pasted. {reason}</source>
+        <translation>未粘贴。{reason}</translation>
+    </message>
+    <message>
+        <source>What this trajectory is for</source>
+        <translation>该轨迹的用途</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>轨迹点</translation>
+    </message>
+    <message>
+        <source>Saved. Another program had changed “{name}” since it was opened here: what it saved is in the library under “Recently deleted…”.</source>
+        <translation>已保存。“{name}”在此处打开后被另一个程序修改过：其保存的内容可在轨迹库的“最近删除…”中找到。</translation>
+    </message>
+</context><context><name>Finder</name><message>
+        <source>Not found</source>
+        <translation>未找到</translation>
+    </message>
+    <message>
+        <source>{place} of {count}</source>
+        <translation>第 {place} 处，共 {count} 处</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>替换</translation>
+    </message>
+    <message>
+        <source>{count} replaced</source>
+        <translation>已替换 {count} 处</translation>
+    </message>
+</context><context><name>GamepadAction</name><message>
+        <source>Dead man (hold to move)</source>
+        <translation>使能键（按住才能动）</translation>
+    </message>
+    <message>
+        <source>Emergency stop</source>
+        <translation>急停</translation>
+    </message>
+    <message>
+        <source>Halt</source>
+        <translation>停住</translation>
+    </message>
+    <message>
+        <source>Next mode</source>
+        <translation>切换模式</translation>
+    </message>
+</context><context><name>GamepadAxis</name><message>
+        <source>Left stick ↔</source>
+        <translation>左摇杆 ↔</translation>
+    </message>
+    <message>
+        <source>Left stick ↕</source>
+        <translation>左摇杆 ↕</translation>
+    </message>
+    <message>
+        <source>Right stick ↔</source>
+        <translation>右摇杆 ↔</translation>
+    </message>
+    <message>
+        <source>Right stick ↕</source>
+        <translation>右摇杆 ↕</translation>
+    </message>
+    <message>
+        <source>Right trigger</source>
+        <translation>右扳机（速度）</translation>
+    </message>
+    <message>
+        <source>D-pad ↕</source>
+        <translation>方向键 ↕</translation>
+    </message>
+    <message>
+        <source>D-pad ↔</source>
+        <translation>方向键 ↔</translation>
+    </message>
+    <message>
+        <source>Push away / pull</source>
+        <translation>前推 / 后拉</translation>
+    </message>
+    <message>
+        <source>Push left / right</source>
+        <translation>左推 / 右推</translation>
+    </message>
+    <message>
+        <source>Lift / press</source>
+        <translation>上提 / 下压</translation>
+    </message>
+    <message>
+        <source>Tilt left / right</source>
+        <translation>左倾 / 右倾</translation>
+    </message>
+    <message>
+        <source>Tilt away / towards</source>
+        <translation>前倾 / 后倾</translation>
+    </message>
+    <message>
+        <source>Turn</source>
+        <translation>旋转</translation>
+    </message>
+</context><context><name>GamepadButton</name><message>
+        <source>Button {number}</source>
+        <translation>按键 {number}</translation>
+    </message>
+</context><context><name>GamepadDialog</name><message>
+        <source>Not installed: {packages}. In a terminal: {command}</source>
+        <translation>未安装：{packages}。请在终端中运行：{command}</translation>
+    </message>
+    <message>
+        <source>Found, but cannot be used (layout not known, or no permission): {names}</source>
+        <translation>已发现但无法使用（布局未知或没有权限）：{names}</translation>
+    </message>
+    <message>
+        <source>No device found. Plug one in, or switch it on and pair it.</source>
+        <translation>未发现设备。请插入设备，或打开设备电源并配对。</translation>
+    </message>
+    <message>
+        <source>Gamepad and SpaceMouse</source>
+        <translation>手柄与 SpaceMouse</translation>
+    </message>
+    <message>
+        <source>Jog by gamepad or SpaceMouse</source>
+        <translation>用手柄或 SpaceMouse 点动</translation>
+    </message>
+    <message>
+        <source>Only the axis that was pushed first moves, until all are at rest again</source>
+        <translation>只有最先推动的轴会动，直到所有轴都回中</translation>
+    </message>
+    <message>
+        <source>One axis at a time</source>
+        <translation>一次只动一个轴</translation>
+    </message>
+    <message>
+        <source>Device</source>
+        <translation>设备</translation>
+    </message>
+    <message>
+        <source>None found</source>
+        <translation>未发现</translation>
+    </message>
+    <message>
+        <source>Moves</source>
+        <translation>控制</translation>
+    </message>
+    <message>
+        <source>Axes</source>
+        <translation>摇杆与轴</translation>
+    </message>
+    <message>
+        <source>Buttons</source>
+        <translation>按键</translation>
+    </message>
+    <message>
+        <source>Nothing moves while this window is in front: try everything here. In the main window hold the dead-man button, then push an axis; letting go of either stops. The buttons for emergency stop and halt work at any time, in every window.</source>
+        <translation>本窗口在前时机械臂不会动，可以放心试按。在主窗口中先按住使能键，再推动摇杆；松开任何一个即停止。急停和停住按键在任何窗口中随时有效。</translation>
+    </message>
+    <message>
+        <source>Copy the command</source>
+        <translation>复制命令</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>关闭</translation>
+    </message>
+</context><context><name>GamepadMode</name><message>
+        <source>Joints</source>
+        <translation>关节</translation>
+    </message>
+    <message>
+        <source>Base frame</source>
+        <translation>基坐标系</translation>
+    </message>
+    <message>
+        <source>Tool frame</source>
+        <translation>工具坐标系</translation>
+    </message>
+</context><context><name>GamepadStrip</name><message>
+        <source>{device} · {mode} · hold {button} and push an axis to jog</source>
+        <translation>{device} · {mode} · 按住 {button} 并推动摇杆即可点动</translation>
+    </message>
+    <message>
+        <source>{device} · {mode} · dead man held, ready</source>
+        <translation>{device} · {mode} · 使能键已按住，可以推动摇杆</translation>
+    </message>
+    <message>
+        <source>{device} · {mode} · jogging {axes}</source>
+        <translation>{device} · {mode} · 正在点动 {axes}</translation>
+    </message>
+    <message>
+        <source>{device} · {mode} · let every axis back to its centre</source>
+        <translation>{device} · {mode} · 请先让所有摇杆回中</translation>
+    </message>
+    <message>
+        <source>{device} · let go of {button}, then press it anew</source>
+        <translation>{device} · 请松开 {button} 后重新按下</translation>
+    </message>
+    <message>
+        <source>Gamepad: {packages} not installed. Install with pip: armui[gamepad]</source>
+        <translation>手柄：未安装 {packages}，请用 pip 安装 armui[gamepad]</translation>
+    </message>
+    <message>
+        <source>Gamepad: {problem}</source>
+        <translation>手柄：{problem}</translation>
+    </message>
+    <message>
+        <source>Gamepad: none found. Plug one in or switch it on.</source>
+        <translation>手柄：未发现设备，请插入或打开设备电源。</translation>
+    </message>
+</context><context><name>JogBox</name><message>
+        <source>Joints</source>
+        <translation>关节</translation>
+    </message>
+    <message>
+        <source>Base axes</source>
+        <translation>基坐标系</translation>
+    </message>
+    <message>
+        <source>Tool axes</source>
+        <translation>工具坐标系</translation>
+    </message>
+    <message>
+        <source>Step of − and +</source>
+        <translation>− 和 + 的步长</translation>
+    </message>
+    <message>
+        <source>How far one press of − or + moves</source>
+        <translation>每按一次 − 或 + 移动多少</translation>
+    </message>
+</context><context><name>JogCell</name><message>
+        <source>{name} minus</source>
+        <translation>{name} 减</translation>
+    </message>
+    <message>
+        <source>{name} plus</source>
+        <translation>{name} 加</translation>
+    </message>
+    <message>
+        <source>Measured {name}</source>
+        <translation>测得的 {name}</translation>
+    </message>
+</context><context><name>LibraryPage</name><message>
+        <source>“{name}” is not saved yet. Open it and save it first.</source>
+        <translation>“{name}”尚未保存，请先打开并保存。</translation>
+    </message>
+    <message>
+        <source>“{name}” ended at row {row}. {reason}</source>
+        <translation>“{name}”在第 {row} 行结束。{reason}</translation>
+    </message>
+    <message>
+        <source>Trajectory library</source>
+        <translation>轨迹库</translation>
+    </message>
+</context><context><name>PageBar</name><message>
+        <source>the panel</source>
+        <translation>面板</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>返回</translation>
+    </message>
+    <message>
+        <source>Back to {where} (Esc)</source>
+        <translation>返回{where} (Esc)</translation>
+    </message>
+    <message>
+        <source>Own window</source>
+        <translation>独立窗口</translation>
+    </message>
+    <message>
+        <source>Takes this page out into a window of its own, for a second screen.</source>
+        <translation>把本页移到独立窗口，例如放到第二块屏幕上。</translation>
+    </message>
+</context><context><name>PageWindow</name><message>
+        <source>Put back</source>
+        <translation>放回</translation>
+    </message>
+    <message>
+        <source>Puts this page back beside the 3D picture.</source>
+        <translation>把本页放回 3D 画面旁边。</translation>
+    </message>
+</context><context><name>PictureExport</name><message>
+        <source>Picture copied</source>
+        <translation>画面已复制</translation>
+    </message>
+    <message>
+        <source>Save picture</source>
+        <translation>保存画面</translation>
+    </message>
+    <message>
+        <source>There is no picture of now to be taken: wait until it is drawn.</source>
+        <translation>当前画面尚未绘制完成，请稍候再试。</translation>
+    </message>
+    <message>
+        <source>Not saved: {path}. {reason}</source>
+        <translation>未保存：{path}。{reason}</translation>
+    </message>
+    <message>
+        <source>Saved: {path}</source>
+        <translation>已保存：{path}</translation>
+    </message>
+</context><context><name>Place</name><message>
+        <source>In every window</source>
+        <translation>所有窗口</translation>
+    </message>
+    <message>
+        <source>Main window</source>
+        <translation>主窗口</translation>
+    </message>
+    <message>
+        <source>3D view</source>
+        <translation>3D 视图</translation>
+    </message>
+    <message>
+        <source>Jogging by keys</source>
+        <translation>键盘点动</translation>
+    </message>
+    <message>
+        <source>Panels with parameters</source>
+        <translation>参数面板</translation>
+    </message>
+    <message>
+        <source>Trajectory editor</source>
+        <translation>轨迹编辑器</translation>
+    </message>
+    <message>
+        <source>Replay</source>
+        <translation>回放</translation>
+    </message>
+</context><context><name>PoseExtras</name><message>
+        <source>Arc by three poses</source>
+        <translation>三点圆弧</translation>
+    </message>
+    <message>
+        <source>Tool centre point</source>
+        <translation>工具中心点</translation>
+    </message>
+</context><context><name>RecordingPage</name><message>
+        <source>Recording</source>
+        <translation>录制</translation>
+    </message>
+    <message>
+        <source>Nothing was recorded: the arm told no angles.</source>
+        <translation>未录到数据：机械臂没有反馈关节角度。</translation>
+    </message>
+    <message>
+        <source>Working…</source>
+        <translation>正在处理…</translation>
+    </message>
+    <message>
+        <source>Nothing is left: correct the marked fields.</source>
+        <translation>没有剩余数据：请修正标记的输入框。</translation>
+    </message>
+    <message>
+        <source>{kept} of {count} samples, {time}</source>
+        <translation>保留 {kept}/{count} 个采样，{time}</translation>
+    </message>
+    <message>
+        <source>The path is shown in the 3D view.</source>
+        <translation>路径已显示在三维视图中。</translation>
+    </message>
+    <message>
+        <source>Saved as “{name}”.</source>
+        <translation>已保存为“{name}”。</translation>
+    </message>
+    <message>
+        <source>Stop recording</source>
+        <translation>停止录制</translation>
+    </message>
+    <message>
+        <source>Record</source>
+        <translation>录制</translation>
+    </message>
+    <message>
+        <source>Recording: {time}, {count} samples</source>
+        <translation>正在录制：{time}，{count} 个采样</translation>
+    </message>
+    <message>
+        <source> ({count} lost)</source>
+        <translation>（丢失 {count} 个）</translation>
+    </message>
+    <message>
+        <source>Lead the arm by hand, or move it by anything, while it records.</source>
+        <translation>录制期间可拖动机械臂，或以任意方式使其运动。</translation>
+    </message>
+    <message>
+        <source>Recorded: {time}, {count} samples</source>
+        <translation>已录制：{time}，{count} 个采样</translation>
+    </message>
+    <message>
+        <source>Recording anew takes the place of what is not saved</source>
+        <translation>重新录制将覆盖未保存的内容</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>名称</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>起始</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>结束</translation>
+    </message>
+    <message>
+        <source>Tolerance</source>
+        <translation>容差</translation>
+    </message>
+    <message>
+        <source>How far a joint may be off where samples are left out, in degrees</source>
+        <translation>省略采样处关节允许的偏差，单位为度</translation>
+    </message>
+    <message>
+        <source>Preview</source>
+        <translation>预览</translation>
+    </message>
+    <message>
+        <source>The path in the 3D view, and a ghost arm; the real arm stays where it is</source>
+        <translation>在三维视图中显示路径和虚影机械臂；真实机械臂不会运动</translation>
+    </message>
+    <message>
+        <source>Save as recording</source>
+        <translation>保存为录制</translation>
+    </message>
+    <message>
+        <source>Save as points</source>
+        <translation>保存为轨迹点</translation>
+    </message>
+    <message>
+        <source>The arm comes to rest in every point</source>
+        <translation>机械臂会在每个点停下</translation>
+    </message>
+</context><context><name>RunBar</name><message>
+        <source>A run is under way.</source>
+        <translation>正在运行。</translation>
+    </message>
+    <message>
+        <source>Checking…</source>
+        <translation>正在检查…</translation>
+    </message>
+    <message>
+        <source>Go on from row {row}</source>
+        <translation>从第 {row} 行继续</translation>
+    </message>
+    <message>
+        <source>Send</source>
+        <translation>发送</translation>
+    </message>
+    <message>
+        <source>Call off</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>Once</source>
+        <translation>单次</translation>
+    </message>
+    <message>
+        <source>Times</source>
+        <translation>多次</translation>
+    </message>
+    <message>
+        <source>In a loop</source>
+        <translation>循环</translation>
+    </message>
+    <message>
+        <source>How often</source>
+        <translation>运行次数</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>速度</translation>
+    </message>
+    <message>
+        <source>Of each point's own speed</source>
+        <translation>相对于各点自身速度的百分比</translation>
+    </message>
+    <message>
+        <source>From row</source>
+        <translation>起始行</translation>
+    </message>
+    <message>
+        <source>Step by step</source>
+        <translation>单步运行</translation>
+    </message>
+</context><context><name>Shortcut</name><message>
+        <source>Command palette: find every function by its name</source>
+        <translation>命令面板：按名称查找任何功能</translation>
+    </message>
+    <message>
+        <source>User guide, at the place where you are</source>
+        <translation>使用指南，打开当前所在处的章节</translation>
+    </message>
+    <message>
+        <source>This list</source>
+        <translation>本列表</translation>
+    </message>
+    <message>
+        <source>Pause, go on</source>
+        <translation>暂停、继续</translation>
+    </message>
+    <message>
+        <source>Copy the chosen rows</source>
+        <translation>复制所选行</translation>
+    </message>
+    <message>
+        <source>Play, pause</source>
+        <translation>播放、暂停</translation>
+    </message>
+    <message>
+        <source>One frame back</source>
+        <translation>后退一帧</translation>
+    </message>
+    <message>
+        <source>One frame on</source>
+        <translation>前进一帧</translation>
+    </message>
+    <message>
+        <source>Halt: ends any motion, the motors keep their power</source>
+        <translation>停住：结束任何运动，电机保持通电</translation>
+    </message>
+    <message>
+        <source>To the next control; with Shift to the one before</source>
+        <translation>到下一个控件；加 Shift 到上一个</translation>
+    </message>
+    <message>
+        <source>Close the dialog</source>
+        <translation>关闭对话框</translation>
+    </message>
+    <message>
+        <source>With Space held: J1 to J6 up, down</source>
+        <translation>按住空格：J1 至 J6 增、减</translation>
+    </message>
+    <message>
+        <source>With Space held: X, Y, Z of the tool</source>
+        <translation>按住空格：末端 X、Y、Z</translation>
+    </message>
+    <message>
+        <source>With Space held: RX, RY, RZ of the tool</source>
+        <translation>按住空格：末端 RX、RY、RZ</translation>
+    </message>
+    <message>
+        <source>Edit the points of the chosen trajectory</source>
+        <translation>编辑所选轨迹的点</translation>
+    </message>
+    <message>
+        <source>On the time line: through the recording</source>
+        <translation>在时间轴上：在记录中移动</translation>
+    </message>
+</context><context><name>ShortcutList</name><message>
+        <source>Keyboard shortcuts</source>
+        <translation>快捷键</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>关闭</translation>
+    </message>
+</context><context><name>ViewBar</name><message>
+        <source>Front view</source>
+        <translation>前视图</translation>
+    </message>
+    <message>
+        <source>Looks at the arm from where it points to</source>
+        <translation>从机械臂正前方观察</translation>
+    </message>
+    <message>
+        <source>Side view</source>
+        <translation>侧视图</translation>
+    </message>
+    <message>
+        <source>Looks at the arm from its right side</source>
+        <translation>从机械臂右侧观察</translation>
+    </message>
+    <message>
+        <source>Top view</source>
+        <translation>俯视图</translation>
+    </message>
+    <message>
+        <source>Looks down on the arm</source>
+        <translation>从上方观察机械臂</translation>
+    </message>
+    <message>
+        <source>Oblique view</source>
+        <translation>轴测视图</translation>
+    </message>
+    <message>
+        <source>Looks at the arm from the front right and above</source>
+        <translation>从右前上方观察机械臂</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>适合窗口</translation>
+    </message>
+    <message>
+        <source>Shows all of the arm as large as the room allows</source>
+        <translation>在可用空间内尽量大地显示整个机械臂</translation>
+    </message>
+    <message>
+        <source>Follow the tool</source>
+        <translation>跟随末端</translation>
+    </message>
+    <message>
+        <source>Keeps the tool centre point in the middle</source>
+        <translation>使工具中心点保持在画面中央</translation>
+    </message>
+    <message>
+        <source>Without perspective</source>
+        <translation>平行投影</translation>
+    </message>
+    <message>
+        <source>Parallel lines look parallel: lengths can be compared</source>
+        <translation>平行线保持平行，可比较长度</translation>
+    </message>
+    <message>
+        <source>Tool frame</source>
+        <translation>工具坐标系</translation>
+    </message>
+    <message>
+        <source>Shows the axes of the tool centre point</source>
+        <translation>显示工具中心点的坐标轴</translation>
+    </message>
+    <message>
+        <source>Workspace</source>
+        <translation>工作空间</translation>
+    </message>
+    <message>
+        <source>Shows how far the tool centre point can reach</source>
+        <translation>显示工具中心点可到达的范围</translation>
+    </message>
+    <message>
+        <source>Save picture…</source>
+        <translation>保存画面…</translation>
+    </message>
+    <message>
+        <source>Writes the picture with its figures to a file</source>
+        <translation>将画面连同数值保存为文件</translation>
+    </message>
+    <message>
+        <source>Copy picture</source>
+        <translation>复制画面</translation>
+    </message>
+    <message>
+        <source>Puts the picture with its figures into the clipboard</source>
+        <translation>将画面连同数值复制到剪贴板</translation>
+    </message>
+    <message>
+        <source>Way of the tool</source>
+        <translation>末端轨迹</translation>
+    </message>
+    <message>
+        <source>Last {seconds} s of motion</source>
+        <translation>最近 {seconds} 秒的运动</translation>
+    </message>
+    <message>
+        <source>Off</source>
+        <translation>关闭</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>视图</translation>
+    </message>
+    <message>
+        <source>Views, and what is drawn in the picture</source>
+        <translation>视角以及画面中显示的内容</translation>
+    </message>
+</context><context><name>WindowActions</name><message>
+        <source>The arm is not stopped.</source>
+        <translation>机械臂未处于急停。</translation>
+    </message>
+    <message>
+        <source>There is no next step now.</source>
+        <translation>现在没有下一步。</translation>
+    </message>
+</context></TS>

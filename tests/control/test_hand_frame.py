@@ -81,7 +81,11 @@ def test_what_is_none_is_named(identifier, data, code, params):
         ("472#0101000000000000", FrameEffect.HARMLESS),
         ("4AF#0100000000000000", FrameEffect.HARMLESS),
         ("121#0101FF0000000000", FrameEffect.HARMLESS),
-        ("191#00", FrameEffect.UNKNOWN),
+        ("191#0101010000000000", FrameEffect.MOVES),
+        ("487#050505FFFFFF0000", FrameEffect.SETTING),
+        ("181#726B7000000000", FrameEffect.HARMLESS),
+        ("181#77706F00006FE8", FrameEffect.DIRECT),
+        ("192#00", FrameEffect.UNKNOWN),
         ("3C1#00", FrameEffect.UNKNOWN),
     ],
 )

@@ -7,10 +7,11 @@ from dataclasses import replace
 import pytest
 
 from armui.arm.limits import FACTORY_LIMITS
-from armui.arm.state import ArmState, Reading
+from armui.arm.state import ArmState, Reading, Status
 from armui.control.link.handshake import Handshake, HandshakePhase
 from armui.protocol.addressing import Addressing
 from armui.protocol.codec import Codec
+from armui.protocol.firmware_version import MitLayout
 from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
 from tests.moments import now
@@ -40,14 +41,15 @@ class Wire:
     def __init__(self) -> None:
         self.sent: list[Frame] = []
         self.codecs: list[Codec] = []
+        self.refined: list[Codec] = []
         self.may_send = True
 
     def send(self, frames) -> bool:
         self.sent.extend(frames)
         return self.may_send
 
-    def use_codec(self, codec) -> None:
-        self.codecs.append(codec)
+    def use_codec(self, codec, *, forget=True) -> None:
+        (self.codecs if forget else self.refined).append(codec)
 
     def take(self) -> list[Frame]:
         """What was sent since this was asked last."""
@@ -131,12 +133,58 @@ def test_an_arm_that_is_asked_and_does_not_answer_is_of_generation_1(talk):
 
 
 def test_an_answer_that_cannot_be_read_is_of_generation_2_all_the_same(talk):
-    talk.wait(1.0, replace(NOTHING, version_heard_s=BEGIN_S + 0.1))
+    talk.wait(2.0, replace(NOTHING, version_heard_s=BEGIN_S + 0.1))
+    assert talk.wire.take() == [VERSION] * 4  # frames of an answer get lost
     assert now(talk.handshake.generation) is None
     talk.wait(STEP_S, replace(NOTHING, version_heard_s=BEGIN_S + 0.1))
     assert talk.handshake.generation is Generation.TWO
     assert talk.handshake.firmware is None
     assert len(talk.wire.codecs) == 1
+
+
+@pytest.mark.parametrize(
+    ("version", "layouts"),
+    [("S-V1.8-7", [MitLayout.A]), ("S-V1.8-8", []), ("S-V1.9-0", []), ("S-V1.5-2", [MitLayout.A])],
+)
+def test_the_version_says_how_mit_frames_are_read_and_nothing_is_forgotten(talk, version, layouts):
+    talk.wait(STEP_S, replace(NOTHING, firmware=version))
+    assert str(talk.handshake.codec.firmware) == version
+    assert [codec.quirks.mit_layout for codec in talk.wire.refined] == layouts
+    assert len(talk.wire.codecs) == 1
+
+
+def test_a_version_that_is_named_late_counts_as_well(talk):
+    torn = replace(NOTHING, version_heard_s=BEGIN_S + 0.1)
+    talk.wait(2.0 + STEP_S, torn)
+    assert talk.handshake.generation is Generation.TWO
+    talk.wait(STEP_S, replace(torn, firmware="S-V1.7-3"))
+    assert talk.handshake.firmware == "S-V1.7-3"
+    assert talk.wire.refined == [talk.handshake.codec]
+
+
+def test_a_teaching_input_that_answers_nothing_is_not_taken_for_generation_1(talk):
+    """S-V1.7-3: it leads, its drivers may tell, and 0x2A1 and 0x4AF stay silent."""
+    for _ in range(64 * 6):
+        talk.wait(STEP_S, replace(NOTHING, foreign_targets_s=talk.now_s))
+    assert now(talk.handshake.generation) is None
+    assert talk.wire.take() == [VERSION] * 5  # at 0, 0.5, 1, 3 and 5 s
+    talk.wait(2.0, replace(NOTHING, firmware="S-V1.7-3"))  # it follows again
+    assert talk.handshake.generation is Generation.TWO
+
+
+def test_a_leader_beside_an_arm_that_tells_its_status_says_nothing_of_it(talk):
+    status = Reading(Status(1, 0, 1, 0, True, None, None, (False,) * 6, (False,) * 6), BEGIN_S)
+    for _ in range(70):
+        talk.wait(STEP_S, replace(NOTHING, foreign_targets_s=talk.now_s, status=status))
+    assert talk.handshake.generation is Generation.ONE
+
+
+def test_a_log_may_have_told_the_version_elsewhere():
+    wire = Wire()
+    handshake = Handshake(wire, 0.0, Addressing(), Generation.TWO, "S-V1.8-5")
+    assert handshake.codec.quirks.mit_layout is MitLayout.A
+    handshake.advance(replace(NOTHING, firmware="S-V1.8-5"), 0.1)
+    assert wire.refined == []
 
 
 @pytest.mark.parametrize(

@@ -77,7 +77,7 @@ def test_text_has_time_identifier_message_and_units(tmp_path, capsys):
         "1.500000 0x2A5 JointFeedback12 J1=90 deg J2=-0.001 deg",
         (
             "1.600000 0x159 GripperCommand Opening=70 mm Torque=5 N.m Enable=1 (Enable) "
-            "ClearError=0 (No) SetZero=0 (No)"
+            "ClearError=0 (No) Measure=0 (Opening) SetZero=0 (No)"
         ),
         (
             "1.700000 0x777 unknown "

@@ -113,7 +113,8 @@ class _WindowPictures:
         """Every picture of a scene; returns how many."""
         scene.play(self._driver)
         count = 0
-        for size, theme in itertools.product(self._looks.sizes, self._looks.themes):
+        sizes = self._looks.sizes if len(self._looks.sizes) == 1 else scene.sizes
+        for size, theme in itertools.product(sizes or self._looks.sizes, self._looks.themes):
             self._change(size, theme)
             for language in self._looks.languages:
                 self._driver.store.change(language=language)

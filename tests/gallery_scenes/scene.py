@@ -19,11 +19,13 @@ class Scene:
         name: For the file.
         play: Brings a window that has just opened, with no device, to this state.
         panels: Whether each panel of the operation area is a picture, too.
+        sizes: Of the window, in pixels, where others than the usual ones tell more.
     """
 
     name: str
-    play: Callable[[AppDriver], None]
+    play: Callable[[AppDriver], object]
     panels: bool = False
+    sizes: tuple[tuple[int, int], ...] = ()
 
 
 @dataclass(frozen=True)

@@ -155,33 +155,63 @@ GENERATION_2 = [
     Row(0x150, "02 07 03 09 01 02 AB CD", "MotionCommand",
         {"EmergencyStop": 2, "TrajectoryCommand": 7, "TeachingCommand": 3, "TrajectoryPoint": 9,
          "NameIndex": 258, "Crc16": 43981}),
-    Row(0x151, "07 05 64 AD FF 03 00 00", "ModeControl",
-        {"ControlMode": 7, "MoveMode": 5, "SpeedPercent": 100, "MitMode": 0xAD, "DwellTime": 255,
-         "Mounting": 3}),
+    Row(0x151, "07 06 64 AD FF 04 00 00", "ModeControl",
+        {"ControlMode": 7, "MoveMode": 6, "SpeedPercent": 100, "MitMode": 0xAD, "DwellTime": 255,
+         "Mounting": 4}),
     Row(0x158, "03 00 00 00 00 00 00 00", "ArcPoint", {"Point": 3}),
     # 70 mm = 70000 = 0x11170; 5 N·m = 5000 = 0x1388; bit 1; 0xAE sets zero
     Row(0x159, "00 01 11 70 13 88 02 AE", "GripperCommand",
         {"Opening": 70.0, "Torque": 5.0, "ClearError": 1, "SetZero": 0xAE}),
-    # nibbles: position 4, velocity 3, kp 3, kd 3, torque 2, check 1; raw 0 is the lower end of each
+    # 45.5° = 45500 = 0xB1BC; 1 N·m = 0x3E8; bits 0 and 2
+    Row(0x159, "00 00 B1 BC 03 E8 05 00", "GripperCommand",
+        {"Angle": 45.5, "Torque": 1.0, "Enable": 1, "Measure": 1}),
+    # nibbles: position 4, velocity 3, kp 3, kd 3, torque 3; raw 0 is the lower end of each
     Row(0x15A, "00 00 00 00 00 00 00 00", "MitControl1",
-        {"Position": -12.5, "Velocity": -45.0, "Kd": -5.0, "Torque": -8.0}),
-    # all ones is the upper end; seven bytes 0xFF make 0xFF by exclusive or: check 0xF
+        {"Position": -12.5, "Velocity": -45.0, "Kd": -5.0, "Torque": -16.0}),
+    # all ones is the upper end
     Row(0x15B, "FF FF FF FF FF FF FF FF", "MitControl2",
-        {"Position": 12.5, "Velocity": 45.0, "Kp": 500.0, "Kd": 5.0, "Torque": 8.0, "Crc4": 15}),
-    # 8000 800 052 947 80 E: 32768·25/65535 - 12.5, 2048·90/4095 - 45, 82·500/4095,
-    # 2375·10/4095 - 5, 128·16/255 - 8; check 80^00^80^00^52^94^78 = BE
-    Row(0x15C, "80 00 80 00 52 94 78 0E", "MitControl3",
+        {"Position": 12.5, "Velocity": 45.0, "Kp": 500.0, "Kd": 5.0, "Torque": 16.0}),
+    # 8000 800 052 947 801: 32768·25/65535 - 12.5, 2048·90/4095 - 45, 82·500/4095,
+    # 2375·10/4095 - 5, 2049·32/4095 - 16
+    Row(0x15C, "80 00 80 00 52 94 78 01", "MitControl3",
         {"Position": 0.00019073777, "Velocity": 0.01098901099, "Kp": 10.01221001,
-         "Kd": 0.7997557998, "Torque": 0.03137254902, "Crc4": 14}),
-    # FFFF 000 000 000 00: check FF^FF = 00
-    Row(0x15D, "FF FF 00 00 00 00 00 00", "MitControl4",
-        {"Position": 12.5, "Velocity": -45.0, "Kd": -5.0, "Torque": -8.0}),
-    # 0000 FFF 000 000 00: check FF^F0 = 0F
-    Row(0x15E, "00 00 FF F0 00 00 00 0F", "MitControl5",
-        {"Position": -12.5, "Velocity": 45.0, "Kd": -5.0, "Torque": -8.0, "Crc4": 15}),
-    # 0000 000 FFF 000 00: check 0F^FF = F0
+         "Kd": 0.7997557998, "Torque": 0.01172161172}),
+    Row(0x15D, "FF FF 00 00 00 00 0F FF", "MitControl4",
+        {"Position": 12.5, "Velocity": -45.0, "Kd": -5.0, "Torque": 16.0}),
+    Row(0x15E, "00 00 FF F0 00 FF F0 00", "MitControl5",
+        {"Position": -12.5, "Velocity": 45.0, "Kd": 5.0, "Torque": -16.0}),
     Row(0x15F, "00 00 00 0F FF 00 00 00", "MitControl6",
-        {"Position": -12.5, "Velocity": -45.0, "Kp": 500.0, "Kd": -5.0, "Torque": -8.0}),
+        {"Position": -12.5, "Velocity": -45.0, "Kp": 500.0, "Kd": -5.0, "Torque": -16.0}),
+    # 77 writes; "po" = 70 6F = 28783; 0.5 rad = 28.648° = 28648 = 0x6FE8
+    Row(0x181, "77 70 6F 00 00 6F E8", "CpvControl1",
+        {"Action": 0x77, "Kind": 28783, "PositionTarget": 28.648}),
+    # "sp" = 73 70 = 29552; -0.5 rad/s = -500 = 0xFFFFFE0C
+    Row(0x182, "77 73 70 FF FF FE 0C", "CpvControl2",
+        {"Action": 0x77, "Kind": 29552, "SpeedTarget": -0.5}),
+    # 61 answers; "kp" = 6B 70 = 27504; 1.5 = 150 = 0x96
+    Row(0x183, "61 6B 70 00 00 00 96", "CpvControl3",
+        {"Action": 0x61, "Kind": 27504, "SpeedKp": 1.5}),
+    # 72 reads; "ac" = 61 63 = 24931
+    Row(0x184, "72 61 63 00 00 00 00", "CpvControl4", {"Action": 0x72, "Kind": 24931}),
+    # "ee" = 65 65 = 25957, and 65 once more
+    Row(0x185, "77 65 65 65 00 00 00", "CpvControl5",
+        {"Action": 0x77, "Kind": 25957, "ZeroLearning": 0x65}),
+    # "vv" = 76 76 = 30326; 3 rad/s = 3000 = 0xBB8
+    Row(0x186, "77 76 76 00 00 0B B8", "CpvControl6",
+        {"Action": 0x77, "Kind": 30326, "ProfileSpeed": 3.0}),
+    # "dc" = 64 63 = 25699; 5 rad/s² = 500 = 0x1F4
+    Row(0x186, "61 64 63 00 00 01 F4", "CpvControl6",
+        {"Action": 0x61, "Kind": 25699, "Deceleration": 5.0}),
+    # "pp" = 70 70 = 28784; -0.01 = -1
+    Row(0x186, "61 70 70 FF FF FF FF", "CpvControl6",
+        {"Action": 0x61, "Kind": 28784, "PositionKp": -0.01}),
+    # "ki" = 6B 69 = 27497; the highest int32
+    Row(0x186, "61 6B 69 7F FF FF FF", "CpvControl6",
+        {"Action": 0x61, "Kind": 27497, "SpeedKi": 21474836.47}),
+    Row(0x187, "77 65 65 65 00 00 00", "CpvGripper",
+        {"Action": 0x77, "Kind": 25957, "ZeroLearning": 0x65}),
+    # 01 01 01 = 65793
+    Row(0x191, "01 01 01 00 00 00 00 00", "LeaderZero", {"Command": 65793}),
     # 3 rad/s = 3000 = 0xBB8; -1.5 A = -1500 = 0xFA24; -2.618 rad = -2618 = -0xA3A = 0xFFFFF5C6
     Row(0x251, "0B B8 FA 24 FF FF F5 C6", "DriverFast1",
         {"Speed": 3.0, "Current": -1.5, "Position": -2.618}),
@@ -212,13 +242,20 @@ GENERATION_2 = [
         {"Voltage": 6553.5, "DriverTemperature": -32768, "MotorTemperature": -128,
          "BusCurrent": 65.535}),
     # limits of joints 1 and 6: bits 0 and 5; communication of joints 2 and 4: bits 1 and 3
-    Row(0x2A1, "07 0F 05 07 01 FF 21 0A", "ArmStatus",
-        {"ControlMode": 7, "Status": 15, "MoveMode": 5, "TeachingState": 7, "MotionState": 1,
+    Row(0x2A1, "07 0F 06 07 01 FF 21 0A", "ArmStatus",
+        {"ControlMode": 7, "Status": 15, "MoveMode": 6, "TeachingState": 7, "MotionState": 1,
          "TrajectoryPoint": 255, "J1LimitExceeded": 1, "J6LimitExceeded": 1,
          "J2CommunicationFault": 1, "J4CommunicationFault": 1}),
     # 100 mm = 100000 = 0x186A0; -1.5 N·m = 0xFA24; bits 0 and 7
     Row(0x2A8, "00 01 86 A0 FA 24 81 00", "GripperFeedback",
         {"Opening": 100.0, "Torque": -1.5, "Undervoltage": 1, "Homed": 1}),
+    # -5° = -5000 = 0xFFFFEC78; byte 7: an angle
+    Row(0x2A8, "FF FF EC 78 00 00 40 01", "GripperFeedback",
+        {"Angle": -5.0, "Enabled": 1, "Measure": 1}),
+    # as 0x2A5-0x2A7
+    Row(0x2AA, "00 01 5F 90 FF FF FC 18", "IkSolution12", {"J1": 90.0, "J2": -1.0}),
+    Row(0x2AB, "FF FD 67 F0 00 00 01 F4", "IkSolution34", {"J3": -170.0, "J4": 0.5}),
+    Row(0x2AC, "FF FE EE 90 00 01 D4 C0", "IkSolution56", {"J5": -70.0, "J6": 120.0}),
     Row(0x422, "01 00 00 00 00 00 00 00", "BusSilence", {"Mode": 1}),
     Row(0x470, "FC 20 10 00 00 00 00 00", "LinkageSetting",
         {"Role": 0xFC, "FeedbackOffset": 0x20, "ControlOffset": 0x10}),
@@ -234,6 +271,8 @@ GENERATION_2 = [
          "ClearError": 0xAE}),
     Row(0x476, "50 00 09 EE 01 02 AB CD", "SettingResponse",
         {"Index": 0x50, "TrajectoryPoint": 9, "Transfer": 0xEE, "NameIndex": 258, "Crc16": 43981}),
+    Row(0x476, "87 00 00 00 00 00 00 00", "SettingResponse", {"Index": 0x87}),
+    Row(0x477, "05 00 00 00 00 00 00 00", "ParameterCommand", {"Query": 5}),
     Row(0x477, "04 02 02 AE 01 00 00 00", "ParameterCommand",
         {"Query": 4, "Reset": 2, "EndFeedback": 2, "LoadValid": 0xAE, "Load": 1}),
     # 0x7FFF leaves unchanged: 32.767
@@ -249,10 +288,39 @@ GENERATION_2 = [
     # 200 % = 0xC8; 100 mm = 0x64
     Row(0x47E, "C8 64 0A 00 00 00 00 00", "TeachingFeedback",
         {"TeachingRange": 200, "StrokeLimit": 100, "Friction": 10}),
+    # 0xFF leaves unchanged
+    Row(0x487, "00 0A 05 FF FF FF 00 00", "DragAssistanceSetting",
+        {"J1": 0, "J2": 10, "J3": 5, "J4": 255, "J5": 255, "J6": 255}),
+    Row(0x488, "0A 09 08 02 01 00 00 00", "DragAssistanceFeedback",
+        {"J1": 10, "J2": 9, "J3": 8, "J4": 2, "J5": 1}),
     # ASCII "S-V1.6-3"
     Row(0x4AF, "53 2D 56 31 2E 36 2D 33", "FirmwareVersion",
         {"Byte0": 83, "Byte1": 45, "Byte2": 86, "Byte3": 49,
          "Byte4": 46, "Byte5": 54, "Byte6": 45, "Byte7": 51}),
 ]
+
+UNTIL_1_8_7 = [
+    # nibbles: position 4, velocity 3, kp 3, kd 3, torque 2, check 1; raw 0 is the lower end of each
+    Row(0x15A, "00 00 00 00 00 00 00 00", "MitControl1",
+        {"Position": -12.5, "Velocity": -45.0, "Kd": -5.0, "Torque": -8.0}),
+    # all ones is the upper end; seven bytes 0xFF make 0xFF by exclusive or: check 0xF
+    Row(0x15B, "FF FF FF FF FF FF FF FF", "MitControl2",
+        {"Position": 12.5, "Velocity": 45.0, "Kp": 500.0, "Kd": 5.0, "Torque": 8.0, "Crc4": 15}),
+    # 8000 800 052 947 80 E: 32768·25/65535 - 12.5, 2048·90/4095 - 45, 82·500/4095,
+    # 2375·10/4095 - 5, 128·16/255 - 8; check 80^00^80^00^52^94^78 = BE
+    Row(0x15C, "80 00 80 00 52 94 78 0E", "MitControl3",
+        {"Position": 0.00019073777, "Velocity": 0.01098901099, "Kp": 10.01221001,
+         "Kd": 0.7997557998, "Torque": 0.03137254902, "Crc4": 14}),
+    # FFFF 000 000 000 00: check FF^FF = 00
+    Row(0x15D, "FF FF 00 00 00 00 00 00", "MitControl4",
+        {"Position": 12.5, "Velocity": -45.0, "Kd": -5.0, "Torque": -8.0}),
+    # 0000 FFF 000 000 00: check FF^F0 = 0F
+    Row(0x15E, "00 00 FF F0 00 00 00 0F", "MitControl5",
+        {"Position": -12.5, "Velocity": 45.0, "Kd": -5.0, "Torque": -8.0, "Crc4": 15}),
+    # 0000 000 FFF 000 00: check 0F^FF = F0
+    Row(0x15F, "00 00 00 0F FF 00 00 00", "MitControl6",
+        {"Position": -12.5, "Velocity": -45.0, "Kp": 500.0, "Kd": -5.0, "Torque": -8.0}),
+]
+"""What differs up to S-V1.8-7: a torque of 8 bits, and a check."""
 
 ROWS = {Generation.ONE: BOTH + GENERATION_1, Generation.TWO: BOTH + GENERATION_2}

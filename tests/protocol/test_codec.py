@@ -62,7 +62,7 @@ def test_what_decodes_encodes_to_the_same_bytes(generation, data):
 def test_every_wrong_length_is_told(generation):
     codec = CODECS[generation]
     for layout in codec._by_name.values():
-        good = LENIENT.get(layout.arbitration_id, {8})
+        good = LENIENT.get(layout.arbitration_id, {layout.length})
         for length in range(9):
             decoded = codec.decode(Frame(layout.arbitration_id, bytes(length)))
             is_wrong = (
@@ -112,6 +112,11 @@ def test_wrong_length_names_message_and_lengths():
         # 0x8000 is just above "leave unchanged"
         (TWO, 0x479, "80 00 00 00 00 00 00 00", "MaxLinearSpeed is 32.768 m/s"),
         (TWO, 0x471, "08 02 00 00 00 00 00 00", "MotorEnable.Joint is 8"),
+        # "zz" = 7A 7A = 31354
+        (TWO, 0x181, "72 7A 7A 00 00 00 01", "CpvControl1.Kind is 31354, not in its table"),
+        (TWO, 0x187, "77 70 6F 00 00 00 01", "CpvGripper.Kind is 28783"),
+        (TWO, 0x488, "0B 00 00 00 00 00 00 00", "DragAssistanceFeedback.J1 is 11"),
+        (TWO, 0x191, "01 01 00 00 00 00 00 00", "LeaderZero.Command is 65792"),
     ],
 )
 def test_values_outside_their_table_are_told_and_still_readable(
@@ -122,7 +127,8 @@ def test_values_outside_their_table_are_told_and_still_readable(
     assert invalid_frame.kind is InvalidFrameKind.VALUE_OUTSIDE_TABLE
     assert words in invalid_frame.detail
     assert invalid_frame.message is not None
-    assert invalid_frame.message.signals.keys() == set(codec.signals(invalid_frame.message.name))
+    layout = codec.layout(arbitration_id).variant(bytes.fromhex(payload))
+    assert invalid_frame.message.signals.keys() == layout.signals.keys()
 
 
 def test_the_message_beside_an_invalid_frame_is_in_physical_units():
@@ -192,6 +198,12 @@ def test_other_unknown_identifiers():
         (TWO, "JointTraget12", {}, "did you mean JointTarget12?"),
         (ONE, "TeachingSetting", {}, "Generation 1 has no message TeachingSetting"),
         (ONE, "x", {}, "see the DBC file"),
+        (TWO, "GripperCommand", {"Angle": 5}, "Angle is only there with Measure = 'Angle'"),
+        (TWO, "GripperCommand", {"Opening": 5, "Measure": 1}, "only there with Measure = 'Opening"),
+        (TWO, "GripperCommand", {"Measure": 2}, "Measure cannot be 2"),
+        (TWO, "CpvControl1", {"Action": 0x72}, "CpvControl1.Kind cannot be nothing"),
+        (TWO, "CpvControl1", {"Action": 0x72, "Kind": 0x706F, "SpeedKp": 1}, "'Speed Kp'"),
+        (TWO, "DragAssistanceSetting", {"J1": 11}, "range 0 to 10"),
     ],
 )  # fmt: skip
 def test_refuses_in_words(codec, message, signals, words):
@@ -199,6 +211,20 @@ def test_refuses_in_words(codec, message, signals, words):
         codec.encode(message, **signals)
     assert words in str(caught.value)
     assert caught.value.message == message
+
+
+def test_an_unknown_meaning_leaves_what_every_frame_has():
+    # 24 V of nothing: byte 7 is neither opening nor angle; -1.5 N·m = 0xFA24, bit 6
+    odd = TWO.decode(frame(0x2A8, "00 01 86 A0 FA 24 40 02"))
+    assert odd.kind is InvalidFrameKind.VALUE_OUTSIDE_TABLE
+    assert odd.message.signals.keys() & {"Opening", "Angle"} == set()
+    assert (odd.message.signals["Torque"], odd.message.signals["Enabled"]) == (-1.5, 1)
+
+
+def test_what_a_frame_may_lack_is_told_before():
+    assert TWO.may_lack("GripperFeedback", "Opening")
+    assert not TWO.may_lack("GripperFeedback", "Torque")
+    assert not ONE.may_lack("GripperFeedback", "Angle")
 
 
 def test_the_error_carries_its_parts():

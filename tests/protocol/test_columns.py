@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import random
 
 import numpy as np
@@ -26,6 +27,12 @@ def test_every_signal_of_every_message(generation, arbitration_id):
     layout = codec.layout(arbitration_id)
     draw = random.Random(arbitration_id)
     payloads = [bytes(8), b"\xff" * 8, b"\x80" + bytes(7), *(draw.randbytes(8) for _ in range(40))]
+    selections = {signal.selection for signal in layout.signals.values()} - {None}
+    selector = bit_mask([layout.selector]) if layout.selector else 0
+    for selection in selections:  # each of the meanings once more
+        code = selection.raw << 64 - selection.first_bit - selection.bits
+        noise = int.from_bytes(draw.randbytes(8), "big")
+        payloads.append((noise & ~selector | code).to_bytes(8, "big"))
     words = payload_words(np.frombuffer(b"".join(payloads), np.uint8).reshape(-1, 8))
     expected = []
     for each in payloads:
@@ -34,8 +41,11 @@ def test_every_signal_of_every_message(generation, arbitration_id):
         expected.append(message.signals)
     for signal in layout.signals.values():
         column = signal_column(words, signal).tolist()
-        assert column == [each[signal.name] for each in expected]
-        assert {type(each) for each in column} <= {float if signal.is_scaled else int}
+        # NaN stands for a frame that holds something else in its place
+        wanted = [each.get(signal.name, math.nan) for each in expected]
+        assert column == pytest.approx(wanted, abs=0, rel=0, nan_ok=True)
+        whole = not signal.is_scaled and signal.selection is None
+        assert {type(each) for each in column} <= {int if whole else float}
 
 
 def test_the_bits_of_signals_are_those_that_are_not_reserved():

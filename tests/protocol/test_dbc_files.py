@@ -8,7 +8,8 @@ import cantools
 import pytest
 
 from armui.protocol import codes
-from armui.protocol.database import load_database
+from armui.protocol.database import database_path, load_database
+from armui.protocol.firmware_version import MitLayout
 from armui.protocol.generation import Generation
 from armui.system.paths import RESOURCES
 from tests.protocol.rows import GENERATION_1, GENERATION_2, ROWS
@@ -27,17 +28,47 @@ UNITS = {
 }  # fmt: skip
 
 
-@pytest.mark.parametrize("generation", Generation)
-def test_loads_strictly_and_is_plain_ascii(generation):
-    path = RESOURCES / "protocol" / f"agx_gen{int(generation)}.dbc"
+FILES = [
+    "agx_gen1.dbc",
+    "agx_gen2.dbc",
+    "agx_gen2_until_1.8-7.dbc",
+]
+
+
+def test_these_are_the_files():
+    folder = RESOURCES / "protocol"
+    assert sorted(path.name for path in folder.iterdir()) == FILES
+    assert {database_path(g, layout).name for g in Generation for layout in MitLayout} == set(FILES)
+
+
+def test_the_files_of_generation_2_differ_in_the_mit_frames_only():
+    newer, older = ((RESOURCES / "protocol" / name).read_text() for name in FILES[1:])
+    own = re.compile(
+        r'VERSION .*|CM_ SG_ 3(4[6-9]|5[01]) (Torque|Crc4) ".*";'
+        r"| SG_ (Torque : 51\|(8|12)@0\+|Crc4 : 59\|4@0\+) .* ARM"
+    )
+    shared = [
+        [line for line in text.splitlines() if not own.fullmatch(line)] for text in (newer, older)
+    ]
+    assert shared[0] == shared[1]
+    mit = {f"MitControl{joint}" for joint in range(1, 7)}
+    for layout, bits in ((MitLayout.A, (8, 4)), (MitLayout.B, (12,))):
+        for message in load_database(Generation.TWO, layout).messages:
+            if message.name in mit:
+                assert tuple(signal.length for signal in message.signals)[4:] == bits
+
+
+@pytest.mark.parametrize("name", FILES)
+def test_loads_strictly_and_is_plain_ascii(name):
+    path = RESOURCES / "protocol" / name
     path.read_text(encoding="ascii")
     database = cantools.database.load_file(path, strict=True)
     assert [node.name for node in database.nodes] == ["HOST", "ARM"]
 
 
-@pytest.mark.parametrize("generation", Generation)
-def test_survives_being_written_by_cantools(generation):
-    database = load_database(generation)
+@pytest.mark.parametrize("name", FILES)
+def test_survives_being_written_by_cantools(name):
+    database = cantools.database.load_file(RESOURCES / "protocol" / name, strict=True)
     again = cantools.database.load_string(database.as_dbc_string(), "dbc", strict=True)
     assert {m.name: m.frame_id for m in again.messages} == {
         m.name: m.frame_id for m in database.messages
@@ -79,7 +110,8 @@ def test_ranges_lie_within_the_bits_and_are_whole_for_angles_and_positions():
         raw_low = round((signal.minimum - signal.offset) / signal.scale)
         raw_high = round((signal.maximum - signal.offset) / signal.scale)
         where = (generation, message.name, signal.name)
-        assert low <= raw_low < raw_high <= high, where
+        assert low <= raw_low <= raw_high <= high, where
+        assert raw_low < raw_high or signal.choices, where
         if signal.length == 32:
             assert (raw_low, raw_high) == (low, high), where
 
@@ -110,7 +142,6 @@ TABLES = [
     (codes.ControlMode, "ArmStatus", "ControlMode"),
     (codes.ArmStatusCode, "ArmStatus", "Status"),
     (codes.MoveMode, "ArmStatus", "MoveMode"),
-    (codes.MoveMode, "ModeControl", "MoveMode"),
     (codes.TeachingState, "ArmStatus", "TeachingState"),
     (codes.TeachingState, "MotionCommand", "TeachingCommand"),
     (codes.MotionState, "ArmStatus", "MotionState"),
@@ -127,6 +158,11 @@ TABLES = [
     (codes.FactoryReset, "ParameterCommand", "Reset"),
     (codes.EndLoad, "ParameterCommand", "Load"),
     (codes.TransferAnswer, "SettingResponse", "Transfer"),
+    (codes.GripperMeasure, "GripperCommand", "Measure"),
+    (codes.GripperMeasure, "GripperFeedback", "Measure"),
+    (codes.CpvAction, "CpvControl1", "Action"),
+    (codes.CpvKind, "CpvControl6", "Kind"),
+    (codes.LeaderZero, "LeaderZero", "Command"),
 ]
 
 
@@ -135,8 +171,9 @@ def test_codes_agree_with_the_value_tables(enumeration, message, signal):
     members = {int(member): member.name for member in enumeration}
     table_2 = load_database(Generation.TWO).get_message_by_name(message).get_signal_by_name(signal)
     assert {raw: _as_member(str(word)) for raw, word in table_2.choices.items()} == members
-    message_1 = load_database(Generation.ONE).get_message_by_name(message)
-    for signal_1 in message_1.signals:
+    one = load_database(Generation.ONE)
+    messages_1 = [each for each in one.messages if each.name == message]
+    for signal_1 in (each for message_1 in messages_1 for each in message_1.signals):
         if signal_1.name == signal:
             words = {raw: _as_member(str(word)) for raw, word in signal_1.choices.items()}
             assert words.items() <= members.items()
@@ -151,6 +188,13 @@ def test_setting_index_is_the_low_byte_of_the_setting_it_names():
         if generation is Generation.TWO:
             words = {raw: _as_member(str(word)) for raw, word in table.items()}
             assert {int(m): m.name for m in codes.SettingIndex}.items() <= words.items()
+
+
+def test_a_host_may_ask_for_every_kind_of_motion_or_for_none():
+    mode = load_database(Generation.TWO).get_message_by_name("ModeControl")
+    choices = mode.get_signal_by_name("MoveMode").choices
+    assert choices is not None
+    assert sorted(choices) == [*map(int, codes.MoveMode), codes.MOVE_UNCHANGED]
 
 
 def test_a_host_may_not_ask_for_what_only_the_arm_reports():

@@ -16,10 +16,10 @@ from armui.trajectory.library.store import Library
 from armui.trajectory.planning.preflight import warm_up
 from armui.trajectory.points.program import Trajectory
 from armui.ui.dialogs.files import FileDialog
-from armui.ui.trajectory.editor.editor_window import EditorWindow
+from armui.ui.trajectory.editor.editor_page import EditorPage
 from armui.ui.trajectory.library.bin_dialog import BinDialog
-from armui.ui.trajectory.library.library_window import LibraryWindow
-from armui.ui.trajectory.recording.recording_window import RecordingWindow
+from armui.ui.trajectory.library.library_page import LibraryPage
+from armui.ui.trajectory.recording.recording_page import RecordingPage
 from armui.ui.watch.bus.bus_window import BusWindow
 from armui.ui.watch.events.event_window import EventWindow
 from armui.ui.watch.plot_layout import SETS
@@ -117,7 +117,7 @@ def test_the_library(live_driver, monkeypatch, tmp_path):
         driver = LibraryDriver.__new__(LibraryDriver)
         driver.app_driver = app_driver
         app_driver.click("library_button")
-        driver.window = window = app_driver.dialog(LibraryWindow)
+        driver.window = window = app_driver.page(LibraryPage)
         app_driver.wait(lambda: driver.names() == ["one", "two"])
         window._actions.duplicate("one")
         app_driver.wait(lambda: "one 2" in driver.names())
@@ -155,11 +155,11 @@ def test_the_editor(live_driver, monkeypatch):
     app_driver.ready()
     Library(app_driver.library_folder).save(Trajectory("one", points=(POINT,) * 3))
     app_driver.click("library_button")
-    window = app_driver.dialog(LibraryWindow)
+    window = app_driver.page(LibraryPage)
     with watched(monkeypatch) as seen:
         window.open_trajectory("one")
-        app_driver.wait(lambda: "one" in window._editors)
-        editor = app_driver.dialog(EditorWindow)
+        app_driver.wait(lambda: "one" in window.editors)
+        editor = app_driver.page(EditorPage)
         app_driver.click(editor.findChild(QWidget, "editor_insert_measured"))
         editor._drafts._write_behind()
         idle(app_driver)
@@ -179,10 +179,10 @@ def test_a_recording(live_driver, monkeypatch):
     app_driver = live_driver
     app_driver.ready()
     app_driver.click("library_button")
-    window = app_driver.dialog(LibraryWindow)
+    window = app_driver.page(LibraryPage)
     with watched(monkeypatch) as seen:
         window.open_recorder()
-        recorder = app_driver.dialog(RecordingWindow)
+        recorder = app_driver.page(RecordingPage)
         recorder._on_record()
         app_driver.run(1.0)
         recorder._on_record()
@@ -315,7 +315,7 @@ def test_the_file_choosers(live_driver, monkeypatch):
     app_driver.ready()
     Library(app_driver.library_folder).save(Trajectory("one", points=(POINT,)))
     app_driver.click("library_button")
-    window = app_driver.dialog(LibraryWindow)
+    window = app_driver.page(LibraryPage)
     with watched(monkeypatch) as seen:
         window._exchange.choose_imports()
         app_driver.run(0.1)

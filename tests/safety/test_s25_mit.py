@@ -5,10 +5,10 @@ import pytest
 from armui.arm.refusal_codes import RefusalCode
 from armui.control.safety.recovery_steps import Action, StepKind
 from armui.protocol.codes import TrajectoryCommand
-from tests.sim.test_direct_control import hold
+from tests.sim.test_direct_control import STIFF, hold
 
 A = (10.0, 45.0, -45.0, 0.0, 20.0, 0.0)
-MIT = "151#010400AD00000000"
+MIT = "151#010600AD00000000"
 HIGH_FOLLOW = "151#010100AD00000000"
 CPV = "151#0105320000000000"
 
@@ -48,7 +48,7 @@ def test_no_mode_word_of_ours_goes_out(raised, other_host, word, mode):
 
 def test_the_speed_slider_lets_no_arm_fall(raised, other_host):
     rig = raised
-    other_host.say(MIT, *hold(A))
+    other_host.say(MIT, *hold(A, **STIFF))
     rig.run(0.5)
     for percent in (10, 0, 100):
         rig.controller.motion.set_speed_percent(percent)

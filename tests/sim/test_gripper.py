@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import pytest
 
+from armui.protocol.codec import Codec
+from armui.protocol.firmware_version import FirmwareVersion
 from armui.protocol.generation import Generation
 from armui.sim.firmware import Firmware
 from armui.sim.mechanics.gripper import GripperError
-from tests.sim.talk import BOTH, STOP, heard, tell
+from tests.sim.talk import BOTH, STOP, frame, heard, tell
 
 ONE, TWO = Generation.ONE, Generation.TWO
 
@@ -153,3 +155,20 @@ def test_a_leaders_jaws_follow_the_hand_and_its_follower_follows() -> None:
     # 30 mm = 30000 = 0x7530
     assert heard(leader.step(0.005), 0x159) == ["0000753003E80100"]
     assert follower.gripper.travel == 30.0
+
+
+def test_it_turns_to_an_angle_and_tells_an_angle_from_then_on() -> None:
+    arm = Firmware(TWO)
+    # 30° = 30000 = 0x7530, 1 N·m, bits 0 (enable) and 2 (angle); byte 7 of 0x2A8: 1, an angle
+    tell(arm, "159#0000753003E80500")
+    assert said(arm, 2.0) == "000075300000C001"
+    tell(arm, OPEN)
+    assert said(arm, 2.0) == "00009C400000C000"
+
+
+def test_an_older_gripper_takes_an_angle_for_an_opening() -> None:
+    arm = Firmware(TWO)
+    older = Codec(TWO, firmware=FirmwareVersion(1, 8, 7))
+    message = older.decode(frame("159#0000753003E80500"))
+    arm.gripper.command(message.signals, knows_angles=older.quirks.has_gripper_angle)
+    assert said(arm, 2.0) == "000075300000C000"

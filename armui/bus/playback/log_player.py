@@ -97,15 +97,15 @@ class LogPlayer:
         """Who else is told of every frame from now on."""
         self.intake.line.want(self._for_log(taps))
 
-    def use_codec(self, codec: Codec) -> None:
-        """Forget what was heard, as a bus thread does; any thread.
+    def use_codec(self, codec: Codec, *, forget: bool = True) -> None:
+        """Forget what was heard, if that is wanted, as a bus thread does; any thread.
 
         Where nothing was played since :meth:`enter`, what was said before this place is known all
         the same: it is no silence of the arm that makes it unknown.
         """
         with self.lock:
-            self.intake.use_codec(codec)
-            if self._at_entry:
+            self.intake.use_codec(codec, forget=forget)
+            if self._at_entry and forget:
                 self._take_codec()
                 self.intake.recall([each[:3] for each in self._recalled])
 

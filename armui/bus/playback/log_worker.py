@@ -139,9 +139,9 @@ class LogWorker(QThread):
         """Who else is told of every frame from now on."""
         self._player.tap(taps)
 
-    def use_codec(self, codec: Codec) -> None:
+    def use_codec(self, codec: Codec, *, forget: bool = True) -> None:
         """Forget what was heard; see `LogPlayer.use_codec`."""
-        self._player.use_codec(codec)
+        self._player.use_codec(codec, forget=forget)
 
     def close(self, within_ms: int) -> bool:
         """End the thread; whether it has ended within a time."""

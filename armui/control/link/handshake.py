@@ -6,10 +6,11 @@ import enum
 from collections.abc import Sequence
 from typing import Final, Protocol
 
-from armui.arm.state import ArmState
+from armui.arm.state import ArmState, is_fresh
 from armui.protocol import commands
 from armui.protocol.addressing import Addressing
 from armui.protocol.codec import Codec
+from armui.protocol.firmware_version import FirmwareVersion
 from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
 
@@ -17,6 +18,10 @@ _VERSION_WAIT_S: Final = 0.5
 """So long an answer is collected. A second question during it would shift its text."""
 _VERSION_ROUNDS: Final = 2
 """Unanswered so often: generation 1 (see the table of the two generations)."""
+_TORN_ROUNDS: Final = 4
+"""Asked so often where something answers: frames of the answer may be lost, or others between."""
+_LEADER_WAIT_S: Final = 2.0
+"""A teaching input may answer nothing (S-V1.7-3), so its silence proves nothing: asked so often."""
 _FAST_PER_S: Final = 1500.0
 """Between the frames a second of generation 1 (some 700) and of generation 2 (some 3,000)."""
 _ASK_AGAIN_S: Final = 0.2
@@ -29,8 +34,8 @@ class Wire(Protocol):
     def send(self, frames: Sequence[Frame]) -> bool:
         """Queue frames; whether they may go out at all."""
 
-    def use_codec(self, codec: Codec) -> None:
-        """Forget what was heard, and speak another generation from now on."""
+    def use_codec(self, codec: Codec, *, forget: bool = True) -> None:
+        """Forget what was heard, unless it is not to be, and speak another codec from now on."""
 
 
 class HandshakePhase(enum.Enum):
@@ -52,6 +57,7 @@ class Handshake:
         now_s: Monotonic time.
         addressing: The identifiers in use.
         known: Which protocol the arm speaks, where a log that is replayed has told.
+        recorded_firmware: The version such a log names; "" for none.
 
     Attributes:
         generation: Which protocol the arm speaks, once known.
@@ -65,11 +71,13 @@ class Handshake:
         now_s: float,
         addressing: Addressing = Addressing(),  # noqa: B008 - frozen
         known: Generation | None = None,
+        recorded_firmware: str = "",
     ) -> None:
         self.phase = HandshakePhase.GENERATION
         self.generation: Generation | None = None
         self.firmware: str | None = None
-        self.codec = Codec(known or Generation.TWO, addressing)
+        firmware = FirmwareVersion.parse(recorded_firmware)
+        self.codec = Codec(known or Generation.TWO, addressing, firmware)
         self._wire = wire
         self._asked = False
         self._began_s = self._next_s = now_s
@@ -85,21 +93,34 @@ class Handshake:
 
     def advance(self, state: ArmState, now_s: float) -> None:
         """Ask what is due, and take in what was heard."""
+        self._take_firmware(state)
         if self.phase is HandshakePhase.GENERATION:
             self._find_generation(state, now_s)
         elif self.phase is HandshakePhase.LIMITS:
             self._read_limits(state, now_s)
 
+    def _take_firmware(self, state: ArmState) -> None:
+        """The version, whenever it is named: it says how frames of other hosts are read."""
+        if state.firmware is None or self.firmware is not None:
+            return
+        if self.generation is Generation.ONE:
+            return
+        self.firmware = state.firmware
+        before = self.codec
+        firmware = FirmwareVersion.parse(state.firmware)
+        self.codec = Codec(Generation.TWO, before.addressing, firmware)
+        if self.codec.quirks.mit_layout is not before.quirks.mit_layout:
+            self._wire.use_codec(self.codec, forget=False)
+
     def _find_generation(self, state: ArmState, now_s: float) -> None:
-        if state.firmware is not None:
-            self.firmware = state.firmware
+        if self.firmware is not None:
             self._settle(Generation.TWO, now_s)
         elif now_s < self._next_s:
             return
-        elif self._rounds < _VERSION_ROUNDS:
-            self._rounds += 1
-            self._asked |= self._wire.send(commands.query_firmware(self.codec))
-            self._next_s = now_s + _VERSION_WAIT_S
+        elif self._rounds < self._rounds_wanted(state):
+            self._ask_version(now_s, _VERSION_WAIT_S)
+        elif self._leads(state, now_s):
+            self._ask_version(now_s, _LEADER_WAIT_S)
         elif state.version_heard_s is not None or self._speaks_fast(state, now_s):
             # it answered, and only generation 2 does, though no version can be read in the answer
             self._settle(Generation.TWO, now_s)
@@ -107,6 +128,18 @@ class Handshake:
             self.codec = Codec(Generation.ONE, self.codec.addressing)
             self._wire.use_codec(self.codec)
             self._settle(Generation.ONE, now_s)
+
+    def _ask_version(self, now_s: float, wait_s: float) -> None:
+        self._rounds += 1
+        self._asked |= self._wire.send(commands.query_firmware(self.codec))
+        self._next_s = now_s + wait_s
+
+    def _rounds_wanted(self, state: ArmState) -> int:
+        return _VERSION_ROUNDS if state.version_heard_s is None else _TORN_ROUNDS
+
+    def _leads(self, state: ArmState, now_s: float) -> bool:
+        """Whether it is a teaching input that leads and tells no status."""
+        return state.status is None and is_fresh(state.foreign_targets_s, now_s)
 
     def _speaks_fast(self, state: ArmState, now_s: float) -> bool:
         """Whether an arm that must not be asked speaks as often as generation 2.

@@ -11,6 +11,7 @@ from armui.arm.refusal_codes import RefusalCode
 from armui.protocol.addressing import OFFSETS
 from armui.protocol.codes import (
     ControlMode,
+    CpvAction,
     MitMode,
     MotorAction,
     StopCommand,
@@ -67,6 +68,7 @@ MOVING: Final = frozenset(
 """The arm moves, or may: by itself, by gravity or by a hand."""
 
 _MODE_ID: Final = 0x151
+_CPV_IDS: Final = range(0x181, 0x188)
 _UPGRADE: Final = (range(0x0A0, 0x0C0), range(0x4A0, 0x4D0))
 _HIGHEST: Final = 0x7FF
 _BYTES: Final = 8
@@ -85,8 +87,9 @@ _ENDING_TEACHING: Final = frozenset(
 )
 _EFFECTS: Final = {
     **dict.fromkeys((0x121, 0x472, VERSION_ID), FrameEffect.HARMLESS),
-    **dict.fromkeys((0x474, 0x475, 0x479, 0x47A, 0x47D), FrameEffect.SETTING),
-    **dict.fromkeys(range(0x181, 0x188), FrameEffect.DIRECT),
+    **dict.fromkeys((0x474, 0x475, 0x479, 0x47A, 0x47D, 0x487), FrameEffect.SETTING),
+    0x191: FrameEffect.MOVES,
+    **dict.fromkeys(_CPV_IDS, FrameEffect.DIRECT),
     0x470: FrameEffect.ROLE,
 }
 """Of the identifiers that 0x470 moves not, whatever the bytes are."""
@@ -159,6 +162,8 @@ def effect_of(frame: Frame) -> FrameEffect:
         return FrameEffect.DROPS if off else FrameEffect.POWER
     if arbitration_id == 0x477:
         return FrameEffect.SETTING if any(frame.data[1:4]) else FrameEffect.HARMLESS
+    if arbitration_id in _CPV_IDS and _byte(frame, 0) == CpvAction.READ:
+        return FrameEffect.HARMLESS
     if arbitration_id == 0x422:
         return FrameEffect.SILENCE if _byte(frame, 0) else FrameEffect.HARMLESS
     return _EFFECTS.get(arbitration_id, FrameEffect.UNKNOWN)

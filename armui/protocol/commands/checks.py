@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import TypeVar
 
 from armui.protocol.errors import EncodeError
 
+T = TypeVar("T")
 
-def exactly(
-    message: str, values: Sequence[float], count: int, what: str, unit: str
-) -> tuple[float, ...]:
+
+def exactly(message: str, values: Sequence[T], count: int, what: str, unit: str) -> tuple[T, ...]:
     """The values, if there are as many as the message wants.
 
     Raises:

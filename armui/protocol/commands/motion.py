@@ -9,6 +9,7 @@ from armui.protocol.codes import (
     VALID,
     ArcPointNumber,
     ControlMode,
+    GripperMeasure,
     MitMode,
     MotorAction,
     Mounting,
@@ -67,7 +68,7 @@ def set_mode(
     codec: Codec,
     *,
     control_mode: ControlMode,
-    move_mode: MoveMode,
+    move_mode: int,
     speed_percent: float,
     mit_mode: MitMode = MitMode.POSITION_VELOCITY,
     dwell_s: float = 0,
@@ -78,7 +79,7 @@ def set_mode(
     Args:
         codec: The arm's codec.
         control_mode: 0–4, in generation 2 also 7.
-        move_mode: Kind of motion.
+        move_mode: Kind of motion: a `MoveMode`, in generation 2 also ``MOVE_UNCHANGED``.
         speed_percent: 0–100; 0 means no motion.
         mit_mode: Generation 2 only.
         dwell_s: Pause at a point of an offline trajectory, 0–254 s; 255 ends it. Generation 2 only.
@@ -172,6 +173,21 @@ def move_gripper_opening(
     """Moves the gripper to an opening with a torque of 0–5 N·m (0x159, generation 2)."""
     return [
         codec.encode("GripperCommand", Opening=opening_mm, Torque=torque_nm, Enable=int(enable))
+    ]
+
+
+def move_gripper_to_angle(
+    codec: Codec, *, angle_deg: float, torque_nm: float, enable: bool = True
+) -> list[Frame]:
+    """Moves the gripper to an angle with a torque of 0–5 N·m (0x159, from S-V1.8-8)."""
+    return [
+        codec.encode(
+            "GripperCommand",
+            Measure=GripperMeasure.ANGLE,
+            Angle=angle_deg,
+            Torque=torque_nm,
+            Enable=int(enable),
+        )
     ]
 
 

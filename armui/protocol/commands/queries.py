@@ -41,6 +41,14 @@ def query_teaching(codec: Codec) -> list[Frame]:
     return [codec.encode("ParameterCommand", Query=ParameterQuery.TEACHING_SETTING)]
 
 
+def query_drag_assistance(codec: Codec) -> list[Frame]:
+    """Asks how much the joints help the hand; answered by DragAssistanceFeedback (0x477).
+
+    Only firmware from S-V1.8-1 on answers.
+    """
+    return [codec.encode("ParameterCommand", Query=ParameterQuery.DRAG_ASSISTANCE)]
+
+
 def query_firmware(codec: Codec) -> list[Frame]:
     """Asks for the firmware version (0x4AF, generation 2).
 

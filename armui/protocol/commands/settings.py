@@ -10,6 +10,7 @@ from armui.protocol.codes import (
     VALID,
     EndLoad,
     FactoryReset,
+    LeaderZero,
     LinkageRole,
     SilenceMode,
 )
@@ -21,6 +22,8 @@ if TYPE_CHECKING:
     from armui.protocol.codec import Codec
     from armui.protocol.frame import Frame
 
+_JOINTS = tuple(f"J{joint}" for joint in range(1, 7))
+
 
 def set_parameters(
     codec: Codec, message: str, values: Mapping[str, float | None], joint: int = ALL_JOINTS
@@ -29,8 +32,8 @@ def set_parameters(
 
     Args:
         codec: The arm's codec.
-        message: ``LimitSetting``, ``JointSetting``, ``EndLimitSetting``, ``CollisionSetting`` or
-            ``TeachingSetting``.
+        message: ``LimitSetting``, ``JointSetting``, ``EndLimitSetting``, ``CollisionSetting``,
+            ``TeachingSetting`` or ``DragAssistanceSetting``.
         values: By signal, in the unit that ``codec.unit(message, signal)`` says: generation 1 takes
             rpm where generation 2 takes rad/s. None leaves a value unchanged (generation 2).
         joint: 1–6, where the message is about one; 7 is all of them in ``JointSetting``.
@@ -93,6 +96,22 @@ def set_linkage(
             TargetOffset=target_offset,
         )
     ]
+
+
+def set_drag_assistance(codec: Codec, levels: Sequence[int | None]) -> list[Frame]:
+    """Sets how much joints 1–6 help the hand in drag teaching (0x487, from S-V1.8-1).
+
+    Args:
+        codec: The arm's codec.
+        levels: 0–10 a joint; None leaves a joint's level as it is.
+    """
+    six = exactly("DragAssistanceSetting", levels, len(_JOINTS), "levels", "")
+    return [codec.encode("DragAssistanceSetting", **dict(zip(_JOINTS, six, strict=True)))]
+
+
+def send_leader_to_zero(codec: Codec, command: LeaderZero) -> list[Frame]:
+    """Sends a leader arm to its zero, or back to leading (0x191, from S-V1.7-4): arms MOVE."""
+    return [codec.encode("LeaderZero", Command=command)]
 
 
 def set_bus_silence(codec: Codec, mode: SilenceMode) -> list[Frame]:

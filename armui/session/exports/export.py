@@ -143,6 +143,8 @@ class _Export:
             generation=int(arm.codec.generation),
             why_generation=arm.why_generation,
             firmware=arm.firmware,
+            model=arm.model.name,
+            why_model=arm.why_model,
             offset=arm.codec.addressing.feedback_offset,
             channel=_name(arm.channel),
             other_channels=tuple(_name(each) for each in reader.other_channels),
@@ -155,7 +157,7 @@ class _Export:
 
 
 def _facts(request: ExportRequest, arm: ExportedArm) -> ExportFacts:
-    words = f"generation {int(arm.codec.generation)}"
+    words = f"{arm.model.name}, generation {int(arm.codec.generation)}"
     notes = {
         "program": f"armui {__version__}",
         "source": request.log.name,
@@ -163,7 +165,7 @@ def _facts(request: ExportRequest, arm: ExportedArm) -> ExportFacts:
         "channel": _name(arm.channel),
         "start_s": f"{arm.start_s:.6f}",
     }
-    return ExportFacts(arm.codec, arm.geometry, arm.start_s, notes)
+    return ExportFacts(arm.codec, arm.geometry, arm.model.gripper.turned_deg, arm.start_s, notes)
 
 
 def _whole(request: ExportRequest) -> WholeFile | WholeFolder:

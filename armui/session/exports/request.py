@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Final, NamedTuple
 
 from armui.protocol.generation import Generation
+from armui.protocol.piper_model import PiperModel
 from armui.session.frames import Damage
 
 
@@ -19,11 +20,13 @@ class ArmWishes(NamedTuple):
         generation: Of the protocol.
         firmware: As ``S-V1.8-5``; it tells where the joints have their zeros.
         channel: The name of the log's channel, as text.
+        model: Which arm of the family it is.
     """
 
     generation: Generation | None = None
     firmware: str | None = None
     channel: str | None = None
+    model: PiperModel | None = None
 
 
 class ExportFormat(enum.StrEnum):
@@ -118,6 +121,8 @@ class ExportReport:
         generation: Of the protocol, and why it was taken for that.
         why_generation: In words.
         firmware: Told by the log or said, "" if neither.
+        model: Which arm of the family it was taken for.
+        why_model: In words.
         offset: The identifier offset of the arm's feedback (0x470).
         channel: Whose frames were exported, as text; "" where the log has none.
         other_channels: Those left out.
@@ -134,6 +139,8 @@ class ExportReport:
     generation: int
     why_generation: str
     firmware: str
+    model: str
+    why_model: str
     offset: int
     channel: str
     other_channels: tuple[str, ...]

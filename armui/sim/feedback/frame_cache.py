@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from armui.protocol.codec import Codec, EncodeError
+from armui.protocol.codec import Codec
 from armui.protocol.frame import Frame
 
 
@@ -24,18 +24,9 @@ class FrameCache:
             return last[1]
         known = self._known.get(name)
         if known is None:
-            known = frozenset(signal for signal in signals if self.knows(name, signal))
-            self._known[name] = known
+            known = self._known[name] = frozenset(self._codec.signals(name))
         frame = self._codec.encode(
             name, **{signal: value for signal, value in signals.items() if signal in known}
         )
         self._last[name] = signals, frame
         return frame
-
-    def knows(self, name: str, signal: str) -> bool:
-        """Whether a message has a signal in this generation."""
-        try:
-            self._codec.unit(name, signal)
-        except EncodeError:
-            return False
-        return True

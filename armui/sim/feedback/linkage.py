@@ -58,9 +58,8 @@ class LinkedInput:
             ),
             cache.frame(
                 "GripperCommand",
-                Opening=gripper.travel,
+                **gripper.place,
                 Torque=_GRIPPER_TORQUE_NM,
-                Angle=gripper.travel,
                 Speed=_GRIPPER_SPEED_RAD_S,
                 Enable=1,
             ),

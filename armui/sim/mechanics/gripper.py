@@ -6,12 +6,15 @@ import enum
 import math
 from typing import Final
 
+from armui.protocol.codes import GripperMeasure
 from armui.protocol.generation import Generation
 from armui.sim.parameters.settings import ArmSettingsRecord
 
 _OPENING_SPEED_MM_S: Final = 80.0
 _WIDEST_MM: Final = 100.0
 _WIDEST_DEG: Final = 100.0
+_MM_PER_DEG: Final = 1.0
+"""How an angle of the gripper becomes an opening isn't published: 1 mm for 1° is assumed."""
 
 
 class GripperError(enum.StrEnum):
@@ -29,7 +32,8 @@ class SimulatedGripper:
     """Where the gripper is, where it goes and what it holds.
 
     Its travel is an opening in mm in generation 2 and an angle in degrees in generation 1. It
-    grows as the jaws open.
+    grows as the jaws open. From S-V1.8-8 generation 2 takes angles, too, and tells the gripper as
+    it was last told to move.
 
     Attributes:
         travel: Present opening or angle.
@@ -37,6 +41,7 @@ class SimulatedGripper:
         torque_nm: Torque it grips with; 0 while nothing is between the jaws. Generation 2.
         enabled: Whether its motor has power.
         errors: What is wrong; it has no power until they are cleared.
+        measure: Whether generation 2 tells it as an opening or as an angle.
         object_width: Size of the thing between the jaws, in the unit of the travel, or None.
     """
 
@@ -48,13 +53,19 @@ class SimulatedGripper:
         self.torque_nm = 0.0
         self.enabled = False
         self.errors: set[GripperError] = set()
+        self.measure = GripperMeasure.OPENING
         self.object_width: float | None = None
         self._target = 0.0
         self._top_speed = _OPENING_SPEED_MM_S
         self._wanted_nm = 0.0
 
-    def command(self, signals: dict[str, float]) -> None:
-        """Obeys a 0x159 of either generation; a disabled gripper stays where it is."""
+    def command(self, signals: dict[str, float], *, knows_angles: bool = True) -> None:
+        """Obeys a 0x159 of either generation; a disabled gripper stays where it is.
+
+        Args:
+            signals: Of the message.
+            knows_angles: Whether its firmware does; an older one takes an angle for an opening.
+        """
         if signals["ClearError"]:
             self.errors.clear()
         self.enabled = bool(signals["Enable"]) and not self.errors
@@ -64,10 +75,23 @@ class SimulatedGripper:
                 self.travel = self._target = 0.0
             return
         target = signals["Opening"] if "Opening" in signals else signals["Angle"]
+        if knows_angles and self._generation is Generation.TWO:
+            self.measure = GripperMeasure(int(signals["Measure"]))
+            if self.measure is GripperMeasure.ANGLE:
+                target *= _MM_PER_DEG
         self._target = min(max(target, 0.0), self.widest)
         if "Speed" in signals:
             self._top_speed = math.degrees(signals["Speed"])
         self._wanted_nm = signals.get("Torque", 0.0)
+
+    @property
+    def place(self) -> dict[str, float]:
+        """Where it is, as the signals of 0x2A8 in its generation."""
+        if self._generation is Generation.ONE:
+            return {"Angle": self.travel}
+        if self.measure is GripperMeasure.ANGLE:
+            return {"Angle": self.travel / _MM_PER_DEG, "Measure": self.measure}
+        return {"Opening": self.travel}
 
     @property
     def widest(self) -> float:

@@ -6,7 +6,8 @@ from collections.abc import Callable, Iterable
 from dataclasses import replace
 from typing import Final, Protocol
 
-from armui.arm.limits import FACTORY_ACCELERATION_DEG_S2, FACTORY_LIMITS, JOINTS, JointLimits
+from armui.arm.limits import JOINTS, JointLimits
+from armui.arm.models import ModelData
 from armui.arm.units import DEGREES_PER
 from armui.protocol.codec import Codec, InvalidFrame
 from armui.protocol.codes import (
@@ -24,7 +25,6 @@ from armui.sim.parameters.settings import (
     ArmSettingsRecord,
     HandleSettings,
     Light,
-    factory_accelerations,
 )
 
 Signals = dict[str, float]
@@ -40,13 +40,19 @@ _ROUNDING_GRACE: Final = 1.02
 
 _HANDLE_SIGNALS: Final = signal_names(HandleSettings)
 _read_handle: Final = record_reader(HandleSettings)
-_COLLISION_NAMES: Final = tuple(f"J{joint}" for joint in JOINTS)
+_JOINT_NAMES: Final = tuple(f"J{joint}" for joint in JOINTS)
 _ON_OFF: Final = ("On", "Off")
 _READS_ONLY: Final = frozenset({"LimitQuery", "LightControl"})
 
 
 class Arm(Protocol):
-    """What a setting does to the arm beyond the value itself."""
+    """What a setting does to the arm beyond the value itself.
+
+    Attributes:
+        model: Which arm it is.
+    """
+
+    model: ModelData
 
     def set_zero(self, indices: Iterable[int]) -> bool:
         """Takes the present position of joints (0–5) as their zero; False when it cannot."""
@@ -85,6 +91,7 @@ class ParameterServer:
             "EndLimitSetting": self._end_limit_setting,
             "CollisionSetting": self._collision_setting,
             "TeachingSetting": self._teaching_setting,
+            "DragAssistanceSetting": self._drag_assistance_setting,
             "LightControl": self._light_control,
         }
 
@@ -155,7 +162,7 @@ class ParameterServer:
             limits = replace(limits, min_deg=signals["MinAngle"])
         if not self._unchanged(name, "MaxSpeed", signals):
             speed = self._inward(
-                name, "MaxSpeed", signals, most=FACTORY_LIMITS[index].max_speed_deg_s
+                name, "MaxSpeed", signals, most=self._arm.model.limits[index].max_speed_deg_s
             )
             limits = replace(limits, max_speed_deg_s=speed)
         if limits.min_deg < limits.max_deg and limits.max_speed_deg_s > 0.0:
@@ -172,7 +179,7 @@ class ParameterServer:
             name, "MaxAcceleration", signals
         ):
             acceleration = self._inward(
-                name, "MaxAcceleration", signals, most=FACTORY_ACCELERATION_DEG_S2
+                name, "MaxAcceleration", signals, most=max(self._arm.model.accelerations_deg_s2)
             )
             if acceleration > 0.0:
                 for index in indices:
@@ -185,8 +192,8 @@ class ParameterServer:
         if reset == FactoryReset.END_LIMITS_TO_FACTORY:
             settings.end_limits = ArmSettingsRecord().end_limits
         elif reset == FactoryReset.JOINT_LIMITS_TO_FACTORY:
-            settings.limits[:] = FACTORY_LIMITS
-            settings.accelerations_deg_s2[:] = factory_accelerations()
+            settings.limits[:] = self._arm.model.limits
+            settings.accelerations_deg_s2[:] = self._arm.model.accelerations_deg_s2
         feedback = self._codec.word("ParameterCommand", "EndFeedback", int(signals["EndFeedback"]))
         if feedback in _ON_OFF:
             self._arm.report_end_motion(on=feedback == "On")
@@ -203,12 +210,15 @@ class ParameterServer:
             signals = dict(zip(_END_LIMIT_NAMES, settings.end_limits, strict=True))
             return [self._codec.encode("EndLimitFeedback", **signals)]
         if query is ParameterQuery.COLLISION_LEVELS:
-            levels = dict(zip(_COLLISION_NAMES, settings.collision_levels, strict=True))
+            levels = dict(zip(_JOINT_NAMES, settings.collision_levels, strict=True))
             return [self._codec.encode("CollisionFeedback", **levels)]
         if query is ParameterQuery.TEACHING_SETTING:
             kept = settings.teaching._asdict()
             values = {_HANDLE_SIGNALS[field]: value for field, value in kept.items()}
             return [self._codec.encode("TeachingFeedback", **values)]
+        if query is ParameterQuery.DRAG_ASSISTANCE and self._codec.quirks.has_drag_assistance:
+            levels = dict(zip(_JOINT_NAMES, settings.drag_assistance, strict=True))
+            return [self._codec.encode("DragAssistanceFeedback", **levels)]
         return []
 
     def _end_limit_setting(self, signals: Signals) -> list[Frame]:
@@ -219,13 +229,23 @@ class ParameterServer:
         return [self.answer(SettingIndex.END_LIMIT_SETTING)]
 
     def _collision_setting(self, signals: Signals) -> list[Frame]:
-        self.settings.collision_levels = tuple(int(signals[name]) for name in _COLLISION_NAMES)
+        self.settings.collision_levels = tuple(int(signals[name]) for name in _JOINT_NAMES)
         return [self.answer(SettingIndex.COLLISION_SETTING)]
 
     def _teaching_setting(self, signals: Signals) -> list[Frame]:
         whole = {name: int(value) for name, value in signals.items()}
         self.settings.teaching = _read_handle(whole)
         return [self.answer(SettingIndex.TEACHING_SETTING)]
+
+    def _drag_assistance_setting(self, signals: Signals) -> list[Frame]:
+        """Firmware before S-V1.8-1 has no such frame."""
+        if not self._codec.quirks.has_drag_assistance:
+            return []
+        self.settings.drag_assistance = tuple(
+            old if self._unchanged("DragAssistanceSetting", name, signals) else int(signals[name])
+            for name, old in zip(_JOINT_NAMES, self.settings.drag_assistance, strict=True)
+        )
+        return [self.answer(SettingIndex.DRAG_ASSISTANCE_SETTING)]
 
     def _light_control(self, signals: Signals) -> list[Frame]:
         if signals["Enable"]:

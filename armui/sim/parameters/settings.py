@@ -6,7 +6,9 @@ from dataclasses import dataclass, field, fields
 from typing import Annotated, NamedTuple
 
 from armui.arm.limits import FACTORY_ACCELERATION_DEG_S2, FACTORY_LIMITS, JOINTS, JointLimits
+from armui.arm.models import model_data
 from armui.protocol.codes import EndLoad, LinkageRole
+from armui.protocol.piper_model import PiperModel
 
 
 class HandleSettings(NamedTuple):
@@ -41,13 +43,21 @@ def factory_accelerations() -> list[float]:
     return [FACTORY_ACCELERATION_DEG_S2] * len(JOINTS)
 
 
+def factory_settings(model: PiperModel) -> ArmSettingsRecord:
+    """What an arm of a model leaves the factory with."""
+    data = model_data(model)
+    return ArmSettingsRecord(
+        limits=list(data.limits), accelerations_deg_s2=list(data.accelerations_deg_s2)
+    )
+
+
 def _no_zeros() -> list[float]:
     return [0.0] * len(JOINTS)
 
 
 @dataclass(slots=True)
 class ArmSettingsRecord:
-    """What the arm keeps, with the values it leaves the factory with.
+    """What the arm keeps, with the values a PiPER leaves the factory with.
 
     Attributes:
         limits: Angles and speeds, joint 1 first.
@@ -56,6 +66,7 @@ class ArmSettingsRecord:
         collision_levels: 0–8 a joint.
         load: What the flange carries, as the host says.
         teaching: The teaching handle, generation 2.
+        drag_assistance: 0–10 a joint, from S-V1.8-1.
         linkage: Role and identifier offsets.
         zeros_deg: Where each joint has its zero, counted from the factory's.
         lights: The lamps, by joint; dark again after a power cycle.
@@ -67,6 +78,7 @@ class ArmSettingsRecord:
     collision_levels: tuple[int, ...] = (1,) * 6
     load: EndLoad = EndLoad.EMPTY
     teaching: HandleSettings = field(default_factory=HandleSettings)
+    drag_assistance: tuple[int, ...] = (5,) * 6
     linkage: LinkageSettings = field(default_factory=LinkageSettings)
     zeros_deg: list[float] = field(default_factory=_no_zeros)
     lights: dict[int, Light] = field(default_factory=dict)

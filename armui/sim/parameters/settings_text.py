@@ -18,6 +18,7 @@ from armui.sim.parameters.settings import ArmSettingsRecord, HandleSettings, Lin
 _FORMAT: Final = 1
 _END_LIMITS: Final = 4
 _HIGHEST_LEVEL: Final = 8
+_MOST_ASSISTANCE: Final = 10
 _LOADS: Final = (EndLoad.EMPTY, EndLoad.HALF, EndLoad.FULL)
 
 
@@ -35,6 +36,7 @@ def to_text(settings: ArmSettingsRecord) -> str:
         "collision_levels": settings.collision_levels,
         "load": settings.load,
         "teaching": settings.teaching._asdict(),
+        "drag_assistance": settings.drag_assistance,
         "linkage": settings.linkage._asdict(),
         "zeros_deg": settings.zeros_deg,
     }
@@ -75,6 +77,7 @@ def _settings(record: Fields) -> ArmSettingsRecord:
         collision_levels=record.wholes("collision_levels", len(JOINTS), range(_HIGHEST_LEVEL + 1)),
         load=EndLoad(record.whole("load", allowed=_LOADS)),
         teaching=teaching,
+        drag_assistance=_drag_assistance(record),
         linkage=LinkageSettings(
             LinkageRole(linkage.whole("role", allowed=list(LinkageRole))),
             *(
@@ -84,6 +87,13 @@ def _settings(record: Fields) -> ArmSettingsRecord:
         ),
         zeros_deg=list(record.numbers("zeros_deg", joints)),
     )
+
+
+def _drag_assistance(record: Fields) -> tuple[int, ...]:
+    """An older text has none: it is the factory's."""
+    if "drag_assistance" not in record:
+        return ArmSettingsRecord().drag_assistance
+    return record.wholes("drag_assistance", len(JOINTS), range(_MOST_ASSISTANCE + 1))
 
 
 def _teaching(fields: Fields) -> HandleSettings:

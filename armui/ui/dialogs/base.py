@@ -11,6 +11,7 @@ from PySide6.QtWidgets import QDialog, QHBoxLayout, QVBoxLayout, QWidget
 from armui.control.arm_controller import ArmController
 from armui.ui.widgets.curve_menu import offer_curves
 from armui.ui.widgets.halt_button import HaltButton
+from armui.ui.widgets.keeps_focus import KeepsFocus
 from armui.ui.widgets.layouts import in_column, in_row
 from armui.ui.widgets.stop_button import StopButton
 from armui.ui.widgets.text_label import text_label
@@ -20,7 +21,7 @@ _MARGIN_PX: Final = 20
 _GAP_PX: Final = 14
 
 
-class ArmDialog(Translated, QDialog):
+class ArmDialog(Translated, KeepsFocus, QDialog):
     """A dialog with its title, halt and emergency stop at the top.
 
     It never blocks the main window: the stop there stays within reach too. Escape closes it.
@@ -37,7 +38,7 @@ class ArmDialog(Translated, QDialog):
         self.halt_button = HaltButton(controller, self)
         self.stop_button = StopButton(controller, self)
 
-        header = in_row((self._heading, 1), spacing=_GAP_PX)
+        self._header = header = in_row((self._heading, 1), spacing=_GAP_PX)
         header.addWidget(self.halt_button, 0, Qt.AlignmentFlag.AlignTop)
         header.addWidget(self.stop_button, 0, Qt.AlignmentFlag.AlignTop)
         self._body = in_column(spacing=_GAP_PX)
@@ -55,6 +56,10 @@ class ArmDialog(Translated, QDialog):
     def footer(self) -> QHBoxLayout:
         """Where its buttons go, from left to right."""
         return self._footer
+
+    def add_to_header(self, widget: QWidget) -> None:
+        """Put something between the title and the stops."""
+        self._header.insertWidget(1, widget, 0, Qt.AlignmentFlag.AlignVCenter)
 
     def set_title(self, title: str) -> None:
         """Name the dialog, in its frame and at its top."""

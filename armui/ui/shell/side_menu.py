@@ -88,9 +88,14 @@ class SideMenu(Translated, QWidget):
         self.retranslate_ui()
         self._recolor()
 
-    def choose(self, place: int) -> None:
-        """Show an entry as the chosen one, without telling anyone."""
-        self._group.button(place).setChecked(True)
+    def choose(self, place: int | None) -> None:
+        """Show an entry, or none, as the chosen one, without telling anyone."""
+        if place is not None:
+            self._group.button(place).setChecked(True)
+        elif (chosen := self._group.checkedButton()) is not None:
+            self._group.setExclusive(False)
+            chosen.setChecked(False)
+            self._group.setExclusive(True)
         self._recolor()
 
     def _scrolled(self, column: QWidget) -> QScrollArea:

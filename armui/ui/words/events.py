@@ -25,6 +25,9 @@ _NOTICES: Final[Mapping[EventCode, object]] = {
     EventCode.WENT_HOME: QT_TRANSLATE_NOOP("Notice", "Home sent: all joints to 0°"),
     EventCode.JOGGING_JOINT: QT_TRANSLATE_NOOP("Notice", "Jogging J{joint} {sign}"),
     EventCode.JOGGING_TOOL: QT_TRANSLATE_NOOP("Notice", "Jogging {axis} {sign}"),
+    EventCode.DEVICE_JOGS_JOINTS: QT_TRANSLATE_NOOP("Notice", "{device} jogs {axes} (joints)"),
+    EventCode.DEVICE_JOGS_BASE: QT_TRANSLATE_NOOP("Notice", "{device} jogs {axes} (base frame)"),
+    EventCode.DEVICE_JOGS_TOOL: QT_TRANSLATE_NOOP("Notice", "{device} jogs {axes} (tool frame)"),
     EventCode.JOG_ENDED: QT_TRANSLATE_NOOP("Notice", "Jogging ended. {reason}"),
     EventCode.SENT_POSE: QT_TRANSLATE_NOOP(
         "Notice", "Sent MOVE P to X {x}  Y {y}  Z {z} mm  RX {rx}°  RY {ry}°  RZ {rz}°"
@@ -46,6 +49,15 @@ _NOTICES: Final[Mapping[EventCode, object]] = {
     ),
     EventCode.OTHER_HOST_GONE: QT_TRANSLATE_NOOP(
         "Notice", "Nobody else controls the arm any more."
+    ),
+    EventCode.MODEL_OTHER: QT_TRANSLATE_NOOP(
+        "Notice",
+        "Connected as a {chosen}, but the pose it reports is that of a {fits}. Connect it as a "
+        "{fits}.",
+    ),
+    EventCode.MODEL_NONE: QT_TRANSLATE_NOOP(
+        "Notice",
+        "The pose the arm reports fits its angles in no model of the family, {chosen} included.",
     ),
     EventCode.TAKEN_OVER: QT_TRANSLATE_NOOP("Notice", "Taken over: this program may move the arm."),
     EventCode.CANCEL_UNHEEDED: QT_TRANSLATE_NOOP(

@@ -120,6 +120,7 @@ def why_invalid(invalid: InvalidFrame, length: int, codec: Codec) -> str:
     odd = [
         f"{signal_name(name)} = {values[name]:.10g}"
         for name, legal in layout.checked
+        if name in values
         if round(layout.signals[name].to_steps(values[name])) not in legal
     ]
     source = QT_TRANSLATE_NOOP("InvalidFrame", "outside its table: {signals}")

@@ -5,6 +5,7 @@ A message is written at each change of a code or a fault, and one of everything 
 
 from __future__ import annotations
 
+import math
 import re
 from collections import defaultdict
 from dataclasses import dataclass
@@ -206,6 +207,8 @@ class DiagnosticStream:
             if message == _STATUS and part.messages[0] != _STATUS:
                 continue
             for name, value in told.get(message, {}).items():
+                if math.isnan(value):
+                    continue  # the frame holds something else in its place
                 yield _key(self._codec, message, name), self._value(message, name, value)
 
     def _value(self, message: str, name: str, value: float) -> str:

@@ -19,11 +19,11 @@ _ROW_PX: Final = 32
 _NOTE_PX: Final = 360
 _BAR_PX: Final = 3
 _WIDTHS_PX: Final = {
-    PointColumn.MOVE: 84,
-    **dict.fromkeys((PointColumn(place) for place in VALUES), 78),
+    PointColumn.MOVE: 78,
+    **dict.fromkeys((PointColumn(place) for place in VALUES), 66),
     PointColumn.MIDDLE: 104,
-    PointColumn.SPEED: 66,
-    PointColumn.DWELL: 62,
+    PointColumn.SPEED: 60,
+    PointColumn.DWELL: 60,
     PointColumn.GRIPPER: 128,
     PointColumn.LIGHT: 96,
 }
@@ -83,6 +83,10 @@ class PointsTable(QTableView):
         across.setStretchLastSection(True)
         for column, width_px in _WIDTHS_PX.items():
             self.setColumnWidth(column, width_px)
+
+    def show_middle(self, *, wanted: bool) -> None:
+        """Give the poses in the middle of arcs a column, or, where there are none, no room."""
+        self.setColumnHidden(PointColumn.MIDDLE, not wanted)
 
     # Rows -------------------------------------------------------------------------------------
 

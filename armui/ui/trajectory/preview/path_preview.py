@@ -12,6 +12,7 @@ from armui.viewport.path_picture import NOTHING, PathPicture, Preview
 if TYPE_CHECKING:
     from armui.trajectory.planning.planned_path import PlannedPath
     from armui.ui.trajectory.preview.preview_bar import PreviewBar
+    from armui.viewport.path_picture import FindingMark
 
 
 _MOST_PLACES: Final = 30_000
@@ -43,12 +44,35 @@ class PathPreview(QObject):
         self._bar = bar
         self._path: PlannedPath | None = None
         self._ends: dict[int, int] = {}
+        self._name = ""
         self._shown = NOTHING
         bar.time_changed.connect(self._on_time)
         bar.closed.connect(self._on_closed)
 
-    def show(self, path: PlannedPath | None, bad_rows: frozenset[int] = frozenset()) -> None:
-        """Show a path; ``None`` takes the preview away."""
+    @property
+    def name(self) -> str | None:
+        """Of the trajectory whose path is shown."""
+        return None if self._path is None else self._name
+
+    def show(
+        self,
+        path: PlannedPath | None,
+        bad_rows: frozenset[int] = frozenset(),
+        findings: tuple[FindingMark, ...] = (),
+        name: str = "",
+        *,
+        numbered: bool = True,
+    ) -> None:
+        """Show a path; ``None`` takes the preview away.
+
+        Args:
+            path: As it is planned.
+            bad_rows: Rows in which something forbids a run.
+            findings: What was found, where it would happen.
+            name: The trajectory's.
+            numbered: Whether its rows are points; those of a recording are samples.
+        """
+        self._name = name
         self._path = path
         self._ends = {} if path is None else path.ends()
         if path is None or path.duration_s <= 0.0:
@@ -62,6 +86,8 @@ class PathPreview(QObject):
             path.places_mm[list(self._ends.values())],
             tuple(self._ends),
             bad_rows,
+            findings,
+            numbered,
         )
         self._shown = Preview(picture, self._shown.selected_row, tuple(path.at(0.0)))
         self._bar.open(path.duration_s)
@@ -74,6 +100,12 @@ class PathPreview(QObject):
         self._set(replace(self._shown, selected_row=row))
         if row in self._ends:
             self._bar.go_to(float(self._path.times_s[self._ends[row]]))
+
+    def light_row(self, row: int | None) -> None:
+        """Light the point that the arm is on its way to; meanwhile there is no ghost beside it."""
+        if self._path is not None and row != self._shown.current_row:
+            ghost_deg = tuple(self._path.at(self._bar.time_s)) if row is None else None
+            self._set(replace(self._shown, current_row=row, ghost_deg=ghost_deg))
 
     def _on_time(self, time_s: float) -> None:
         if self._path is not None:

@@ -14,6 +14,7 @@ from armui.arm.refusal_codes import RefusalCode
 from armui.telemetry.bus_senders import Sender
 from armui.telemetry.bus_statistics import BusStatistics
 from armui.telemetry.bus_trace import TRACE_FRAMES, TraceSnapshot
+from armui.ui.actions.keys import keys_of
 from armui.ui.dialogs.base import ArmDialog
 from armui.ui.watch.bus.bus_summary import BusSummary
 from armui.ui.watch.bus.cells import Index
@@ -101,7 +102,7 @@ class BusWindow(ArmDialog):
         self.filter_bar.pause_wanted.connect(self._on_pause)
         self.filter_bar.clear_wanted.connect(self.begin)
         self.tree.curves_wanted.connect(lambda keys: show_curves(self, keys))
-        copy = QShortcut(QKeySequence(QKeySequence.StandardKey.Copy), self.trace)
+        copy = QShortcut(QKeySequence(keys_of("bus.copy")), self.trace)
         copy.setContext(Qt.ShortcutContext.WidgetShortcut)
         copy.activated.connect(self._on_copy)
 

@@ -15,6 +15,9 @@ from armui.ui.words.messages import message_name
 from armui.ui.words.signals import signal_name, signal_value
 
 if TYPE_CHECKING:
+    from armui.protocol.addressing import Addressing
+    from armui.protocol.firmware_version import FirmwareVersion
+    from armui.protocol.generation import Generation
     from armui.telemetry.bus_rows import FrameRow
     from armui.telemetry.bus_senders import Sender
 
@@ -56,11 +59,10 @@ class FrameTexts:
 
     def speak(self, codec: Codec | None) -> bool:
         """Read frames as another codec does; whether it differs from the one before."""
-        known = None if self.codec is None else (self.codec.generation, self.codec.addressing)
-        wanted = None if codec is None else (codec.generation, codec.addressing)
+        known, wanted = _spoken(self.codec), _spoken(codec)
         if known == wanted:
             return False
-        self.codec = None if codec is None else Codec(codec.generation, codec.addressing)
+        self.codec = None if wanted is None else Codec(*wanted)
         self._words.clear()
         return True
 
@@ -116,6 +118,7 @@ class FrameTexts:
                 quantity_key(sender, layout.name, name),
             )
             for name, signal in layout.signals.items()
+            if name in message.signals
         ]
 
     def trouble(self, row: FrameRow) -> str:
@@ -127,3 +130,8 @@ class FrameTexts:
         if self.codec is None or row.flags or self.codec.layout(row.arbitration_id) is None:
             return frames.frame_kind(row.arbitration_id, row.flags, self.codec)
         return frames.why_invalid(row.invalid, row.invalid_length, self.codec)
+
+
+def _spoken(codec: Codec | None) -> tuple[Generation, Addressing, FirmwareVersion | None] | None:
+    """What makes a codec read frames as it does."""
+    return None if codec is None else (codec.generation, codec.addressing, codec.firmware)

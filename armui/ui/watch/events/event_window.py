@@ -8,6 +8,7 @@ from PySide6.QtCore import QItemSelectionModel, QModelIndex, QPoint, QSize, Qt, 
 from PySide6.QtGui import QKeySequence, QShortcut
 from PySide6.QtWidgets import QAbstractItemView, QMenu, QWidget
 
+from armui.ui.actions.keys import keys_of
 from armui.ui.dialogs.base import ArmDialog
 from armui.ui.theme import colors_of
 from armui.ui.watch.events.event_bar import EventBar
@@ -85,7 +86,7 @@ class EventWindow(ArmDialog):
         self.model.dataChanged.connect(self._show_detail)
         self.table.verticalScrollBar().actionTriggered.connect(self._on_scrolled)
         self._timer.timeout.connect(self.refresh)
-        copy = QShortcut(QKeySequence(QKeySequence.StandardKey.Copy), self.table)
+        copy = QShortcut(QKeySequence(keys_of("events.copy")), self.table)
         copy.setContext(Qt.ShortcutContext.WidgetShortcut)
         copy.activated.connect(self.copy_chosen)
 

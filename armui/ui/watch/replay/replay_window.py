@@ -205,7 +205,7 @@ class ReplayWindow(ArmDialog):
         if self._session is None or self._path is None:
             return
         own = next(each for each in self._surveys if each.channel == channel)
-        arm = RecordedArm(int(generation), own.feedback_offset)
+        arm = RecordedArm(int(generation), own.feedback_offset, own.firmware)
         replay = LogReplay(self._session, channel, arm, self._path.name, self)
         replay.failed.connect(self._on_failed)
         self.view = ReplayView(
