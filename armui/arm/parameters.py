@@ -239,12 +239,10 @@ KINDS: Final[Mapping[str, ParameterKind]] = {
 """Every parameter by name; those of one group in the order of its frame."""
 
 
-def all_batches(*, teaching: bool, drag_assistance: bool = False) -> Iterator[Batch]:
-    """Everything an arm can be asked for.
+def all_batches(*, teaching: bool) -> Iterator[Batch]:
+    """Everything a backup holds; the teaching handle's in generation 2 only.
 
-    Args:
-        teaching: Also what the teaching handle keeps: generation 2.
-        drag_assistance: Also how much the joints help the hand: firmware from S-V1.8-1.
+    Drag assistance is no part of it: which firmware has it is not known of a file.
     """
     for group in (Group.JOINT_LIMITS, Group.JOINT_ACCELERATION):
         yield from (Batch(group, joint) for joint in JOINTS)
@@ -252,8 +250,6 @@ def all_batches(*, teaching: bool, drag_assistance: bool = False) -> Iterator[Ba
     yield Batch(Group.COLLISION)
     if teaching:
         yield Batch(Group.TEACHING)
-    if drag_assistance:
-        yield Batch(Group.DRAG_ASSISTANCE)
 
 
 def heard(state: ArmState, parameter: Parameter) -> Reading[float] | None:

@@ -121,7 +121,7 @@ def test_one_that_hears_nothing(arm):
 
 
 def test_one_that_stays_without_power(arm):
-    arm.firmware.gripper.command = lambda _signals: None
+    arm.firmware.gripper.command = lambda _signals, **_more: None
     arm.gripper.enable(1.0)
     arm.run_until(lambda: told(arm, "gripper_act_failed"))
     assert len(sent(arm)) == 3  # given again, and again

@@ -10,7 +10,7 @@ from PySide6.QtCore import QObject, Signal
 
 from armui.arm.limits import JOINTS
 from armui.arm.parameters import Batch, Group, Parameter, all_batches, heard
-from armui.arm.quirks import told_quirks, why_not_by_firmware
+from armui.arm.quirks import why_not_by_firmware
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import ArmState
@@ -88,14 +88,12 @@ class ArmSettings(QObject):
         return _UNREAD if heard(self._context.state(), parameter) is None else cell
 
     def everything(self) -> list[Batch] | Refusal:
-        """All that this arm keeps, or why that is not known now."""
+        """All that a backup holds of this arm, or why that is not known now."""
         refusal = self._why_unknown()
         if refusal is not None:
             return refusal
-        second = self._context.connection.generation is Generation.TWO
-        quirks = told_quirks(self._context.state())
-        assists = second and quirks is not None and quirks.has_drag_assistance
-        return list(all_batches(teaching=second, drag_assistance=assists))
+        generation = self._context.connection.generation
+        return list(all_batches(teaching=generation is Generation.TWO))
 
     def holds(self, parameter: Parameter, value: float) -> bool:
         """Whether what the arm said last is a value, as far as its frames can tell the two apart.
