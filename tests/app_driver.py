@@ -14,10 +14,12 @@ from armui.settings import SettingsStore
 from armui.ui.dialogs.confirm_dialog import ConfirmDialog
 from armui.ui.dialogs.connect import ConnectDialog
 from armui.ui.widgets.hold_button import HoldButton
+from armui.ui.widgets.page import Page
 from armui.viewport.client import PictureClient
 from tests.arm_rig import TIMEOUT_MS, ArmRig
 
 _Dialog = TypeVar("_Dialog", bound=QDialog)
+_Page = TypeVar("_Page", bound=Page)
 
 
 class AtOnce(Executor):
@@ -147,6 +149,24 @@ class AppDriver(ArmRig):
         ]
         assert len(found) == 1, f"{kind.__name__}: {found}"
         return found[0]
+
+    def page(self, kind: type[_Page]) -> _Page:
+        """The one page of a kind that is seen, in the main window or taken out."""
+        found = [
+            widget
+            for widget in QApplication.allWidgets()
+            if isinstance(widget, kind) and widget.isVisible()
+        ]
+        assert len(found) == 1, f"{kind.__name__}: {found}"
+        return found[0]
+
+    def taken_out(self, kind: type[_Page]) -> _Page:
+        """The page of a kind that is seen, in a window of its own by now."""
+        page = self.page(kind)
+        if page.window() is self.window:
+            docked = self.find("drawer").isAncestorOf(page)
+            self.click("drawer_take_out" if docked else "page_take_out")
+        return page
 
     def connect_by_hand(self) -> None:
         """Open 连接机械臂, choose the arm in the list, connect, close the window."""

@@ -7,6 +7,7 @@ second of silence takes no half second, and nothing ever sleeps.
 import time
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
+from dataclasses import replace
 from typing import Protocol
 
 import can
@@ -20,6 +21,7 @@ from armui.control.operating_state import LinkState
 from armui.protocol.codec import Codec, Message
 from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
+from armui.protocol.piper_model import PiperModel
 from armui.sim.firmware import Firmware
 from armui.sim.node import Node
 from tests.arm_rig_bus import ArmBus, HostBus
@@ -94,15 +96,32 @@ class ArmRig:
         """The adapter is back."""
         self.broken = None
 
-    def lie(self, joints_deg: Sequence[float]) -> None:
-        """Let an arm that is not connected yet be found at these angles, in degrees."""
+    def lie(
+        self,
+        joints_deg: Sequence[float],
+        model: PiperModel = PiperModel.PIPER,
+        version: str | None = None,
+    ) -> None:
+        """Let an arm that is not connected yet be found at these angles, in degrees.
+
+        Args:
+            joints_deg: Joint 1 first.
+            model: Which arm of the family it is.
+            version: Of its firmware, by default today's.
+        """
         assert self.controller.operating_state.link is LinkState.NO_DEVICE
-        self.firmware = Firmware(self.firmware.generation, joints_deg=joints_deg)
+        generation = self.firmware.generation
+        if version is None:
+            self.firmware = Firmware(generation, joints_deg=joints_deg, model=model)
+        else:
+            self.firmware = Firmware(
+                generation, joints_deg=joints_deg, model=model, version=version
+            )
         self.node = Node(self.firmware, self._arm_bus)
 
-    def connect(self) -> None:
+    def connect(self, model: PiperModel = PiperModel.PIPER) -> None:
         """Connect as an operator would, and wait until the arm has been asked everything."""
-        self.controller.connect_device(self.device)
+        self.controller.connect_device(replace(self.device, model=model))
         self.run_until(lambda: "limits_read" in self.codes())
         self.run_until(lambda: None not in self.controller.operating_state.enabled)
 

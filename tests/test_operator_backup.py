@@ -133,7 +133,7 @@ def test_a_file_holds_everything_with_units_and_where_it_is_from(arm, tmp_path):
     second = generation(arm) is Generation.TWO
     assert f"Saved {kept_by(arm)} parameters to" in said(arm)
     assert entries["arm"]["generation"] == int(generation(arm))
-    assert entries["arm"]["firmware"] == ("S-V1.8-5" if second else None)
+    assert entries["arm"]["firmware"] == ("S-V1.8-9" if second else None)
     assert entries["program"].startswith("armui ")
     held = {(row["name"], row.get("joint")): row for row in entries["parameters"]}
     assert held["max_angle_deg", 2] == {

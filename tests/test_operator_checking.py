@@ -12,8 +12,8 @@ from armui.system.helper_process import HelperProcess
 from armui.trajectory.library.store import Library
 from armui.trajectory.points.cells import PointColumn
 from armui.trajectory.points.program import Trajectory, Waypoint
-from armui.ui.trajectory.editor.editor_window import EditorWindow
-from armui.ui.trajectory.library.library_window import LibraryWindow
+from armui.ui.trajectory.editor.editor_page import EditorPage
+from armui.ui.trajectory.library.library_page import LibraryPage
 from tests.app_driver import AppDriver
 
 HERE = (0.0, 20.0, -30.0, 0.0, 10.0, 0.0)
@@ -31,9 +31,9 @@ class Operator:
             Trajectory("Test", points=(Waypoint(MoveMode.MOVE_J, NEAR), to_here()))
         )
         app_driver.click("library_button")
-        self.list = app_driver.dialog(LibraryWindow)
+        self.list = app_driver.page(LibraryPage)
         self.list.open_trajectory("Test")
-        self.window = app_driver.dialog(EditorWindow)
+        self.window = app_driver.page(EditorPage)
         self.workers.work()
 
     def lead_to(self, joints_deg):
@@ -68,9 +68,9 @@ def operator(slow_driver):
 
 def test_the_run_begins_when_the_check_has_ended(operator):
     operator.click("run_send")
-    assert operator.text("run_text") == "Checking…"
+    assert operator.text("run_checking") == "Checking…"
     assert not operator.child("run_send").isEnabled()
-    assert operator.child("run_stop").isEnabled()
+    assert operator.child("run_call_off").isVisible()
     assert not operator.running
     operator.workers.work()
     assert operator.running
@@ -78,8 +78,8 @@ def test_the_run_begins_when_the_check_has_ended(operator):
 
 def test_a_check_can_be_called_off(operator):
     operator.click("run_send")
-    operator.click("run_stop")
-    assert operator.text("run_text") == ""
+    operator.click("run_call_off")
+    assert operator.text("run_checking") == ""
     assert operator.child("run_send").isEnabled()
     operator.workers.work()
     assert not operator.running
@@ -125,9 +125,9 @@ def test_nothing_begins_for_another_row_of_the_list(operator):
     window.refresh(["Test"])
     operator.app_driver.click(operator.child("run_send", window))
     window.refresh(["Test"])
-    assert operator.child("run_text", window).text() == "Checking…"
+    assert operator.child("run_checking", window).text() == "Checking…"
     window.refresh(["Other"])
-    assert operator.child("run_text", window).text() == ""
+    assert operator.child("run_checking", window).text() == ""
     operator.workers.work()
     assert not operator.running
 
@@ -144,7 +144,7 @@ def test_an_arm_that_was_moved_meanwhile_is_checked_anew(operator):
 
 
 def test_after_a_long_check_the_operator_is_asked(operator, monkeypatch):
-    monkeypatch.setattr("armui.ui.trajectory.running.run_strip._SURPRISING_S", -1.0)
+    monkeypatch.setattr("armui.ui.trajectory.running.run_bar._SURPRISING_S", -1.0)
     operator.click("run_send")
     operator.workers.work()
     assert not operator.running
@@ -178,9 +178,9 @@ def test_a_check_in_a_process_of_its_own(qapp, request, tmp_path):
     app_driver = AppDriver(qapp, request.node.nodeid, settings, Generation.TWO, HelperProcess())
     Library(app_driver.library_folder).save(Trajectory("Test", points=(to_here(),) * 3))
     app_driver.click("library_button")
-    app_driver.dialog(LibraryWindow).open_trajectory("Test")
-    window: Any = app_driver.dialog(EditorWindow)
+    app_driver.page(LibraryPage).open_trajectory("Test")
+    window: Any = app_driver.page(EditorPage)
     app_driver.click(window.findChild(QWidget, "editor_check"))
     app_driver.wait(window.findChild(QWidget, "findings_title").isVisible)
-    assert window.findChild(QWidget, "run_text").text() == ""
+    assert window.findChild(QWidget, "run_checking").text() == ""
     app_driver.close()

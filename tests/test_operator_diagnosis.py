@@ -26,7 +26,7 @@ def test_about_the_simulated_arm(app_driver):
     QTest.mouseClick(settings(app_driver).about_arm_button, LEFT)
     dialog = app_driver.dialog(AboutArmDialog)
     read = {each.objectName(): each.text() for each in dialog.findChildren(QLabel)}
-    assert read["about_firmware"] == "S-V1.8-5"
+    assert read["about_firmware"] == "S-V1.8-9"
     assert read["about_device"] == "Simulated arm, gen. 2"
     assert read["about_joint_1"].startswith("-150.0° to 150.0°, at most 171.9°/s")
 
@@ -41,7 +41,7 @@ def test_the_diagnosis_looks_at_this_computer_in_a_process_of_its_own(app_driver
     report = dialog.report()
     assert "Python 3." in report
     assert "an arm of generation 2" in report
-    assert "Firmware S-V1.8-5." in report
+    assert "Firmware S-V1.8-9." in report
     assert dialog.findChild(MessageLine).text()
     # nothing was sent but what the program itself asks an arm that comes online
     assert "An arm answers." in report

@@ -178,7 +178,7 @@ def test_in_a_stop_nothing_can_be_sent(grip):
     grip.step()
     for name in ("send", "enable", "disable", "clear"):
         assert not grip.find(f"gripper_{name}_button").isEnabled()
-    assert "emergency stop" in message(grip)
+    assert message(grip) == ""  # the line above the panels says it
 
 
 @ONE_IS_ENOUGH
@@ -187,7 +187,7 @@ def test_before_an_arm_is_heard(any_driver):
     assert any_driver.read("gripper_opening_measured") == "—"
     assert any_driver.read("gripper_power") == "No gripper heard"
     assert not any_driver.find("gripper_send_button").isEnabled()
-    assert "No arm is connected" in message(any_driver)
+    assert message(any_driver) == ""  # the line above the panels says it
 
 
 @ONE_IS_ENOUGH

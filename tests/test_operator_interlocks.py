@@ -11,8 +11,8 @@ from armui.trajectory.points.program import Trajectory
 from armui.ui import words
 from armui.ui.dialogs.confirm_dialog import ConfirmDialog
 from armui.ui.dialogs.connect import ConnectDialog
-from armui.ui.trajectory.editor.editor_window import EditorWindow
-from armui.ui.trajectory.library.library_window import LibraryWindow
+from armui.ui.trajectory.editor.editor_page import EditorPage
+from armui.ui.trajectory.library.library_page import LibraryPage
 from tests.control.under_way import BACK, OUT, RUNS, joint_jog, motion_paused, phase, to
 from tests.faulty_arm import HardOfHearing
 from tests.generations import ONE_IS_ENOUGH
@@ -183,8 +183,8 @@ def test_disconnecting_ends_a_run_in_good_order(ready, how):
 def test_after_a_new_zero_nothing_old_is_gone_on_with(ready):
     Library(ready.library_folder).save(Trajectory("Test", points=(to(OUT, dwell_s=60.0), to(BACK))))
     ready.click("library_button")
-    ready.dialog(LibraryWindow).open_trajectory("Test")
-    editor = ready.dialog(EditorWindow)
+    ready.page(LibraryPage).open_trajectory("Test")
+    editor = ready.page(EditorPage)
     ready.wait(editor.isActiveWindow)
     RUNS["run_dwelling"](ready)
     ready.controller.player.stop()

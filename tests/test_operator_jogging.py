@@ -285,4 +285,5 @@ def test_with_a_step_chosen_a_key_is_one_step(ready, pad):
 def test_an_arm_that_cannot_move_says_so_on_the_pad(ready, pad):
     ready.controller.emergency_stop()
     ready.run_until(lambda: "stop_confirmed" in ready.codes())
-    assert "emergency stop" in ready.read("jog_key_pad_hint")
+    assert "not possible now" in ready.read("jog_key_pad_hint")
+    assert "emergency stop" in pad.toolTip()

@@ -174,7 +174,7 @@ def test_in_an_emergency_stop_only_errors_can_be_cleared(motors):
         assert not motors.find(f"{act}_motor_7").isEnabled()
         assert "emergency stop" in motors.find(f"{act}_motor_7").toolTip()
     assert motors.find("clear_motor_7").isEnabled()
-    assert "emergency stop" in message(motors)
+    assert message(motors) == ""  # the line above the panels says it
 
 
 @ONE_IS_ENOUGH

@@ -1,15 +1,28 @@
 """An operator looks at a trajectory in 3D before anything moves."""
 
+from typing import TYPE_CHECKING, cast
+
+import numpy as np
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 
+from armui.control.run.progress import OVER, Run
+from armui.kinematics.arm_kinematics import Kinematics
 from armui.protocol.codes import MoveMode
+from armui.system.paths import URDF
 from armui.trajectory.library.store import Library
 from armui.trajectory.points.program import Trajectory, Waypoint
-from armui.ui.trajectory.editor.editor_window import EditorWindow
-from armui.ui.trajectory.library.library_window import LibraryWindow
+from armui.ui.picture.trail_keeper import TrailKeeper
+from armui.ui.trajectory.editor.editor_page import EditorPage
+from armui.ui.trajectory.library.library_page import LibraryPage
 from armui.viewport.path_picture import NOTHING
+from armui.viewport.process.outline import shape_of
+from armui.viewport.process.urdf_file import load_robot
+from tests.family import PIPER
+
+if TYPE_CHECKING:
+    from armui.viewport.view import ArmView
 
 OUT = (20.0, 40.0, -40.0, 10.0, 20.0, 15.0)
 BACK = (-15.0, 30.0, -30.0, -10.0, 30.0, -20.0)
@@ -25,8 +38,8 @@ class Operator:
         points = tuple(Waypoint(MoveMode.MOVE_J, target) for target in targets)
         Library(app_driver.library_folder).save(Trajectory("Test", points=points))
         app_driver.click("library_button")
-        app_driver.dialog(LibraryWindow).open_trajectory("Test")
-        self.editor = app_driver.dialog(EditorWindow)
+        app_driver.page(LibraryPage).open_trajectory("Test")
+        self.editor = app_driver.page(EditorPage)
         app_driver.wait(self.editor.isActiveWindow)
 
     def check(self):
@@ -79,11 +92,107 @@ def test_another_point_takes_the_preview_away(at):
     at.check()
     at.editor.table.select_row(0)
     QTest.keyClick(at.editor.table, Qt.Key.Key_Delete)
-    assert at.shown == NOTHING
+    assert len(at.shown.path.places_mm) == 0
+    assert at.shown.path.rows == (0,)  # the points stay, without a way between them
     assert not at.app_driver.find("preview_bar").isVisible()
 
 
 def test_the_operator_closes_the_preview(at):
     at.check()
     at.app_driver.click("preview_close")
+    assert len(at.shown.path.places_mm) == 0
+    at.editor.leave()
     assert at.shown == NOTHING
+
+
+def test_a_finding_in_the_picture_leads_to_its_row(app_driver):
+    at = Operator(app_driver, OUT, BEYOND, BACK)
+    at.check()
+    finding = next(each for each in at.shown.path.findings if each.is_error)
+    assert finding.row == 1
+    assert "1" in finding.text
+    at.editor.table.select_row(0)
+    app_driver.program.view.finding_picked.emit(finding)
+    assert at.editor.table.current_row() == 1
+
+
+def test_a_finding_stands_where_the_arm_would_be(app_driver):
+    at = Operator(app_driver, OUT, BEYOND)
+    at.check()
+    finding = next(each for each in at.shown.path.findings if each.is_error)
+    flange = Kinematics(PIPER).matrix(BEYOND)
+    tip = flange[:3, 3] + 140.0 * flange[:3, 2]
+    assert finding.place_mm == pytest.approx(tip, abs=1.0)
+
+
+def test_the_point_under_way_is_lit_and_the_ghost_steps_aside(at):
+    app_driver = at.app_driver
+    at.check()
+    points = at.editor.document.points
+    player = app_driver.controller.player
+    assert player.start(Run("Test", points, (3.0, 3.0))) is None
+    app_driver.run_until(lambda: player.progress.index == 1)
+    app_driver.run(0.1)
+    assert at.shown.current_row == 1
+    assert at.shown.ghost_deg is None
+    app_driver.run_until(lambda: player.progress.phase in OVER)
+    app_driver.run(0.1)
+    assert at.shown.current_row is None
+    assert at.shown.ghost_deg is not None
+
+
+def test_a_run_of_another_trajectory_lights_nothing(at):
+    at.check()
+    player = at.app_driver.controller.player
+    assert player.start(Run("Other", at.editor.document.points, (3.0, 3.0))) is None
+    at.app_driver.run(0.5)
+    assert at.shown.current_row is None
+
+
+class SeenView:
+    """A picture that is seen, of the project's own arm."""
+
+    def __init__(self):
+        self.shape = shape_of(load_robot(URDF / "piper" / "piper.urdf"))
+        self.trails = []
+        self.seen = True
+
+    def isVisible(self):  # noqa: N802 - Qt's name
+        return self.seen
+
+    def set_trail(self, trail):
+        self.trails.append(trail)
+
+    @property
+    def driven(self):
+        return np.frombuffer(self.trails[-1].driven, np.float32).reshape(-1, 3)
+
+
+def test_the_trail_is_where_the_arm_was_measured(app_driver):
+    app_driver.ready()
+    view = SeenView()
+    keeper = TrailKeeper(app_driver.controller, cast("ArmView", view), 60.0)
+    tips = []
+
+    def follow(state):
+        keeper.follow(state)
+        if state.angles_deg() is None:
+            return  # at the end, when the device is closed
+        flange = Kinematics(PIPER).matrix(state.angles_deg())
+        tips.append(flange[:3, 3] + 140.0 * flange[:3, 2])
+
+    app_driver.controller.state_changed.connect(follow)
+    assert app_driver.controller.motion.send_joints(OUT) is None
+    app_driver.run(0.5)
+    app_driver.run_until(lambda: not app_driver.controller.operating_state.moving, seconds=30.0)
+    away = np.linalg.norm(view.driven[:, None] - np.array(tips)[None], axis=2).min(axis=1)
+    assert away.max() < 0.5
+    assert np.linalg.norm(view.driven[-1] - view.driven[0]) > 100.0
+    told = len(view.trails)
+    app_driver.run(1.0)
+    assert len(view.trails) == told  # an arm at rest costs nothing
+    view.seen = False
+    assert app_driver.controller.motion.send_joints(BACK) is None
+    app_driver.run(1.0)
+    assert len(view.trails) == told  # nor does a picture that nobody sees
+    app_driver.controller.state_changed.disconnect(follow)

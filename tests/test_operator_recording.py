@@ -12,8 +12,8 @@ from armui.trajectory.library.store import Library
 from armui.trajectory.points.program import Trajectory
 from armui.trajectory.samples.recording import Recording
 from armui.ui.trajectory.editor.leave_question import LeaveQuestion
-from armui.ui.trajectory.library.library_window import LibraryWindow
-from armui.ui.trajectory.recording.recording_window import RecordingWindow
+from armui.ui.trajectory.library.library_page import LibraryPage
+from armui.ui.trajectory.recording.recording_page import RecordingPage
 
 OUT = (20.0, 40.0, -40.0, 10.0, 20.0, 15.0)
 
@@ -25,9 +25,9 @@ class Operator:
         self.app_driver = app_driver
         app_driver.ready()
         app_driver.click("library_button")
-        self.list = app_driver.dialog(LibraryWindow)
+        self.list = app_driver.page(LibraryPage)
         app_driver.click(self.list.findChild(QWidget, "library_record"))
-        self.window = app_driver.dialog(RecordingWindow)
+        self.window = app_driver.page(RecordingPage)
         self.library = Library(app_driver.library_folder)
 
     def child(self, name):
@@ -182,8 +182,8 @@ def test_closing_what_is_not_kept_asks(operator):
 
 def test_without_an_arm_there_is_nothing_to_record(app_driver):
     app_driver.click("library_button")
-    app_driver.click(app_driver.dialog(LibraryWindow).findChild(QWidget, "library_record"))
-    button = app_driver.dialog(RecordingWindow).findChild(QWidget, "record")
+    app_driver.click(app_driver.page(LibraryPage).findChild(QWidget, "library_record"))
+    button = app_driver.page(RecordingPage).findChild(QWidget, "record")
     assert not button.isEnabled()
     assert "No arm is connected" in button.toolTip()
 
@@ -208,5 +208,5 @@ def test_a_recording_is_replayed_from_the_list(operator):
         QWidget, "library_message"
     ).text()
     app_driver.run(0.2)
-    app_driver.click(operator.list.findChild(QWidget, "run_stop"))
+    app_driver.click("run_stop")
     app_driver.run_until(lambda: not app_driver.controller.replayer.running)

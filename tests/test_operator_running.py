@@ -5,14 +5,14 @@ from dataclasses import replace
 
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QComboBox, QListWidget, QProgressBar, QSpinBox, QWidget
+from PySide6.QtWidgets import QComboBox, QListWidget, QSpinBox, QWidget
 
 from armui.control.run.progress import RunPhase
 from armui.protocol.codes import MoveMode
 from armui.trajectory.library.store import Library
 from armui.trajectory.points.program import Trajectory, Waypoint
-from armui.ui.trajectory.editor.editor_window import EditorWindow
-from armui.ui.trajectory.library.library_window import LibraryWindow
+from armui.ui.trajectory.editor.editor_page import EditorPage
+from armui.ui.trajectory.library.library_page import LibraryPage
 from tests.generations import ONE_IS_ENOUGH
 
 OUT = (20.0, 40.0, -40.0, 10.0, 20.0, 15.0)
@@ -38,9 +38,9 @@ class Operator:
         app_driver.ready()
         Library(app_driver.library_folder).save(Trajectory("Test", points=points))
         app_driver.click("library_button")
-        self.library = app_driver.dialog(LibraryWindow)
+        self.library = app_driver.page(LibraryPage)
         self.library.open_trajectory("Test")
-        self.window = app_driver.dialog(EditorWindow)
+        self.window = app_driver.page(EditorPage)
         app_driver.wait(self.window.isActiveWindow)
 
     @property
@@ -61,8 +61,14 @@ class Operator:
         if accept.isVisible():
             self.app_driver.click(accept)
 
+    def of_strip(self, name):
+        """A part of the strip below the page, which is there since something ran."""
+        return self.app_driver.find(name)
+
     def text(self, name):
-        return self.child(name).text()
+        found = self.app_driver.window.findChildren(QWidget, name)
+        (shown,) = [each for each in found if each.isVisible()]
+        return shown.text()
 
     def until(self, condition, seconds=40.0):
         def look():
@@ -97,7 +103,7 @@ def test_once_through_every_point_in_order(any_driver):
     operator.until_over()
     assert [operator.visits(place) for place in (OUT, BACK, UP)] == [1, 1, 1]
     assert operator.lit() == []
-    assert operator.child("run_bar", QProgressBar).value() == 1000
+    assert operator.of_strip("run_bar").value() == 1000
     assert operator.text("run_text").endswith("done")
 
 
@@ -118,7 +124,7 @@ def test_in_a_loop_until_it_is_ended_and_on_from_there(app_driver):
     operator.send()
     operator.until(lambda: (operator.progress.cycle, operator.progress.index) == (2, 1))
     assert "∞" in operator.text("run_text")
-    operator.click("run_stop")
+    operator.app_driver.click("run_stop")
     operator.until_over()
     assert operator.progress.phase is RunPhase.STOPPED
     assert operator.text("run_resume") == "Go on from row 2"
@@ -133,15 +139,15 @@ def test_a_pause_holds_the_arm(any_driver):
     operator.send()
     operator.until(lambda: operator.progress.index == 1)
     operator.app_driver.run(0.3)
-    operator.click("run_pause")
+    operator.app_driver.click("run_pause")
     operator.app_driver.run(1.5)
     here = tuple(operator.app_driver.firmware.joints_deg)
     operator.app_driver.run(1.0)
     assert math.dist(here, operator.app_driver.firmware.joints_deg) < 0.001
     assert operator.text("run_continue") == "Continue"
-    operator.click("run_continue")
+    operator.app_driver.click("run_continue")
     assert operator.progress.phase is RunPhase.PAUSED
-    operator.app_driver.hold_button(operator.child("run_continue"))
+    operator.app_driver.hold_button("run_continue")
     operator.until_over()
     assert operator.visits(BACK) == 1
 
@@ -156,7 +162,7 @@ def test_step_by_step_from_the_second_row(app_driver):
     assert (operator.visits(OUT), operator.visits(BACK)) == (0, 1)
     operator.app_driver.run(1.0)
     assert operator.progress.index == 1
-    operator.click("run_pause")
+    operator.app_driver.click("run_pause")
     operator.until_over()
     assert operator.visits(UP) == 1
 
@@ -165,7 +171,7 @@ def test_the_emergency_stop_ends_it_and_says_where(app_driver):
     operator = Operator(app_driver, to(OUT), to(BACK))
     operator.send()
     operator.until(lambda: operator.progress.index == 1)
-    operator.app_driver.press(operator.window.stop_button)
+    operator.app_driver.press(operator.app_driver.find("stop_button"))
     operator.until_over()
     assert operator.progress.phase is RunPhase.FAILED
     assert "Ended at row 2" in operator.text("editor_message")
@@ -254,4 +260,4 @@ def test_the_library_sends_the_chosen_one(app_driver):
     operator.send(window=operator.library)
     operator.until_over()
     assert (operator.visits(OUT), operator.visits(UP)) == (1, 1)
-    assert "done" in operator.library.findChild(QWidget, "run_text").text()
+    assert "done" in operator.text("run_text")

@@ -172,6 +172,26 @@ def test_what_the_operator_chooses_is_kept(sessions, tmp_path):
     assert (tmp_path / "elsewhere" / "chosen.log").stat().st_size > 0
 
 
+def test_mf4_is_offered_where_it_can_be_written(sessions):
+    card = sessions.window.recording
+    item = card.format_box.model().item(card.format_box.findData(".mf4"))
+
+    card._on_mf4_known(False)
+    assert not item.isEnabled()
+    assert "pip install asammdf" in item.toolTip()
+    assert "pip install asammdf" in card.format_note.text()
+    assert card.format_note.isVisible()
+
+    card._on_mf4_known(True)
+    assert item.isEnabled()
+    assert not card.format_note.isVisible()
+    card.format_box.setCurrentIndex(card.format_box.findData(".mf4"))
+    card.format_box.activated.emit(card.format_box.currentIndex())
+    assert sessions.driver.store.settings.session_format == ".mf4"
+    assert sessions.recorder.choices.as_mf4
+    assert "at the end" in card.format_note.text()
+
+
 def test_a_folder_that_cannot_be_written_is_told_in_the_window(sessions, tmp_path):
     (tmp_path / "file").write_text("")
     sessions.driver.store.change(session_folder=str(tmp_path / "file" / "below"))

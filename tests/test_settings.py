@@ -9,7 +9,8 @@ from typing import Any
 import pytest
 
 from armui.arm.refusal_codes import RefusalCode
-from armui.settings import Settings, SettingsStore, check, default_path
+from armui.setting_checks import check
+from armui.settings import Settings, SettingsStore, default_path
 
 
 @pytest.fixture
@@ -47,6 +48,16 @@ def test_a_change_is_there_in_the_next_run(path: Path) -> None:
         "session_rotate_mb": 100,
         "session_save_at_faults": False,
         "mounting": "",
+        "has_jogged": False,
+        "picture_direction": "iso",
+        "picture_orthographic": False,
+        "picture_tool_frame": True,
+        "picture_trail_s": 15,
+        "gamepad": False,
+        "gamepad_mode": "joint",
+        "gamepad_one_axis": True,
+        "gamepad_buttons": {},
+        "models": {},
     }
 
 

@@ -1,7 +1,8 @@
-"""The robot description against the arm's Denavit–Hartenberg table."""
+"""The robot descriptions against the arms' Denavit–Hartenberg tables."""
 
 from __future__ import annotations
 
+import importlib
 import math
 import xml.etree.ElementTree as ET
 from pathlib import Path
@@ -10,26 +11,30 @@ import numpy as np
 import pytest
 import yourdfpy
 
+from armui.arm.models import model_data, robot_description
+from armui.protocol.piper_model import PiperModel
 from armui.system.paths import URDF
 from armui.viewport.process.urdf_file import load_robot
+from tests.family import MODELS
 
-# a(i-1) mm, alpha(i-1) deg, d(i) mm, theta offset deg; firmware from S-V1.6-3
-DH_TABLE = (
-    (0.0, 0.0, 123.0, 0.0),
-    (0.0, -90.0, 0.0, -172.22),
-    (285.03, 0.0, 0.0, -102.78),
-    (-21.98, 90.0, 250.75, 0.0),
-    (0.0, -90.0, 0.0, 0.0),
-    (0.0, 90.0, 91.0, 0.0),
-)
-LIMITS_DEG = ((-150, 150), (0, 180), (-170, 0), (-100, 100), (-70, 70), (-120, 120))
 ARM_JOINTS = [f"joint{number}" for number in range(1, 7)]
 
 
-def flange_by_table(angles_deg: np.ndarray) -> np.ndarray:
+@pytest.fixture(params=MODELS)
+def model(request) -> PiperModel:
+    return request.param
+
+
+@pytest.fixture
+def limits_deg(model) -> list[tuple[float, float]]:
+    return [(each.min_deg, each.max_deg) for each in model_data(model).limits]
+
+
+def flange_by_table(model: PiperModel, angles_deg: np.ndarray) -> np.ndarray:
     """4×4 flange pose in mm: the textbook product of Rx(alpha) Tx(a) Rz(theta) Tz(d)."""
     pose = np.eye(4)
-    for (a, alpha_deg, d, offset_deg), angle_deg in zip(DH_TABLE, angles_deg, strict=True):
+    rows = model_data(model).geometry.rows
+    for (a, alpha_deg, d, offset_deg), angle_deg in zip(rows, angles_deg, strict=True):
         ca, sa = math.cos(math.radians(alpha_deg)), math.sin(math.radians(alpha_deg))
         theta = math.radians(angle_deg + offset_deg)
         ct, st = math.cos(theta), math.sin(theta)
@@ -57,10 +62,10 @@ def angle_between_deg(first: np.ndarray, second: np.ndarray) -> float:
     return math.degrees(math.atan2(float(np.linalg.norm(axis)), float(np.trace(difference)) - 1.0))
 
 
-@pytest.fixture(scope="module")
-def urdf() -> yourdfpy.URDF:
+@pytest.fixture
+def urdf(model) -> yourdfpy.URDF:
     return yourdfpy.URDF.load(
-        str(URDF / "piper.urdf"),
+        str(robot_description(model)),
         load_meshes=False,
         build_scene_graph=True,
         build_collision_scene_graph=False,
@@ -74,30 +79,18 @@ def flange_by_urdf(urdf: yourdfpy.URDF, angles_deg: np.ndarray) -> np.ndarray:
     return pose
 
 
-def test_all_joints_at_zero_give_the_pose_the_arm_reports(urdf):
-    pose = flange_by_urdf(urdf, np.zeros(6))
-    assert pose[:3, 3] == pytest.approx([56.128, 0.0, 213.266], abs=5e-4)
-    ry_85 = math.radians(85.0)
-    expected = [
-        [math.cos(ry_85), 0, math.sin(ry_85)],
-        [0, 1, 0],
-        [-math.sin(ry_85), 0, math.cos(ry_85)],
-    ]
-    assert angle_between_deg(np.array(expected), pose[:3, :3]) < 1e-6
-
-
-def test_flange_agrees_with_the_table_over_random_angles(urdf):
+def test_flange_agrees_with_the_table_over_random_angles(model, urdf, limits_deg):
     random = np.random.default_rng(20240613)
-    lower, upper = np.array(LIMITS_DEG, dtype=float).T
-    for angles_deg in random.uniform(lower, upper, size=(2000, 6)):
-        expected = flange_by_table(angles_deg)
+    lower, upper = np.array(limits_deg, dtype=float).T
+    for angles_deg in (np.zeros(6), *random.uniform(lower, upper, size=(500, 6))):
+        expected = flange_by_table(model, angles_deg)
         found = flange_by_urdf(urdf, angles_deg)
-        assert np.linalg.norm(found[:3, 3] - expected[:3, 3]) < 0.01, angles_deg
-        assert angle_between_deg(expected[:3, :3], found[:3, :3]) < 0.001, angles_deg
+        assert np.linalg.norm(found[:3, 3] - expected[:3, 3]) < 1e-6, angles_deg
+        assert angle_between_deg(expected[:3, :3], found[:3, :3]) < 1e-6, angles_deg
 
 
-def test_our_own_kinematics_of_the_picture_agree_with_yourdfpy(urdf):
-    robot = load_robot(URDF / "piper.urdf")
+def test_our_own_kinematics_of_the_picture_agree_with_yourdfpy(model, urdf):
+    robot = load_robot(robot_description(model))
     random = np.random.default_rng(7)
     for angles_deg in random.uniform(-120, 120, size=(50, 6)):
         opening_mm = float(random.uniform(0, 70))
@@ -111,6 +104,7 @@ def test_our_own_kinematics_of_the_picture_agree_with_yourdfpy(urdf):
             "link4",
             "link5",
             "flange",
+            "gripper_base",
             "finger_left",
             "finger_right",
         ):
@@ -119,8 +113,8 @@ def test_our_own_kinematics_of_the_picture_agree_with_yourdfpy(urdf):
             )
 
 
-def test_limits_axes_and_speed_are_the_arms(urdf):
-    for name, (lower_deg, upper_deg) in zip(ARM_JOINTS, LIMITS_DEG, strict=True):
+def test_limits_axes_and_speed_are_the_arms(urdf, limits_deg):
+    for name, (lower_deg, upper_deg) in zip(ARM_JOINTS, limits_deg, strict=True):
         joint = urdf.joint_map[name]
         assert joint.type == "revolute"
         assert list(joint.axis) == [0, 0, 1]
@@ -132,8 +126,8 @@ def test_limits_axes_and_speed_are_the_arms(urdf):
 def test_the_gripper_opens_to_70_mm(urdf):
     def gap_mm(opening_mm: float) -> float:
         urdf.update_cfg({"gripper_left": np.array(opening_mm / 2000.0)})
-        left = urdf.get_transform("finger_left", "flange")[1, 3]
-        right = urdf.get_transform("finger_right", "flange")[1, 3]
+        left = urdf.get_transform("finger_left", "gripper_base")[1, 3]
+        right = urdf.get_transform("finger_right", "gripper_base")[1, 3]
         return float(left - right) * 1000.0
 
     assert gap_mm(0.0) == pytest.approx(0.0)
@@ -142,18 +136,34 @@ def test_the_gripper_opens_to_70_mm(urdf):
     assert urdf.joint_map["gripper_right"].mimic.joint == "gripper_left"
 
 
-def test_angles_are_written_with_nine_digits():
-    for element in ET.parse(URDF / "piper.urdf").iter("limit"):
+def test_the_gripper_sits_as_the_model_says(model, urdf):
+    turned = urdf.get_transform("gripper_base", "flange")
+    angle_deg = math.degrees(math.atan2(turned[1, 0], turned[0, 0]))
+    assert angle_deg == pytest.approx(model_data(model).gripper.turned_deg)
+
+
+def test_angles_are_written_with_nine_digits(model):
+    for element in ET.parse(robot_description(model)).iter("limit"):
         for bound in (element.get("lower"), element.get("upper")):
             if bound not in {"0", "0.035"}:
                 assert len(bound.rpartition(".")[2]) >= 9
 
 
-def test_meshes_are_named_by_relative_paths_that_exist():
-    names = [mesh.get("filename") for mesh in ET.parse(URDF / "piper.urdf").iter("mesh")]
+def test_meshes_are_named_by_relative_paths_that_exist(model):
+    path = robot_description(model)
+    names = [mesh.get("filename") for mesh in ET.parse(path).iter("mesh")]
     assert len(names) == 19
     for name in names:
         assert name is not None
         assert not Path(name).is_absolute()
         assert "://" not in name
-        assert (URDF / name).is_file()
+        assert (path.parent / name).is_file()
+
+
+def test_the_committed_descriptions_are_what_the_script_writes(tmp_path, monkeypatch):
+    monkeypatch.syspath_prepend(str(URDF))
+    script = importlib.import_module("make_descriptions")
+    script.main(tmp_path)
+    for model in MODELS:
+        written = (tmp_path / model / f"{model}.urdf").read_text("utf-8")
+        assert written == robot_description(model).read_text("utf-8")

@@ -5,6 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any, Final
 
+from armui.protocol.piper_model import PiperModel
+
 DEFAULT_BITRATE: Final = 1_000_000
 """What the maker's hardware runs at today; generation 1's text says 500 kbit/s."""
 
@@ -19,11 +21,13 @@ class RecordedArm:
         generation: Which protocol it speaks.
         feedback_offset: Added to the identifiers of its feedback (0x470).
         firmware: The version it names, as ``S-V1.8-5``; "" where it names none.
+        model: Which arm of the family it was connected as; ``None``: it does not tell.
     """
 
     generation: int
     feedback_offset: int = 0
     firmware: str = ""
+    model: PiperModel | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -38,6 +42,7 @@ class Device:
         serial: The adapter's serial number, where it tells one.
         simulated: An arm made of software inside this program.
         generation: Which protocol the simulated arm speaks.
+        model: Which arm of the family the operator says it is; the simulated arm is that.
         listen_only: Nothing is sent on it but an operator's stop.
         recorded: It is a log that is replayed: nothing whatever can be sent.
         options: Further arguments of python-can's constructor.
@@ -50,6 +55,7 @@ class Device:
     serial: str | None = None
     simulated: bool = False
     generation: int | None = None
+    model: PiperModel = PiperModel.PIPER
     listen_only: bool = False
     recorded: RecordedArm | None = None
     options: tuple[tuple[str, Any], ...] = ()

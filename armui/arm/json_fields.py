@@ -100,6 +100,11 @@ class Fields:
         self._asked.add(name)
         return None if self._values.get(name) is None else self.text(name)
 
+    def given(self, name: str) -> bool:
+        """Whether there is something other than null; null counts as asked for."""
+        self._asked.add(name)
+        return self._values.get(name) is not None
+
     def number(self, name: str, default: float | None = None) -> float:
         """A finite number."""
         value = finite(self._value(name, default))

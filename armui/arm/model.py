@@ -23,6 +23,7 @@ class ArmModel:
         kinematics: Of its geometry.
         tool_mm: How far the gripper reaches beyond the flange.
         stroke_mm: How far the gripper opens; ``None`` if that is not known.
+        gripper_turned_deg: How the gripper is mounted, about the flange's Z axis.
     """
 
     limits: tuple[JointLimits, ...]
@@ -31,3 +32,4 @@ class ArmModel:
     kinematics: Kinematics
     tool_mm: float
     stroke_mm: float | None = None
+    gripper_turned_deg: float = 0.0

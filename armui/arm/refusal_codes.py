@@ -77,6 +77,10 @@ class RefusalCode(StrEnum):
     FRAME_NOT_HELD = "frame_not_held"
     FRAME_OF_UPGRADE = "frame_of_upgrade"  # frame
     FRAME_RESUMES = "frame_resumes"
+    GAMEPAD_LOST = "gamepad_lost"  # name
+    GAMEPAD_NOT_IN_FRONT = "gamepad_not_in_front"
+    GAMEPAD_SILENT = "gamepad_silent"  # name
+    GAMEPAD_UNATTENDED = "gamepad_unattended"  # seconds
     GENERATION_UNKNOWN = "generation_unknown"
     GRIPPER_NO_ZERO = "gripper_no_zero"
     GRIPPER_NOT_A_NUMBER = "gripper_not_a_number"  # gripper, value, minimum, maximum, unit
@@ -125,6 +129,7 @@ class RefusalCode(StrEnum):
     MESH_UNREADABLE = "mesh_unreadable"
     MODEL_DIFFERS = "model_differs"
     MODE_UNKNOWN = "mode_unknown"
+    MODEL_OTHER = "model_other"
     MOVED_SINCE_CHECK = "moved_since_check"  # value
     NAME_EMPTY = "name_empty"
     NAME_TAKEN = "name_taken"
@@ -193,6 +198,7 @@ class RefusalCode(StrEnum):
     SESSION_IN_USE = "session_in_use"  # name
     SESSION_NAME_BAD = "session_name_bad"  # name
     SESSION_NAME_TAKEN = "session_name_taken"  # name
+    SESSION_NO_MF4 = "session_no_mf4"
     SESSION_NONE = "session_none"
     SESSION_READ_ONLY = "session_read_only"  # folder
     SESSION_RECORDED = "session_recorded"

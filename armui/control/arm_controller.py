@@ -193,7 +193,8 @@ class ArmController(ControllerParts):
         self.disconnect_device()
         closed = self._connection.end(_END_S)
         written = "sessions" not in vars(self) or self.sessions.end()
-        return all((written, self._finder.end(_END_S), closed))
+        unread = "gamepad" not in vars(self) or self.gamepad.end()
+        return all((written, unread, self._finder.end(_END_S), closed))
 
     def emergency_stop(self) -> None:
         """Stop the arm at once: past every other frame, whatever else is under way (0x150)."""
@@ -276,6 +277,7 @@ class ArmController(ControllerParts):
         self._link_watch.arm_came()
         self._authority.end(End.SILENT)
         self.settings.forget()
+        self.model_watch.forget()
 
     def _forget_arm(self) -> None:
         self._parts.forget()

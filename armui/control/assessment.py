@@ -6,7 +6,9 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 
 from armui.arm.device import Device
-from armui.arm.limits import FACTORY_LIMITS, plausible
+from armui.arm.limits import plausible
+from armui.arm.model_check import ModelFit
+from armui.arm.models import model_data
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import ArmState, Six, is_fresh
@@ -57,6 +59,7 @@ class AssessmentInputs:
     other_host: OtherHostReport | None = None
     tasks: ActiveTasks = ActiveTasks()
     stop_lapsed: bool = False
+    model_fit: ModelFit = field(default_factory=ModelFit)
     offsets: OffsetFollower = field(default_factory=OffsetFollower)
 
 
@@ -81,6 +84,7 @@ def assess(state: ArmState, around: AssessmentInputs, now_s: float) -> Operating
         heard.value if heard is not None and plausible(heard.value) else None
         for heard in state.limits
     ]
+    factory_limits = model_data(around.model_fit.chosen).limits
     r1, r2, r3, r4, r5, r6 = (limits is not None for limits in read)
     return OperatingState(
         link=around.link,
@@ -110,7 +114,7 @@ def assess(state: ArmState, around: AssessmentInputs, now_s: float) -> Operating
         run_sets_lamps=tasks.run_sets_lamps,
         cannot_enable=no_command,
         limits=tuple(
-            limits or factory for limits, factory in zip(read, FACTORY_LIMITS, strict=True)
+            limits or factory for limits, factory in zip(read, factory_limits, strict=True)
         ),
         limits_read=(r1, r2, r3, r4, r5, r6),
         speed_percent=around.speed_percent,
@@ -120,6 +124,7 @@ def assess(state: ArmState, around: AssessmentInputs, now_s: float) -> Operating
         generation=around.generation,
         addressing=around.offsets.addressing,
         control_certain=around.offsets.certain,
+        model_fit=around.model_fit,
         teaching_input=around.link in {LinkState.OFFLINE, LinkState.ONLINE}
         and is_fresh(state.foreign_targets_s, now_s)
         and not _controller_heard(state, now_s),

@@ -86,6 +86,7 @@ class Assessor:
             speed_percent=controller.motion.speed_percent,
             generation=connection.generation,
             offsets=connection.offsets,
+            model_fit=controller.model_watch.fit(),
             authority=self._watch.authority,
             other_host=self._watch.report(),
             tasks=ActiveTasks(

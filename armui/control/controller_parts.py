@@ -30,8 +30,10 @@ if TYPE_CHECKING:
     from armui.control.devices.teaching import TeachingControl
     from armui.control.devices.zeroing import Zeroing
     from armui.control.event_log.collector import EventCollector
+    from armui.control.gamepad.pilot import GamepadPilot
     from armui.control.link.bus_access import BusAccess
     from armui.control.link.dropped_frames import DroppedFrames
+    from armui.control.link.model_watch import ModelWatch
     from armui.control.motion.cartesian import Cartesian
     from armui.control.motion.jogging import Jogging
     from armui.control.motion.planned_motion import PlannedMotion
@@ -84,6 +86,13 @@ class ControllerParts(QObject):
         from armui.control.motion.jogging import Jogging
 
         return Jogging(self._context, self.motion, self.cartesian)
+
+    @cached_property
+    def gamepad(self) -> GamepadPilot:
+        """Jogs by gamepad and SpaceMouse, once it is switched on."""
+        from armui.control.gamepad.pilot import GamepadPilot
+
+        return GamepadPilot(self, self._context.clock)
 
     @cached_property
     def motors(self) -> Motors:
@@ -245,6 +254,13 @@ class ControllerParts(QObject):
         return self.happenings.log
 
     @cached_property
+    def model_watch(self) -> ModelWatch:
+        """Compares the chosen model with what the arm tells."""
+        from armui.control.link.model_watch import ModelWatch
+
+        return ModelWatch(self._context)
+
+    @cached_property
     def _dropped_frames(self) -> DroppedFrames:
         from armui.control.link.dropped_frames import DroppedFrames
 
@@ -267,6 +283,7 @@ class ControllerParts(QObject):
             self.teaching,
             self.planned_motion,
             self._dropped_frames,
+            self.model_watch,
             self.happenings,
         )
 
@@ -290,6 +307,10 @@ class ControllerParts(QObject):
 
     def emergency_stop(self) -> None:
         """See :meth:`ArmController.emergency_stop`."""
+        raise NotImplementedError
+
+    def halt_and_hold(self) -> Refusal | None:
+        """See :meth:`ArmController.halt_and_hold`."""
         raise NotImplementedError
 
     def withdraw_stop(self) -> None:

@@ -25,12 +25,17 @@ class EventCode(StrEnum):
     WENT_HOME = "went_home"
     JOGGING_JOINT = "jogging_joint"  # joint, sign
     JOGGING_TOOL = "jogging_tool"  # axis, sign
+    DEVICE_JOGS_JOINTS = "device_jogs_joints"  # device, axes
+    DEVICE_JOGS_BASE = "device_jogs_base"  # device, axes
+    DEVICE_JOGS_TOOL = "device_jogs_tool"  # device, axes
     JOG_ENDED = "jog_ended"  # reason
     SENT_POSE = "sent_pose"  # x … rz
     SENT_LINE = "sent_line"  # x … rz
     SENT_ARC = "sent_arc"
     STEPPED_TOOL = "stepped_tool"  # axis, step with its unit
     SENT_SPEED = "sent_speed"  # percent
+    MODEL_OTHER = "model_other"  # chosen, fits
+    MODEL_NONE = "model_none"  # chosen
     SPEED_WAITS = "speed_waits"  # percent
     OTHER_HOST_MOVES = "other_host_moves"  # frames
     LEADER_ARM_MOVES = "leader_arm_moves"  # frames
@@ -127,6 +132,8 @@ class EventCode(StrEnum):
     SESSION_ENDED = "session_ended"  # name, frames, size
     SESSION_FAILED = "session_failed"  # reason
     SESSION_FRAMES_LOST = "session_frames_lost"  # count
+    MF4_SAVED = "mf4_saved"  # name
+    MF4_NOT_SAVED = "mf4_not_saved"  # name, reason
     RING_SAVED = "ring_saved"  # name, frames
     RING_NOT_SAVED = "ring_not_saved"  # reason
     CONNECTED = "connected"  # device
@@ -157,12 +164,17 @@ LEVELS: Final[Mapping[EventCode, Level]] = {
     EventCode.WENT_HOME: Level.INFO,
     EventCode.JOGGING_JOINT: Level.INFO,
     EventCode.JOGGING_TOOL: Level.INFO,
+    EventCode.DEVICE_JOGS_JOINTS: Level.INFO,
+    EventCode.DEVICE_JOGS_BASE: Level.INFO,
+    EventCode.DEVICE_JOGS_TOOL: Level.INFO,
     EventCode.JOG_ENDED: Level.WARNING,
     EventCode.SENT_POSE: Level.INFO,
     EventCode.SENT_LINE: Level.INFO,
     EventCode.SENT_ARC: Level.INFO,
     EventCode.STEPPED_TOOL: Level.INFO,
     EventCode.SENT_SPEED: Level.INFO,
+    EventCode.MODEL_OTHER: Level.WARNING,
+    EventCode.MODEL_NONE: Level.WARNING,
     EventCode.SPEED_WAITS: Level.WARNING,
     EventCode.OTHER_HOST_MOVES: Level.WARNING,
     EventCode.LEADER_ARM_MOVES: Level.WARNING,
@@ -259,6 +271,8 @@ LEVELS: Final[Mapping[EventCode, Level]] = {
     EventCode.SESSION_ENDED: Level.DONE,
     EventCode.SESSION_FAILED: Level.WARNING,
     EventCode.SESSION_FRAMES_LOST: Level.WARNING,
+    EventCode.MF4_SAVED: Level.DONE,
+    EventCode.MF4_NOT_SAVED: Level.WARNING,
     EventCode.RING_SAVED: Level.DONE,
     EventCode.RING_NOT_SAVED: Level.WARNING,
     EventCode.CONNECTED: Level.INFO,

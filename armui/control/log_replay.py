@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import weakref
 from datetime import datetime
 from typing import TYPE_CHECKING, Final
 
@@ -9,8 +10,10 @@ from PySide6.QtCore import QObject, QTimer, Signal
 
 from armui.arm.device import Device, RecordedArm
 from armui.bus.playback.log_clock import LogClock
+from armui.bus.playback.log_player import FILLED_S
 from armui.bus.playback.log_worker import FASTEST, SLOWEST, LogWorker
 from armui.control.arm_controller import ArmController
+from armui.protocol.piper_model import PiperModel
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -23,6 +26,7 @@ if TYPE_CHECKING:
     from armui.session.frames import Channel
     from armui.session.session import Session
 
+_FORGOTTEN_MS: Final = 10_000
 _FILL_AFTER_MS: Final = 120
 """Curves are filled when the operator has come to rest somewhere."""
 
@@ -62,8 +66,17 @@ class LogReplay(QObject):
         self.session = session
         self.clock = LogClock(session.start_s)
         self.channel = channel
-        self._device = Device("replay", name, None, name, listen_only=True, recorded=arm)
+        self._device = Device(
+            "replay",
+            name,
+            None,
+            name,
+            listen_only=True,
+            recorded=arm,
+            model=arm.model or PiperModel.PIPER,
+        )
         self._worker: LogWorker | None = None
+        self._forgotten: weakref.finalize[..., LogReplay] | None = None
         self._going_to: float | None = None
         self._number = 0
         self.controller = ArmController(
@@ -86,6 +99,8 @@ class LogReplay(QObject):
         worker.moved.connect(self._on_moved)
         worker.failed.connect(self.failed)
         self._worker = worker
+        # a window that is destroyed, a program that ends: whoever forgets to close it
+        self._forgotten = weakref.finalize(self, worker.close, _FORGOTTEN_MS)
         return worker
 
     def open(self) -> None:
@@ -97,7 +112,10 @@ class LogReplay(QObject):
         """End the thread that plays; whether it has ended within two seconds."""
         self._fill_timer.stop()
         self._worker = None
-        return self.controller.shutdown()
+        ended = self.controller.shutdown()
+        if ended and self._forgotten is not None:
+            self._forgotten.detach()
+        return ended
 
     # Where it stands --------------------------------------------------------------------------
 
@@ -131,7 +149,22 @@ class LogReplay(QObject):
         """How much log time passes in a second."""
         return 1.0 if self._worker is None else self._worker.speed
 
+    @property
+    def loading(self) -> tuple[float, float, float] | None:
+        """What of the curves is being read: log times from and to, and which share is done."""
+        worker = self._worker
+        history = None if worker is None else worker.history
+        if worker is None or history is None:
+            return None
+        share = (history.reached_s - history.begin_s) / max(history.end_s - history.begin_s, 1e-9)
+        return history.begin_s, min(worker.curves_from_s, history.end_s), share
+
     # The operator's wishes --------------------------------------------------------------------
+
+    def want_curves(self, back_s: float) -> None:
+        """Have the curves show so much before any place; more than some minutes take seconds."""
+        if self._worker is not None:
+            self._worker.want_history(on=back_s > FILLED_S)
 
     def set_speed(self, speed: float) -> None:
         """From 0.1 to 20 times as fast as it was."""

@@ -8,13 +8,16 @@ from datetime import datetime
 from typing import NamedTuple
 
 from armui.arm.device import Device
-from armui.arm.limits import FACTORY_LIMITS, JointLimits
+from armui.arm.limits import JointLimits
+from armui.arm.model_check import ModelFit
+from armui.arm.models import model_data
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import Six
 from armui.control.motion.motion_command import Hold, Mover
 from armui.protocol.addressing import Addressing
 from armui.protocol.generation import Generation
+from armui.protocol.piper_model import PiperModel
 
 
 class LinkState(enum.Enum):
@@ -121,6 +124,7 @@ class OperatingState:
         generation: The protocol the arm speaks, once that is known.
         addressing: The identifier offsets in use (0x470).
         control_certain: Whether the arm is known to take commands under them.
+        model_fit: Which arm of the family was chosen, and whether what the arm tells fits it.
         teaching_input: Commands are heard and no feedback: the arm is a teaching input (0x470).
     """
 
@@ -137,7 +141,7 @@ class OperatingState:
     cannot_enable: Refusal | None = field(
         default_factory=lambda: Refusal(RefusalCode.NOT_CONNECTED)
     )
-    limits: tuple[JointLimits, ...] = FACTORY_LIMITS
+    limits: tuple[JointLimits, ...] = field(default_factory=lambda: model_data().limits)
     limits_read: Six[bool] = (False, False, False, False, False, False)
     speed_percent: int = 0
     moving: bool = False
@@ -156,11 +160,17 @@ class OperatingState:
     teaching_input: bool = False
     addressing: Addressing = field(default_factory=Addressing)
     control_certain: bool = True
+    model_fit: ModelFit = field(default_factory=ModelFit)
 
     @property
     def unreachable(self) -> Refusal | None:
         """Why nothing can be sent to the arm, or ``None``: it is online."""
         return why_unreachable(self.link, self.device)
+
+    @property
+    def model(self) -> PiperModel:
+        """Which arm of the family it is, as the operator has chosen."""
+        return self.model_fit.chosen
 
     @property
     def listens_only(self) -> bool:

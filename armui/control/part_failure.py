@@ -21,6 +21,8 @@ _JOGS: Final = frozenset(
             "armui.control.motion.jogging",
             "armui.control.motion.jog_stream",
             "armui.control.motion.jog_path",
+            "armui.control.motion.steered_path",
+            "armui.control.gamepad.pilot",
         ),
         *(
             "armui.control.motion.jog_pace",
@@ -39,7 +41,7 @@ _RUNS: Final = frozenset(
 _REPLAYS: Final = frozenset(
     {
         *("armui.control.run.replayer", "armui.control.run.replay"),
-        "armui.ui.trajectory.recording.recording_window",
+        "armui.ui.trajectory.recording.recording_page",
     }
 )
 _SINGLE_MOTIONS: Final = frozenset(

@@ -195,6 +195,8 @@ class ArmFacts:
         lowest_voltage: Of the drivers, V.
         teaching: Range, stroke limit and friction of 0x47E; 255 is known to silence the feedback.
         limits: What was read of the joints' limits.
+        models: The names of the models that fit its angles and its pose; None: not compared.
+        chosen_model: What the operator says it is, None where nobody was asked.
     """
 
     generation: int
@@ -215,6 +217,8 @@ class ArmFacts:
     lowest_voltage: float | None = None
     teaching: tuple[float, float, float] | None = None
     limits: tuple[LimitFacts, ...] = ()
+    models: tuple[str, ...] | None = None
+    chosen_model: str | None = None
 
 
 @dataclass(frozen=True, slots=True)

@@ -120,6 +120,7 @@ def judge_arm(arm: ArmFacts, heard: HeardFacts) -> list[Diagnosis]:
         "identity": f" ({', '.join(arm.identity)})" if arm.identity else "",
     }
     findings = [_finding("arm", DiagnosisLevel.OK, params), *_firmware(arm, heard, params)]
+    findings += _model(arm, params)
     if arm.feedback_offset:
         findings.append(_finding("offset", DiagnosisLevel.NOTE, params))
     if arm.teaching_input:
@@ -150,6 +151,17 @@ def _firmware(arm: ArmFacts, heard: HeardFacts, params: dict[str, str]) -> list[
     if version is not None and FirmwareBug.FEEDBACK_PARTS in quirks_of(version).bugs:
         findings.append(_finding("reference_lost", DiagnosisLevel.NOTE, params))
     return findings
+
+
+def _model(arm: ArmFacts, params: dict[str, str]) -> list[Diagnosis]:
+    """Which arm of the family it is, by its own pose; a moving arm's fits none."""
+    if not arm.models:
+        return []
+    names = {**params, "fits": ", ".join(arm.models)}
+    if arm.chosen_model is not None and arm.chosen_model not in arm.models:
+        names["chosen"] = arm.chosen_model
+        return [_finding("model_other", DiagnosisLevel.WARNING, names)]
+    return [_finding("model", DiagnosisLevel.OK, names)]
 
 
 def _status(arm: ArmFacts, params: dict[str, str]) -> list[Diagnosis]:

@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING, Final
 from armui.export.progress_bar import ProgressBar
 from armui.export.words import problem_text, report_lines
 from armui.protocol.generation import Generation
+from armui.protocol.piper_model import PiperModel
 from armui.session.exports.request import (
     ArmWishes,
     ExportCancelledError,
@@ -46,7 +47,8 @@ _TELL_EVERY_S: Final = 0.1
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Declares the command's arguments; `run` takes what the parser makes of them."""
     parser.description = (
-        "Export a recorded CAN log: MCAP with ROS 2 messages, or a table as CSV or Parquet."
+        "Export a recorded CAN log: MCAP with ROS 2 messages, a table as CSV or Parquet, or "
+        "every frame as a CSV file for each message."
     )
     parser.epilog = (
         "Exit code: 0 all exported, 1 exported but for places of the log that cannot be read "
@@ -61,7 +63,8 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--to",
         choices=[str(each) for each in ExportFormat],
-        help="format (default: what the target's name says, else mcap); parquet needs pyarrow",
+        help="format (default: what the target's name says, else mcap); csv-messages makes a "
+        "folder with a file for each message; parquet needs pyarrow",
     )
     parser.add_argument(
         "-o", "--output", type=Path, help="target (default: the log's name with another ending)"
@@ -84,6 +87,10 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "--firmware", type=_version, metavar="S-V1.8-5",
         help="the arm's firmware, which says where its joints have their zeros (default: what the "
         "log tells, else what fits the end pose in it)",
+    )  # fmt: skip
+    parser.add_argument(
+        "--model", choices=[str(each) for each in PiperModel],
+        help="the arm (default: what fits the end pose in the log, else piper)",
     )  # fmt: skip
     parser.add_argument(
         "--channel", help="channel of the log (default: that on which most of an arm is heard)"
@@ -135,7 +142,12 @@ def _request(options: argparse.Namespace) -> ExportRequest:
         export_format,
         options.begin,
         options.end,
-        ArmWishes(generation, options.firmware, options.channel),
+        ArmWishes(
+            generation,
+            options.firmware,
+            options.channel,
+            None if options.model is None else PiperModel(options.model),
+        ),
         options.force,
     )
 

@@ -19,10 +19,10 @@ class Kinematics:
     """An arm's kinematics: angles in degrees, joint 1 first; lengths in mm.
 
     Attributes:
-        geometry: Where its joints have their zeros.
+        geometry: Its dimensions.
     """
 
-    geometry: Geometry = Geometry.CURRENT
+    geometry: Geometry
 
     def matrix(self, joints_deg: Sequence[float]) -> Matrix:
         """The flange's 4×4 transform in the base frame."""
@@ -35,8 +35,8 @@ class Kinematics:
     def inverse(self, pose: Pose, near_deg: Sequence[float]) -> list[Joints]:
         """All ways to bring the flange to a pose, whatever the joints' limits.
 
-        Angles lie within half a turn of the middle of their joint's range. With a stretched wrist
-        joint 4 stays where it is in `near_deg`.
+        Angles lie within half a turn of the middle of their joint's range. A joint that a wrist in
+        a singular pose leaves free stays where it is in `near_deg`.
 
         Args:
             pose: Where the flange shall be.
@@ -50,5 +50,5 @@ class Kinematics:
         return nearest_first(self.geometry, pose_to_matrix(pose), near_deg)
 
     def missing_mm(self, pose: Pose) -> float:
-        """How far the wrist's centre is out of the arm's reach for a pose; 0 within it."""
-        return missing_mm(pose_to_matrix(pose))
+        """How far the end of the forearm is out of the arm's reach for a pose; 0 within it."""
+        return missing_mm(self.geometry, pose_to_matrix(pose))

@@ -9,10 +9,17 @@ from typing import Final
 import numpy as np
 import numpy.typing as npt
 
-from armui.kinematics.geometry import Geometry
-from armui.kinematics.inverse import arm_joints, hand_orientations
+from armui.kinematics import parallel
+from armui.kinematics.geometry import Geometry, Wrist
 from armui.kinematics.poses import Matrix, wrapped_deg
-from armui.kinematics.wrist import STRETCHED_DEG, bend_deg, bent_wrist, continued, stretched_wrist
+from armui.kinematics.spherical import arm_joints, hand_orientations
+from armui.kinematics.spherical_wrist import (
+    STRETCHED_DEG,
+    bend_deg,
+    bent_wrist,
+    continued,
+    stretched_wrist,
+)
 
 _SURE_DEG: Final = 45.0
 """While joints 4 and 6 turn less in a step, the nearer bend of the wrist is the same bend."""
@@ -29,6 +36,8 @@ def follow(geometry: Geometry, targets: Matrix, starts_deg: Matrix) -> Matrix:
     Returns:
         (m, places, 6) angles in degrees, NaN from where the way ends.
     """
+    if geometry.wrist is Wrist.PARALLEL:
+        return _follow_parallel(geometry, targets, starts_deg)
     arms = arm_joints(geometry, targets, nearest_way(geometry, targets[:, 0], starts_deg)[:, None])
     hands = hand_orientations(geometry, arms, targets)
     wrists = bent_wrist(hands)
@@ -58,6 +67,23 @@ def nearest_way(geometry: Geometry, targets: Matrix, joints_deg: Matrix) -> npt.
     gaps = np.abs(arm_joints(geometry, targets) - joints_deg[:, None, :3]).max(axis=2)
     nearest: npt.NDArray[np.int64] = np.argmin(np.nan_to_num(gaps, nan=math.inf), axis=1)
     return nearest
+
+
+def _follow_parallel(geometry: Geometry, targets: Matrix, starts_deg: Matrix) -> Matrix:
+    """`follow` of an arm with a parallel wrist: it stays on its way, by number.
+
+    Joint 5 does not pass ±90°: there the way leaps, as through any singular pose.
+    """
+    ways = parallel.solutions(geometry, targets[:, 0])[0]
+    gaps = np.abs(wrapped_deg(ways - starts_deg[:, None])).max(axis=2)
+    way = np.argmin(np.nan_to_num(gaps, nan=math.inf), axis=1)
+    joints = parallel.joints_of(geometry, targets, way[:, None])
+    joints[:, 0] = starts_deg
+    turned = wrapped_deg(np.diff(joints[:, :, 3:], axis=1))
+    joints[:, 1:, 3:] = starts_deg[:, None, 3:] + np.cumsum(turned, axis=1)
+    joints[np.logical_or.accumulate(np.isnan(joints[:, :, 0]), axis=1)] = math.nan
+    joints[:, 0] = starts_deg
+    return joints
 
 
 def _step_by_step(hands: Matrix, start_deg: Sequence[float]) -> Matrix:

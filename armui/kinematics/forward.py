@@ -1,9 +1,10 @@
 """Where the links of the arm are at given joint angles.
 
-The arm's plane is turned by joint 1. In it the upper arm points along (cos s, −sin s) and the
-forearm along (sin e, cos e); the hand's orientation in the forearm is Rz(j4)·Ry(j5)·Rz(j6). The
-formulas are written by components, so that they serve plain numbers, at a few microseconds a pose,
-and arrays alike.
+The arm's plane is turned by joint 1. In it the upper arm points along (cos s, −sin s). With a
+spherical wrist the forearm points along (sin e, cos e), and the hand's orientation in it is
+Rz(j4)·Ry(j5)·Rz(j6). With a parallel wrist forearm and wrist point along (cos, −sin) of the sums of
+the angles so far, and only joints 5 and 6 lead out of the plane. The formulas are written by
+components, so that they serve plain numbers, at a few microseconds a pose, and arrays alike.
 """
 
 from __future__ import annotations
@@ -14,7 +15,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from armui.kinematics.geometry import BASE_MM, ELBOW_MM, FOREARM_MM, HAND_MM, UPPER_ARM_MM, Geometry
+from armui.kinematics.geometry import Geometry, Wrist
 from armui.kinematics.poses import Matrix, components
 
 Value = Any
@@ -29,14 +30,16 @@ class PlaneVectors(NamedTuple):
     Attributes:
         cos_1, sin_1: How the plane is turned.
         upper_arm: From the shoulder to the elbow.
-        forearm: The axis of joint 4.
+        forearm: Along the forearm; the axis of joint 4 of a spherical wrist.
         across: Square to the forearm, in the arm's plane.
+        axis_4: Of joint 4.
         bend_axis: Of joint 5.
         hand: From the wrist's centre to the flange, and on along the gripper.
         thumb: Square to the hand and to the axis of joint 5.
         turn_6: Cosine and sine of joint 6.
         elbow: The place of joint 3.
-        centre: Of the wrist.
+        wrist: Where the forearm ends, the place of joint 4.
+        centre: Of the wrist: where the axes of joints 5 and 6 meet.
         flange: Its place.
     """
 
@@ -45,11 +48,13 @@ class PlaneVectors(NamedTuple):
     upper_arm: Vector
     forearm: Vector
     across: Vector
+    axis_4: Vector
     bend_axis: Vector
     hand: Vector
     thumb: Vector
     turn_6: tuple[Value, Value]
     elbow: Vector
+    wrist: Vector
     centre: Vector
     flange: Vector
 
@@ -74,8 +79,8 @@ SIDE: Vector = (0.0, 1.0, 0.0)
 class Links(NamedTuple):
     """Where the links of the arm are in the base frame; lengths in mm, directions of length 1.
 
-    All are (…, 3), named as in `PlaneVectors`; `side` is the axis of joints 2 and 3, `palm` the
-    direction in which the gripper's fingers part.
+    All are (…, 3), named as in `PlaneVectors`; `side` is the axis of joints 2 and 3, `along` and
+    `palm` are the flange's X and Y.
     """
 
     side: Matrix
@@ -83,7 +88,9 @@ class Links(NamedTuple):
     elbow: Matrix
     forearm: Matrix
     across: Matrix
+    wrist: Matrix
     centre: Matrix
+    along: Matrix
     palm: Matrix
     hand: Matrix
     flange: Matrix
@@ -92,15 +99,15 @@ class Links(NamedTuple):
 def links(geometry: Geometry, joints_deg: Matrix) -> Links:
     """Where the links are at (…, 6) joint angles."""
     arm = plane_vectors(geometry, joints_deg)
-    palm = stacked(arm.flange_axes()[1])
-    side, upper, elbow, forearm, across, centre, hand, flange = (
+    along, palm, hand = map(stacked, arm.flange_axes())
+    side, upper, elbow, forearm, across, wrist, centre, flange = (
         stacked(arm.turned(vector))
         for vector in (
-            SIDE, arm.upper_arm, arm.elbow, arm.forearm, arm.across, arm.centre, arm.hand,
+            SIDE, arm.upper_arm, arm.elbow, arm.forearm, arm.across, arm.wrist, arm.centre,
             arm.flange,
         )
     )  # fmt: skip
-    return Links(side, upper, elbow, forearm, across, centre, palm, hand, flange)
+    return Links(side, upper, elbow, forearm, across, wrist, centre, along, palm, hand, flange)
 
 
 def flange_transforms(geometry: Geometry, joints_deg: Matrix) -> Matrix:
@@ -132,7 +139,10 @@ def plane_vectors(geometry: Geometry, joints_deg: Matrix) -> PlaneVectors:
 
 
 def forearm_axes(geometry: Geometry, joints_deg: Matrix) -> Matrix:
-    """(…, 3, 3) with the forearm's across, side and axis as rows, at (…, 3) joints 1–3."""
+    """(…, 3, 3) with the forearm's across, side and axis as rows, at (…, 3) joints 1–3.
+
+    Of an arm with a spherical wrist.
+    """
     angles = (*components(joints_deg), 0.0, 0.0, 0.0)
     arm = _plane_vectors(geometry, angles, np.cos, np.sin, np.radians)
     axes = np.empty((*joints_deg.shape, 3))
@@ -157,26 +167,44 @@ def _plane_vectors(
 ) -> PlaneVectors:
     """The arm in its plane, with the functions that suit the angles."""
     j1, j2, j3, j4, j5, j6 = joints_deg
-    shoulder_zero, elbow_zero = geometry.value
+    shoulder_zero, elbow_zero, wrist_zero = geometry.plane_zeros_deg
     shoulder = j2 + shoulder_zero
-    angles = [radians(each) for each in (j1, shoulder, shoulder + j3 + elbow_zero, j4, j5, j6)]
+    fore, turn = shoulder + j3 + elbow_zero, j4 + wrist_zero
+    parallel = geometry.wrist is Wrist.PARALLEL
+    if parallel:
+        turn = fore + turn
+    angles = [radians(each) for each in (j1, shoulder, fore, turn, j5, j6)]
     c1, cs, ce, c4, c5, c6 = map(cos, angles)
     s1, ss, se, s4, s5, s6 = map(sin, angles)
-    upper_arm, forearm, across = (cs, 0.0, -ss), (se, 0.0, ce), (ce, 0.0, -se)
-    swing = (c4 * ce, s4, -c4 * se)
-    bend_axis = (-s4 * ce, c4, s4 * se)
-    hand = _mixed(c5, forearm, s5, swing)
-    thumb = _mixed(c5, swing, -s5, forearm)
-    elbow = (UPPER_ARM_MM * cs, 0.0, BASE_MM - UPPER_ARM_MM * ss)
-    centre = (
-        elbow[0] + ELBOW_MM * ce + FOREARM_MM * se,
-        0.0,
-        elbow[2] - ELBOW_MM * se + FOREARM_MM * ce,
+    upper_arm = (cs, 0.0, -ss)
+    forearm, across, axis_4, swing, bend_axis = (
+        _parallel_wrist(ce, se, c4, s4) if parallel else _spherical_wrist(ce, se, c4, s4)
     )
-    flange = _mixed(1.0, centre, HAND_MM, hand)
+    elbow = (geometry.upper_arm_mm * cs, 0.0, geometry.base_mm - geometry.upper_arm_mm * ss)
+    wrist = _mixed(geometry.elbow_mm, across, geometry.forearm_mm, forearm)
+    wrist = _mixed(1.0, elbow, 1.0, wrist)
+    if parallel:
+        centre = _mixed(1.0, wrist, geometry.wrist_mm, swing)
+        hand, thumb = _mixed(c5, swing, -s5, SIDE), _mixed(-s5, swing, -c5, SIDE)
+    else:
+        centre = wrist
+        hand, thumb = _mixed(c5, forearm, s5, swing), _mixed(c5, swing, -s5, forearm)
+    flange = _mixed(1.0, centre, geometry.hand_mm, hand)
     return PlaneVectors(
-        c1, s1, upper_arm, forearm, across, bend_axis, hand, thumb, (c6, s6), elbow, centre, flange
-    )
+        c1, s1, upper_arm, forearm, across, axis_4, bend_axis, hand, thumb, (c6, s6), elbow, wrist,
+        centre, flange,
+    )  # fmt: skip
+
+
+def _spherical_wrist(ce: Value, se: Value, c4: Value, s4: Value) -> tuple[Vector, ...]:
+    """Forearm, across, axis of joint 4, where joint 5 swings the hand to, axis of joint 5."""
+    forearm, across = (se, 0.0, ce), (ce, 0.0, -se)
+    return forearm, across, forearm, (c4 * ce, s4, -c4 * se), (-s4 * ce, c4, s4 * se)
+
+
+def _parallel_wrist(ce: Value, se: Value, c4: Value, s4: Value) -> tuple[Vector, ...]:
+    """The same; joint 5 swings the hand out of the wrist's direction."""
+    return (ce, 0.0, -se), (-se, 0.0, -ce), SIDE, (c4, 0.0, -s4), (-s4, 0.0, -c4)
 
 
 def _mixed(part: Value, one: Vector, other_part: Value, other: Vector) -> Vector:

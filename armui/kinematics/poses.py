@@ -122,3 +122,37 @@ def shifted(tool_point: Matrix, axis: int, amount: float, frame: JogFrame) -> Ma
         moved[:3, 3] = tool_point[:3, 3] + step[:3, 3]
         moved[:3, :3] = step[:3, :3] @ tool_point[:3, :3]
     return moved
+
+
+def moved(
+    tool_point: Matrix, way_mm: Sequence[float], turn_deg: Sequence[float], frame: JogFrame
+) -> Matrix:
+    """A transform moved along three axes of a frame, and turned about all three at once.
+
+    Args:
+        tool_point: 4×4 transform, lengths in mm.
+        way_mm: Along X, Y, Z.
+        turn_deg: A rotation vector: its direction is the axis, its length the angle. The point
+            about which it turns is the transform's own origin.
+        frame: Whose axes.
+    """
+    step = np.eye(4)
+    step[:3, 3] = way_mm
+    step[:3, :3] = rotation(turn_deg)
+    result: Matrix = tool_point @ step
+    if frame is JogFrame.BASE:
+        result[:3, 3] = tool_point[:3, 3] + step[:3, 3]
+        result[:3, :3] = step[:3, :3] @ tool_point[:3, :3]
+    return result
+
+
+def rotation(turn_deg: Sequence[float]) -> Matrix:
+    """The 3×3 rotation by a rotation vector in degrees."""
+    vector = np.radians(np.asarray(turn_deg, dtype=np.float64))
+    angle = float(np.linalg.norm(vector))
+    if angle < 1e-12:
+        return np.eye(3)
+    x, y, z = vector / angle
+    cross = np.array(((0.0, -z, y), (z, 0.0, -x), (-y, x, 0.0)))
+    result: Matrix = np.eye(3) + math.sin(angle) * cross + (1 - math.cos(angle)) * cross @ cross
+    return result

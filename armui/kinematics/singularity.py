@@ -1,6 +1,7 @@
-"""Singular poses: where the wrist or the elbow is straight, or the wrist's centre above joint 1.
+"""Singular poses: there joints turn fast for little motion of the flange, or not all are possible.
 
-There joints turn fast for little motion of the flange, or not all motions are possible.
+The elbow is straight, or the wrist's centre above joint 1; or the wrist is straight, a spherical
+one, or joint 5 at ±90°, of a parallel one.
 """
 
 from __future__ import annotations
@@ -11,7 +12,7 @@ import numpy as np
 import numpy.typing as npt
 
 from armui.kinematics.forward import plane_vectors
-from armui.kinematics.geometry import ELBOW_TO_WRIST_MM, UPPER_ARM_MM, Geometry
+from armui.kinematics.geometry import Geometry, Wrist
 from armui.kinematics.jacobian import jacobians
 from armui.kinematics.poses import Matrix
 
@@ -36,11 +37,13 @@ def margins(geometry: Geometry, joints_deg: Matrix) -> Matrix:
     singular value tells.
     """
     arm = plane_vectors(geometry, joints_deg)
-    (out, _, up), (elbow_out, _, elbow_up) = arm.centre, arm.elbow
-    elbow = arm.upper_arm[0] * (up - elbow_up) - arm.upper_arm[2] * (out - elbow_out)
-    wrist = np.sin(np.radians(joints_deg[..., 4]))
-    most = ELBOW_TO_WRIST_MM * (UPPER_ARM_MM + ELBOW_TO_WRIST_MM)
-    margin: Matrix = np.abs(wrist * elbow * out) / most
+    (wrist_out, _, wrist_up), (elbow_out, _, elbow_up) = arm.wrist, arm.elbow
+    fore_out, fore_up = wrist_out - elbow_out, wrist_up - elbow_up
+    elbow = arm.upper_arm[0] * fore_up - arm.upper_arm[2] * fore_out
+    bend = np.radians(joints_deg[..., 4])
+    hand = np.cos(bend) if geometry.wrist is Wrist.PARALLEL else np.sin(bend)
+    reach = geometry.upper_arm_mm + geometry.elbow_to_wrist_mm + geometry.wrist_mm
+    margin: Matrix = np.abs(hand * elbow * arm.centre[0]) / (geometry.elbow_to_wrist_mm * reach)
     return margin
 
 

@@ -16,8 +16,7 @@ from armui.arm.device import DEFAULT_BITRATE, Device, bitrate_is_ours
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.session.recording.collector import Collector
-from armui.session.recording.folder import files_of
-from armui.session.recording.kinds import RecordingFormat
+from armui.session.recording.kinds import MF4_SUFFIX, RecordingFormat
 from armui.session.recording.lane import FrameLane
 from armui.session.recording.names import is_name, name_for
 from armui.session.recording.problems import why_not_written
@@ -33,7 +32,8 @@ EXIT_OK: Final = 0
 EXIT_CUT_SHORT: Final = 1
 EXIT_CANNOT_BEGIN: Final = 2
 
-_MF4: Final = "mf4"
+_MF4: Final = MF4_SUFFIX[1:]
+_NO_MF4: Final = "--format mf4 needs asammdf. Install it: pip install asammdf; or record as blf"
 _MEGABYTE: Final = 1_000_000
 _TOLD_S: Final = 0.5
 _END_S: Final = 10.0
@@ -100,10 +100,10 @@ def run(options: argparse.Namespace, clock: Callable[[], float] = steady_s) -> i
     if not is_name(name):
         return _cannot_begin(f'{name!r} is no name for a file; leave out / \\ : * ? " < > |')
     if options.format == _MF4:
-        from armui.record.mf4 import MISSING, can_write  # noqa: PLC0415 - python-can
+        from armui.session.recording.mf4 import can_write  # noqa: PLC0415 - python-can
 
         if not can_write():
-            return _cannot_begin(MISSING)
+            return _cannot_begin(_NO_MF4)
     from armui.bus.adapters import explain  # noqa: PLC0415 - python-can
     from armui.record.listening import opened  # noqa: PLC0415 - as above
 
@@ -175,14 +175,13 @@ def _record(
 
 def _once_more_as_mf4(recording: SessionRecording) -> int:
     """Make an .mf4 of what was recorded; returns the exit code."""
-    from armui.record.mf4 import write_mf4  # noqa: PLC0415 - asammdf takes a second
+    from armui.session.recording.mf4 import make_mf4  # noqa: PLC0415 - asammdf takes a second
 
     folder, name = recording.plan.folder, recording.name or ""
-    target = folder / f"{name}.mf4"
-    paths = [path for path in files_of(folder, name) if path.suffix == RecordingFormat.BLF.value]
     try:
-        write_mf4(paths, target)
+        target = make_mf4(folder, name)
     except Exception as error:  # noqa: BLE001 - a package of others may raise anything
+        target = folder / f"{name}{MF4_SUFFIX}"
         sys.stderr.write(f"armui record: {target}: {error}. The .blf files are whole.\n")
         return EXIT_CUT_SHORT
     sys.stdout.write(f"{target}: the same\n")

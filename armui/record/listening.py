@@ -48,7 +48,7 @@ def opened(device: Device) -> Iterator[can.BusABC]:
     with (
         open_bus(device) as arm_side,
         open_bus(device) as bus,
-        Node(Firmware(Generation(device.generation or 2)), arm_side),
+        Node(Firmware(Generation(device.generation or 2), model=device.model), arm_side),
     ):
         yield bus
 

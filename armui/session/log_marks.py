@@ -48,6 +48,8 @@ _JOINT_FAULTS: Final = (
     "StallProtection",
 )
 """Bits of 0x261–0x266 that name a fault in one of the generations."""
+_DRIVERS: Final = tuple(f"DriverSlow{joint}" for joint in range(1, 7))
+_FAST: Final = tuple(f"DriverFast{joint}" for joint in range(1, 7))
 _TARGETS: Final = ("JointTarget12", "CartesianTarget1", "MitControl1", "GripperCommand")
 
 
@@ -84,6 +86,22 @@ def marks_of(frames: LogFrames, generation: Generation) -> list[SessionMark]:
         marks += finder.of_motors()
         marks += finder.of_silence()
     return sorted(marks, key=lambda mark: mark.at_s)
+
+
+def marked_ids(generation: Generation) -> tuple[frozenset[int], frozenset[int]]:
+    """The identifiers that marks are found in: of every frame, and of those heard at all."""
+    names = {"ArmStatus", "MotionCommand", "MotorEnable", *_TARGETS, *_DRIVERS}
+    every, heard = set(), set()
+    for offset in OFFSETS:
+        codec = Codec(generation, Addressing(offset, offset))
+        for wire_id in range(0x800):
+            layout = codec.layout(wire_id)
+            if layout is not None and layout.name in names:
+                every.add(wire_id)
+            elif layout is not None and layout.name in _FAST:
+                heard.add(wire_id)
+        heard |= {0x2A1 + offset, 0x2A5 + offset}
+    return frozenset(every), frozenset(heard)
 
 
 class _Finder:
@@ -151,25 +169,19 @@ class _Finder:
             return
         times_s, words, layout = found
         stops = signal_column(words, layout.signals["EmergencyStop"])
-        for value, code in (
-            (StopCommand.EMERGENCY_STOP, "stop_sent"),
-            (StopCommand.RESUME, "resume_sent"),
-        ):
-            for place in _bursts(times_s, np.flatnonzero(stops == value)):
-                yield self._mark(times_s, place, None, MarkKind.STOP, code=code)
-        others = np.flatnonzero((stops == StopCommand.NO_ACTION) & (words != 0))
-        for place in _bursts(times_s, others):
-            yield self._mark(times_s, place, None, MarkKind.COMMAND, code="motion_command")
+        stop, command = MarkKind.STOP, MarkKind.COMMAND
+        yield from self._sent(times_s, stops == StopCommand.EMERGENCY_STOP, stop, code="stop_sent")
+        yield from self._sent(times_s, stops == StopCommand.RESUME, stop, code="resume_sent")
+        others = (stops == StopCommand.NO_ACTION) & (words != 0)
+        yield from self._sent(times_s, others, command, code="motion_command")
 
     def of_targets(self) -> Iterator[SessionMark]:
         for message in _TARGETS:
             found = self.words(message)
             if found is not None:
-                times_s = found[0]
-                for place in _bursts(times_s, np.arange(times_s.size)):
-                    yield self._mark(
-                        times_s, place, None, MarkKind.COMMAND, code="target", message=message
-                    )
+                every = np.ones(found[0].size, np.bool_)
+                command = MarkKind.COMMAND
+                yield from self._sent(found[0], every, command, code="target", message=message)
 
     def of_motors(self) -> Iterator[SessionMark]:
         found = self.words("MotorEnable")
@@ -177,17 +189,13 @@ class _Finder:
             return
         times_s, words, layout = found
         actions = signal_column(words, layout.signals["Action"])
-        for action, code in (
-            (MotorAction.ENABLE, "enable_sent"),
-            (MotorAction.DISABLE, "disable_sent"),
-        ):
-            for place in _bursts(times_s, np.flatnonzero(actions == action)):
-                yield self._mark(times_s, place, None, MarkKind.COMMAND, code=code)
+        command = MarkKind.COMMAND
+        yield from self._sent(times_s, actions == MotorAction.ENABLE, command, code="enable_sent")
+        yield from self._sent(times_s, actions == MotorAction.DISABLE, command, code="disable_sent")
 
     def of_silence(self) -> Iterator[SessionMark]:
         """Where nothing of the arm is heard for long, whatever offset its identifiers have."""
-        names = [f"DriverFast{joint}" for joint in range(1, 7)]
-        ids = [self._ids[name][0] for name in names]
+        ids = [self._ids[name][0] for name in _FAST]
         ids += [0x2A1 + offset for offset in OFFSETS]
         ids += [0x2A5 + offset for offset in OFFSETS]
         rows = [found[0] for each in ids if (found := self._frames.rows(self._channel, each))]
@@ -197,6 +205,17 @@ class _Finder:
         for place in np.flatnonzero(np.diff(times_s) > SILENT_S)[:MOST_MARKS].tolist():
             entry = {"code": "silent", "ended_s": float(times_s[place + 1])}
             yield SessionMark(float(times_s[place]), MarkKind.FAULT, entry | self._where())
+
+    def _sent(
+        self,
+        times_s: NDArray[np.float64],
+        which: NDArray[np.bool_],
+        kind: MarkKind,
+        **entry: object,
+    ) -> Iterator[SessionMark]:
+        """Where streams of commands begin."""
+        for place in _bursts(times_s, np.flatnonzero(which)):
+            yield self._mark(times_s, place, None, kind, **entry)
 
     def _flagged(
         self, times_s: NDArray[np.float64], flags: NDArray[Any], **entry: object

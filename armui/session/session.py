@@ -50,7 +50,7 @@ class Session(Protocol):
 
     Log time is in seconds as the recording has it, since 1970 or since its beginning. It never runs
     backwards here: times that do in the file were put right, and `reversed_times` counts them.
-    Every method may be called from any thread, one at a time. `open_session` makes one.
+    Every method may be called from any thread, also several at once. `open_session` makes one.
 
     Attributes:
         start_s, end_s: Log time of the first and of the last frame; both 0 without any.

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import argparse
-import re
 import sys
 import threading
 from collections.abc import Iterable
@@ -13,7 +12,12 @@ from typing import Any, Final
 import can
 
 from armui.protocol.addressing import OFFSETS
+from armui.protocol.firmware_version import RECOMMENDED, FirmwareBug, FirmwareVersion
 from armui.protocol.generation import Generation
+from armui.protocol.piper_model import PiperModel
+from armui.sim.arm_type import ArmType
+from armui.sim.faults.bugs import NAMES as BUG_NAMES
+from armui.sim.faults.bugs import PURPOSES
 from armui.sim.faults.schedule import FAULTS, Fault, FaultError, FaultParameter, read_fault
 from armui.sim.firmware import Firmware
 from armui.sim.node import Node
@@ -22,7 +26,8 @@ from armui.sim.parameters.flash import FileFlash, Flash, MemoryFlash
 EXIT_OK: Final = 0
 EXIT_CANNOT_BEGIN: Final = 2
 
-_VERSION: Final = "S-V1.8-5"
+_VERSION: Final = str(RECOMMENDED)
+_OF_THE_VERSION: Final = "those of the version"
 
 _STATUS_PERIOD_S: Final = 1.0
 _BITS_PER_FRAME: Final = 123
@@ -43,7 +48,16 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "--firmware",
         type=_version,
         metavar="VERSION",
-        help=f"what it answers when asked for its version, generation 2 only ({_VERSION})",
+        help="what it answers when asked for its version, and what it does as this version does: "
+        f"MIT, CPV, frames, signs, scales; generation 2 only ({_VERSION})",
+    )
+    parser.add_argument(
+        "--model",
+        type=PiperModel,
+        choices=list(PiperModel),
+        default=PiperModel.PIPER,
+        metavar="MODEL",
+        help=f"which arm of the family it is: {', '.join(PiperModel)} ({PiperModel.PIPER})",
     )
     parser.add_argument(
         "--flash",
@@ -61,6 +75,17 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         + "; ".join(map(_fault_help, FAULTS)),
     )
     parser.add_argument(
+        "--bugs",
+        type=_bugs,
+        nargs="?",
+        const=_OF_THE_VERSION,
+        default=frozenset(),
+        metavar="NAME,...",
+        help="have known bugs of firmware versions, so that a host's answers to them can be tried: "
+        "without names those reported of its version, or all, or some of "
+        + "; ".join(f"{name}: {PURPOSES[bug]}" for name, bug in BUG_NAMES.items()),
+    )
+    parser.add_argument(
         "--offset",
         type=_offset,
         help="move its feedback and motion commands by 0x10 or 0x20, for another arm on one bus",
@@ -72,14 +97,21 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(options: argparse.Namespace) -> int:
     """Runs the command with options read by `add_arguments`; returns the exit code."""
-    if options.firmware is not None and options.generation == Generation.ONE:
+    if options.generation == Generation.ONE and (options.firmware is not None or options.bugs):
         sys.stderr.write(
-            "armui sim: --firmware belongs to generation 2: generation 1 tells no version\n"
+            "armui sim: --firmware and --bugs belong to generation 2: generation 1 tells no "
+            "version\n"
         )
         return EXIT_CANNOT_BEGIN
+    version = options.firmware or _VERSION
+    bugs = options.bugs
+    if bugs == _OF_THE_VERSION:
+        bugs = ArmType.of(options.model, version).quirks.bugs
+        if not bugs:
+            sys.stderr.write(f"armui sim: no bug of {version} is known; name some after --bugs\n")
     flash: Flash = options.flash or MemoryFlash()
     if options.offset is not None:
-        settings = flash.load()
+        settings = flash.load(options.model)
         settings.linkage = settings.linkage._replace(
             feedback_offset=options.offset, control_offset=options.offset
         )
@@ -87,8 +119,10 @@ def run(options: argparse.Namespace) -> int:
     firmware = Firmware(
         Generation(options.generation),
         seed=options.seed,
-        version=options.firmware or _VERSION,
+        version=version,
+        model=options.model,
         flash=flash,
+        bugs=bugs,
     )
     return run_arm(
         firmware,
@@ -156,9 +190,24 @@ def _bitrate(text: str) -> int:
 
 
 def _version(text: str) -> str:
-    if not re.fullmatch(r"S-V\d+\.\d+-\d+", text):
+    if FirmwareVersion.parse(text) is None:
         raise argparse.ArgumentTypeError(f"{text!r} is no firmware version; write it as {_VERSION}")
     return text
+
+
+def _bugs(text: str) -> frozenset[FirmwareBug] | str:
+    """The bugs named; the words that stand for no name are handed on."""
+    if text == _OF_THE_VERSION:
+        return text
+    if text == "all":
+        return frozenset(FirmwareBug)
+    names = text.split(",")
+    unknown = [name for name in names if name not in BUG_NAMES]
+    if unknown:
+        raise argparse.ArgumentTypeError(
+            f"no bug is called {unknown[0]!r}; there are {', '.join(BUG_NAMES)}, and all"
+        )
+    return frozenset(BUG_NAMES[name] for name in names)
 
 
 def _flash(text: str) -> FileFlash:

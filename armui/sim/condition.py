@@ -31,6 +31,8 @@ class Condition:
         communication_fault: The joints the controller cannot talk to.
         alarms: What the drivers complain of.
         direct: Whether 0xAD in the mode word has handed the joints to their drivers' own loop.
+        needs_reset: Whether the arm was taken out of that loop by a mode word that its firmware
+            does not understand so: it takes up no target until it is reset.
     """
 
     control_mode: ControlMode = ControlMode.STANDBY
@@ -46,6 +48,7 @@ class Condition:
     communication_fault: list[bool] = field(default_factory=_no_joint)
     alarms: Alarms = field(default_factory=Alarms)
     direct: bool = False
+    needs_reset: bool = False
 
     @property
     def status(self) -> ArmStatusCode:
@@ -86,7 +89,7 @@ class Condition:
         self.alarms.clear(range(JOINT_COUNT))
         self.accept_target()
         self.motion_state = MotionState.REACHED
-        self.direct = False
+        self.direct = self.needs_reset = False
 
     def start_anew(self) -> None:
         """Goes back to the state after a power cycle; an error whose cause is still there stays."""

@@ -11,29 +11,33 @@ from collections import Counter
 from collections.abc import Callable, Sequence
 from typing import Final
 
-from armui.arm.geometries import geometry_of
-from armui.arm.limits import JOINTS
 from armui.kinematics.arm_kinematics import Kinematics
 from armui.protocol.addressing import Addressing
 from armui.protocol.codec import Codec, InvalidFrame, InvalidFrameKind
 from armui.protocol.codes import (
     ALL_JOINTS,
+    MOVE_UNCHANGED,
     ControlMode,
+    LeaderZero,
     LinkageRole,
     MotorAction,
+    Mounting,
     MoveMode,
     SettingIndex,
     SilenceMode,
     StopCommand,
-    TeachingState,
-    TrajectoryCommand,
 )
+from armui.protocol.firmware_version import RECOMMENDED, FirmwareBug
 from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
+from armui.protocol.piper_model import PiperModel
+from armui.sim.arm_role import ArmRole
+from armui.sim.arm_type import ArmType
 from armui.sim.condition import Condition
+from armui.sim.faults.bugs import FirmwareBugs
 from armui.sim.faults.protection import Protection
 from armui.sim.feedback.feedback import Feedback
-from armui.sim.feedback.linkage import CONTROL, LinkedInput
+from armui.sim.feedback.linkage import CONTROL
 from armui.sim.feedback.schedule import FeedbackSchedule
 from armui.sim.mechanics.drivers import Drivers
 from armui.sim.mechanics.gravity import Weight
@@ -42,6 +46,7 @@ from armui.sim.mechanics.hand_guiding import HandGuiding
 from armui.sim.mechanics.mechanics import Mechanics
 from armui.sim.mechanics.powered_joints import JOINT_COUNT, SixValues
 from armui.sim.mechanics.unpowered_joints import UnpoweredJoints
+from armui.sim.motion.motion_command import MotionCommandHandler
 from armui.sim.motion.moves import Moves
 from armui.sim.motion.teaching import SimulatedTeaching
 from armui.sim.parameters.flash import Flash, MemoryFlash
@@ -60,6 +65,7 @@ class Firmware(Readings):
 
     Attributes:
         generation: The protocol it speaks.
+        type: Which arm it is: model and firmware version.
         kinematics: Of the geometry its version has.
         condition: Modes, flags and faults, as 0x2A1 tells them.
         mechanics: Joints and motors.
@@ -71,11 +77,11 @@ class Firmware(Readings):
         flash: Where it keeps them.
         protection: What watches the drivers.
         settings_applier: What keeps the parts in step with the settings.
+        bugs: Known bugs of firmware versions that it has.
         feedback_stopped: Whether the arm, broken, tells nothing unless asked.
         drivers_tell: Whether 0x251–0x266 go on while it is a teaching input, as on some arms.
         ignored: How many frames were not understood, by kind.
-        unsupported: How many were understood but ask for what it does not do: the transfer of
-            trajectories, whose check sum is undocumented.
+        unsupported: How many ask for what it does not do: transfer of trajectories, zero learning.
     """
 
     def __init__(
@@ -84,8 +90,10 @@ class Firmware(Readings):
         *,
         seed: int = 0,
         joints_deg: Sequence[float] = (0.0,) * JOINT_COUNT,
-        version: str = "S-V1.8-5",
+        version: str = str(RECOMMENDED),
+        model: PiperModel = PiperModel.PIPER,
         flash: Flash | None = None,
+        bugs: frozenset[FirmwareBug] = frozenset(),
     ) -> None:
         """An arm just switched on: motors off, standby, supported where it lies.
 
@@ -94,34 +102,41 @@ class Firmware(Readings):
             seed: Of the little noise there is; the same seed and calls give the same frames.
             joints_deg: Where it lies, joint 1 first, counted from the factory's zeros.
             version: What it answers to 0x4AF (generation 2).
+            model: Which arm of the family it is.
             flash: Where its settings are kept; without it they end with this object.
+            bugs: Known bugs that it has.
         """
         self.generation = generation
+        self.type = ArmType.of(model, version)
         self.flash: Flash = flash or MemoryFlash()
-        self.settings = self.flash.load()
+        self.settings = self.flash.load(model)
         self.condition = Condition()
         zeros_deg = self.settings.zeros_deg
         self.mechanics = Mechanics(
             (float(angle) - zero for angle, zero in zip(joints_deg, zeros_deg, strict=True)),
-            Weight(),
+            Weight(self.type.links),
         )
-        self.drivers = Drivers(seed)
+        self.drivers = Drivers(seed, self.type.nm_per_ampere)
         self.gripper = SimulatedGripper(generation, self.settings)
         self.ignored: Counter[InvalidFrameKind] = Counter()
         self.unsupported: Counter[str] = Counter()
-        self._version = version
-        self.kinematics = Kinematics(geometry_of(version))
+        self.kinematics = Kinematics(self.type.geometry)
         self._silent = False
         self._off = False
         self._now_ns = 0
         self._schedule = FeedbackSchedule(generation)
-        self._linkage_waits = False
-        self._leader: LinkedInput | None = None
         self.hand_guiding = HandGuiding()
         self.teaching = SimulatedTeaching(
             self.mechanics, self.condition, self.settings, self.hand_guiding
         )
-        self._moves = Moves(self.mechanics, self.condition, self.settings, self.kinematics)
+        self._moves = Moves(
+            self.mechanics,
+            self.condition,
+            self.settings,
+            self.kinematics,
+            self.type,
+            unsupported=self.unsupported,
+        )
         self.protection = Protection(
             self.mechanics, self.drivers, self.condition, self.settings, self._moves.cut_short
         )
@@ -132,24 +147,36 @@ class Firmware(Readings):
             self.mechanics,
             self.condition,
             self._schedule,
+            self.type,
             flash=self.flash,
             forget=self._moves.forget,
         )
-        self._take_linkage()
+        self._linkage = ArmRole(self, forget=self._moves.forget, speak=self._speak)
+        self._motion_commands = MotionCommandHandler(self, self._moves, self._enter)
+        self._linkage.take_effect()
+        self.bugs = FirmwareBugs(bugs, self, self._linkage.set)
         self._handlers: dict[str, Callable[[Signals], list[Frame]]] = {
             "MotionCommand": self._motion_command,
             "ModeControl": self._mode_control,
             "GripperCommand": self._gripper_command,
             "LinkageSetting": self._linkage_setting,
+            "LeaderZero": self._leader_zero,
             "MotorEnable": self._motor_enable,
             "BusSilence": self._bus_silence,
-            "FirmwareVersion": self._firmware_version,
+            "FirmwareVersion": lambda asked: version_frames(
+                self._codec, asked, self.type.version, self.type.model.model
+            ),
         }
 
     @property
     def targets_deg(self) -> SixValues:
         """The last joint targets it took on."""
         return self._moves.targets_deg
+
+    @property
+    def ik_solution_deg(self) -> SixValues | None:
+        """Where the last pose of MOVE P leads the joints, as 0x2AA–0x2AC tell."""
+        return self._moves.ik_solution_deg if self.type.quirks.has_ik_solution else None
 
     @property
     def silent(self) -> bool:
@@ -159,7 +186,7 @@ class Firmware(Readings):
     @property
     def leads(self) -> bool:
         """Whether it is a teaching input: it sends commands, and obeys none."""
-        return self._leader is not None
+        return self._linkage.leader is not None
 
     @property
     def time_s(self) -> float:
@@ -186,17 +213,18 @@ class Firmware(Readings):
         if isinstance(message, InvalidFrame):
             self.ignored[message.kind] += 1
             return []
-        if self._leader is not None and message.name in CONTROL:
+        if self.leads and message.name in CONTROL:
             return []  # a teaching input obeys the hand alone
         name, signals = message
         handler = self._handlers.get(name)
         if handler is not None:
             answers = handler(signals)
         elif self._moves.take(name, signals):
-            answers = []
+            answers = self._moves.answers(self._codec)
         else:
             answers = self._parameter_server.handle(name, signals) or []
-        return [] if self._silent else answers
+            self.bugs.setting_taken(name)
+        return [] if self._quiet else answers
 
     def step(self, dt_s: float) -> list[Frame]:
         """Lets time pass.
@@ -216,12 +244,17 @@ class Firmware(Readings):
         frames: list[Frame] = []
         while self._schedule.next_ns <= end_ns:
             self._advance(self._schedule.next_ns)
+            self._schedule.ik_solution = self.ik_solution_deg is not None
             names = self._schedule.pop()
-            self._measure(names)
-            if not (self._silent or self.feedback_stopped or self._off):
+            self.protection.watch(names, self._schedule.periods_ns)
+            if not (self._quiet or self.feedback_stopped or self._off):
                 frames += self._periodic(names)
         self._advance(end_ns)
         return frames
+
+    @property
+    def _quiet(self) -> bool:
+        return self._silent or self.bugs.silent
 
     def set_communication_fault(self, joint: int, *, present: bool) -> None:
         """Breaks or mends the connection between the controller and a joint (1–6)."""
@@ -237,7 +270,7 @@ class Firmware(Readings):
     def switch_off(self) -> None:
         """Takes the power away: the arm drops, hears nothing and says nothing."""
         self._off = True
-        self._drop_work()
+        self._motion_commands.drop_work()
         self.teaching.entered = False
         self.teaching.recording.clear()
         self.mechanics.power_off(_ALL_INDICES, UnpoweredJoints.FREE)
@@ -249,7 +282,8 @@ class Firmware(Readings):
         self.settings_applier.restart()
         self.condition.start_anew()
         self._silent = False
-        self._take_linkage()
+        self._linkage.take_effect()
+        self.bugs.switched_on()
 
     def corrupt_limits(self, joint: int) -> None:
         """Lets a joint's (1–6) limits read back as 0xFFFF, as from a worn flash."""
@@ -266,95 +300,51 @@ class Firmware(Readings):
         if self.mechanics.gives_way and self.hand_guiding.gripper_to is not None:
             self.gripper.lead(self.hand_guiding.gripper_to)
         self._moves.time_passed()
+        self.bugs.time_passed(dt_s)
 
     def _periodic(self, names: list[str]) -> list[Frame]:
         """What is due under these names; a teaching input leads instead of telling of itself."""
-        if self._leader is None:
-            return self._feedback.frames(names)
+        if not self.leads:
+            return self.bugs.told(names, self._feedback.frames(names))
         drivers = [name for name in names if self.drivers_tell and name.startswith("Driver")]
-        leads = "ArmStatus" in names
-        told = self._leader.frames(self.mechanics.positions_deg, self.gripper) if leads else []
+        told = self._linkage.told(self.gripper) if "ArmStatus" in names else []
         return told + self._feedback.frames(drivers)
 
-    def _measure(self, names: list[str]) -> None:
-        """Lets the drivers measure before the frames of these names are made."""
-        self.protection.watch_torques()
-        self.drivers.measure(self.mechanics)
-        for joint in JOINTS:
-            name = f"DriverSlow{joint}"
-            if name in names:
-                self.drivers.warm(joint - 1, self._schedule.periods_ns[name] / _NS_PER_S)
-                self.protection.watch_driver(joint - 1)
-
-    def _speak(self, addressing: Addressing) -> None:
-        self._codec = Codec(self.generation, addressing)
+    def _speak(self) -> None:
+        """Takes over the identifiers that the settings ask for."""
+        addressing = self.settings_applier.addressing
+        self._codec = Codec(self.generation, addressing, self.type.quirks.version)
         self._parameter_server = ParameterServer(self._codec, self.settings, self.settings_applier)
         self._feedback = Feedback(self._codec, self)
 
     def _motion_command(self, signals: Signals) -> list[Frame]:
-        if signals["EmergencyStop"] == StopCommand.EMERGENCY_STOP:
-            self._drop_work()
-            self.mechanics.power_off(_ALL_INDICES, UnpoweredJoints.DAMPED)
-            self.condition.stopped = True
-        elif signals["EmergencyStop"] == StopCommand.RESUME:
-            self._drop_work()
-            self.mechanics.power_off(_ALL_INDICES, UnpoweredJoints.FREE)
-            self.condition.clear_errors()
-            if self.teaching.reset():
-                self._enter(ControlMode.STANDBY)
-        elif not self.condition.stopped:
-            self._teach(TeachingState(int(signals["TeachingCommand"])))
-            return self._trajectory_command(TrajectoryCommand(int(signals["TrajectoryCommand"])))
-        return []
-
-    def _drop_work(self) -> None:
-        """Forgets targets and replays; what moves is left to the caller."""
-        self._moves.forget()
-        self.teaching.interrupt()
-
-    def _teach(self, command: TeachingState) -> None:
-        if command is TeachingState.START_RECORDING:
-            self._moves.forget()
-        self.teaching.command(command)
-
-    def _trajectory_command(self, command: TrajectoryCommand) -> list[Frame]:
-        if command is TrajectoryCommand.OFF or self._moves.command(command):
+        if signals["EmergencyStop"] == StopCommand.RESUME:
+            self.bugs.reset()
+        if not self._motion_commands.take(signals):
             return []
-        if command is not TrajectoryCommand.GET_CURRENT:
-            self.unsupported[command.name] += 1
-        elif self.generation is not Generation.ONE:
-            # the trajectory point of 0x476 is 0: no transferred trajectory is under way
-            return [self._parameter_server.answer(SettingIndex.MOTION_COMMAND)]
-        return []
+        # the trajectory point of 0x476 is 0: no transferred trajectory is under way
+        return [self._parameter_server.answer(SettingIndex.MOTION_COMMAND)]
 
     def _mode_control(self, signals: Signals) -> list[Frame]:
         if self.condition.stopped or self.teaching.entered:
             return []
-        self.condition.move_mode = MoveMode(int(signals["MoveMode"]))
-        self.condition.speed_percent = int(signals["SpeedPercent"])
-        self._enter(ControlMode(int(signals["ControlMode"])))
+        condition, control_mode = self.condition, ControlMode(int(signals["ControlMode"]))
+        condition.speed_percent = int(signals["SpeedPercent"])
+        self.settings_applier.mount(Mounting(int(signals.get("Mounting", Mounting.UNCHANGED))))
+        if signals["MoveMode"] != MOVE_UNCHANGED:
+            condition.move_mode = MoveMode(int(signals["MoveMode"]))
+        elif control_mode is condition.control_mode:
+            self._moves.speed_changed()
+            return []
+        was_direct = condition.direct
+        self._enter(control_mode)
         self._moves.mode_word(signals)
+        self.bugs.mode_word(was_direct=was_direct)
         return []
 
     def _enter(self, control_mode: ControlMode) -> None:
         self.condition.control_mode = control_mode
-        if control_mode is ControlMode.STANDBY and self._linkage_waits:
-            self._take_linkage()
-
-    def _take_linkage(self) -> None:
-        """Lets the kept linkage setting take effect: the identifiers and the role."""
-        linkage = self.settings.linkage
-        self._linkage_waits = False
-        self._speak(self.settings_applier.addressing)
-        if linkage.role is LinkageRole.TEACHING_INPUT:
-            self._moves.forget()
-            self._leader = LinkedInput(self.generation, linkage.target_offset)
-            self.condition.control_mode = ControlMode.LINKED_TEACHING_INPUT
-            self.mechanics.give_way(self.hand_guiding)
-        elif self._leader is not None:
-            self._leader = None
-            self.condition.control_mode = ControlMode.STANDBY
-            self.mechanics.hold()
+        self._linkage.mode_entered()
 
     def _motor_enable(self, signals: Signals) -> list[Frame]:
         joint = int(signals["Joint"])
@@ -364,7 +354,7 @@ class Firmware(Readings):
         elif signals["Action"] == MotorAction.ENABLE:
             self._moves.power_on(i for i in indices if self.protection.may_power(i))
         else:
-            self._drop_work()
+            self._motion_commands.drop_work()
             self._moves.cut_short()
             self.mechanics.power_off(indices, UnpoweredJoints.FREE)
         return [self._parameter_server.answer(SettingIndex.MOTOR_ENABLE)]
@@ -375,24 +365,28 @@ class Firmware(Readings):
         return []
 
     def _linkage_setting(self, signals: Signals) -> list[Frame]:
-        """Takes effect at once in standby or as a teaching input, else as soon as in standby."""
         answer = self._parameter_server.answer(SettingIndex.LINKAGE_SETTING)
-        self.settings.linkage = LinkageSettings(
-            LinkageRole(int(signals["Role"])) or self.settings.linkage.role,
-            int(signals["FeedbackOffset"]),
-            int(signals["ControlOffset"]),
-            int(signals["TargetOffset"]),
+        role = LinkageRole(int(signals["Role"])) or self.settings.linkage.role
+        self.bugs.role_set(role)
+        self._linkage.set(
+            LinkageSettings(
+                role,
+                int(signals["FeedbackOffset"]),
+                int(signals["ControlOffset"]),
+                int(signals["TargetOffset"]),
+            )
         )
-        self.flash.save(self.settings)
-        self._linkage_waits = True
-        standby = self.condition.control_mode is ControlMode.STANDBY
-        if self._leader is not None or (standby and not self.condition.stopped):
-            self._take_linkage()
         return [answer]
+
+    def _leader_zero(self, signals: Signals) -> list[Frame]:
+        if self.type.quirks.has_leader_zero:
+            self._linkage.zero(LeaderZero(int(signals["Command"])))
+        return []
 
     def _bus_silence(self, signals: Signals) -> list[Frame]:
         self._silent = signals["Mode"] != SilenceMode.LEAVE_SILENCE
         return []
 
     def _firmware_version(self, signals: Signals) -> list[Frame]:
-        return version_frames(self._codec, signals, self._version)
+        arm_type = self.type
+        return version_frames(self._codec, signals, arm_type.version, arm_type.model.model)

@@ -25,6 +25,11 @@ class Readings:
         return self.mechanics.positions_deg
 
     @property
+    def true_joints_deg(self) -> SixValues:
+        """Where the joints truly are, counted from the factory's zeros; nothing on the bus says."""
+        return tuple(self.mechanics.weight.true_deg(self.mechanics.positions_deg))
+
+    @property
     def enabled(self) -> tuple[bool, ...]:
         """Which motors have power."""
         return self.mechanics.powered

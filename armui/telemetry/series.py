@@ -87,6 +87,7 @@ class Series:
         shape: As given.
         write: Adds a sample: monotonic time in seconds, then the figures and codes in the order of
             `Shape.fields`; the writing thread only. A time before the last one counts as that one.
+        replaced: How often everything in it became something else.
     """
 
     def __init__(self, shape: Shape, keep_s: float = KEPT_S) -> None:
@@ -101,6 +102,7 @@ class Series:
         fields += [(name, "u1") for name in shape.codes]
         self._type = np.dtype(fields)
         self.write: Callable[[float, Row], None]
+        self.replaced = 0
         self.release()
 
     def release(self) -> None:
@@ -113,6 +115,21 @@ class Series:
         self._times_s: NDArray[np.float64] = self._samples["time_s"]
         self._pyramid: Pyramid | None = None
         self.write = self._write_first
+
+    def adopt(self, other: Series) -> None:
+        """Take over everything that another one of the same shape holds, if it holds anything.
+
+        The writing thread only; nothing may be done with the other one any more. Who reads
+        meanwhile may get samples of both, once: `replaced` tells that they must be read anew.
+        """
+        if other._pyramid is None:
+            return
+        self._samples, self._times_s = other._samples, other._times_s
+        self._buffer, self._pyramid = other._buffer, other._pyramid
+        self._newest_s, self._folded, self._fold_at = other._newest_s, other._folded, other._fold_at
+        self._count = other._count
+        self.write = self._write
+        self.replaced += 1
 
     # The writing thread -----------------------------------------------------------------------
 

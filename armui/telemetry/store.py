@@ -70,6 +70,7 @@ class Telemetry:
 
     def __init__(self, clock: Callable[[], float] = steady_s, keep_s: float = KEPT_S) -> None:
         self._clock = clock
+        self._keep_s = keep_s
         self.wall_time: Callable[[float], datetime] = self._wall_time
         self.series: Mapping[str, Series] = {
             record.name: Series(record.shape, keep_s) for record in RECORDS
@@ -111,6 +112,21 @@ class Telemetry:
         self._counted_s = -math.inf
         self._standing = {space: (None, set()) for space in Space}
 
+    def alike(self) -> Telemetry:
+        """One without samples, that takes in frames as this one does."""
+        other = Telemetry(self._clock, self._keep_s)
+        with self._choosing:
+            other._generation = self._generation
+            codec, other._bitrate = self._codec, self._bitrate
+        if codec is not None:
+            other.on_codec(codec)
+        return other
+
+    def adopt(self, other: Telemetry) -> None:
+        """Take over the samples of one that was made `alike`; the writing thread only."""
+        for name, series in self.series.items():
+            series.adopt(other.series[name])
+
     def find(self, key: str) -> tuple[Quantity, Series]:
         """A quantity and where it is kept.
 
@@ -150,15 +166,15 @@ class Telemetry:
     def on_heard(self, batch: Sequence[Taken]) -> None:
         """Frames that somebody else sent, in order."""
         self._frames += len(batch)
-        find = self._from_others.get
-        for heard, at_s, frame, _flags in batch:
-            self._bits += _FRAME_BITS + 8 * len(frame.data)
+        find, data_bytes = self._from_others.get, 0
+        for heard, at_s, (_id, data), _flags in batch:
+            data_bytes += len(data)
             message = heard if isinstance(heard, Message) else heard.message
-            if message is None:
-                continue
-            writer = find(message.name)
-            if writer is not None:
-                writer(message.signals, at_s)
+            if message is not None:
+                writer = find(message.name)
+                if writer is not None:
+                    writer(message.signals, at_s)
+        self._bits += _FRAME_BITS * len(batch) + 8 * data_bytes
 
     def on_columns(self, frames: FrameColumns, *, own: NDArray[np.bool_]) -> None:
         """Many frames of a log, in order: the same as `on_heard`, `on_sent` and `on_look`.

@@ -3,41 +3,55 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Final
 
-from PySide6.QtCore import QSize, Qt
+from PySide6.QtCore import QRect, QSize
 from PySide6.QtGui import QCloseEvent, QContextMenuEvent, QShowEvent
-from PySide6.QtWidgets import QHBoxLayout, QSplitter, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QHBoxLayout, QVBoxLayout, QWidget
 
 from armui.arm.state import ArmState
 from armui.control.devices.joint_monitor import JointMonitor
-from armui.control.motion.motion_command import Mover
 from armui.control.operating_state import OperatingState, StopState
-from armui.system.helper_process import FileThread
+from armui.ui.actions.window_actions import WindowActions
 from armui.ui.background import Background
-from armui.ui.dialogs.confirm import confirm
+from armui.ui.gamepad.gamepad_strip import GamepadStrip
 from armui.ui.panels.jogging.motion_panel import MotionPanel
+from armui.ui.picture.picture_work import PictureWork
 from armui.ui.shell.arm_in_view import show_in_view
+from armui.ui.shell.closing import close_unless_moving
 from armui.ui.shell.diagnosis_dialogs import DiagnosisDialogs
+from armui.ui.shell.drawer import Drawer
 from armui.ui.shell.failure_line import FailureLine
 from armui.ui.shell.joint_status_button import JointStatusButton
-from armui.ui.shell.leaving import end_motion_then, end_single_motion_then
+from armui.ui.shell.layout_keeper import LayoutKeeper
+from armui.ui.shell.leaving import end_motion_then
 from armui.ui.shell.library_button import LibraryButton
+from armui.ui.shell.model_mark import ModelMark
 from armui.ui.shell.operation_area import OperationArea
+from armui.ui.shell.page_area import PageArea
 from armui.ui.shell.panel_menu import menu_entries
 from armui.ui.shell.recovery_line import RecoveryLine
+from armui.ui.shell.robot_in_view import RobotInView
+from armui.ui.shell.run_place import RunPlace
 from armui.ui.shell.side_menu import SideMenu
 from armui.ui.shell.status_bar import StatusBar
 from armui.ui.shell.top_bar import TopBar
+from armui.ui.shell.trajectory_pages import TrajectoryPages
 from armui.ui.shell.unsaved import KeepsWork, leave_then, unsaved
 from armui.ui.shell.view_region import ViewRegion
 from armui.ui.shell.watch_menu import WatchMenu
 from armui.ui.shell.watch_windows import WatchWindows
+from armui.ui.shell.window_layout import WindowLayout
+from armui.ui.shell.work_area import WorkArea
+from armui.ui.shell.work_column import WorkColumn
+from armui.ui.shell.workspace import Workspace
 from armui.ui.theme import DARK, colors_of
 from armui.ui.trajectory.preview.path_preview import PathPreview
 from armui.ui.trajectory.preview.preview_bar import PreviewBar
 from armui.ui.widgets.curve_menu import offer_curves
+from armui.ui.widgets.keeps_focus import KeepsFocus
 from armui.ui.widgets.translated import Translated
 from armui.viewport import palette as scene_palette
 
@@ -50,13 +64,13 @@ if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
     from armui.settings import Settings, SettingsStore
     from armui.system.failures import Failure
+    from armui.ui.widgets.page import Page
     from armui.viewport.view import ArmView
 
 _FIRST_SIZE: Final = QSize(1440, 900)
-_PANEL_WIDTH_PX: Final = 440
 
 
-class MainWindow(Translated, QWidget):
+class MainWindow(Translated, KeepsFocus, QWidget):
     """Shows the arm and takes the operator's wishes; knows nothing of the bus.
 
     Args:
@@ -82,34 +96,57 @@ class MainWindow(Translated, QWidget):
         self._controller = controller
         self._view = view
         self._preferences = preferences
-        self._workers = workers
-        self._files = files
-        self._trajectories = trajectories
         self._settings = preferences.settings
         self._dialogs: dict[str, QDialog] = {}
         self._may_close = False
         self._entries = menu_entries(controller, preferences, self.open_backup_dialog)
+        self._robot = RobotInView(view, controller, self._settings.urdf_path, self)
         self._joint_monitor = JointMonitor(controller, parent=self)
         self._diagnosis = DiagnosisDialogs(controller, files or workers, self)
-        background = Background(workers, files, self)
+        background = self._background = Background(workers, files, self)
+        self._keeper = LayoutKeeper(preferences.path, background, self)
+        self._workspace = Workspace(controller, self._keeper, self)
         self._watch = WatchWindows(
             controller,
             preferences.path,
             background,
             self,
-            self._open,
+            open_window=self._open,
+            open_page=self._open_in_drawer,
             store=preferences,
-            robot=self._robot_path,
+            robot=lambda: self._settings.urdf_path,
         )
         self._joint_status_button = JointStatusButton(self._joint_monitor)
         self._preview_bar = PreviewBar()
         self._preview = PathPreview(view, self._preview_bar, self)
-        self._view_region = ViewRegion(view, self._preview_bar)
+        self._picture = PictureWork(
+            controller, view, preferences, background, preview=self._preview, window=self
+        )
+        self._view_region = ViewRegion(view, self._preview_bar, self._picture)
+        self._pages = PageArea()
+        self._drawer = Drawer(self._watch.pages())
+        for home in (self._pages, self._drawer):
+            home.take_out_wanted.connect(self._workspace.take_out)
+        self._trajectory_pages = TrajectoryPages(
+            controller,
+            self._workspace,
+            self._pages,
+            preferences=preferences,
+            workers=workers,
+            files=files,
+            folder=trajectories,
+            preview=self._preview,
+            picture=self._picture,
+            parent=self,
+        )
         self._status_bar = StatusBar(controller)
         self._watch.show_marks_in(self._status_bar)
+        self._actions = WindowActions(self, controller, preferences, background)
+        self._status_bar.add_mark(ModelMark(controller, self.open_connect_dialog))
+        self._status_bar.add_mark(self._actions.offer(self._diagnosis, self._watch, self._picture))
         self._lay_out()
         self._connect()
-        self.resize(_FIRST_SIZE.boundedTo(self.screen().availableSize()))
+        WindowLayout(self._keeper, self, self._work_column, _FIRST_SIZE)
         self.retranslate_ui()
         self._recolor()
 
@@ -124,17 +161,8 @@ class MainWindow(Translated, QWidget):
         )
         self._menu = SideMenu(self._entries, below)
         self._panels = OperationArea(self._entries)
-        self._panels.setMinimumWidth(_PANEL_WIDTH_PX - 40)
-
-        splitter = QSplitter(Qt.Orientation.Horizontal)
-        splitter.setObjectName("splitter")
-        splitter.setHandleWidth(1)
-        splitter.addWidget(self._panels)
-        splitter.addWidget(self._view_region)
-        splitter.setChildrenCollapsible(False)
-        splitter.setStretchFactor(0, 0)
-        splitter.setStretchFactor(1, 1)
-        splitter.setSizes([_PANEL_WIDTH_PX, _FIRST_SIZE.width() - _PANEL_WIDTH_PX])
+        self._work_area = WorkArea(self._panels, self._pages, self._view_region)
+        self._work_column = WorkColumn(self._work_area, RunPlace(self._controller), self._drawer)
 
         middle = QHBoxLayout()
         middle.setSpacing(0)
@@ -142,7 +170,8 @@ class MainWindow(Translated, QWidget):
         work = QVBoxLayout()
         work.setSpacing(0)
         work.addWidget(RecoveryLine(self._controller, self.open_connect_dialog))
-        work.addWidget(splitter, 1)
+        work.addWidget(GamepadStrip(self._controller, self._preferences))
+        work.addWidget(self._work_column, 1)
         middle.addLayout(work, 1)
 
         whole = QVBoxLayout(self)
@@ -159,9 +188,12 @@ class MainWindow(Translated, QWidget):
         self._menu.chosen.connect(self._on_entry_chosen)
         self._joint_status_button.clicked.connect(self.open_joint_status_dialog)
         self._library_button.clicked.connect(self.open_library_window)
+        self._library_button.clicked.connect(self._show_where)
+        self._work_area.turned.connect(self._show_where)
         self._view_region.help_wanted.connect(self.open_help_dialog)
         self._view_region.reset_wanted.connect(self._view.reset_view)
         self._view_region.settings_wanted.connect(self.open_settings_dialog)
+        self._picture.follow_panels(self._panels.currentWidget)
         self._view.joint_picked.connect(self._panels.focus_joint)
         self._view.load_failed.connect(self._status_bar.show_problem)
         self._status_bar.event_wanted.connect(self._watch.show_events)
@@ -173,13 +205,20 @@ class MainWindow(Translated, QWidget):
 
     def _on_entry_chosen(self, place: int) -> None:
         """Switch the operation area; what is not saved in it asks first."""
-        self._menu.choose(self._panels.currentIndex())
-        panel = self._panels.currentWidget()
-        leave_then(self, self._controller, [panel], lambda: self._show_panel(place))
+        self._show_where()
+        left = [] if place == self._panels.currentIndex() else [self._panels.currentWidget()]
+        leave_then(self, self._controller, left, lambda: self._show_panel(place))
 
     def _show_panel(self, place: int) -> None:
-        self._menu.choose(place)
         self._panels.show_panel(place)
+        self._work_area.show_panels()
+        self._show_where()
+
+    def _show_where(self) -> None:
+        """The menu, and the button of the library, say what stands beside the picture."""
+        pages = self._work_area.shows_pages
+        self._menu.choose(None if pages else self._panels.currentIndex())
+        self._library_button.setChecked(pages)
 
     def _leave_arm_then(self, asking: QWidget, proceed: Callable[[], object]) -> None:
         """Leave the arm, or the program; what is not saved, and what is under way, asks first."""
@@ -212,18 +251,19 @@ class MainWindow(Translated, QWidget):
                 if isinstance(panel, MotionPanel):
                     panel.set_jog_step(settings.jog_step_deg)
         if old.urdf_path != settings.urdf_path:
-            self._view.set_robot(self._robot_path())
-
-    def _robot_path(self) -> Path | None:
-        return Path(self._settings.urdf_path) if self._settings.urdf_path else None
+            self._robot.choose(settings.urdf_path)
 
     def open_connect_dialog(self) -> None:
         """Show the window 连接机械臂 (manual 1.0.1)."""
 
         def make() -> QDialog:
             from armui.ui.dialogs.connect import ConnectDialog  # noqa: PLC0415 - faster start
+            from armui.ui.dialogs.kept_models import KeptModels  # noqa: PLC0415 - as above
 
-            dialog = ConnectDialog(self._controller, self, before_leaving=self._leave_arm_then)
+            kept = KeptModels(self._preferences)
+            dialog = ConnectDialog(
+                self._controller, self, self._leave_arm_then, kept, self._background
+            )
             dialog.diagnosis_wanted.connect(self._diagnosis.open_doctor)
             return dialog
 
@@ -250,28 +290,11 @@ class MainWindow(Translated, QWidget):
         self._open("backup", make)
 
     def open_library_window(self) -> None:
-        """Show the window 轨迹库 (manual 1.0.9)."""
-
-        def make() -> QDialog:
-            from armui.system import paths  # noqa: PLC0415 - faster start
-            from armui.trajectory.library.store import Library  # noqa: PLC0415 - numpy, faster start
-            from armui.ui.trajectory.library.library_window import LibraryWindow  # noqa: PLC0415 - as above
-            from armui.ui.trajectory.preview.preview_link import PreviewLink  # noqa: PLC0415 - as above
-
-            folder = self._trajectories or paths.trajectories()
-            files = self._files
-            library = (
-                Library(folder, call=files.call)
-                if isinstance(files, FileThread)
-                else Library(folder)
-            )
-            background = Background(self._workers, self._files, self)
-            window = LibraryWindow(self._controller, background, library, self)
-            link = PreviewLink(window, self._preview)
-            self._view.mark_picked.connect(link.on_mark_picked)
-            return window
-
-        self._open("library", make)
+        """Show 轨迹库 (manual 1.0.9): the page one was at, or, if that is seen, the library."""
+        if self._work_area.shows_pages or self._pages.current is None:
+            self._trajectory_pages.open_library()
+        else:
+            self._work_area.show_pages()
 
     def show_as_curves(self, keys: Sequence[str]) -> None:
         """Show quantities in the window 曲线, by their keys (`armui.telemetry.quantities`)."""
@@ -313,12 +336,19 @@ class MainWindow(Translated, QWidget):
         """Say what stood in the program's way, in the status bar."""
         self._status_bar.show_problem(reason)
 
+    def _open_in_drawer(self, key: str, make: Callable[[], Page]) -> Page:
+        return self._workspace.open_kept(key, make, self._drawer)
+
     def _open(self, name: str, make: Callable[[], QDialog]) -> QDialog:
         """Show a dialog, made at the first time."""
         if name not in self._dialogs:
             self._dialogs[name] = make()
         self._dialogs[name].open()
         return self._dialogs[name]
+
+    def room_for_questions(self) -> QRect:
+        """Where small windows lie: over the panel or page, with the picture and the stops free."""
+        return self._work_area.left_of_picture()
 
     # -- window -------------------------------------------------------------------------------
 
@@ -344,52 +374,18 @@ class MainWindow(Translated, QWidget):
         at_stake = under_way or unsaved(self._panels.panels)
         if at_stake and not self._may_close:
             event.ignore()
-            self._leave_arm_then(self, self._close_unless_moving)
+            close = partial(close_unless_moving, self, self._controller, self._close_now)
+            self._leave_arm_then(self, close)
             return
         self._unsubscribe()
         for dialog in self._dialogs.values():
             if isinstance(dialog, KeepsWork):
                 dialog.keep_work()
+        self._trajectory_pages.keep_work()
+        self._keeper.keep()
+        self._workspace.close_windows()
         self._diagnosis.close()
         super().closeEvent(event)
-
-    def _close_unless_moving(self) -> None:
-        operating_state = self._controller.operating_state
-        if not operating_state.moving:
-            self._close_now()
-            return
-        if operating_state.mover is Mover.OURS:
-            self._ask_how_to_close()
-            return
-        confirm(
-            self,
-            self._controller,
-            title=self.tr("The arm is moving"),
-            text=self.tr(
-                "Closing the program does not stop the arm: it goes on to its target. "
-                "Press the emergency stop if it must not."
-            ),
-            action_label=self.tr("Close anyway"),
-            on_confirmed=self._close_now,
-        )
-
-    def _ask_how_to_close(self) -> None:
-        """This program moves the arm: its motion is ended unless the operator lets it finish."""
-        from armui.ui.dialogs.close_question import CloseQuestion  # noqa: PLC0415 - faster start
-
-        for older in self.findChildren(CloseQuestion):
-            older.reject()
-        question = CloseQuestion(self._controller, self)
-        question.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
-        question.accepted.connect(
-            lambda: end_single_motion_then(self, self._controller, self._close_now)
-        )
-        question.let_finish.connect(self._let_finish_and_close)
-        question.open()
-
-    def _let_finish_and_close(self) -> None:
-        self._controller.let_motion_finish()
-        self._close_now()
 
     def _close_now(self) -> None:
         self._may_close = True

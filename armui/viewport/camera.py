@@ -1,11 +1,13 @@
-"""Where the picture is taken from: a turntable camera, without any drawing library."""
+"""Where the picture is taken from: a turntable camera, without any drawing library. Pure."""
 
 from __future__ import annotations
 
+import enum
 import math
 from dataclasses import dataclass, replace
+from typing import Final
 
-VIEW_ANGLE_DEG = 30.0
+VIEW_ANGLE_DEG: Final = 30.0
 """Opening angle of the shorter side of the picture."""
 
 _DEG_PER_PIXEL = 0.4
@@ -16,21 +18,33 @@ _STEEPEST_DEG = 89.0
 Vector = tuple[float, float, float]
 
 
+class ViewDirection(enum.Enum):
+    """From where the arm is looked at; the values are kept in the settings."""
+
+    FRONT = "front"
+    SIDE = "side"
+    TOP = "top"
+    ISO = "iso"
+
+
 @dataclass(frozen=True)
 class OrbitCamera:
     """Looks at a point from a direction; Z stays up, so the arm never tips over on the screen.
 
     Attributes:
         focus_m: the point looked at, in the base frame.
-        distance_m: from there to the eye.
+        distance_m: from there to the eye; without perspective, what is as far away as the focus
+            looks as large as it would with it.
         azimuth_deg: of the eye about Z, 0 at +X.
         elevation_deg: of the eye above the floor.
+        orthographic: whether lines that are parallel look so.
     """
 
     focus_m: tuple[float, float, float]
     distance_m: float
     azimuth_deg: float = -52.0
     elevation_deg: float = 20.0
+    orthographic: bool = False
 
     def orbit(self, dx_px: float, dy_px: float) -> OrbitCamera:
         """The camera after a drag that turns: the scene follows the pointer."""
@@ -45,7 +59,7 @@ class OrbitCamera:
         """The camera after a drag that moves: what is under the pointer stays under it."""
         visible_m = 2.0 * self.distance_m * math.tan(math.radians(VIEW_ANGLE_DEG / 2.0))
         metres_per_px = visible_m / max(shorter_side_px, 1.0)
-        _, right, up = self._axes()
+        _, right, up = self.axes()
         return replace(
             self,
             focus_m=_along(
@@ -58,13 +72,18 @@ class OrbitCamera:
         distance_m = self.distance_m * _ZOOM_PER_STEP**steps
         return replace(self, distance_m=min(_FARTHEST_M, max(_NEAREST_M, distance_m)))
 
+    def turned_to(self, direction: ViewDirection) -> OrbitCamera:
+        """The camera with its eye in another direction from the same point."""
+        azimuth_deg, elevation_deg = _DIRECTIONS_DEG[direction]
+        return replace(self, azimuth_deg=azimuth_deg, elevation_deg=elevation_deg)
+
     @property
     def eye_m(self) -> Vector:
         """Position of the eye in the base frame."""
-        outward, _, _ = self._axes()
+        outward, _, _ = self.axes()
         return _along(self.focus_m, outward, self.distance_m)
 
-    def _axes(self) -> tuple[Vector, Vector, Vector]:
+    def axes(self) -> tuple[Vector, Vector, Vector]:
         """Unit vectors: from the focus to the eye, to the right and up on the screen."""
         azimuth, elevation = math.radians(self.azimuth_deg), math.radians(self.elevation_deg)
         ca, sa = math.cos(azimuth), math.sin(azimuth)
@@ -77,5 +96,13 @@ def _along(start: Vector, direction: Vector, distance: float) -> Vector:
     return (x, y, z)
 
 
-HOME_CAMERA = OrbitCamera(focus_m=(0.06, 0.0, 0.25), distance_m=1.7)
-"""The first view: the arm at rest in the middle, room for it to rise."""
+HOME_CAMERA: Final = OrbitCamera(focus_m=(0.06, 0.0, 0.25), distance_m=1.7)
+"""Until the robot is known: about where one of the arm's size stands."""
+
+_DIRECTIONS_DEG: Final = {
+    ViewDirection.FRONT: (0.0, 0.0),
+    ViewDirection.SIDE: (-90.0, 0.0),
+    ViewDirection.TOP: (-90.0, 90.0),
+    ViewDirection.ISO: (HOME_CAMERA.azimuth_deg, HOME_CAMERA.elevation_deg),
+}
+"""Azimuth and elevation: from +X onto the arm, from its right, from above with X to the right."""

@@ -7,8 +7,6 @@ from typing import TYPE_CHECKING, Final
 from PySide6.QtCore import QPointF, Qt
 from PySide6.QtWidgets import QApplication
 
-from armui.viewport.camera import HOME_CAMERA
-
 if TYPE_CHECKING:
     from collections.abc import Callable
 
@@ -26,7 +24,6 @@ _MOVES: Final[dict[int, Callable[[OrbitCamera], OrbitCamera]]] = {
     Qt.Key.Key_Plus: lambda camera: camera.zoom(1.0),
     Qt.Key.Key_Equal: lambda camera: camera.zoom(1.0),
     Qt.Key.Key_Minus: lambda camera: camera.zoom(-1.0),
-    Qt.Key.Key_Home: lambda _camera: HOME_CAMERA,
 }
 
 
@@ -84,6 +81,6 @@ def turn_wheel(event: QWheelEvent, camera: OrbitCamera) -> OrbitCamera:
 
 
 def press_key(key: int, camera: OrbitCamera) -> OrbitCamera | None:
-    """Arrow keys turn, + and − zoom, Home is the first view; ``None``: another key."""
+    """Arrow keys turn, + and − zoom; ``None``: another key."""
     move = _MOVES.get(key)
     return None if move is None else move(camera)

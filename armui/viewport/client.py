@@ -15,6 +15,7 @@ from armui.viewport.picture_age import LONGEST_S, PictureAge
 if TYPE_CHECKING:
     from armui.viewport.news import PictureFrame
     from armui.viewport.process_link import ProcessLink
+    from armui.viewport.robot_shape import RobotShape
     from armui.viewport.view_state import ViewState
 
 _LOOK_AGAIN_MS: Final = 20
@@ -48,12 +49,16 @@ class PictureClient(QObject):
         frame_ready: a :class:`Picture`.
         joint_picked: the joint number (1–6) or None at a picked place.
         mark_picked: the row of a mark that was clicked.
+        robot_shown: the `RobotShape` that is in the picture from now on.
         load_failed: why a robot can't be shown, a `Refusal`; the one before stays.
         lost: the process is gone, a :class:`Lost`.
         aged: the picture has begun or ceased to look old.
 
     Args:
         entry: What the process runs; by default :data:`armui.viewport.process_link.ENTRY`.
+
+    Attributes:
+        shape: The robot in the picture, as far as it is known.
     """
 
     # What speaks to the process is loaded with it, when the window stands.
@@ -61,6 +66,7 @@ class PictureClient(QObject):
     frame_ready = Signal(object)
     joint_picked = Signal(object)
     mark_picked = Signal(int)
+    robot_shown = Signal(object)
     load_failed = Signal(object)
     lost = Signal(object)
     aged = Signal()
@@ -74,6 +80,7 @@ class PictureClient(QObject):
         self._state: ViewState | None = None
         self._age = PictureAge()
         self._looks_old = False
+        self.shape: RobotShape | None = None
         self._is_rough = True
         self._clock = QTimer(self, singleShot=True)
         self._clock.timeout.connect(self._look_at_clock)
@@ -88,6 +95,11 @@ class PictureClient(QObject):
     def pid(self) -> int | None:
         """Number of the process, while there is one."""
         return None if self._link is None else self._link.pid
+
+    @property
+    def sequence(self) -> int:
+        """Number of the newest state that a picture was asked for."""
+        return self._sequence
 
     @property
     def looks_old(self) -> bool:
@@ -143,7 +155,7 @@ class PictureClient(QObject):
             self._told.emit((self._link, news))
 
     def _on_told(self, told: tuple[ProcessLink | None, object]) -> None:
-        from armui.viewport.messages import JointPicked, LoadFailed, MarkPicked  # noqa: PLC0415 - see above
+        from armui.viewport import messages  # noqa: PLC0415 - see above
         from armui.viewport.news import Lost, PictureFrame, UpToDate  # noqa: PLC0415 - see above
 
         link, news = told
@@ -155,11 +167,14 @@ class PictureClient(QObject):
             self.frame_ready.emit(Picture(news))
         elif isinstance(news, UpToDate):
             self._note_shown(news.sequence)
-        elif isinstance(news, JointPicked):
+        elif isinstance(news, messages.JointPicked):
             self.joint_picked.emit(news.number)
-        elif isinstance(news, MarkPicked):
+        elif isinstance(news, messages.MarkPicked):
             self.mark_picked.emit(news.row)
-        elif isinstance(news, LoadFailed):
+        elif isinstance(news, messages.RobotShown):
+            self.shape = news.shape
+            self.robot_shown.emit(news.shape)
+        elif isinstance(news, messages.LoadFailed):
             self.load_failed.emit(news.reason)
         elif isinstance(news, Lost):
             self.lost.emit(news)

@@ -14,6 +14,8 @@ _NOT_HEARD = "—"
 _POSE = (("X", "mm"), ("Y", "mm"), ("Z", "mm"), ("RX", "°"), ("RY", "°"), ("RZ", "°"))
 _JOINTS = tuple((f"J{number}", "°") for number in range(1, 7))
 _WIDEST_NAME, _WIDEST_FIGURE, _WIDEST_UNIT = "RX ", "-0000.000", " mm"
+_DIGITS = "0123456789"
+_SAME_PX = 0.01
 _LINE_SPACING = 1.15
 _MARGIN_PX = 12.0
 _PADDING_PX = 10.0
@@ -66,6 +68,7 @@ class Hud:
         self._font = QFont()
         self._metrics = QFontMetricsF(self._font)
         self._widths_px: dict[str, float] = {}
+        self._is_tabular = True
         self._figures_end_px = self._column_px = 0.0
 
     def frame(self, base_font: QFont) -> QRectF:
@@ -101,9 +104,11 @@ class Hud:
         ):
             painter.setPen(QColor(palette.muted if stale or numbers is None else palette.text))
             for line, figure in enumerate(figures(numbers)):
-                painter.drawText(
-                    QPointF(right - self._width_px(figure), top + line * line_px), figure
-                )
+                place = QPointF(right - self._width_px(figure), top + line * line_px)
+                if self._is_tabular:
+                    painter.drawText(place, figure)
+                else:
+                    self._draw_in_cells(painter, place, figure)
             right += self._column_px + _GAP_PX
         painter.restore()
 
@@ -125,9 +130,19 @@ class Hud:
         self._font = hud_font(base_font)
         self._metrics = metrics = QFontMetricsF(self._font)
         self._base_font = QFont(base_font)
-        self._widths_px = {}
+        digits_px = [metrics.horizontalAdvance(digit) for digit in _DIGITS]
+        self._is_tabular = max(digits_px) - min(digits_px) < _SAME_PX
+        self._widths_px = dict.fromkeys(_DIGITS, max(digits_px))
         self._figures_end_px = sum(map(metrics.horizontalAdvance, (_WIDEST_NAME, _WIDEST_FIGURE)))
         self._column_px = self._figures_end_px + metrics.horizontalAdvance(_WIDEST_UNIT)
+
+    def _draw_in_cells(self, painter: QPainter, place: QPointF, figure: str) -> None:
+        """The font has digits of its own widths: each gets a cell as wide as the widest."""
+        for character in figure:
+            own_px = self._metrics.horizontalAdvance(character)
+            cell_px = self._width_px(character)
+            painter.drawText(place + QPointF((cell_px - own_px) / 2.0, 0.0), character)
+            place += QPointF(cell_px, 0.0)
 
     def _width_px(self, figure: str) -> float:
         """As wide as its characters: digits have one width, and none is set closer to another."""

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Final
 if TYPE_CHECKING:
     from armui.arm.refusal import Refusal
     from armui.viewport.path_picture import PathPicture
+    from armui.viewport.robot_shape import RobotShape
     from armui.viewport.view_state import ViewState
 
 
@@ -116,6 +117,13 @@ class RobotRead:
 
 
 @dataclass(frozen=True, slots=True)
+class RobotShown:
+    """The robot that is in the picture from now on."""
+
+    shape: RobotShape
+
+
+@dataclass(frozen=True, slots=True)
 class JointPicked:
     """The joint (1–6) whose link is seen at a place asked for, or None."""
 
@@ -149,4 +157,14 @@ class Failed:
     traceback: str = ""
 
 
-Answer = Ready | Drawn | PictureBusy | RobotRead | JointPicked | MarkPicked | LoadFailed | Failed
+Answer = (
+    Ready
+    | Drawn
+    | PictureBusy
+    | RobotRead
+    | RobotShown
+    | JointPicked
+    | MarkPicked
+    | LoadFailed
+    | Failed
+)

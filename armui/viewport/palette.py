@@ -18,6 +18,11 @@ class ScenePalette(NamedTuple):
         axes: X, Y and Z.
         speeds: a path where it is slow, and where it is fast.
         fault: marks of points that cannot be reached.
+        warning: marks of what a check warns of.
+        current: the point under way.
+        driven: where the tool has been.
+        commanded: where it was asked to be.
+        plate: behind a figure at a point.
     """
 
     background: str
@@ -28,6 +33,11 @@ class ScenePalette(NamedTuple):
     axes: tuple[str, str, str]
     speeds: tuple[str, str]
     fault: str
+    warning: str
+    current: str
+    driven: str
+    commanded: str
+    plate: str
 
 
 LIGHT = ScenePalette(
@@ -39,6 +49,11 @@ LIGHT = ScenePalette(
     axes=("#d04848", "#3f9a4b", "#3b6fd4"),
     speeds=("#2f6fde", "#e08a1e"),
     fault="#c62828",
+    warning="#a15c00",
+    current="#1f9d55",
+    driven="#0b7a75",
+    commanded="#8a4fc7",
+    plate="#ffffff",
 )
 
 DARK = ScenePalette(
@@ -50,6 +65,11 @@ DARK = ScenePalette(
     axes=("#e06c6c", "#62bd6e", "#6a96ee"),
     speeds=("#5b93f5", "#f0a848"),
     fault="#ef5350",
+    warning="#f0b35a",
+    current="#5fd08d",
+    driven="#4fd1c5",
+    commanded="#c79bf2",
+    plate="#2a3039",
 )
 
 

@@ -15,6 +15,23 @@ if TYPE_CHECKING:
     Array = NDArray[np.float64]
 
 
+@dataclass(frozen=True)
+class FindingMark:
+    """Something that a check has found, where it would happen.
+
+    Attributes:
+        place_mm: in the base frame.
+        is_error: whether it forbids a run; else it is a warning.
+        row: the row it concerns, from 0; None: the whole.
+        text: for the operator.
+    """
+
+    place_mm: tuple[float, float, float]
+    is_error: bool
+    row: int | None
+    text: str
+
+
 @dataclass(frozen=True, eq=False)
 class PathPicture:
     """A path of the tool with its points; compared by identity, for it is never changed.
@@ -25,6 +42,8 @@ class PathPicture:
         marks_mm: (k, 3) the points of the trajectory.
         rows: the row of each mark, from 0.
         bad_rows: rows in which a check found an error.
+        findings: what the check has found, where it would happen.
+        is_numbered: whether the numbers of the rows stand at the marks.
     """
 
     places_mm: Array
@@ -32,6 +51,18 @@ class PathPicture:
     marks_mm: Array
     rows: tuple[int, ...]
     bad_rows: frozenset[int] = frozenset()
+    findings: tuple[FindingMark, ...] = ()
+    is_numbered: bool = True
+
+    def outermost_m(self) -> tuple[tuple[float, float, float], ...]:
+        """The places that reach furthest in each direction, for a view that shows all of it."""
+        outermost: list[tuple[float, float, float]] = []
+        for places in (self.places_mm, self.marks_mm):
+            if len(places):
+                chosen = {int(way) for way in (*places.argmin(axis=0), *places.argmax(axis=0))}
+                outermost += [(x, y, z) for x, y, z in places[sorted(chosen)].tolist()]
+        outermost += [finding.place_mm for finding in self.findings]
+        return tuple((x / 1e3, y / 1e3, z / 1e3) for x, y, z in outermost)
 
 
 @dataclass(frozen=True)
@@ -42,11 +73,39 @@ class Preview:
         path: the tool's path, or None.
         selected_row: the row whose mark stands out, or None.
         ghost_deg: where a second, transparent arm stands; six joint angles as on the bus.
+        current_row: the row the arm is on its way to while the trajectory runs, or None.
     """
 
     path: PathPicture | None = None
     selected_row: int | None = None
     ghost_deg: tuple[float, ...] | None = None
+    current_row: int | None = None
+
+
+@dataclass(frozen=True)
+class Trail:
+    """Where the tool has been, and where it was asked to be; the newest place last.
+
+    Attributes:
+        driven: places in the base frame, three 32-bit floats each, mm.
+        commanded: likewise, of the setpoints that were sent.
+    """
+
+    driven: bytes = b""
+    commanded: bytes = b""
+
+
+@dataclass(frozen=True)
+class Reach:
+    """What the tool's reach is worked out from.
+
+    Attributes:
+        limits_deg: of each joint, the lowest and the highest angle.
+        tool_m: the tool centre point in the flange.
+    """
+
+    limits_deg: tuple[tuple[float, float], ...]
+    tool_m: tuple[float, float, float] = (0.0, 0.0, 0.0)
 
 
 NOTHING = Preview()

@@ -6,13 +6,11 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Final, NamedTuple
 
-from armui.system.paths import URDF
+from armui.arm.models import robot_description
+from armui.protocol.piper_model import PiperModel
 from armui.viewport.camera import HOME_CAMERA, OrbitCamera
 from armui.viewport.palette import LIGHT, ScenePalette
-from armui.viewport.path_picture import NOTHING, Preview
-
-_SAME_ANGLE_DEG: Final = 0.005
-"""Less moves nothing by a pixel: an arm at rest that reports the last digit is not drawn anew."""
+from armui.viewport.path_picture import NOTHING, Preview, Reach, Trail
 
 
 class PickRequest(NamedTuple):
@@ -30,8 +28,8 @@ class RobotChoice(NamedTuple):
     serial: int = 0
 
 
-BUILT_IN_ROBOT: Final = RobotChoice(URDF / "piper.urdf")
-"""The project's own arm."""
+BUILT_IN_ROBOT: Final = RobotChoice(robot_description(PiperModel.PIPER))
+"""The project's own PiPER."""
 
 
 @dataclass(frozen=True)
@@ -50,6 +48,8 @@ class ViewState:
         stale: the angles are no longer fresh.
         highlighted_joint: 1–6 or None.
         preview: what is shown beside the arm.
+        trail: where the tool has been.
+        reach: how far the tool could reach.
         pick: a question to answer along the way.
         mark_pick: likewise, about a mark of the preview.
         viewer: tells views apart that have their pictures drawn by one process, one after another.
@@ -66,13 +66,8 @@ class ViewState:
     stale: bool = False
     highlighted_joint: int | None = None
     preview: Preview = NOTHING
+    trail: Trail | None = None
+    reach: Reach | None = None
     pick: PickRequest | None = None
     mark_pick: PickRequest | None = None
     viewer: int = 0
-
-
-def look_alike(one: tuple[float, ...] | None, other: tuple[float, ...] | None) -> bool:
-    """Whether two poses of the arm, six angles in degrees each, can't be told apart on a screen."""
-    if one is None or other is None:
-        return False
-    return all(abs(a - b) < _SAME_ANGLE_DEG for a, b in zip(one, other, strict=True))

@@ -16,18 +16,6 @@
         <translation>固件版本</translation>
     </message>
     <message>
-        <source>Date of the firmware</source>
-        <translation>固件日期</translation>
-    </message>
-    <message>
-        <source>Hardware</source>
-        <translation>硬件</translation>
-    </message>
-    <message>
-        <source>Node on the bus</source>
-        <translation>总线节点</translation>
-    </message>
-    <message>
         <source>Protocol</source>
         <translation>协议</translation>
     </message>
@@ -74,10 +62,6 @@
     <message>
         <source>Program</source>
         <translation>程序</translation>
-    </message>
-    <message>
-        <source>{type}, number {number}</source>
-        <translation>{type}，编号 {number}</translation>
     </message>
     <message>
         <source>unknown: generation 1 does not tell it</source>
@@ -143,6 +127,42 @@
         <source>unknown</source>
         <translation>未知</translation>
     </message>
+    <message>
+        <source>{model}, as chosen; not compared yet</source>
+        <translation>{model}（操作者选择，尚未核对）</translation>
+    </message>
+    <message>
+        <source>{model}, confirmed by the pose it reports</source>
+        <translation>{model}（与反馈位姿一致，已确认）</translation>
+    </message>
+    <message>
+        <source>{model}, as chosen; other models fit its pose as well</source>
+        <translation>{model}（操作者选择；其它型号也符合当前位姿）</translation>
+    </message>
+    <message>
+        <source>{model}, as chosen; its pose is that of a {other}</source>
+        <translation>{model}（操作者选择；但反馈位姿属于 {other}）</translation>
+    </message>
+    <message>
+        <source>{model}, as chosen; its pose fits none of the models</source>
+        <translation>{model}（操作者选择；反馈位姿不符合任何型号）</translation>
+    </message>
+    <message>
+        <source>Date of the firmware</source>
+        <translation>固件日期</translation>
+    </message>
+    <message>
+        <source>Hardware</source>
+        <translation>硬件</translation>
+    </message>
+    <message>
+        <source>Node on the bus</source>
+        <translation>总线节点</translation>
+    </message>
+    <message>
+        <source>{type}, number {number}</source>
+        <translation>{type}，编号 {number}</translation>
+    </message>
 </context>
 <context>
     <name>AboutArmDialog</name>
@@ -207,6 +227,104 @@
     </message>
 </context>
 <context>
+    <name>Action</name>
+    <message>
+        <source>Enable or disable all motors</source>
+        <translation>全部电机使能或失能</translation>
+    </message>
+    <message>
+        <source>Joint status</source>
+        <translation>关节状态</translation>
+    </message>
+    <message>
+        <source>Session recordings</source>
+        <translation>会话记录</translation>
+    </message>
+    <message>
+        <source>Replay a recording</source>
+        <translation>回放会话记录</translation>
+    </message>
+    <message>
+        <source>Export a recording</source>
+        <translation>导出会话记录</translation>
+    </message>
+    <message>
+        <source>Back up, compare, restore parameters</source>
+        <translation>参数备份、比较、恢复</translation>
+    </message>
+    <message>
+        <source>Language: Chinese or English</source>
+        <translation>语言：中文或英文</translation>
+    </message>
+    <message>
+        <source>Theme: light or dark</source>
+        <translation>主题：浅色或深色</translation>
+    </message>
+    <message>
+        <source>User guide</source>
+        <translation>使用指南</translation>
+    </message>
+    <message>
+        <source>Keyboard shortcuts</source>
+        <translation>快捷键</translation>
+    </message>
+    <message>
+        <source>Close the program</source>
+        <translation>退出程序</translation>
+    </message>
+    <message>
+        <source>MOVE P: to the pose</source>
+        <translation>MOVE P 运动到位姿</translation>
+    </message>
+    <message>
+        <source>MOVE L: on a straight line to the pose</source>
+        <translation>MOVE L 直线运动到位姿</translation>
+    </message>
+    <message>
+        <source>MOVE C: along the arc</source>
+        <translation>MOVE C 沿圆弧运动</translation>
+    </message>
+    <message>
+        <source>Master arm (teaching input arm)</source>
+        <translation>主臂（示教输入臂）</translation>
+    </message>
+    <message>
+        <source>Slave arm (motion output arm)</source>
+        <translation>从臂（运动输出臂）</translation>
+    </message>
+    <message>
+        <source>Pause the planned motion</source>
+        <translation>暂停规划轨迹</translation>
+    </message>
+    <message>
+        <source>Continue the held motion</source>
+        <translation>继续被保持的运动</translation>
+    </message>
+    <message>
+        <source>Terminate the planned motion</source>
+        <translation>终止规划轨迹</translation>
+    </message>
+    <message>
+        <source>Target of</source>
+        <translation>目标</translation>
+    </message>
+    <message>
+        <source>Lamps of</source>
+        <translation>灯光</translation>
+    </message>
+    <message>
+        <source>Press Edit in the panel first.</source>
+        <translation>请先在该面板中按“编辑”。</translation>
+    </message>
+</context>
+<context>
+    <name>AdapterTrouble</name>
+    <message>
+        <source>en</source>
+        <translation>zh</translation>
+    </message>
+</context>
+<context>
     <name>ArcBox</name>
     <message>
         <source>start</source>
@@ -231,10 +349,6 @@
     <message>
         <source>Moves from the start over the middle to the end. Some firmware has no arc.</source>
         <translation>从起点经中点运动到终点。部分固件不支持圆弧。</translation>
-    </message>
-    <message>
-        <source>Arc by three poses</source>
-        <translation>三点圆弧</translation>
     </message>
     <message>
         <source>Capture start</source>
@@ -410,6 +524,13 @@
     </message>
 </context>
 <context>
+    <name>AxisRows</name>
+    <message>
+        <source>Of the speed at the top; without the trigger a fifth</source>
+        <translation>顶部配速的百分比；不扣扳机时为五分之一</translation>
+    </message>
+</context>
+<context>
     <name>BackupDialog</name>
     <message>
         <source>Parameter backup</source>
@@ -496,10 +617,6 @@
         <translation>未打开文件；显示的是机械臂当前的值。</translation>
     </message>
     <message>
-        <source>{name}: saved {time}, {device}, generation {generation}, {firmware}</source>
-        <translation>{name}：保存于 {time}，{device}，第 {generation} 代，{firmware}</translation>
-    </message>
-    <message>
         <source>Stop reading</source>
         <translation>停止读取</translation>
     </message>
@@ -514,6 +631,14 @@
     <message>
         <source>Choose what differs in the table first.</source>
         <translation>请先在表中勾选不同的参数。</translation>
+    </message>
+    <message>
+        <source>{name}: saved {time}, {model}, {device}, generation {generation}, {firmware}</source>
+        <translation>{name}：保存于 {time}，{model}，{device}，第 {generation} 代，{firmware}</translation>
+    </message>
+    <message>
+        <source>The file is from a {filed}, this arm is a {here}: the limits of one may be wrong for the other. Check the values before you restore them.</source>
+        <translation>该文件来自 {filed}，当前机械臂为 {here}：两种型号的限位可能不通用。恢复前请核对数值。</translation>
     </message>
 </context>
 <context>
@@ -748,6 +873,49 @@
     </message>
 </context>
 <context>
+    <name>BusPage</name>
+    <message>
+        <source>Counted since {time}, when opened or cleared: {count} frames</source>
+        <translation>自 {time}（打开或清空）起统计：{count} 帧</translation>
+    </message>
+    <message>
+        <source>Paused: the figures are those of {time}</source>
+        <translation>已暂停：显示的是 {time} 的数值</translation>
+    </message>
+    <message>
+        <source>Generation not known yet: read as generation 2</source>
+        <translation>协议代次未知：暂按第 2 代解读</translation>
+    </message>
+    <message>
+        <source>Show as curve</source>
+        <translation>显示为曲线</translation>
+    </message>
+    <message>
+        <source>Show this identifier alone</source>
+        <translation>只显示该 ID</translation>
+    </message>
+    <message>
+        <source>Copy {frame}</source>
+        <translation>复制 {frame}</translation>
+    </message>
+    <message>
+        <source>Into the fields for sending</source>
+        <translation>填入发送栏</translation>
+    </message>
+    <message>
+        <source>Bus monitor</source>
+        <translation>总线监视</translation>
+    </message>
+    <message>
+        <source>Frames by identifier</source>
+        <translation>按 ID 排列的帧</translation>
+    </message>
+    <message>
+        <source>Frames in order of time</source>
+        <translation>按时间排列的帧</translation>
+    </message>
+</context>
+<context>
     <name>BusSummary</name>
     <message>
         <source>{count} frames were lost before the program could read them: the computer is too busy, or the adapter too slow. What is shown is not all that was on the bus.</source>
@@ -795,46 +963,22 @@
     </message>
 </context>
 <context>
-    <name>BusWindow</name>
+    <name>ButtonRows</name>
     <message>
-        <source>Counted since {time}, when opened or cleared: {count} frames</source>
-        <translation>自 {time}（打开或清空）起统计：{count} 帧</translation>
+        <source>Pressed: {buttons}</source>
+        <translation>按下：{buttons}</translation>
     </message>
     <message>
-        <source>Paused: the figures are those of {time}</source>
-        <translation>已暂停：显示的是 {time} 的数值</translation>
+        <source>No button</source>
+        <translation>不分配</translation>
     </message>
     <message>
-        <source>Generation not known yet: read as generation 2</source>
-        <translation>协议代次未知：暂按第 2 代解读</translation>
+        <source>The buttons as they are at first</source>
+        <translation>恢复为初始的按键分配</translation>
     </message>
     <message>
-        <source>Show as curve</source>
-        <translation>显示为曲线</translation>
-    </message>
-    <message>
-        <source>Show this identifier alone</source>
-        <translation>只显示该 ID</translation>
-    </message>
-    <message>
-        <source>Copy {frame}</source>
-        <translation>复制 {frame}</translation>
-    </message>
-    <message>
-        <source>Into the fields for sending</source>
-        <translation>填入发送栏</translation>
-    </message>
-    <message>
-        <source>Bus monitor</source>
-        <translation>总线监视</translation>
-    </message>
-    <message>
-        <source>Frames by identifier</source>
-        <translation>按 ID 排列的帧</translation>
-    </message>
-    <message>
-        <source>Frames in order of time</source>
-        <translation>按时间排列的帧</translation>
+        <source>Restore</source>
+        <translation>恢复默认</translation>
     </message>
 </context>
 <context>
@@ -942,7 +1086,14 @@
     </message>
 </context>
 <context>
-    <name>ColumnsDialog</name>
+    <name>ColumnsOffer</name>
+    <message>
+        <source>Import by columns…</source>
+        <translation>按列导入…</translation>
+    </message>
+</context>
+<context>
+    <name>ColumnsPage</name>
     <message>
         <source>Importing {count} rows…</source>
         <translation>正在导入 {count} 行…</translation>
@@ -1001,10 +1152,33 @@
     </message>
 </context>
 <context>
-    <name>ColumnsOffer</name>
+    <name>CommandPalette</name>
     <message>
-        <source>Import by columns…</source>
-        <translation>按列导入…</translation>
+        <source>Nothing is called so. Chinese, English, pinyin and initials are found.</source>
+        <translation>没有这样的名称。可按中文、英文、拼音或拼音首字母查找。</translation>
+    </message>
+    <message>
+        <source>Commands</source>
+        <translation>命令</translation>
+    </message>
+    <message>
+        <source>Name, pinyin or initials, in Chinese or English</source>
+        <translation>名称、拼音或首字母，中英文均可</translation>
+    </message>
+    <message>
+        <source>Search for a command</source>
+        <translation>查找命令</translation>
+    </message>
+    <message>
+        <source>Commands found</source>
+        <translation>找到的命令</translation>
+    </message>
+</context>
+<context>
+    <name>CommandsButton</name>
+    <message>
+        <source>Commands</source>
+        <translation>命令</translation>
     </message>
 </context>
 <context>
@@ -1427,6 +1601,25 @@
     </message>
 </context>
 <context>
+    <name>Drawer</name>
+    <message>
+        <source>Takes this page out into a window of its own, for a second screen.</source>
+        <translation>把本页移到独立窗口，例如放到第二块屏幕上。</translation>
+    </message>
+    <message>
+        <source>Own window</source>
+        <translation>独立窗口</translation>
+    </message>
+    <message>
+        <source>Fold away</source>
+        <translation>收起</translation>
+    </message>
+    <message>
+        <source>Folds the drawer away (Esc)</source>
+        <translation>收起抽屉 (Esc)</translation>
+    </message>
+</context>
+<context>
     <name>DropStrip</name>
     <message>
         <source>Drag a quantity into a plot, or here for a plot of its own</source>
@@ -1507,9 +1700,43 @@
         <source>Check</source>
         <translation>检查</translation>
     </message>
+    <message>
+        <source>Jog</source>
+        <translation>点动</translation>
+    </message>
 </context>
 <context>
-    <name>EditorWindow</name>
+    <name>EditorHint</name>
+    <message>
+        <source>Insert current pose</source>
+        <translation>插入当前位姿</translation>
+    </message>
+    <message>
+        <source>Enter a point</source>
+        <translation>手动输入一点</translation>
+    </message>
+    <message>
+        <source>No points yet</source>
+        <translation>还没有点</translation>
+    </message>
+    <message>
+        <source>Bring the arm to the first point, by the jog buttons or by hand, and insert where it is. Or enter a point as figures. Then the next one.</source>
+        <translation>用点动按钮或用手把机械臂带到第一个点，再插入当前位姿；也可以直接输入数值。</translation>
+    </message>
+</context>
+<context>
+    <name>EditorJog</name>
+    <message>
+        <source>Insert current pose</source>
+        <translation>插入当前位姿</translation>
+    </message>
+    <message>
+        <source>Makes a point of where the arm is now, after the chosen row.</source>
+        <translation>在所选行之后，把机械臂当前位姿插入为一个点。</translation>
+    </message>
+</context>
+<context>
+    <name>EditorPage</name>
     <message>
         <source>Note</source>
         <translation>备注</translation>
@@ -1521,22 +1748,6 @@
     <message>
         <source>These changes were not saved when the program ended. Save them, or undo them.</source>
         <translation>程序结束时这些更改未保存。请保存，或撤销。</translation>
-    </message>
-    <message>
-        <source>Not found</source>
-        <translation>未找到</translation>
-    </message>
-    <message>
-        <source>{place} of {count}</source>
-        <translation>第 {place} 处，共 {count} 处</translation>
-    </message>
-    <message>
-        <source>Replace</source>
-        <translation>替换</translation>
-    </message>
-    <message>
-        <source>{count} replaced</source>
-        <translation>已替换 {count} 处</translation>
     </message>
     <message>
         <source>Ended at row {row}. {reason}</source>
@@ -1801,6 +2012,41 @@
     </message>
 </context>
 <context>
+    <name>EventPage</name>
+    <message>
+        <source>Show in the curves</source>
+        <translation>在曲线中显示</translation>
+    </message>
+    <message>
+        <source>Show its end in the curves</source>
+        <translation>在曲线中显示其结束</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>复制</translation>
+    </message>
+    <message>
+        <source>Only this kind</source>
+        <translation>仅此类别</translation>
+    </message>
+    <message>
+        <source>Only from here</source>
+        <translation>仅此来源</translation>
+    </message>
+    <message>
+        <source>Show all</source>
+        <translation>显示全部</translation>
+    </message>
+    <message>
+        <source>Events</source>
+        <translation>事件</translation>
+    </message>
+    <message>
+        <source>Double-click: show the moment in the curves</source>
+        <translation>双击：在曲线中显示该时刻</translation>
+    </message>
+</context>
+<context>
     <name>EventTable</name>
     <message>
         <source>Time</source>
@@ -1869,41 +2115,6 @@
     <message>
         <source>Level</source>
         <translation>级别</translation>
-    </message>
-</context>
-<context>
-    <name>EventWindow</name>
-    <message>
-        <source>Show in the curves</source>
-        <translation>在曲线中显示</translation>
-    </message>
-    <message>
-        <source>Show its end in the curves</source>
-        <translation>在曲线中显示其结束</translation>
-    </message>
-    <message>
-        <source>Copy</source>
-        <translation>复制</translation>
-    </message>
-    <message>
-        <source>Only this kind</source>
-        <translation>仅此类别</translation>
-    </message>
-    <message>
-        <source>Only from here</source>
-        <translation>仅此来源</translation>
-    </message>
-    <message>
-        <source>Show all</source>
-        <translation>显示全部</translation>
-    </message>
-    <message>
-        <source>Events</source>
-        <translation>事件</translation>
-    </message>
-    <message>
-        <source>Double-click: show the moment in the curves</source>
-        <translation>双击：在曲线中显示该时刻</translation>
     </message>
 </context>
 <context>
@@ -2028,6 +2239,10 @@
         <source>{count:,} of them are none of the arm&apos;s.</source>
         <translation>其中 {count:,} 帧不是机械臂的帧。</translation>
     </message>
+    <message>
+        <source>A folder with a file for each message: every frame with its time, decoded into signals with their units.</source>
+        <translation>一个文件夹，每种报文一个文件：每一帧带时间，解码为带单位的信号。</translation>
+    </message>
 </context>
 <context>
     <name>ExportForm</name>
@@ -2126,6 +2341,14 @@
     <message>
         <source>beside the recording</source>
         <translation>与记录同一文件夹</translation>
+    </message>
+    <message>
+        <source>CSV per message</source>
+        <translation>CSV（按报文）</translation>
+    </message>
+    <message>
+        <source>Choose where the folder of the export shall be</source>
+        <translation>选择导出文件夹的位置</translation>
     </message>
 </context>
 <context>
@@ -2293,6 +2516,25 @@
     <message>
         <source>Close</source>
         <translation>关闭</translation>
+    </message>
+</context>
+<context>
+    <name>Finder</name>
+    <message>
+        <source>Not found</source>
+        <translation>未找到</translation>
+    </message>
+    <message>
+        <source>{place} of {count}</source>
+        <translation>第 {place} 处，共 {count} 处</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>替换</translation>
+    </message>
+    <message>
+        <source>{count} replaced</source>
+        <translation>已替换 {count} 处</translation>
     </message>
 </context>
 <context>
@@ -2580,18 +2822,6 @@
         <translation>J{joint} MIT 设定值</translation>
     </message>
     <message>
-        <source>CPV of J{joint}</source>
-        <translation>J{joint} 的 CPV 指令</translation>
-    </message>
-    <message>
-        <source>CPV of the gripper</source>
-        <translation>夹爪的 CPV 指令</translation>
-    </message>
-    <message>
-        <source>Leader arm to zero</source>
-        <translation>主臂回零</translation>
-    </message>
-    <message>
         <source>Driver of J{joint}, fast values</source>
         <translation>J{joint} 驱动器高速反馈</translation>
     </message>
@@ -2630,18 +2860,6 @@
     <message>
         <source>Gripper</source>
         <translation>夹爪反馈</translation>
-    </message>
-    <message>
-        <source>Solution of the pose J1, J2</source>
-        <translation>位姿逆解 J1、J2</translation>
-    </message>
-    <message>
-        <source>Solution of the pose J3, J4</source>
-        <translation>位姿逆解 J3、J4</translation>
-    </message>
-    <message>
-        <source>Solution of the pose J5, J6</source>
-        <translation>位姿逆解 J5、J6</translation>
     </message>
     <message>
         <source>Bus silence</source>
@@ -2708,6 +2926,38 @@
         <translation>应答：示教手柄与夹爪</translation>
     </message>
     <message>
+        <source>End motion, part of J{joint}</source>
+        <translation>末端运动，J{joint} 分量</translation>
+    </message>
+    <message>
+        <source>Firmware version</source>
+        <translation>固件版本</translation>
+    </message>
+    <message>
+        <source>CPV of J{joint}</source>
+        <translation>J{joint} 的 CPV 指令</translation>
+    </message>
+    <message>
+        <source>CPV of the gripper</source>
+        <translation>夹爪的 CPV 指令</translation>
+    </message>
+    <message>
+        <source>Leader arm to zero</source>
+        <translation>主臂回零</translation>
+    </message>
+    <message>
+        <source>Solution of the pose J1, J2</source>
+        <translation>位姿逆解 J1、J2</translation>
+    </message>
+    <message>
+        <source>Solution of the pose J3, J4</source>
+        <translation>位姿逆解 J3、J4</translation>
+    </message>
+    <message>
+        <source>Solution of the pose J5, J6</source>
+        <translation>位姿逆解 J5、J6</translation>
+    </message>
+    <message>
         <source>Setting: drag assistance</source>
         <translation>设置：拖动助力</translation>
     </message>
@@ -2715,13 +2965,199 @@
         <source>Answer: drag assistance</source>
         <translation>应答：拖动助力</translation>
     </message>
+</context>
+<context>
+    <name>GamepadAction</name>
     <message>
-        <source>End motion, part of J{joint}</source>
-        <translation>末端运动，J{joint} 分量</translation>
+        <source>Dead man (hold to move)</source>
+        <translation>使能键（按住才能动）</translation>
     </message>
     <message>
-        <source>Firmware version</source>
-        <translation>固件版本</translation>
+        <source>Emergency stop</source>
+        <translation>急停</translation>
+    </message>
+    <message>
+        <source>Halt</source>
+        <translation>停住</translation>
+    </message>
+    <message>
+        <source>Next mode</source>
+        <translation>切换模式</translation>
+    </message>
+</context>
+<context>
+    <name>GamepadAxis</name>
+    <message>
+        <source>Left stick ↔</source>
+        <translation>左摇杆 ↔</translation>
+    </message>
+    <message>
+        <source>Left stick ↕</source>
+        <translation>左摇杆 ↕</translation>
+    </message>
+    <message>
+        <source>Right stick ↔</source>
+        <translation>右摇杆 ↔</translation>
+    </message>
+    <message>
+        <source>Right stick ↕</source>
+        <translation>右摇杆 ↕</translation>
+    </message>
+    <message>
+        <source>Right trigger</source>
+        <translation>右扳机（速度）</translation>
+    </message>
+    <message>
+        <source>D-pad ↕</source>
+        <translation>方向键 ↕</translation>
+    </message>
+    <message>
+        <source>D-pad ↔</source>
+        <translation>方向键 ↔</translation>
+    </message>
+    <message>
+        <source>Push away / pull</source>
+        <translation>前推 / 后拉</translation>
+    </message>
+    <message>
+        <source>Push left / right</source>
+        <translation>左推 / 右推</translation>
+    </message>
+    <message>
+        <source>Lift / press</source>
+        <translation>上提 / 下压</translation>
+    </message>
+    <message>
+        <source>Tilt left / right</source>
+        <translation>左倾 / 右倾</translation>
+    </message>
+    <message>
+        <source>Tilt away / towards</source>
+        <translation>前倾 / 后倾</translation>
+    </message>
+    <message>
+        <source>Turn</source>
+        <translation>旋转</translation>
+    </message>
+</context>
+<context>
+    <name>GamepadButton</name>
+    <message>
+        <source>Button {number}</source>
+        <translation>按键 {number}</translation>
+    </message>
+</context>
+<context>
+    <name>GamepadDialog</name>
+    <message>
+        <source>Not installed: {packages}. In a terminal: {command}</source>
+        <translation>未安装：{packages}。请在终端中运行：{command}</translation>
+    </message>
+    <message>
+        <source>Found, but cannot be used (layout not known, or no permission): {names}</source>
+        <translation>已发现但无法使用（布局未知或没有权限）：{names}</translation>
+    </message>
+    <message>
+        <source>No device found. Plug one in, or switch it on and pair it.</source>
+        <translation>未发现设备。请插入设备，或打开设备电源并配对。</translation>
+    </message>
+    <message>
+        <source>Gamepad and SpaceMouse</source>
+        <translation>手柄与 SpaceMouse</translation>
+    </message>
+    <message>
+        <source>Jog by gamepad or SpaceMouse</source>
+        <translation>用手柄或 SpaceMouse 点动</translation>
+    </message>
+    <message>
+        <source>Only the axis that was pushed first moves, until all are at rest again</source>
+        <translation>只有最先推动的轴会动，直到所有轴都回中</translation>
+    </message>
+    <message>
+        <source>One axis at a time</source>
+        <translation>一次只动一个轴</translation>
+    </message>
+    <message>
+        <source>Device</source>
+        <translation>设备</translation>
+    </message>
+    <message>
+        <source>None found</source>
+        <translation>未发现</translation>
+    </message>
+    <message>
+        <source>Moves</source>
+        <translation>控制</translation>
+    </message>
+    <message>
+        <source>Axes</source>
+        <translation>摇杆与轴</translation>
+    </message>
+    <message>
+        <source>Buttons</source>
+        <translation>按键</translation>
+    </message>
+    <message>
+        <source>Nothing moves while this window is in front: try everything here. In the main window hold the dead-man button, then push an axis; letting go of either stops. The buttons for emergency stop and halt work at any time, in every window.</source>
+        <translation>本窗口在前时机械臂不会动，可以放心试按。在主窗口中先按住使能键，再推动摇杆；松开任何一个即停止。急停和停住按键在任何窗口中随时有效。</translation>
+    </message>
+    <message>
+        <source>Copy the command</source>
+        <translation>复制命令</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>关闭</translation>
+    </message>
+</context>
+<context>
+    <name>GamepadMode</name>
+    <message>
+        <source>Joints</source>
+        <translation>关节</translation>
+    </message>
+    <message>
+        <source>Base frame</source>
+        <translation>基坐标系</translation>
+    </message>
+    <message>
+        <source>Tool frame</source>
+        <translation>工具坐标系</translation>
+    </message>
+</context>
+<context>
+    <name>GamepadStrip</name>
+    <message>
+        <source>{device} · {mode} · hold {button} and push an axis to jog</source>
+        <translation>{device} · {mode} · 按住 {button} 并推动摇杆即可点动</translation>
+    </message>
+    <message>
+        <source>{device} · {mode} · dead man held, ready</source>
+        <translation>{device} · {mode} · 使能键已按住，可以推动摇杆</translation>
+    </message>
+    <message>
+        <source>{device} · {mode} · jogging {axes}</source>
+        <translation>{device} · {mode} · 正在点动 {axes}</translation>
+    </message>
+    <message>
+        <source>{device} · {mode} · let every axis back to its centre</source>
+        <translation>{device} · {mode} · 请先让所有摇杆回中</translation>
+    </message>
+    <message>
+        <source>{device} · let go of {button}, then press it anew</source>
+        <translation>{device} · 请松开 {button} 后重新按下</translation>
+    </message>
+    <message>
+        <source>Gamepad: {packages} not installed. Install with pip: armui[gamepad]</source>
+        <translation>手柄：未安装 {packages}，请用 pip 安装 armui[gamepad]</translation>
+    </message>
+    <message>
+        <source>Gamepad: {problem}</source>
+        <translation>手柄：{problem}</translation>
+    </message>
+    <message>
+        <source>Gamepad: none found. Plug one in or switch it on.</source>
+        <translation>手柄：未发现设备，请插入或打开设备电源。</translation>
     </message>
 </context>
 <context>
@@ -2912,6 +3348,29 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
     </message>
 </context>
 <context>
+    <name>GuideWindow</name>
+    <message>
+        <source>User guide</source>
+        <translation>使用指南</translation>
+    </message>
+    <message>
+        <source>Search the guide</source>
+        <translation>在指南中查找</translation>
+    </message>
+    <message>
+        <source>Contents</source>
+        <translation>目录</translation>
+    </message>
+    <message>
+        <source>Text of the guide</source>
+        <translation>指南正文</translation>
+    </message>
+    <message>
+        <source>en</source>
+        <translation>zh</translation>
+    </message>
+</context>
+<context>
     <name>HaltButton</name>
     <message>
         <source>Halt</source>
@@ -3055,6 +3514,46 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
         <source>X, Y and Z of the base, from the middle of its foot</source>
         <translation>基座坐标系的 X、Y、Z 轴，原点在底座中心</translation>
     </message>
+    <message>
+        <source>Ctrl+1 … Ctrl+4</source>
+        <translation>Ctrl+1 … Ctrl+4</translation>
+    </message>
+    <message>
+        <source>Front, side, top and oblique view</source>
+        <translation>前视、侧视、俯视、轴测视图</translation>
+    </message>
+    <message>
+        <source>Ctrl+5, Ctrl+9</source>
+        <translation>Ctrl+5、Ctrl+9</translation>
+    </message>
+    <message>
+        <source>Follow the tool; show all of the arm</source>
+        <translation>跟随末端；显示整个机械臂</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+D</source>
+        <translation>Ctrl+Shift+D</translation>
+    </message>
+    <message>
+        <source>Handles: drag the target, or the chosen point; Ctrl and Shift snap, Esc gives up</source>
+        <translation>手柄：拖动目标或所选点；按住 Ctrl、Shift 按步进，Esc 放弃</translation>
+    </message>
+    <message>
+        <source>Band along the way</source>
+        <translation>沿途的色带</translation>
+    </message>
+    <message>
+        <source>Where the tool has been; thin violet: the setpoints sent one after another</source>
+        <translation>末端走过的路径；紫色细线：依次发送的目标点</translation>
+    </message>
+    <message>
+        <source>Octagon, triangle</source>
+        <translation>八角形、三角形</translation>
+    </message>
+    <message>
+        <source>An error or a warning of the check, where it would happen: click for its row</source>
+        <translation>检查发现的错误或警告及其位置：点击转到对应行</translation>
+    </message>
 </context>
 <context>
     <name>HelpDialog</name>
@@ -3107,6 +3606,44 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
     <message>
         <source>outside its table: {signals}</source>
         <translation>超出取值表：{signals}</translation>
+    </message>
+</context>
+<context>
+    <name>JogBox</name>
+    <message>
+        <source>Joints</source>
+        <translation>关节</translation>
+    </message>
+    <message>
+        <source>Base axes</source>
+        <translation>基坐标系</translation>
+    </message>
+    <message>
+        <source>Tool axes</source>
+        <translation>工具坐标系</translation>
+    </message>
+    <message>
+        <source>Step of − and +</source>
+        <translation>− 和 + 的步长</translation>
+    </message>
+    <message>
+        <source>How far one press of − or + moves</source>
+        <translation>每按一次 − 或 + 移动多少</translation>
+    </message>
+</context>
+<context>
+    <name>JogCell</name>
+    <message>
+        <source>{name} minus</source>
+        <translation>{name} 减</translation>
+    </message>
+    <message>
+        <source>{name} plus</source>
+        <translation>{name} 加</translation>
+    </message>
+    <message>
+        <source>Measured {name}</source>
+        <translation>测得的 {name}</translation>
     </message>
 </context>
 <context>
@@ -3396,6 +3933,10 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
     <message>
         <source>Click here to jog by keys.</source>
         <translation>点击此处后可用键盘点动。</translation>
+    </message>
+    <message>
+        <source>Jogging is not possible now.</source>
+        <translation>现在不能点动。</translation>
     </message>
 </context>
 <context>
@@ -3700,7 +4241,7 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
     </message>
 </context>
 <context>
-    <name>LibraryWindow</name>
+    <name>LibraryPage</name>
     <message>
         <source>“{name}” is not saved yet. Open it and save it first.</source>
         <translation>“{name}”尚未保存，请先打开并保存。</translation>
@@ -3966,6 +4507,76 @@ Lamps give no feedback: this is only what will be sent.</source>
     <message>
         <source>Angle (°)</source>
         <translation>角度（°）</translation>
+    </message>
+</context>
+<context>
+    <name>ModelChoice</name>
+    <message>
+        <source>The simulated arm is this model.</source>
+        <translation>仿真机械臂即为所选型号。</translation>
+    </message>
+    <message>
+        <source>No frame names the model: it is compared afterwards.</source>
+        <translation>总线上没有型号信息：连接后会自动核对。</translation>
+    </message>
+    <message>
+        <source>The pose this arm reports is that of a {fits}: choose it and press Connect.</source>
+        <translation>该机械臂反馈的位姿属于 {fits}：请选择该型号并点击“连接”。</translation>
+    </message>
+    <message>
+        <source>The pose this arm reports fits none of the models.</source>
+        <translation>该机械臂反馈的位姿不符合任何型号。</translation>
+    </message>
+    <message>
+        <source>Confirmed by the pose the arm reports.</source>
+        <translation>与机械臂反馈的位姿一致，已确认。</translation>
+    </message>
+    <message>
+        <source>Fits the pose the arm reports; so do others. Move a joint to decide.</source>
+        <translation>符合机械臂反馈的位姿，但其它型号也符合。移动一个关节即可判定。</translation>
+    </message>
+    <message>
+        <source>Not compared yet: the arm must stand still.</source>
+        <translation>尚未核对：需要机械臂静止。</translation>
+    </message>
+    <message>
+        <source>Model of the arm</source>
+        <translation>机械臂型号</translation>
+    </message>
+    <message>
+        <source>Its lengths decide where the tool is. The limits of the joints are always read from the arm.</source>
+        <translation>型号决定各连杆长度，从而决定末端位置。关节限位始终从机械臂读取。</translation>
+    </message>
+</context>
+<context>
+    <name>ModelMark</name>
+    <message>
+        <source>{model}? The pose is that of a {other}</source>
+        <translation>{model}？位姿属于 {other}</translation>
+    </message>
+    <message>
+        <source>Click to connect it as a {other}.</source>
+        <translation>点击以 {other} 重新连接。</translation>
+    </message>
+    <message>
+        <source>{model}? The pose fits none</source>
+        <translation>{model}？位姿不符合任何型号</translation>
+    </message>
+    <message>
+        <source>The pose the arm reports fits none of the models.</source>
+        <translation>机械臂反馈的位姿不符合任何型号。</translation>
+    </message>
+    <message>
+        <source>Model of the arm, confirmed by the pose it reports.</source>
+        <translation>机械臂型号，与反馈的位姿一致，已确认。</translation>
+    </message>
+    <message>
+        <source>Model of the arm, as chosen; not compared yet.</source>
+        <translation>机械臂型号（操作者选择），尚未核对。</translation>
+    </message>
+    <message>
+        <source>Model of the arm: {text}</source>
+        <translation>机械臂型号：{text}</translation>
     </message>
 </context>
 <context>
@@ -4348,12 +4959,16 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>已没有其他程序控制机械臂。</translation>
     </message>
     <message>
-        <source>Taken over: this program may move the arm.</source>
-        <translation>已接管：本程序可以移动机械臂。</translation>
+        <source>Connected as a {chosen}, but the pose it reports is that of a {fits}. Connect it as a {fits}.</source>
+        <translation>连接时选择的型号是 {chosen}，但其反馈的位姿属于 {fits}。请按 {fits} 重新连接。</translation>
     </message>
     <message>
-        <source>Told the arm to leave the other program&apos;s mode and to hold where it stands.</source>
-        <translation>已通知机械臂退出另一程序的模式，并保持在当前位置。</translation>
+        <source>The pose the arm reports fits its angles in no model of the family, {chosen} included.</source>
+        <translation>机械臂反馈的位姿与关节角度不符合任何型号（包括 {chosen}）。</translation>
+    </message>
+    <message>
+        <source>Taken over: this program may move the arm.</source>
+        <translation>已接管：本程序可以移动机械臂。</translation>
     </message>
     <message>
         <source>The arm was told to end its motion and still moves. Stop it, or cut its power.</source>
@@ -4426,10 +5041,6 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     <message>
         <source>Joint {joint}: the arm did not confirm within a second the command to clear the error. Try again; if it stays silent, check the CAN cable.</source>
         <translation>关节 {joint}：机械臂在 1 秒内没有应答清除错误指令。请重试；若仍无应答，请检查 CAN 线缆。</translation>
-    </message>
-    <message>
-        <source>Mounting sent: {mounting}. The arm does not tell it back.</source>
-        <translation>已发送安装方式：{mounting}。机械臂不会回报。</translation>
     </message>
     <message>
         <source>End load sent: {load}</source>
@@ -4628,6 +5239,14 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>录制完成：{count} 个采样，{seconds} 秒</translation>
     </message>
     <message>
+        <source>Also saved as MF4: {name}.mf4</source>
+        <translation>已另存为 MF4：{name}.mf4</translation>
+    </message>
+    <message>
+        <source>No .mf4 file of {name}: {reason} The recording is whole as .blf.</source>
+        <translation>{name} 未生成 .mf4 文件：{reason} .blf 记录完整无缺。</translation>
+    </message>
+    <message>
         <source>Device open: {device}</source>
         <translation>设备已打开：{device}</translation>
     </message>
@@ -4775,6 +5394,26 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <source>What just happened could not be saved: {reason}</source>
         <translation>无法保存刚才发生的事：{reason}</translation>
     </message>
+    <message>
+        <source>{device} jogs {axes} (joints)</source>
+        <translation>{device} 点动 {axes}（关节）</translation>
+    </message>
+    <message>
+        <source>{device} jogs {axes} (base frame)</source>
+        <translation>{device} 点动 {axes}（基坐标系）</translation>
+    </message>
+    <message>
+        <source>{device} jogs {axes} (tool frame)</source>
+        <translation>{device} 点动 {axes}（工具坐标系）</translation>
+    </message>
+    <message>
+        <source>Told the arm to leave the other program&apos;s mode and to hold where it stands.</source>
+        <translation>已通知机械臂退出另一程序的模式，并保持在当前位置。</translation>
+    </message>
+    <message>
+        <source>Mounting sent: {mounting}. The arm does not tell it back.</source>
+        <translation>已发送安装方式：{mounting}。机械臂不会回报。</translation>
+    </message>
 </context>
 <context>
     <name>Observed</name>
@@ -4903,6 +5542,40 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     </message>
 </context>
 <context>
+    <name>PageBar</name>
+    <message>
+        <source>the panel</source>
+        <translation>面板</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>返回</translation>
+    </message>
+    <message>
+        <source>Back to {where} (Esc)</source>
+        <translation>返回{where} (Esc)</translation>
+    </message>
+    <message>
+        <source>Own window</source>
+        <translation>独立窗口</translation>
+    </message>
+    <message>
+        <source>Takes this page out into a window of its own, for a second screen.</source>
+        <translation>把本页移到独立窗口，例如放到第二块屏幕上。</translation>
+    </message>
+</context>
+<context>
+    <name>PageWindow</name>
+    <message>
+        <source>Put back</source>
+        <translation>放回</translation>
+    </message>
+    <message>
+        <source>Puts this page back beside the 3D picture.</source>
+        <translation>把本页放回 3D 画面旁边。</translation>
+    </message>
+</context>
+<context>
     <name>Parameter</name>
     <message>
         <source>Max. angle</source>
@@ -4939,10 +5612,6 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     <message>
         <source>Collision level</source>
         <translation>碰撞等级</translation>
-    </message>
-    <message>
-        <source>Drag assistance</source>
-        <translation>拖动助力</translation>
     </message>
     <message>
         <source>Teaching range</source>
@@ -5032,6 +5701,10 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <source>Possible: {minimum} to {maximum}</source>
         <translation>可设范围：{minimum} 至 {maximum}</translation>
     </message>
+    <message>
+        <source>Drag assistance</source>
+        <translation>拖动助力</translation>
+    </message>
 </context>
 <context>
     <name>ParameterButtons</name>
@@ -5105,6 +5778,60 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     <message>
         <source>Shows what the arm holds again.</source>
         <translation>重新显示机械臂中的值。</translation>
+    </message>
+</context>
+<context>
+    <name>PictureExport</name>
+    <message>
+        <source>Picture copied</source>
+        <translation>画面已复制</translation>
+    </message>
+    <message>
+        <source>Save picture</source>
+        <translation>保存画面</translation>
+    </message>
+    <message>
+        <source>There is no picture of now to be taken: wait until it is drawn.</source>
+        <translation>当前画面尚未绘制完成，请稍候再试。</translation>
+    </message>
+    <message>
+        <source>Not saved: {path}. {reason}</source>
+        <translation>未保存：{path}。{reason}</translation>
+    </message>
+    <message>
+        <source>Saved: {path}</source>
+        <translation>已保存：{path}</translation>
+    </message>
+</context>
+<context>
+    <name>Place</name>
+    <message>
+        <source>In every window</source>
+        <translation>所有窗口</translation>
+    </message>
+    <message>
+        <source>Main window</source>
+        <translation>主窗口</translation>
+    </message>
+    <message>
+        <source>3D view</source>
+        <translation>3D 视图</translation>
+    </message>
+    <message>
+        <source>Jogging by keys</source>
+        <translation>键盘点动</translation>
+    </message>
+    <message>
+        <source>Panels with parameters</source>
+        <translation>参数面板</translation>
+    </message>
+    <message>
+        <source>Trajectory editor</source>
+        <translation>轨迹编辑器</translation>
+    </message>
+    <message>
+        <source>Replay</source>
+        <translation>回放</translation>
     </message>
 </context>
 <context>
@@ -5222,7 +5949,7 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     </message>
 </context>
 <context>
-    <name>PlotWindow</name>
+    <name>PlotPage</name>
     <message>
         <source>The arrangement of the plots could not be kept: {text}</source>
         <translation>无法保存曲线布局：{text}</translation>
@@ -5366,6 +6093,13 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     </message>
 </context>
 <context>
+    <name>PointTarget</name>
+    <message>
+        <source>Drag in the picture</source>
+        <translation>在画面中拖动</translation>
+    </message>
+</context>
+<context>
     <name>PointsModel</name>
     <message>
         <source>J{joint} all</source>
@@ -5406,6 +6140,17 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     <message>
         <source>Move</source>
         <translation>移动</translation>
+    </message>
+</context>
+<context>
+    <name>PoseExtras</name>
+    <message>
+        <source>Arc by three poses</source>
+        <translation>三点圆弧</translation>
+    </message>
+    <message>
+        <source>Tool centre point</source>
+        <translation>工具中心点</translation>
     </message>
 </context>
 <context>
@@ -5805,8 +6550,16 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>最近几分钟始终保留在内存中。</translation>
     </message>
     <message>
+        <source>Making the .mf4 file of {name}…</source>
+        <translation>正在生成 {name} 的 .mf4 文件…</translation>
+    </message>
+    <message>
         <source>Opening the file…</source>
         <translation>正在打开文件…</translation>
+    </message>
+    <message>
+        <source>Recorded as .blf; the .mf4 file is made of it at the end.</source>
+        <translation>先记录为 .blf，结束后由它生成 .mf4 文件。</translation>
     </message>
     <message>
         <source>{length} · {frames} frames · {size} · {rate}/s</source>
@@ -5845,7 +6598,7 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     </message>
 </context>
 <context>
-    <name>RecordingWindow</name>
+    <name>RecordingPage</name>
     <message>
         <source>Recording</source>
         <translation>录制</translation>
@@ -5970,10 +6723,6 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>复位…</translation>
     </message>
     <message>
-        <source>Take back…</source>
-        <translation>收回控制…</translation>
-    </message>
-    <message>
         <source>Stop recording</source>
         <translation>结束示教记录</translation>
     </message>
@@ -6009,6 +6758,10 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <source>Withdraw…</source>
         <translation>撤回…</translation>
     </message>
+    <message>
+        <source>Take back…</source>
+        <translation>收回控制…</translation>
+    </message>
 </context>
 <context>
     <name>RecoveryDanger</name>
@@ -6019,10 +6772,6 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     <message>
         <source>Reset the arm</source>
         <translation>复位机械臂</translation>
-    </message>
-    <message>
-        <source>Take the arm back</source>
-        <translation>收回机械臂的控制</translation>
     </message>
     <message>
         <source>Lead the arm by hand</source>
@@ -6043,12 +6792,6 @@ Afterwards the motors must be enabled again.</source>
         <translation>先急停：电机失去保持力，机械臂会缓慢下沉；随后恢复会断电：机械臂会下落，请扶住机械臂。</translation>
     </message>
     <message>
-        <source>The arm changes back to its own control and is told to hold where it stands. Between the two its joints are limp for a moment: it may sag, and drop if the second message is lost. Hold the arm.
-The other program must have ended.</source>
-        <translation>机械臂将切回自身的控制方式，并被告知保持在当前位置。两条指令之间关节会短暂失力：机械臂可能下沉，若第二条指令丢失则会下落。请扶住机械臂。
-另一程序必须已经结束。</translation>
-    </message>
-    <message>
         <source>The arm will give way to the hand and starts a new recording; the one it holds is lost. Hold the arm.
 Lead it near its rest pose, then stop recording.</source>
         <translation>机械臂将进入拖动示教模式并开始新的记录，原有记录会丢失。请扶住机械臂。
@@ -6065,6 +6808,16 @@ Lead it near its rest pose, then stop recording.</source>
     <message>
         <source>The arm is not stopped: it goes on with whatever it is doing, and obeys again. Look at the arm before.</source>
         <translation>机械臂不会停止：它将继续正在做的动作，并重新服从指令。请先看清机械臂。</translation>
+    </message>
+    <message>
+        <source>Take the arm back</source>
+        <translation>收回机械臂的控制</translation>
+    </message>
+    <message>
+        <source>The arm changes back to its own control and is told to hold where it stands. Between the two its joints are limp for a moment: it may sag, and drop if the second message is lost. Hold the arm.
+The other program must have ended.</source>
+        <translation>机械臂将切回自身的控制方式，并被告知保持在当前位置。两条指令之间关节会短暂失力：机械臂可能下沉，若第二条指令丢失则会下落。请扶住机械臂。
+另一程序必须已经结束。</translation>
     </message>
 </context>
 <context>
@@ -6088,10 +6841,6 @@ Lead it near its rest pose, then stop recording.</source>
 </context>
 <context>
     <name>RecoveryStep</name>
-    <message>
-        <source>No arm is connected.</source>
-        <translation>未连接机械臂。</translation>
-    </message>
     <message>
         <source>The device is being opened.</source>
         <translation>正在打开设备。</translation>
@@ -6213,10 +6962,6 @@ Lead it near its rest pose, then stop recording.</source>
         <translation>已命令机械臂终止运动，但它仍在动。请急停，或切断其电源。</translation>
     </message>
     <message>
-        <source>Another program drives the arm in {other_mode} mode. Nothing is sent by itself: a new mode leaves the joints limp. Stop that program first.</source>
-        <translation>另一程序正以{other_mode}模式驱动机械臂。本程序不会自行发送任何指令：切换模式会使关节失力。请先停止该程序。</translation>
-    </message>
-    <message>
         <source>Another program controls the arm since {since} ({frames}, {rate} frames/s).</source>
         <translation>另一个程序正在控制机械臂：自 {since} 起（{frames}，{rate} 帧/秒）。</translation>
     </message>
@@ -6303,6 +7048,14 @@ Lead it near its rest pose, then stop recording.</source>
     <message>
         <source>A stop is outstanding: the arm was away and has not confirmed it. Press the emergency stop to send it now, or withdraw it.</source>
         <translation>有一次急停未完成：机械臂曾离线，没有确认。按急停立即发送，或撤回。</translation>
+    </message>
+    <message>
+        <source>No arm is connected. Connect one, or the simulated arm to try everything out.</source>
+        <translation>未连接机械臂。请连接机械臂，或先用仿真机械臂试用全部功能。</translation>
+    </message>
+    <message>
+        <source>Another program drives the arm in {other_mode} mode. Nothing is sent by itself: a new mode leaves the joints limp. Stop that program first.</source>
+        <translation>另一程序正以{other_mode}模式驱动机械臂。本程序不会自行发送任何指令：切换模式会使关节失力。请先停止该程序。</translation>
     </message>
 </context>
 <context>
@@ -6474,6 +7227,10 @@ Lead it near its rest pose, then stop recording.</source>
     <message>
         <source>The pose the arm reports does not fit its joint angles: the program cannot compute its way. Check the joints&apos; zeros; the joints can still be moved one by one.</source>
         <translation>机械臂上报的位姿与关节角度不符，程序无法计算路径。请检查各关节零点；仍可单独移动各关节。</translation>
+    </message>
+    <message>
+        <source>This arm was connected as a {chosen}, but the pose it reports is that of a {fits}: the program would compute with the wrong lengths. Connect it as a {fits}; until then the joints can be moved one by one.</source>
+        <translation>该机械臂按 {chosen} 连接，但其反馈的位姿属于 {fits}：程序会用错误的连杆长度计算。请按 {fits} 重新连接；在此之前可以逐个移动关节。</translation>
     </message>
     <message>
         <source>Tool centre point: {value} is not possible. Enter lengths up to {maximum} mm and angles up to 180°.</source>
@@ -6678,18 +7435,6 @@ Lead it near its rest pose, then stop recording.</source>
     <message>
         <source>This arm&apos;s protocol (generation {generation}) has no such settings; generation 2 has.</source>
         <translation>本机械臂的协议（第 {generation} 代）没有这些参数，第 2 代才有。</translation>
-    </message>
-    <message>
-        <source>The arm&apos;s firmware {firmware} does not have this: it came with {since}. Updates come from the maker&apos;s support.</source>
-        <translation>机械臂固件 {firmware} 不支持此功能：自 {since} 起支持。升级请联系厂家支持。</translation>
-    </message>
-    <message>
-        <source>The arm has not named its firmware, and only {since} and later have this. Connect again to ask for it.</source>
-        <translation>机械臂尚未报告固件版本，而此功能自 {since} 起支持。请重新连接以查询。</translation>
-    </message>
-    <message>
-        <source>The arm&apos;s control mode is not known, or another one has the command: it would be changed along with this. Bring the arm to standby or CAN control first.</source>
-        <translation>机械臂的控制模式未知，或由其他方控制：此操作会同时更改它。请先使机械臂进入待机或 CAN 控制模式。</translation>
     </message>
     <message>
         <source>{parameter} would have to be sent along unchanged and has not been read from the arm. Read it first.</source>
@@ -7068,10 +7813,6 @@ Lead it near its rest pose, then stop recording.</source>
         <translation>主臂正在带动本机械臂（{frames}）。请关闭主臂，或将其设为运动输出臂。急停随时有效。</translation>
     </message>
     <message>
-        <source>Another program drives the arm in {other_mode} mode: a mode word of ours would leave its joints limp. End that program, hold the arm, and take the way back that the line above the panels offers.</source>
-        <translation>另一程序正以{other_mode}模式驱动机械臂：本程序的模式指令会使关节失力。请结束该程序、扶住机械臂，再按面板上方提示行给出的方式恢复。</translation>
-    </message>
-    <message>
         <source>The other program is still sending ({frames}): it can be taken over half a second after its last frame. Against a stream only the stop wins.</source>
         <translation>另一个程序仍在发送（{frames}）：其最后一帧过后半秒才能接管。对持续的数据流只有急停有效。</translation>
     </message>
@@ -7192,6 +7933,10 @@ Lead it near its rest pose, then stop recording.</source>
         <translation>当前没有在记录会话，无需停止。</translation>
     </message>
     <message>
+        <source>MF4 needs the package asammdf (pip install asammdf).</source>
+        <translation>MF4 需要 asammdf 软件包（pip install asammdf）。</translation>
+    </message>
+    <message>
         <source>The last minutes are being saved already. Wait a moment.</source>
         <translation>最近几分钟的内容正在保存，请稍候。</translation>
     </message>
@@ -7259,6 +8004,38 @@ Lead it near its rest pose, then stop recording.</source>
         <source>{name} can be read no further: {text}. Open it again; if that does not help, copy it to another disk first.</source>
         <translation>无法继续读取 {name}：{text}。请重新打开；若仍不行，请先将其复制到其他磁盘。</translation>
     </message>
+    <message>
+        <source>{name} is gone. Plug it in again or switch it on.</source>
+        <translation>{name} 已断开。请重新插入或打开电源。</translation>
+    </message>
+    <message>
+        <source>Nothing more is heard of {name}. Let go of its buttons and press anew.</source>
+        <translation>收不到 {name} 的数据。请松开所有按键后重新按下。</translation>
+    </message>
+    <message>
+        <source>The dead-man button was held for {seconds} s without a movement of the device. Press anew.</source>
+        <translation>使能键按住 {seconds} 秒而设备没有任何动作。请重新按下。</translation>
+    </message>
+    <message>
+        <source>The main window is not in front, or a menu is open in it. Click into it, then press anew.</source>
+        <translation>主窗口不在最前，或其中打开了菜单。请点击主窗口，然后重新按下。</translation>
+    </message>
+    <message>
+        <source>The arm&apos;s firmware {firmware} does not have this: it came with {since}. Updates come from the maker&apos;s support.</source>
+        <translation>机械臂固件 {firmware} 不支持此功能：自 {since} 起支持。升级请联系厂家支持。</translation>
+    </message>
+    <message>
+        <source>The arm has not named its firmware, and only {since} and later have this. Connect again to ask for it.</source>
+        <translation>机械臂尚未报告固件版本，而此功能自 {since} 起支持。请重新连接以查询。</translation>
+    </message>
+    <message>
+        <source>The arm&apos;s control mode is not known, or another one has the command: it would be changed along with this. Bring the arm to standby or CAN control first.</source>
+        <translation>机械臂的控制模式未知，或由其他方控制：此操作会同时更改它。请先使机械臂进入待机或 CAN 控制模式。</translation>
+    </message>
+    <message>
+        <source>Another program drives the arm in {other_mode} mode: a mode word of ours would leave its joints limp. End that program, hold the arm, and take the way back that the line above the panels offers.</source>
+        <translation>另一程序正以{other_mode}模式驱动机械臂：本程序的模式指令会使关节失力。请结束该程序、扶住机械臂，再按面板上方提示行给出的方式恢复。</translation>
+    </message>
 </context>
 <context>
     <name>ReplayEventBar</name>
@@ -7310,6 +8087,10 @@ Lead it near its rest pose, then stop recording.</source>
     <message>
         <source>(as the recording tells)</source>
         <translation>（由记录判定）</translation>
+    </message>
+    <message>
+        <source>Loading: {percent} %</source>
+        <translation>正在载入：{percent} %</translation>
     </message>
     <message>
         <source>Frame {number}</source>
@@ -7454,15 +8235,62 @@ Lead it near its rest pose, then stop recording.</source>
     </message>
 </context>
 <context>
-    <name>RunStrip</name>
+    <name>RunBar</name>
+    <message>
+        <source>A run is under way.</source>
+        <translation>正在运行。</translation>
+    </message>
     <message>
         <source>Checking…</source>
         <translation>正在检查…</translation>
     </message>
     <message>
-        <source>{name}: point {row} of {count}</source>
-        <translation>{name}：第 {row}/{count} 点</translation>
+        <source>Go on from row {row}</source>
+        <translation>从第 {row} 行继续</translation>
     </message>
+    <message>
+        <source>Send</source>
+        <translation>发送</translation>
+    </message>
+    <message>
+        <source>Call off</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>Once</source>
+        <translation>单次</translation>
+    </message>
+    <message>
+        <source>Times</source>
+        <translation>多次</translation>
+    </message>
+    <message>
+        <source>In a loop</source>
+        <translation>循环</translation>
+    </message>
+    <message>
+        <source>How often</source>
+        <translation>运行次数</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>速度</translation>
+    </message>
+    <message>
+        <source>Of each point&apos;s own speed</source>
+        <translation>相对于各点自身速度的百分比</translation>
+    </message>
+    <message>
+        <source>From row</source>
+        <translation>起始行</translation>
+    </message>
+    <message>
+        <source>Step by step</source>
+        <translation>单步运行</translation>
+    </message>
+</context>
+<context>
+    <name>RunStrip</name>
     <message>
         <source>cycle {cycle} of {cycles}</source>
         <translation>第 {cycle}/{cycles} 次</translation>
@@ -7504,10 +8332,6 @@ Lead it near its rest pose, then stop recording.</source>
         <translation>因故障结束</translation>
     </message>
     <message>
-        <source>Go on from row {row}</source>
-        <translation>从第 {row} 行继续</translation>
-    </message>
-    <message>
         <source>Next step</source>
         <translation>下一步</translation>
     </message>
@@ -7520,44 +8344,24 @@ Lead it near its rest pose, then stop recording.</source>
         <translation>暂停</translation>
     </message>
     <message>
-        <source>Send</source>
-        <translation>发送</translation>
-    </message>
-    <message>
         <source>End run</source>
         <translation>结束运行</translation>
     </message>
     <message>
-        <source>Once</source>
-        <translation>单次</translation>
+        <source>Close</source>
+        <translation>关闭</translation>
     </message>
     <message>
-        <source>Times</source>
-        <translation>多次</translation>
+        <source>Puts this line away; the run is over.</source>
+        <translation>收起此行；运行已结束。</translation>
     </message>
     <message>
-        <source>In a loop</source>
-        <translation>循环</translation>
+        <source>point {row} of {count}</source>
+        <translation>第 {row}/{count} 点</translation>
     </message>
     <message>
-        <source>How often</source>
-        <translation>运行次数</translation>
-    </message>
-    <message>
-        <source>Speed</source>
-        <translation>速度</translation>
-    </message>
-    <message>
-        <source>Of each point&apos;s own speed</source>
-        <translation>相对于各点自身速度的百分比</translation>
-    </message>
-    <message>
-        <source>From row</source>
-        <translation>起始行</translation>
-    </message>
-    <message>
-        <source>Step by step</source>
-        <translation>单步运行</translation>
+        <source>Progress of the run</source>
+        <translation>运行进度</translation>
     </message>
 </context>
 <context>
@@ -7823,6 +8627,42 @@ Lead it near its rest pose, then stop recording.</source>
         <source>saving at faults and stops</source>
         <translation>故障或急停时自动保存</translation>
     </message>
+    <message>
+        <source>view of the 3D picture</source>
+        <translation>3D 画面的视角</translation>
+    </message>
+    <message>
+        <source>3D picture without perspective</source>
+        <translation>3D 画面的平行投影</translation>
+    </message>
+    <message>
+        <source>tool frame in the 3D picture</source>
+        <translation>3D 画面中的工具坐标系</translation>
+    </message>
+    <message>
+        <source>way of the tool in the 3D picture</source>
+        <translation>3D 画面中的末端轨迹</translation>
+    </message>
+    <message>
+        <source>jogging by gamepad</source>
+        <translation>手柄点动</translation>
+    </message>
+    <message>
+        <source>what a gamepad moves</source>
+        <translation>手柄控制的对象</translation>
+    </message>
+    <message>
+        <source>one axis at a time by gamepad</source>
+        <translation>手柄一次只动一个轴</translation>
+    </message>
+    <message>
+        <source>buttons of the gamepads</source>
+        <translation>手柄按键</translation>
+    </message>
+    <message>
+        <source>models of the arms</source>
+        <translation>机械臂型号</translation>
+    </message>
 </context>
 <context>
     <name>SettingsDialog</name>
@@ -7906,6 +8746,100 @@ Lead it near its rest pose, then stop recording.</source>
         <source>Such a stop is always told as a fault. With this, it is also sent again by itself.</source>
         <translation>这种情况总会作为故障提示。勾选后还会自动再次发送急停。</translation>
     </message>
+    <message>
+        <source>Gamepad, SpaceMouse</source>
+        <translation>手柄、SpaceMouse</translation>
+    </message>
+    <message>
+        <source>Gamepad…</source>
+        <translation>手柄…</translation>
+    </message>
+    <message>
+        <source>on: jogs the arm</source>
+        <translation>已开启：可以点动机械臂</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>已关闭</translation>
+    </message>
+</context>
+<context>
+    <name>Shortcut</name>
+    <message>
+        <source>Command palette: find every function by its name</source>
+        <translation>命令面板：按名称查找任何功能</translation>
+    </message>
+    <message>
+        <source>User guide, at the place where you are</source>
+        <translation>使用指南，打开当前所在处的章节</translation>
+    </message>
+    <message>
+        <source>This list</source>
+        <translation>本列表</translation>
+    </message>
+    <message>
+        <source>Pause, go on</source>
+        <translation>暂停、继续</translation>
+    </message>
+    <message>
+        <source>Copy the chosen rows</source>
+        <translation>复制所选行</translation>
+    </message>
+    <message>
+        <source>Play, pause</source>
+        <translation>播放、暂停</translation>
+    </message>
+    <message>
+        <source>One frame back</source>
+        <translation>后退一帧</translation>
+    </message>
+    <message>
+        <source>One frame on</source>
+        <translation>前进一帧</translation>
+    </message>
+    <message>
+        <source>Halt: ends any motion, the motors keep their power</source>
+        <translation>停住：结束任何运动，电机保持通电</translation>
+    </message>
+    <message>
+        <source>To the next control; with Shift to the one before</source>
+        <translation>到下一个控件；加 Shift 到上一个</translation>
+    </message>
+    <message>
+        <source>Close the dialog</source>
+        <translation>关闭对话框</translation>
+    </message>
+    <message>
+        <source>With Space held: J1 to J6 up, down</source>
+        <translation>按住空格：J1 至 J6 增、减</translation>
+    </message>
+    <message>
+        <source>With Space held: X, Y, Z of the tool</source>
+        <translation>按住空格：末端 X、Y、Z</translation>
+    </message>
+    <message>
+        <source>With Space held: RX, RY, RZ of the tool</source>
+        <translation>按住空格：末端 RX、RY、RZ</translation>
+    </message>
+    <message>
+        <source>Edit the points of the chosen trajectory</source>
+        <translation>编辑所选轨迹的点</translation>
+    </message>
+    <message>
+        <source>On the time line: through the recording</source>
+        <translation>在时间轴上：在记录中移动</translation>
+    </message>
+</context>
+<context>
+    <name>ShortcutList</name>
+    <message>
+        <source>Keyboard shortcuts</source>
+        <translation>快捷键</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>关闭</translation>
+    </message>
 </context>
 <context>
     <name>SideMenu</name>
@@ -7961,10 +8895,6 @@ Lead it near its rest pose, then stop recording.</source>
 <context>
     <name>SignalName</name>
     <message>
-        <source>Acceleration</source>
-        <translation>加速度</translation>
-    </message>
-    <message>
         <source>Acceleration valid</source>
         <translation>加速度有效</translation>
     </message>
@@ -8001,10 +8931,6 @@ Lead it near its rest pose, then stop recording.</source>
         <translation>碰撞保护</translation>
     </message>
     <message>
-        <source>Command</source>
-        <translation>指令</translation>
-    </message>
-    <message>
         <source>Control mode</source>
         <translation>控制模式</translation>
     </message>
@@ -8027,10 +8953,6 @@ Lead it near its rest pose, then stop recording.</source>
     <message>
         <source>Current</source>
         <translation>电流</translation>
-    </message>
-    <message>
-        <source>Deceleration</source>
-        <translation>减速度</translation>
     </message>
     <message>
         <source>Driver fault</source>
@@ -8093,10 +9015,6 @@ Lead it near its rest pose, then stop recording.</source>
         <translation>Kd</translation>
     </message>
     <message>
-        <source>Kind</source>
-        <translation>类型</translation>
-    </message>
-    <message>
         <source>Kp</source>
         <translation>Kp</translation>
     </message>
@@ -8147,10 +9065,6 @@ Lead it near its rest pose, then stop recording.</source>
     <message>
         <source>Highest speed</source>
         <translation>最大速度</translation>
-    </message>
-    <message>
-        <source>Told as</source>
-        <translation>表示方式</translation>
     </message>
     <message>
         <source>Smallest angle</source>
@@ -8205,18 +9119,6 @@ Lead it near its rest pose, then stop recording.</source>
         <translation>位置</translation>
     </message>
     <message>
-        <source>Position loop Kp</source>
-        <translation>位置环 Kp</translation>
-    </message>
-    <message>
-        <source>Target position</source>
-        <translation>目标位置</translation>
-    </message>
-    <message>
-        <source>Profile speed</source>
-        <translation>规划速度</translation>
-    </message>
-    <message>
         <source>Question</source>
         <translation>查询</translation>
     </message>
@@ -8245,20 +9147,8 @@ Lead it near its rest pose, then stop recording.</source>
         <translation>速度</translation>
     </message>
     <message>
-        <source>Speed loop Ki</source>
-        <translation>速度环 Ki</translation>
-    </message>
-    <message>
-        <source>Speed loop Kp</source>
-        <translation>速度环 Kp</translation>
-    </message>
-    <message>
         <source>Speed percentage</source>
         <translation>速度百分比</translation>
-    </message>
-    <message>
-        <source>Target speed</source>
-        <translation>目标速度</translation>
     </message>
     <message>
         <source>Stall protection</source>
@@ -8313,10 +9203,6 @@ Lead it near its rest pose, then stop recording.</source>
         <translation>电压</translation>
     </message>
     <message>
-        <source>Zero learning</source>
-        <translation>零点学习</translation>
-    </message>
-    <message>
         <source>Zero</source>
         <translation>零点</translation>
     </message>
@@ -8332,16 +9218,60 @@ Lead it near its rest pose, then stop recording.</source>
         <source>Byte {place}</source>
         <translation>字节 {place}</translation>
     </message>
+    <message>
+        <source>Acceleration</source>
+        <translation>加速度</translation>
+    </message>
+    <message>
+        <source>Command</source>
+        <translation>指令</translation>
+    </message>
+    <message>
+        <source>Deceleration</source>
+        <translation>减速度</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>类型</translation>
+    </message>
+    <message>
+        <source>Told as</source>
+        <translation>表示方式</translation>
+    </message>
+    <message>
+        <source>Position loop Kp</source>
+        <translation>位置环 Kp</translation>
+    </message>
+    <message>
+        <source>Target position</source>
+        <translation>目标位置</translation>
+    </message>
+    <message>
+        <source>Profile speed</source>
+        <translation>规划速度</translation>
+    </message>
+    <message>
+        <source>Speed loop Ki</source>
+        <translation>速度环 Ki</translation>
+    </message>
+    <message>
+        <source>Speed loop Kp</source>
+        <translation>速度环 Kp</translation>
+    </message>
+    <message>
+        <source>Target speed</source>
+        <translation>目标速度</translation>
+    </message>
+    <message>
+        <source>Zero learning</source>
+        <translation>零点学习</translation>
+    </message>
 </context>
 <context>
     <name>SignalWord</name>
     <message>
         <source>Abort</source>
         <translation>终止</translation>
-    </message>
-    <message>
-        <source>Acceleration</source>
-        <translation>加速度</translation>
     </message>
     <message>
         <source>Acceleration limit</source>
@@ -8356,24 +9286,12 @@ Lead it near its rest pose, then stop recording.</source>
         <translation>所有灯珠</translation>
     </message>
     <message>
-        <source>Angle</source>
-        <translation>角度</translation>
-    </message>
-    <message>
         <source>Angle and speed limits</source>
         <translation>角度与速度限制</translation>
     </message>
     <message>
-        <source>Answer</source>
-        <translation>应答</translation>
-    </message>
-    <message>
         <source>Beyond limit</source>
         <translation>超限</translation>
-    </message>
-    <message>
-        <source>Both to zero</source>
-        <translation>主从臂均回零</translation>
     </message>
     <message>
         <source>Brake resistor too hot</source>
@@ -8408,20 +9326,12 @@ Lead it near its rest pose, then stop recording.</source>
         <translation>继续</translation>
     </message>
     <message>
-        <source>Deceleration</source>
-        <translation>减速度</translation>
-    </message>
-    <message>
         <source>Disable</source>
         <translation>失能</translation>
     </message>
     <message>
         <source>Disabled</source>
         <translation>已失能</translation>
-    </message>
-    <message>
-        <source>Drag assistance</source>
-        <translation>拖动助力</translation>
     </message>
     <message>
         <source>Emergency stop</source>
@@ -8500,14 +9410,6 @@ Lead it near its rest pose, then stop recording.</source>
         <translation>大夹爪</translation>
     </message>
     <message>
-        <source>Leader and follower</source>
-        <translation>恢复主从</translation>
-    </message>
-    <message>
-        <source>Leader to zero</source>
-        <translation>主臂回零</translation>
-    </message>
-    <message>
         <source>Leave silence</source>
         <translation>解除静默</translation>
     </message>
@@ -8546,10 +9448,6 @@ Lead it near its rest pose, then stop recording.</source>
     <message>
         <source>MOVE M</source>
         <translation>MOVE M</translation>
-    </message>
-    <message>
-        <source>MOVE M from 1.8-8</source>
-        <translation>MOVE M（1.8-8 起）</translation>
     </message>
     <message>
         <source>MOVE P</source>
@@ -8640,10 +9538,6 @@ Lead it near its rest pose, then stop recording.</source>
         <translation>侧装（右）</translation>
     </message>
     <message>
-        <source>Opening</source>
-        <translation>开度</translation>
-    </message>
-    <message>
         <source>Other fault</source>
         <translation>其他异常</translation>
     </message>
@@ -8656,28 +9550,12 @@ Lead it near its rest pose, then stop recording.</source>
         <translation>暂停</translation>
     </message>
     <message>
-        <source>Position Kp</source>
-        <translation>位置环 Kp</translation>
-    </message>
-    <message>
-        <source>Position target</source>
-        <translation>位置目标</translation>
-    </message>
-    <message>
         <source>Position-velocity</source>
         <translation>位置速度模式</translation>
     </message>
     <message>
-        <source>Profile speed</source>
-        <translation>规划速度</translation>
-    </message>
-    <message>
         <source>Reached</source>
         <translation>已到达</translation>
-    </message>
-    <message>
-        <source>Read</source>
-        <translation>读取</translation>
     </message>
     <message>
         <source>Received</source>
@@ -8722,18 +9600,6 @@ Lead it near its rest pose, then stop recording.</source>
     <message>
         <source>Small gripper</source>
         <translation>小夹爪</translation>
-    </message>
-    <message>
-        <source>Speed Ki</source>
-        <translation>速度环 Ki</translation>
-    </message>
-    <message>
-        <source>Speed Kp</source>
-        <translation>速度环 Kp</translation>
-    </message>
-    <message>
-        <source>Speed target</source>
-        <translation>速度目标</translation>
     </message>
     <message>
         <source>Standby</source>
@@ -8800,10 +9666,6 @@ Lead it near its rest pose, then stop recording.</source>
         <translation>不变</translation>
     </message>
     <message>
-        <source>Upside down</source>
-        <translation>水平倒装</translation>
-    </message>
-    <message>
         <source>Valid</source>
         <translation>有效</translation>
     </message>
@@ -8816,12 +9678,84 @@ Lead it near its rest pose, then stop recording.</source>
         <translation>未超限</translation>
     </message>
     <message>
-        <source>Write</source>
-        <translation>写入</translation>
-    </message>
-    <message>
         <source>Yes</source>
         <translation>是</translation>
+    </message>
+    <message>
+        <source>Acceleration</source>
+        <translation>加速度</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>角度</translation>
+    </message>
+    <message>
+        <source>Answer</source>
+        <translation>应答</translation>
+    </message>
+    <message>
+        <source>Both to zero</source>
+        <translation>主从臂均回零</translation>
+    </message>
+    <message>
+        <source>Deceleration</source>
+        <translation>减速度</translation>
+    </message>
+    <message>
+        <source>Drag assistance</source>
+        <translation>拖动助力</translation>
+    </message>
+    <message>
+        <source>Leader and follower</source>
+        <translation>恢复主从</translation>
+    </message>
+    <message>
+        <source>Leader to zero</source>
+        <translation>主臂回零</translation>
+    </message>
+    <message>
+        <source>MOVE M from 1.8-8</source>
+        <translation>MOVE M（1.8-8 起）</translation>
+    </message>
+    <message>
+        <source>Opening</source>
+        <translation>开度</translation>
+    </message>
+    <message>
+        <source>Position Kp</source>
+        <translation>位置环 Kp</translation>
+    </message>
+    <message>
+        <source>Position target</source>
+        <translation>位置目标</translation>
+    </message>
+    <message>
+        <source>Profile speed</source>
+        <translation>规划速度</translation>
+    </message>
+    <message>
+        <source>Read</source>
+        <translation>读取</translation>
+    </message>
+    <message>
+        <source>Speed Ki</source>
+        <translation>速度环 Ki</translation>
+    </message>
+    <message>
+        <source>Speed Kp</source>
+        <translation>速度环 Kp</translation>
+    </message>
+    <message>
+        <source>Speed target</source>
+        <translation>速度目标</translation>
+    </message>
+    <message>
+        <source>Upside down</source>
+        <translation>水平倒装</translation>
+    </message>
+    <message>
+        <source>Write</source>
+        <translation>写入</translation>
     </message>
     <message>
         <source>Zero learning</source>
@@ -8866,10 +9800,6 @@ Lead it near its rest pose, then stop recording.</source>
         <translation>状态: {status}</translation>
     </message>
     <message>
-        <source>{mode} by another program</source>
-        <translation>{mode}（另一程序）</translation>
-    </message>
-    <message>
         <source>No communication: {joints}</source>
         <translation>通信异常: {joints}</translation>
     </message>
@@ -8880,6 +9810,10 @@ Lead it near its rest pose, then stop recording.</source>
     <message>
         <source>Last event</source>
         <translation>最近事件</translation>
+    </message>
+    <message>
+        <source>{mode} by another program</source>
+        <translation>{mode}（另一程序）</translation>
     </message>
 </context>
 <context>
@@ -9305,6 +10239,141 @@ Afterwards the motors must be enabled again.</source>
     </message>
 </context>
 <context>
+    <name>ViewBar</name>
+    <message>
+        <source>Front view</source>
+        <translation>前视图</translation>
+    </message>
+    <message>
+        <source>Looks at the arm from where it points to</source>
+        <translation>从机械臂正前方观察</translation>
+    </message>
+    <message>
+        <source>Side view</source>
+        <translation>侧视图</translation>
+    </message>
+    <message>
+        <source>Looks at the arm from its right side</source>
+        <translation>从机械臂右侧观察</translation>
+    </message>
+    <message>
+        <source>Top view</source>
+        <translation>俯视图</translation>
+    </message>
+    <message>
+        <source>Looks down on the arm</source>
+        <translation>从上方观察机械臂</translation>
+    </message>
+    <message>
+        <source>Oblique view</source>
+        <translation>轴测视图</translation>
+    </message>
+    <message>
+        <source>Looks at the arm from the front right and above</source>
+        <translation>从右前上方观察机械臂</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>适合窗口</translation>
+    </message>
+    <message>
+        <source>Shows all of the arm as large as the room allows</source>
+        <translation>在可用空间内尽量大地显示整个机械臂</translation>
+    </message>
+    <message>
+        <source>Follow the tool</source>
+        <translation>跟随末端</translation>
+    </message>
+    <message>
+        <source>Keeps the tool centre point in the middle</source>
+        <translation>使工具中心点保持在画面中央</translation>
+    </message>
+    <message>
+        <source>Without perspective</source>
+        <translation>平行投影</translation>
+    </message>
+    <message>
+        <source>Parallel lines look parallel: lengths can be compared</source>
+        <translation>平行线保持平行，可比较长度</translation>
+    </message>
+    <message>
+        <source>Tool frame</source>
+        <translation>工具坐标系</translation>
+    </message>
+    <message>
+        <source>Shows the axes of the tool centre point</source>
+        <translation>显示工具中心点的坐标轴</translation>
+    </message>
+    <message>
+        <source>Workspace</source>
+        <translation>工作空间</translation>
+    </message>
+    <message>
+        <source>Shows how far the tool centre point can reach</source>
+        <translation>显示工具中心点可到达的范围</translation>
+    </message>
+    <message>
+        <source>Save picture…</source>
+        <translation>保存画面…</translation>
+    </message>
+    <message>
+        <source>Writes the picture with its figures to a file</source>
+        <translation>将画面连同数值保存为文件</translation>
+    </message>
+    <message>
+        <source>Copy picture</source>
+        <translation>复制画面</translation>
+    </message>
+    <message>
+        <source>Puts the picture with its figures into the clipboard</source>
+        <translation>将画面连同数值复制到剪贴板</translation>
+    </message>
+    <message>
+        <source>Way of the tool</source>
+        <translation>末端轨迹</translation>
+    </message>
+    <message>
+        <source>Last {seconds} s of motion</source>
+        <translation>最近 {seconds} 秒的运动</translation>
+    </message>
+    <message>
+        <source>Off</source>
+        <translation>关闭</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>视图</translation>
+    </message>
+    <message>
+        <source>Views, and what is drawn in the picture</source>
+        <translation>视角以及画面中显示的内容</translation>
+    </message>
+    <message>
+        <source>No handles</source>
+        <translation>不显示手柄</translation>
+    </message>
+    <message>
+        <source>Tool, along the axes of the base</source>
+        <translation>末端，沿基坐标系各轴</translation>
+    </message>
+    <message>
+        <source>Tool, along its own axes</source>
+        <translation>末端，沿工具坐标系各轴</translation>
+    </message>
+    <message>
+        <source>Joints</source>
+        <translation>关节</translation>
+    </message>
+    <message>
+        <source>Drag the target in the picture</source>
+        <translation>在画面中拖动目标</translation>
+    </message>
+    <message>
+        <source>Drags the target, or the chosen point, in the picture; the arm does not move. Ctrl: coarse steps, Shift: fine steps, Esc: give up</source>
+        <translation>在画面中拖动目标或所选点，机械臂不会运动。Ctrl：大步进，Shift：小步进，Esc：放弃</translation>
+    </message>
+</context>
+<context>
     <name>ViewRegion</name>
     <message>
         <source>Help</source>
@@ -9364,6 +10433,17 @@ Afterwards the motors must be enabled again.</source>
     <message>
         <source>Record everything on the bus, save what just happened, replay what was recorded, here or by another program.</source>
         <translation>记录总线上的一切，保存刚才发生的事，回放本程序或其他程序的记录。</translation>
+    </message>
+</context>
+<context>
+    <name>WindowActions</name>
+    <message>
+        <source>The arm is not stopped.</source>
+        <translation>机械臂未处于急停。</translation>
+    </message>
+    <message>
+        <source>There is no next step now.</source>
+        <translation>现在没有下一步。</translation>
     </message>
 </context>
 </TS>

@@ -21,8 +21,8 @@ from armui.settings import SettingsStore
 from armui.system.helper_process import HelperProcess
 from armui.trajectory.library.store import Library
 from armui.trajectory.points.cells import PointColumn
-from armui.ui.trajectory.editor.editor_window import EditorWindow
-from armui.ui.trajectory.library.library_window import LibraryWindow
+from armui.ui.trajectory.editor.editor_page import EditorPage
+from armui.ui.trajectory.library.library_page import LibraryPage
 from tests.benchmarks.test_plan_speed import POINTS, mixed_program
 
 PAINTED_MS = 60
@@ -108,7 +108,7 @@ def turn_pages(table, times=40, page=0):
 
 
 def window_of(kind):
-    return next(each for each in QApplication.topLevelWidgets() if isinstance(each, kind))
+    return next(each for each in QApplication.allWidgets() if isinstance(each, kind))
 
 
 @pytest.fixture
@@ -130,8 +130,8 @@ def editor(qapp, tmp_path):
     program.window.show()
     controller.connect_device(SIMULATED[0])
     pulse.during(program.window.open_library_window, 500, lambda: drawn)
-    window_of(LibraryWindow).open_trajectory("mixed")
-    editor = window_of(EditorWindow)
+    window_of(LibraryPage).open_trajectory("mixed")
+    editor = window_of(EditorPage)
     pulse.during(lambda: None, 500, lambda: controller.state.angles_deg() is not None)
     yield editor
     editor.hide()

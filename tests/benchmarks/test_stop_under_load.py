@@ -142,7 +142,7 @@ class Loads:
 
     def __init__(self, program, folder):
         self.controller = program.controller
-        self.window = program.window._dialogs["library"]
+        self.window = program.window._trajectory_pages._library
         self.folder = folder
         self.texts = {
             count: files.to_bytes(points(count), ".log") for count in (10_000, 30_000, 100_000)
@@ -174,7 +174,7 @@ class Loads:
 
     def _end_recording(self, count):
         self.window.open_recorder()
-        window = self.window._recorder
+        window = self.window.editors._recorder
         window._on_record()
         store, samples = SampleStore(), self.recordings[count].samples
         chunk = len(store._chunk)

@@ -34,7 +34,7 @@ class Ours:
 
     def __init__(self):
         self.scene = Scene(WIDTH, HEIGHT)
-        self.scene.load(URDF / "piper.urdf")
+        self.scene.load(URDF / "piper" / "piper.urdf")
 
     def draw(self, frame):
         self.scene.set_joints(moving(frame), 30.0)
@@ -62,7 +62,7 @@ class MovedMeshes(Ours):
 
     def __init__(self):
         super().__init__()
-        self.robot = load_robot(URDF / "piper.urdf")
+        self.robot = load_robot(URDF / "piper" / "piper.urdf")
         self.scene.set_joints((0.0,) * 6, 0.0)
         self.parts = []
         for part, actor in zip(self.robot.parts, self.scene._robot.actors, strict=True):

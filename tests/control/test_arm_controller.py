@@ -41,7 +41,7 @@ def test_connecting_finds_the_generation_and_reads_the_limits(any_rig):
     assert operating_state.limits_read == (True,) * 6
     assert (operating_state.limits[1].min_deg, operating_state.limits[1].max_deg) == (0, 180)
     firmware = any_rig.controller.state.firmware
-    assert firmware == ("S-V1.8-5" if operating_state.generation is Generation.TWO else None)
+    assert firmware == ("S-V1.8-9" if operating_state.generation is Generation.TWO else None)
 
 
 def test_connecting_moves_and_enables_nothing(any_rig):

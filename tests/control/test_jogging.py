@@ -23,6 +23,7 @@ from tests.control.jogger import (
     release,
     rest_s,
 )
+from tests.family import PIPER
 
 JOBS = {
     "joint": JointJog(1, 1),
@@ -198,7 +199,7 @@ def test_the_tool_goes_along_one_axis_alone(rig, axis, frame):
     tool = (10.0, -20.0, 80.0, 0.0, 30.0, 0.0)
     bend(rig)
     rig.controller.cartesian.tool = tool
-    model = Kinematics()
+    model = Kinematics(PIPER)
     start = tool_matrix(model.matrix(rig.firmware.joints_deg), tool)
     rig.controller.jogging.start(ToolJog(axis, 1, frame))
     hold(rig, 0.6)

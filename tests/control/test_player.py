@@ -17,6 +17,7 @@ from armui.trajectory.points.program import (
     LightAction,
     Waypoint,
 )
+from tests.family import PIPER
 from tests.faulty_arm import HardOfHearing
 
 OUT = (20.0, 40.0, -40.0, 10.0, 20.0, 15.0)
@@ -177,7 +178,7 @@ def test_the_speed_of_a_point_is_changed_by_the_runs_factor(ready):
 
 
 def test_lines_and_arcs_are_run(ready):
-    flange = Kinematics()
+    flange = Kinematics(PIPER)
     start, middle, end = (
         tuple(flange.forward(joints))
         for joints in (

@@ -4,9 +4,10 @@ import pytest
 
 from armui.kinematics.arm_kinematics import Kinematics
 from armui.protocol.codes import MoveMode
+from tests.family import PIPER
 
 FIRST, SECOND, THIRD = (
-    tuple(Kinematics().forward(joints_deg))
+    tuple(Kinematics(PIPER).forward(joints_deg))
     for joints_deg in (
         (20.0, 40.0, -40.0, 10.0, 20.0, 15.0),
         (10.0, 45.0, -45.0, 5.0, 20.0, 5.0),

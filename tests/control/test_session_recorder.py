@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import errno
 import json
+import threading
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -14,15 +16,17 @@ from can.interfaces.virtual import VirtualBus
 
 from armui.arm.refusal_codes import RefusalCode
 from armui.control.sessions.choices import SessionChoices
+from armui.control.sessions.mf4_making import Mf4Making
 from armui.protocol.frame import Frame, FrameFlag
-from armui.session.recording import disk_file
-from armui.session.recording.folder import RecordingEntry, list_recordings
+from armui.session.recording import disk_file, mf4
+from armui.session.recording.folder import RecordingEntry, list_recordings, rename
 from armui.session.recording.kinds import RecordingFormat
 from armui.session.recording.lane import MOST_WAITING
 from armui.session.recording.recorded_session import RecordedSession
 from armui.session.session import MarkKind
 from armui.sim.faults.schedule import fault
 from armui.telemetry.event_json import from_json
+from tests.session.recording.made import Mf4InMemory
 
 
 @pytest.fixture
@@ -266,3 +270,75 @@ def test_the_end_of_the_program_ends_the_recording_well(rig, sessions, tmp_path)
     assert (entry.ended, entry.failure) == (True, "")
     assert lines_of(sessions.choices.folder)[-1]["reason"] == "program ended"
     assert opened(entry).frames > 100
+
+
+@pytest.fixture
+def as_mf4(sessions, monkeypatch):
+    """The operator has chosen MF4; the package for it is a stand-in, in a thread."""
+    monkeypatch.setattr(mf4, "can_write", lambda: True)
+    monkeypatch.setattr(mf4.write_mf4, "__defaults__", (Mf4InMemory,))
+    sessions._mf4 = Mf4Making(lambda: ThreadPoolExecutor(1))
+    sessions.choose(replace(sessions.choices, as_mf4=True))
+    return sessions
+
+
+def test_an_mf4_file_is_made_when_a_recording_has_ended(rig, as_mf4, wait_for):
+    rig.connect()
+    session = record(rig, as_mf4, wait_for)
+    wait_for(lambda: "mf4_saved" in rig.codes())
+
+    (made,) = as_mf4.choices.folder.glob("*.mf4")
+    assert made.read_text() == f"{session.frames} frames"
+    assert session.facts["also"] == ".mf4"
+    assert not as_mf4.busy_names()
+
+
+def test_what_just_happened_is_an_mf4_file_too(rig, as_mf4, wait_for):
+    rig.connect()
+    rig.run(0.5)
+    wait_for(lambda: as_mf4.ring().frames > 0)
+    as_mf4.save_ring()
+    wait_for(lambda: "mf4_saved" in rig.codes())
+    (entry,) = list_recordings(as_mf4.choices.folder)
+    assert (as_mf4.choices.folder / f"{entry.name}.mf4").read_text().endswith("frames")
+
+
+def test_the_files_of_which_an_mf4_file_is_made_stay_in_their_places(
+    rig, as_mf4, wait_for, monkeypatch
+):
+    going_on = threading.Event()
+    stop = Mf4InMemory.stop
+    monkeypatch.setattr(Mf4InMemory, "stop", lambda self: (going_on.wait(10), stop(self)))
+    rig.connect()
+    session = record(rig, as_mf4, wait_for)
+    (entry,) = list_recordings(as_mf4.choices.folder)
+    assert session.frames > 0
+    assert as_mf4.making_mf4 == as_mf4.busy_names() == {entry.name}
+    assert not list(as_mf4.choices.folder.glob("*.mf4"))  # it has its name when it is whole
+    going_on.set()
+    wait_for(lambda: "mf4_saved" in rig.codes())
+    rename(as_mf4.choices.folder, entry.name, "moved")
+    assert (as_mf4.choices.folder / "moved.mf4").exists()
+
+
+@pytest.mark.parametrize(
+    ("spoil", "code"),
+    [
+        (lambda patch: patch.setattr(mf4, "can_write", lambda: False), RefusalCode.SESSION_NO_MF4),
+        (
+            lambda patch: patch.setattr(Mf4InMemory, "stop", lambda _self: 1 / 0),
+            RefusalCode.SESSION_FAILED,
+        ),
+    ],
+)
+def test_an_mf4_file_that_cannot_be_made_is_told(rig, as_mf4, wait_for, monkeypatch, spoil, code):
+    spoil(monkeypatch)
+    rig.connect()
+    session = record(rig, as_mf4, wait_for)
+    wait_for(lambda: "mf4_not_saved" in rig.codes())
+    told = next(event for event in rig.events if event.code == "mf4_not_saved")
+    (entry,) = list_recordings(as_mf4.choices.folder)
+    assert (told.params["name"], told.params["reason"].code) == (entry.name, code)
+    assert session.frames > 0
+    files = {path.suffix for path in as_mf4.choices.folder.iterdir()}
+    assert files == {".blf", ".idx", ".jsonl"}

@@ -16,15 +16,17 @@ from mcap_ros2.decoder import DecoderFactory
 from rosbags.highlevel import AnyReader
 from scipy.spatial.transform import Rotation
 
+from armui.arm.models import model_data
 from armui.kinematics.arm_kinematics import Kinematics
 from armui.kinematics.forward import links
-from armui.kinematics.geometry import Geometry
 from armui.protocol.codec import Codec
 from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
+from armui.protocol.piper_model import PiperModel
 from armui.session.exports.export import export_log
 from armui.session.exports.request import ArmWishes, ExportFormat, ExportReport, ExportRequest
 from tests.exports.logs import START_S, candump, session
+from tests.family import GEOMETRIES
 
 Read = dict[str, list[tuple[int, int, Any]]]
 # 12° = 12000 = 0x2EE0, -90.5° = -90500 = 0xFFFE9E7C
@@ -129,11 +131,13 @@ def test_a_set_of_angles_with_an_old_part_is_no_joint_state(tmp_path):
 
 
 @READERS
-@pytest.mark.parametrize("geometry", list(Geometry))
-def test_transforms_lead_where_the_kinematics_say(tmp_path, read, geometry):
-    firmware = "S-V1.8-5" if geometry is Geometry.CURRENT else "S-V1.5-2"
+@pytest.mark.parametrize("name", GEOMETRIES)
+def test_transforms_lead_where_the_kinematics_say(tmp_path, read, name):
+    geometry, model = GEOMETRIES[name], PiperModel(name.removesuffix("-older"))
+    firmware = "S-V1.5-2" if name.endswith("-older") else "S-V1.8-5"
     log = candump(tmp_path / "a.log", [(2.0, each) for each in ANGLES])
-    target, _report = export(log, wishes=ArmWishes(firmware=firmware))
+    target, report = export(log, wishes=ArmWishes(firmware=firmware, model=model))
+    assert (report.model, report.why_model) == (model_data(model).name, "as asked for")
     found = read(target)
     moving, fixed = found["/tf"][0][2], found["/tf_static"][0][2]
     joints_deg = np.degrees(WANTED)
@@ -149,14 +153,19 @@ def test_transforms_lead_where_the_kinematics_say(tmp_path, read, geometry):
     assert place["link6"] == pytest.approx(wanted, abs=1e-6)
     of_links = links(geometry, joints_deg)
     assert place["link3"][:3, 3] == pytest.approx(of_links.elbow, abs=1e-6)
-    assert place["link4"][:3, 3] == pytest.approx(of_links.centre, abs=1e-6)
+    assert place["link4"][:3, 3] == pytest.approx(of_links.wrist, abs=1e-6)
     assert place["link5"][:3, 3] == pytest.approx(of_links.centre, abs=1e-6)
-    assert place["gripper_base"] == pytest.approx(wanted, abs=1e-6)
+    quarter = np.array([[0, -1, 0], [1, 0, 0], [0, 0, 1]]) if name.startswith("piper_x") else None
+    mounted = wanted.copy()
+    if quarter is not None:
+        mounted[:3, :3] = wanted[:3, :3] @ quarter
+    assert place["gripper_base"] == pytest.approx(mounted, abs=1e-6)
 
 
-@pytest.mark.parametrize("geometry", list(Geometry))
-def test_the_zeros_are_found_by_the_pose_in_the_log(tmp_path, geometry):
+@pytest.mark.parametrize("name", GEOMETRIES)
+def test_arm_and_zeros_are_found_by_the_pose_in_the_log(tmp_path, name):
     """Nothing tells the firmware: the pose that the arm reports tells the zeros of its joints."""
+    geometry, model = GEOMETRIES[name], PiperModel(name.removesuffix("-older"))
     codec = Codec(Generation.ONE)
     pose = Kinematics(geometry).forward(np.degrees(WANTED).tolist())
     poses = [
@@ -165,10 +174,11 @@ def test_the_zeros_are_found_by_the_pose_in_the_log(tmp_path, geometry):
         codec.encode("EndPose3", RY=pose.ry_deg, RZ=pose.rz_deg),
     ]
     frames = [(2.0, each) for each in (*poses, *ANGLES)]
-    target, _report = export(candump(tmp_path / "a.log", frames), wishes=ArmWishes(Generation.ONE))
+    target, report = export(candump(tmp_path / "a.log", frames), wishes=ArmWishes(Generation.ONE))
+    assert (report.model, report.why_model) == (model_data(model).name, "its end pose fits")
     turned = by_mcap(target)["/tf"][0][2].transforms[1].transform.rotation
     # joint 2: half of -90.5° and its zero, about an axis that lies
-    half = math.radians((-90.5 + geometry.value[0]) / 2)
+    half = math.radians((-90.5 + geometry.rows[1].theta_deg) / 2)
     assert turned.w == pytest.approx(math.cos(math.radians(45)) * math.cos(half))
 
 
@@ -224,7 +234,7 @@ def test_a_fault_is_told_when_it_begins_and_when_it_ends(tmp_path, read):
     assert [int.from_bytes(e.level) if isinstance(e.level, bytes) else e.level for e in joints] == [
         0, 2, 0,
     ]  # fmt: skip
-    assert {each.hardware_id for each in joints} == {"generation 2, S-V1.8-5"}
+    assert {each.hardware_id for each in joints} == {"PiPER, generation 2, S-V1.8-5"}
     assert joints[1].values["Voltage [V]"] == "24"
     assert joints[1].values["Motor temperature [degC]"] == "30"
 

@@ -115,7 +115,7 @@ def test_the_columns_of_parquet_have_types_and_units(tmp_path):
     assert (units["arm.motor_current.6"], types["arm.motor_current.6"]) == ("A", "double")
     assert (units["arm.arm_status"], types["arm.arm_status"]) == ("", "int32")
     assert schema.metadata[b"source"] == b"a.log"
-    assert schema.metadata[b"arm"] == b"generation 2, S-V1.8-5"
+    assert schema.metadata[b"arm"] == b"PiPER, generation 2, S-V1.8-5"
 
 
 def test_encoder_pulses_are_no_angle(tmp_path):

@@ -44,5 +44,5 @@ def other_mode(app_driver: AppDriver) -> None:
     """Another program drives the arm in MIT mode."""
     reached_out(app_driver)
     with _host(app_driver) as host:
-        host.say("151#010400AD00000000")
+        host.say("151#010600AD00000000")
         app_driver.run(0.3)

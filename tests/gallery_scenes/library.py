@@ -15,7 +15,7 @@ from armui.trajectory.library.store import Library
 from armui.ui.dialogs.files import FileDialog
 from armui.ui.trajectory.library.bin_dialog import BinDialog
 from armui.ui.trajectory.library.import_report import ImportReport
-from armui.ui.trajectory.library.library_window import LibraryWindow
+from armui.ui.trajectory.library.library_page import LibraryPage
 from tests.app_driver import AppDriver
 from tests.gallery_scenes.trajectories import library
 from tests.sample_trajectories import SAMPLES
@@ -23,13 +23,13 @@ from tests.sample_trajectories import SAMPLES
 _CHANGED_S = 1_768_478_400.0
 
 
-def empty(app_driver: AppDriver) -> QDialog:
+def empty(app_driver: AppDriver) -> LibraryPage:
     """Before anything is in the library."""
     app_driver.window.open_library_window()
-    return app_driver.dialog(LibraryWindow)
+    return app_driver.page(LibraryPage)
 
 
-def not_found(app_driver: AppDriver) -> QDialog:
+def not_found(app_driver: AppDriver) -> LibraryPage:
     """A search for what is not there."""
     window = library(app_driver)
     search = window.findChild(QLineEdit, "library_search")
@@ -39,7 +39,7 @@ def not_found(app_driver: AppDriver) -> QDialog:
     return window
 
 
-def deleted(app_driver: AppDriver) -> LibraryWindow:
+def deleted(app_driver: AppDriver) -> LibraryPage:
     """Two deletions that can be undone, and a trajectory that was never saved."""
     window = library(app_driver)
     window.findChild(QLineEdit, "library_search").clear()
@@ -64,7 +64,7 @@ def bin_(app_driver: AppDriver) -> QDialog:
     return app_driver.dialog(BinDialog)
 
 
-def imported(app_driver: AppDriver) -> LibraryWindow:
+def imported(app_driver: AppDriver) -> LibraryPage:
     """Files of which some are broken, one is a table, and one has a name that is taken."""
     window = library(app_driver)
     stored = Library(app_driver.library_folder)

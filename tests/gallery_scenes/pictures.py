@@ -27,7 +27,7 @@ from PySide6.QtGui import QImage
 from PySide6.QtWidgets import QApplication, QWidget
 
 from armui.protocol.generation import Generation
-from armui.settings import Language, ThemeName
+from armui.setting_checks import Language, ThemeName
 from armui.ui.shell.operation_area import OperationArea
 from armui.viewport.client import PictureClient
 from tests.app_driver import AppDriver
@@ -113,7 +113,8 @@ class _WindowPictures:
         """Every picture of a scene; returns how many."""
         scene.play(self._driver)
         count = 0
-        for size, theme in itertools.product(self._looks.sizes, self._looks.themes):
+        sizes = self._looks.sizes if len(self._looks.sizes) == 1 else scene.sizes
+        for size, theme in itertools.product(sizes or self._looks.sizes, self._looks.themes):
             self._change(size, theme)
             for language in self._looks.languages:
                 self._driver.store.change(language=language)

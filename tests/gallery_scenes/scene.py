@@ -6,7 +6,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 from PySide6.QtCore import QCoreApplication
-from PySide6.QtWidgets import QApplication, QDialog
+from PySide6.QtWidgets import QApplication, QDialog, QWidget
 
 from tests.app_driver import AppDriver
 
@@ -19,11 +19,13 @@ class Scene:
         name: For the file.
         play: Brings a window that has just opened, with no device, to this state.
         panels: Whether each panel of the operation area is a picture, too.
+        sizes: Of the window, in pixels, where others than the usual ones tell more.
     """
 
     name: str
-    play: Callable[[AppDriver], None]
+    play: Callable[[AppDriver], object]
     panels: bool = False
+    sizes: tuple[tuple[int, int], ...] = ()
 
 
 @dataclass(frozen=True)
@@ -38,7 +40,7 @@ class DialogScene:
 
     name: str
     during: str
-    open: Callable[[AppDriver], QDialog]
+    open: Callable[[AppDriver], QWidget]
 
 
 def settled(app_driver: AppDriver) -> None:

@@ -7,20 +7,21 @@ from pathlib import Path
 
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QComboBox, QDialog, QWidget
+from PySide6.QtWidgets import QComboBox, QWidget
 
 from armui.trajectory.columns import ColumnQuantity
 from armui.trajectory.library.store import Library
 from armui.ui.dialogs.files import FileDialog
-from armui.ui.trajectory.editor.editor_window import EditorWindow
-from armui.ui.trajectory.library.library_window import LibraryWindow
-from armui.ui.trajectory.recording.recording_window import RecordingWindow
-from armui.ui.trajectory.table_import.columns_dialog import ColumnsDialog
+from armui.ui.trajectory.editor.editor_page import EditorPage
+from armui.ui.trajectory.library.library_page import LibraryPage
+from armui.ui.trajectory.recording.recording_page import RecordingPage
+from armui.ui.trajectory.table_import.columns_page import ColumnsPage
+from armui.ui.widgets.page import Page
 from tests.app_driver import AppDriver
 from tests.sample_trajectories import SAMPLES
 
 
-def library(app_driver: AppDriver) -> LibraryWindow:
+def library(app_driver: AppDriver) -> LibraryPage:
     """Four trajectories, one of them checked; the simulated arm never runs them."""
     library = Library(app_driver.library_folder)
     if not library.entries():
@@ -28,35 +29,35 @@ def library(app_driver: AppDriver) -> LibraryWindow:
             library.save(content)
         library.mark("Warm up", check="ok", length_s=84.0)
     app_driver.window.open_library_window()
-    window = app_driver.dialog(LibraryWindow)
+    window = app_driver.page(LibraryPage)
     window.refresh(["Pick and place"])
     return window
 
 
-def editor(app_driver: AppDriver) -> EditorWindow:
+def editor(app_driver: AppDriver) -> EditorPage:
     library(app_driver).open_trajectory("Pick and place")
-    return app_driver.dialog(EditorWindow)
+    return app_driver.page(EditorPage)
 
 
-def editor_find(app_driver: AppDriver) -> QDialog:
+def editor_find(app_driver: AppDriver) -> Page:
     window = editor(app_driver)
     QTest.keyClick(window, Qt.Key.Key_F, Qt.KeyboardModifier.ControlModifier)
     return window
 
 
-def failed_check(app_driver: AppDriver) -> QDialog:
+def failed_check(app_driver: AppDriver) -> Page:
     library(app_driver).open_trajectory("Out of reach")
-    window = app_driver.dialog(EditorWindow)
+    window = app_driver.page(EditorPage)
     app_driver.click(window.findChild(QWidget, "editor_check"))
     return window
 
 
-def recording(app_driver: AppDriver) -> QDialog:
+def recording(app_driver: AppDriver) -> Page:
     library(app_driver).open_trajectory("By hand")
-    return app_driver.dialog(RecordingWindow)
+    return app_driver.page(RecordingPage)
 
 
-def columns(app_driver: AppDriver) -> QDialog:
+def columns(app_driver: AppDriver) -> Page:
     """A table that names most of its columns, one of them twice."""
     rows = "".join(
         f"{20 * step},{step},{0.3 + step / 100:.3f},{-0.7 - step / 90:.3f},0.1,0.4,-0.2,{step},41\n"
@@ -71,16 +72,16 @@ def columns(app_driver: AppDriver) -> QDialog:
         chooser.filesSelected.emit([str(path)])
         chooser.close()
         app_driver.click(window.findChild(QWidget, "library_by_columns"))
-    dialog = app_driver.dialog(ColumnsDialog)
-    box = dialog.findChild(QComboBox, "column_quantity_8")
+    page = app_driver.page(ColumnsPage)
+    box = page.findChild(QComboBox, "column_quantity_8")
     box.setCurrentIndex(box.findData(ColumnQuantity.J1))
     box.activated.emit(box.currentIndex())
-    return dialog
+    return page
 
 
-def columns_offered(app_driver: AppDriver) -> QDialog:
-    columns(app_driver).reject()
-    return app_driver.dialog(LibraryWindow)
+def columns_offered(app_driver: AppDriver) -> Page:
+    columns(app_driver).leave()
+    return app_driver.page(LibraryPage)
 
 
 def preview(app_driver: AppDriver) -> None:

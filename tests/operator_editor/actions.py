@@ -9,8 +9,8 @@ from armui.trajectory.library.store import Library
 from armui.trajectory.points.cells import PointColumn
 from armui.trajectory.points.program import Trajectory, Waypoint
 from armui.ui.trajectory.editor.cell_editors import CellEditor
-from armui.ui.trajectory.editor.editor_window import EditorWindow
-from armui.ui.trajectory.library.library_window import LibraryWindow
+from armui.ui.trajectory.editor.editor_page import EditorPage
+from armui.ui.trajectory.library.library_page import LibraryPage
 
 OUT = (20.0, 40.0, -40.0, 10.0, 20.0, 15.0)
 BACK = (-15.0, 30.0, -30.0, -10.0, 30.0, -20.0)
@@ -40,8 +40,8 @@ class Editor:
 
     def open(self, name="Test"):
         self.app_driver.click("library_button")
-        self.app_driver.dialog(LibraryWindow).open_trajectory(name)
-        window = self.app_driver.dialog(EditorWindow)
+        self.app_driver.page(LibraryPage).open_trajectory(name)
+        window = self.app_driver.page(EditorPage)
         self.app_driver.wait(window.isActiveWindow)
         return window
 

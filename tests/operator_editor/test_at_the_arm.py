@@ -40,7 +40,7 @@ def test_the_arm_goes_to_a_pose(app_driver):
     editor = Editor(app_driver, to(OUT), to(BACK))
     app_driver.ready()
     editor.choose(0)
-    editor.keys(Qt.Key.Key_K, CTRL)
+    editor.keys(Qt.Key.Key_K, CTRL | Qt.KeyboardModifier.ShiftModifier)
     editor.act("go_to")
     app_driver.run_until(lambda: math.dist(app_driver.firmware.joints_deg, OUT) < 0.05)
 

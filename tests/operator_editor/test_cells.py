@@ -15,10 +15,10 @@ from tests.operator_editor.actions import BACK, UP
 def test_an_angle_is_typed_undone_and_done_again(editor):
     editor.type_into(1, PointColumn.VALUE_2, "45,5")
     assert editor.text(1, PointColumn.VALUE_2) == "45.500"
-    assert editor.window.windowTitle() == "Test *"
+    assert editor.window.title == "Test *"
     editor.click("editor_undo")
     assert editor.points[1].target == BACK
-    assert editor.window.windowTitle() == "Test"
+    assert editor.window.title == "Test"
     editor.click("editor_redo")
     assert editor.points[1].target[1] == 45.5
 

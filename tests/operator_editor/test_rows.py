@@ -74,10 +74,10 @@ def test_a_row_is_dragged_to_the_end(editor):
 def test_joint_angles_become_a_pose_and_back(editor):
     editor.choose(0)
     editor.choose(2, CTRL)
-    editor.keys(Qt.Key.Key_K, CTRL)
+    editor.keys(Qt.Key.Key_K, CTRL | Qt.KeyboardModifier.ShiftModifier)
     assert [point.move.name for point in editor.points] == ["MOVE_P", "MOVE_J", "MOVE_P"]
     editor.choose(0)
-    editor.keys(Qt.Key.Key_K, CTRL)
+    editor.keys(Qt.Key.Key_K, CTRL | Qt.KeyboardModifier.ShiftModifier)
     assert editor.points[0].target == pytest.approx(OUT, abs=1e-6)
 
 

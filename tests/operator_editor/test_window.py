@@ -6,7 +6,7 @@ from PySide6.QtWidgets import QComboBox, QWidget
 
 from armui.trajectory.points.cells import PointColumn
 from armui.ui.background import Background
-from armui.ui.trajectory.editor.editor_window import EditorWindow
+from armui.ui.trajectory.editor.editor_page import EditorPage
 from armui.ui.trajectory.editor.leave_question import LeaveQuestion
 from armui.ui.trajectory.library.library_work import LibraryWork
 from armui.ui.trajectory.running.preflight import Checks
@@ -78,7 +78,7 @@ def test_changes_survive_a_crash(editor):
     editor.type_into(0, PointColumn.DWELL, "2")
     editor.app_driver.wait(lambda: editor.library.drafts() == ["Test"])
     # the program is gone without a word: another one opens the same folder
-    again = EditorWindow(
+    again = EditorPage(
         editor.app_driver.controller,
         Checks(editor.app_driver.controller, Background(AtOnce())),
         LibraryWork(editor.library, Background(AtOnce()), editor.window),

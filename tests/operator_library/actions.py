@@ -8,7 +8,7 @@ from armui.protocol.codes import MoveMode
 from armui.trajectory.library.store import Library
 from armui.trajectory.points.program import Trajectory, Waypoint
 from armui.ui.dialogs.files import FileDialog
-from armui.ui.trajectory.library.library_window import LibraryWindow
+from armui.ui.trajectory.library.library_page import LibraryPage
 
 POINT = Waypoint(MoveMode.MOVE_J, (20.0, 40.0, -40.0, 10.0, 20.0, 15.0))
 CTRL = Qt.KeyboardModifier.ControlModifier
@@ -27,7 +27,7 @@ class LibraryDriver:
         for count, name in enumerate(names, 1):
             self.library.save(Trajectory(name, points=(POINT,) * count))
         app_driver.click("library_button")
-        self.window = app_driver.dialog(LibraryWindow)
+        self.window = app_driver.page(LibraryPage)
         app_driver.wait(self.window.isActiveWindow)
 
     @property

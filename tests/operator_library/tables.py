@@ -1,4 +1,4 @@
-"""Tables of an unknown dialect, and the dialog that imports them in the operator's hands."""
+"""Tables of an unknown dialect, and the page that imports them in the operator's hands."""
 
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
@@ -6,8 +6,8 @@ from PySide6.QtWidgets import QApplication, QComboBox, QWidget
 
 from armui.trajectory.library.store import Library
 from armui.ui.dialogs.files import FileDialog
-from armui.ui.trajectory.library.library_window import LibraryWindow
-from armui.ui.trajectory.table_import.columns_dialog import ColumnsDialog
+from armui.ui.trajectory.library.library_page import LibraryPage
+from armui.ui.trajectory.table_import.columns_page import ColumnsPage
 
 DEGREES = (
     "time_ms,a1_deg,a2_deg,a3_deg,a4_deg,a5_deg,a6_deg,temperature\n"
@@ -27,7 +27,7 @@ class Operator:
         self.app_driver = app_driver
         self.folder = folder
         app_driver.click("library_button")
-        self.list = app_driver.dialog(LibraryWindow)
+        self.list = app_driver.page(LibraryPage)
         self.library = Library(app_driver.library_folder)
 
     def bring(self, **texts):
@@ -45,11 +45,11 @@ class Operator:
     def open(self, **texts):
         self.bring(**texts)
         self.app_driver.click(self.enable_or_explain)
-        return self.dialog
+        return self.page
 
     @property
-    def dialog(self):
-        return self.app_driver.dialog(ColumnsDialog)
+    def page(self):
+        return self.app_driver.page(ColumnsPage)
 
     @property
     def enable_or_explain(self):
@@ -59,22 +59,22 @@ class Operator:
         return self.list.findChild(QWidget, "library_message").text()
 
     def child(self, name):
-        return self.dialog.findChild(QWidget, f"columns_{name}")
+        return self.page.findChild(QWidget, f"columns_{name}")
 
     def message(self):
         return self.child("message").text()
 
     def columns(self):
-        """What the dialog says of each column: `J1 °`, `-` for one that is ignored."""
+        """What the page says of each column: `J1 °`, `-` for one that is ignored."""
         found = []
-        for number in range(1, len(self.dialog.mapping.columns) + 1):
+        for number in range(1, len(self.page.mapping.columns) + 1):
             quantity = self.box("quantity", number).currentText()
             unit = self.box("unit", number).currentText()
             found.append("-" if quantity == "Ignored" else f"{quantity} {unit}")
         return found
 
     def box(self, kind, number):
-        return self.dialog.findChild(QComboBox, f"column_{kind}_{number}")
+        return self.page.findChild(QComboBox, f"column_{kind}_{number}")
 
     def choose(self, box, text):
         """Open a list, click on an entry."""
@@ -90,10 +90,10 @@ class Operator:
 
     def dialect_field(self, name):
         """A field that says how the table is built."""
-        return self.dialog.findChild(QWidget, f"dialect_{name}")
+        return self.page.findChild(QWidget, f"dialect_{name}")
 
     def built(self):
-        """What the dialog says of that: encoding, delimiter, decimal sign, first line."""
+        """What the page says of that: encoding, delimiter, decimal sign, first line."""
         boxes = [
             self.dialect_field(name).currentText() for name in ("encoding", "delimiter", "decimal")
         ]
@@ -108,7 +108,7 @@ class Operator:
 
     def preview(self):
         """The rows that are shown."""
-        model = self.dialog.findChild(QWidget, "columns_preview").model()
+        model = self.page.findChild(QWidget, "columns_preview").model()
         columns = range(model.columnCount())
         return [[model.index(row, c).data() for c in columns] for row in range(model.rowCount())]
 
@@ -116,13 +116,13 @@ class Operator:
         self.choose(self.box("quantity", number), quantity)
 
     def take(self):
-        dialog = self.dialog
+        page = self.page
         self.app_driver.click(self.child("import"))
-        self.app_driver.wait(lambda: not dialog.busy)
+        self.app_driver.wait(lambda: not page.busy)
 
 
 def is_open():
     return any(
-        isinstance(widget, ColumnsDialog) and widget.isVisible()
-        for widget in QApplication.topLevelWidgets()
+        isinstance(widget, ColumnsPage) and widget.isVisible()
+        for widget in QApplication.allWidgets()
     )

@@ -64,7 +64,7 @@ def test_waits_and_radians_as_the_maker_records_them(operator):
     operator.open(taught=RADIANS)
     joints = [f"J{joint} rad" for joint in range(1, 7)]
     assert operator.columns() == ["Wait s", *joints, "Gripper m"]
-    origin = operator.dialog.findChild(QWidget, "column_origin_2")
+    origin = operator.page.findChild(QWidget, "column_origin_2")
     assert origin.text() == "Guessed: check it"
     operator.take()
     kept = operator.library.load("taught")
@@ -78,7 +78,7 @@ def test_another_unit_of_one_joint_is_that_of_all(operator):
     operator.choose(operator.box("unit", 4), "°")
     joints = [f"J{joint} °" for joint in range(1, 7)]
     assert operator.columns() == ["Wait s", *joints, "Gripper m"]
-    assert operator.dialog.findChild(QWidget, "column_origin_2").text() == ""
+    assert operator.page.findChild(QWidget, "column_origin_2").text() == ""
     operator.take()
     assert operator.library.load("taught").joints_deg[1, 1] == pytest.approx(0.6)
 

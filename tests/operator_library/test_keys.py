@@ -7,16 +7,16 @@ from PySide6.QtWidgets import QWidget
 from armui.trajectory.library.store import Library
 from armui.trajectory.points.program import Trajectory
 from armui.ui.dialogs.files import FileDialog
-from armui.ui.trajectory.editor.editor_window import EditorWindow
+from armui.ui.trajectory.editor.editor_page import EditorPage
 from armui.ui.trajectory.library.library_model import LibraryColumn
-from armui.ui.trajectory.recording.recording_window import RecordingWindow
+from armui.ui.trajectory.recording.recording_page import RecordingPage
 from tests.operator_library.actions import CTRL, POINT, LibraryDriver
 
 
 def test_enter_opens(driver):
     driver.choose("three")
     driver.key(Qt.Key.Key_Return)
-    assert driver.app_driver.dialog(EditorWindow).document.name == "three"
+    assert driver.app_driver.page(EditorPage).document.name == "three"
 
 
 def test_f2_renames_whichever_cell_was_clicked(driver):
@@ -56,11 +56,11 @@ def test_escape_clears_the_search_before_it_closes_the_window(driver):
 
 def test_the_other_keys(driver):
     driver.key(Qt.Key.Key_N, CTRL)
-    driver.app_driver.dialog(EditorWindow).close()
+    driver.app_driver.page(EditorPage).close()
     driver.key(Qt.Key.Key_O, CTRL)
     driver.app_driver.dialog(FileDialog).close()
     driver.key(Qt.Key.Key_R, CTRL)
-    driver.app_driver.dialog(RecordingWindow).close()
+    driver.app_driver.page(RecordingPage).close()
     driver.choose("two")
     driver.key(Qt.Key.Key_D, CTRL)
     assert driver.names() == ["one", "three", "Trajectory", "two", "two 2"]

@@ -4,7 +4,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QWidget
 
-from armui.ui.trajectory.editor.editor_window import EditorWindow
+from armui.ui.trajectory.editor.editor_page import EditorPage
 from tests.operator_library.actions import POINT
 
 
@@ -24,8 +24,8 @@ def test_what_needs_a_choice_says_so(driver):
 
 def test_a_new_one_is_created_and_opened(driver):
     driver.click("create")
-    editor = driver.app_driver.dialog(EditorWindow)
-    assert editor.windowTitle() == "Trajectory"
+    editor = driver.app_driver.page(EditorPage)
+    assert editor.title == "Trajectory"
     QTest.keyClick(editor.table, Qt.Key.Key_Return, Qt.KeyboardModifier.ControlModifier)
     driver.app_driver.click(editor.findChild(QWidget, "editor_insert_measured"))
     assert "No arm is connected" in editor.findChild(QWidget, "editor_message").text()
@@ -37,7 +37,7 @@ def test_a_double_click_opens_the_second_level(driver):
     place = driver.table.visualRect(index).center()
     QTest.mouseClick(driver.table.viewport(), Qt.MouseButton.LeftButton, pos=place)
     QTest.mouseDClick(driver.table.viewport(), Qt.MouseButton.LeftButton, pos=place)
-    editor = driver.app_driver.dialog(EditorWindow)
+    editor = driver.app_driver.page(EditorPage)
     assert editor.document.name == "two"
     assert len(editor.document.points) == 3
 

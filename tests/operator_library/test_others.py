@@ -8,7 +8,7 @@ from PySide6.QtWidgets import QLineEdit, QWidget
 
 from armui.trajectory.library.store import Library
 from armui.trajectory.points.program import Trajectory
-from armui.ui.trajectory.editor.editor_window import EditorWindow
+from armui.ui.trajectory.editor.editor_page import EditorPage
 from tests.operator_library.actions import POINT, LibraryDriver
 
 
@@ -31,7 +31,7 @@ def test_what_others_do_is_seen_by_itself(driver):
 def test_the_first_trajectory_of_an_empty_library_is_seen_too(app_driver):
     driver = LibraryDriver(app_driver)
     driver.click("create")
-    app_driver.dialog(EditorWindow).close()
+    app_driver.page(EditorPage).close()
     other(driver).save(Trajectory("new", points=(POINT,)))
     app_driver.wait(lambda: driver.names() == ["new", "Trajectory"])
 
@@ -97,7 +97,7 @@ def test_a_name_another_program_has_taken_is_refused(driver):
 
 def test_what_is_edited_here_and_deleted_there_is_saved_anew(driver):
     driver.window.open_trajectory("one")
-    editor = driver.app_driver.dialog(EditorWindow)
+    editor = driver.app_driver.page(EditorPage)
     other(driver).delete(["one"])
     editor.document.set_note("mine", "note")
     driver.app_driver.click(editor.findChild(QWidget, "editor_save"))
@@ -113,7 +113,7 @@ def test_a_folder_that_vanishes_is_an_empty_library(driver):
     assert driver.names() == []
     assert driver.child("hint_title").isVisible()
     driver.click("create")
-    driver.app_driver.dialog(EditorWindow).close()
+    driver.app_driver.page(EditorPage).close()
     assert driver.names() == ["Trajectory"]
 
 

@@ -6,7 +6,7 @@ from PySide6.QtWidgets import QTableWidget, QWidget
 
 from armui.trajectory.library.store import Library
 from armui.trajectory.points.program import Trajectory
-from armui.ui.trajectory.editor.editor_window import EditorWindow
+from armui.ui.trajectory.editor.editor_page import EditorPage
 from armui.ui.trajectory.library.bin_dialog import BinDialog
 from tests.operator_library.actions import POINT, LibraryDriver
 
@@ -57,7 +57,7 @@ def test_names_and_copies_are_undone_too(driver):
 
 def test_what_is_open_is_not_taken_away_by_undoing(driver):
     driver.click("create")
-    editor = driver.app_driver.dialog(EditorWindow)
+    editor = driver.app_driver.page(EditorPage)
     driver.click("undo")
     assert "“Trajectory” is open" in driver.message()
     assert "Trajectory" in driver.names()
@@ -68,7 +68,7 @@ def test_what_is_open_is_not_taken_away_by_undoing(driver):
 
 def test_what_was_worked_on_since_is_kept(driver):
     driver.click("create")
-    editor = driver.app_driver.dialog(EditorWindow)
+    editor = driver.app_driver.page(EditorPage)
     driver.app_driver.click(editor.findChild(QWidget, "editor_insert_measured"))
     editor.document.set_note("mine", "note")
     editor.save()

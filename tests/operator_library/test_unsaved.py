@@ -4,7 +4,7 @@ from PySide6.QtWidgets import QWidget
 
 from armui.trajectory.points.program import Trajectory
 from armui.ui.dialogs.confirm_dialog import ConfirmDialog
-from armui.ui.trajectory.editor.editor_window import EditorWindow
+from armui.ui.trajectory.editor.editor_page import EditorPage
 from tests.operator_library.actions import POINT, LibraryDriver
 
 
@@ -30,9 +30,9 @@ def test_it_is_listed_as_what_it_is(app_driver):
 def test_it_is_opened_and_saved(app_driver):
     driver = lost(app_driver)
     driver.window.open_trajectory("one")
-    editor = app_driver.dialog(EditorWindow)
+    editor = app_driver.page(EditorPage)
     assert editor.document.points == (POINT, POINT)
-    assert editor.windowTitle() == "one *"
+    assert editor.title == "one *"
     app_driver.click(editor.findChild(QWidget, "editor_save"))
     assert driver.names() == ["one", "three"]
     assert driver.library.load("one").points == (POINT, POINT)
@@ -42,7 +42,7 @@ def test_it_is_opened_and_saved(app_driver):
 def test_it_is_opened_and_discarded(app_driver):
     driver = lost(app_driver)
     driver.window.open_trajectory("one")
-    app_driver.dialog(EditorWindow).close()
+    app_driver.page(EditorPage).close()
     app_driver.click(app_driver.dialog(ConfirmDialog).action_button)
     assert driver.names() == ["three"]
     assert driver.library.drafts() == []

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from pathlib import Path
 
 from armui.bus.playback.log_clock import LogClock
@@ -10,9 +11,11 @@ from armui.control.log_replay import LogReplay
 from armui.protocol.codec import Codec, Message
 from armui.protocol.generation import Generation
 from armui.session.foreign.indexed import IndexedLog
+from armui.session.recording.recorded_session import RecordedSession
 from armui.sim.faults.schedule import FAULTS, Fault
 from armui.telemetry.store import Telemetry
 from tests.session.indexed import open_indexed
+from tests.session.recording.made import BASE, recorded
 from tests.session.recordings import frames, greeting, write
 
 EACH_FAULT = tuple(sorted(FAULTS))
@@ -27,6 +30,16 @@ def log_with(
     faults = () if fault is None else (fault,)
     write(path, frames(seconds, generation, faults=faults, asked=greeting(generation)))
     return open_indexed(path)
+
+
+def as_own(folder, session):
+    """The same frames in a recording of this program, without a word beside them."""
+    frames = [
+        (None, each.time_s - BASE.shift_s, each.frame, int(each.flags))
+        for batch in session.frames_between(-math.inf, math.inf)
+        for each in batch
+    ]
+    return RecordedSession(recorded(folder / "own", frames, block=700))
 
 
 class Player:

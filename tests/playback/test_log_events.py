@@ -91,7 +91,7 @@ def test_faults_and_changes_of_status_come_in_the_same_order_as_live(tmp_path, f
     session = log_with(tmp_path, fault, generation, seconds=2.4)
     expected = told(each for each in live_log(session, generation).entries())
 
-    log = log_events(session, session.channels[0], RecordedArm(int(generation)), wall)
+    log = log_events(session, session.channels[0], RecordedArm(int(generation)), wall).log
     found = [each for each in log.entries() if each.who is Asker.ARM]
 
     assert len(expected) >= 3
@@ -110,7 +110,7 @@ def silent_log(tmp_path):
 
 def test_a_silence_and_its_end_are_told_as_live(tmp_path):
     session = silent_log(tmp_path)
-    log = log_events(session, session.channels[0], RecordedArm(2), wall)
+    log = log_events(session, session.channels[0], RecordedArm(2), wall).log
 
     (offline,) = (each for each in log.entries() if each.code == "offline")
     assert offline.at_s == pytest.approx(START_S + 1.5, abs=0.02)
@@ -127,7 +127,7 @@ def test_a_silence_and_its_end_are_told_as_live(tmp_path):
 
 def test_the_host_s_commands_stand_between(tmp_path):
     session = log_with(tmp_path, "")
-    log = log_events(session, session.channels[0], RecordedArm(2), wall)
+    log = log_events(session, session.channels[0], RecordedArm(2), wall).log
 
     by_host = [each for each in log.entries() if each.who is Asker.OTHER_HOST]
     assert [words.entry_text(each) for each in by_host] == ["Motors: enable sent"]

@@ -80,7 +80,7 @@ def end_of(entry) -> datetime | None:
 def test_the_same_events_in_the_same_words_and_times(recorded, language, spoken):
     session, live, _revision = recorded
     language(spoken)
-    replayed = log_events(session, "can0", RecordedArm(2), wall_time).entries()
+    replayed = log_events(session, "can0", RecordedArm(2), wall_time).log.entries()
     replayed = replayed[-len(live) :]
 
     assert {"stop_sent", "refused", "joint_fault", "arm_status", "sent_joints"} <= {
@@ -101,7 +101,7 @@ def test_the_same_events_in_the_same_words_and_times(recorded, language, spoken)
 
 def test_events_stand_where_their_frames_do(recorded):
     session, live, _revision = recorded
-    replayed = log_events(session, "can0", RecordedArm(2), wall_time).entries()[-len(live) :]
+    replayed = log_events(session, "can0", RecordedArm(2), wall_time).log.entries()[-len(live) :]
     shift_s = session.facts["unix_s"] - session.facts["steady_s"]
 
     for found, told in zip(replayed, live, strict=True):

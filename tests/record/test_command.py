@@ -17,11 +17,11 @@ from can.interfaces.virtual import VirtualBus
 
 from armui import record
 from armui.protocol.frame import FrameFlag
-from armui.record import mf4
 from armui.record.command import EXIT_CANNOT_BEGIN, EXIT_CUT_SHORT, EXIT_OK
 from armui.record.listening import BusListener
+from armui.session.recording import mf4
 from armui.session.recording.recorded_session import RecordedSession
-from tests.session.recording.made import all_of
+from tests.session.recording.made import Mf4InMemory, all_of
 from tests.session.recording.test_disk import FullDisk
 
 SAID = [
@@ -170,19 +170,6 @@ def test_the_simulated_arm_in_a_process_of_its_own_without_qt(tmp_path):
     session = RecordedSession(side)
     assert {each.frame.arbitration_id for each in all_of(session)} >= {0x2A1, 0x2A5, 0x2A6, 0x2A7}
     assert json.loads((tmp_path / "arm.armui.jsonl").read_text("utf-8").splitlines()[0])["device"]
-
-
-class Mf4InMemory:
-    """What python-can's writer of .mf4 is told; it writes at its end, as that one does."""
-
-    def __init__(self, path):
-        self.path, self.messages = path, []
-
-    def on_message_received(self, message):
-        self.messages.append(message)
-
-    def stop(self):
-        self.path.write_text(f"{len(self.messages)} frames")
 
 
 def test_an_mf4_file_is_made_of_all_files_at_the_end(tmp_path, channel, capsys, monkeypatch):

@@ -10,11 +10,12 @@ from PySide6.QtGui import QContextMenuEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QComboBox, QLineEdit, QMenu, QToolTip
 
+from armui.ui.actions.palette import CommandPalette
 from armui.ui.dialogs.confirm import confirm
 from armui.ui.dialogs.files import choose_file
 from armui.ui.dialogs.settings import SettingsDialog
-from armui.ui.watch.bus.bus_window import BusWindow
-from armui.ui.watch.plot_window import PlotWindow
+from armui.ui.watch.bus.bus_page import BusPage
+from armui.ui.watch.plot_page import PlotPage
 from armui.ui.widgets.halt_button import HaltButton
 from armui.ui.widgets.stop_button import StopButton
 from armui.ui.widgets.stop_shortcut import HALT_KEY
@@ -135,8 +136,8 @@ def field_being_edited(app_driver, _button):
 
 def list_of_the_curves(app_driver, button):
     app_driver.window.show_as_curves(())
-    window = app_driver.dialog(PlotWindow)
-    window.move(button.mapToGlobal(QPoint(-900, 300)))
+    window = app_driver.taken_out(PlotPage)
+    window.window().move(button.mapToGlobal(QPoint(-900, 300)))
     app_driver.wait(lambda: window.board.built)
     window.bar.sets.showPopup()
     assert QApplication.activePopupWidget() is not None
@@ -144,8 +145,8 @@ def list_of_the_curves(app_driver, button):
 
 def list_of_the_bus_monitor(app_driver, button):
     app_driver.click("bus_button")
-    window = app_driver.dialog(BusWindow)
-    window.move(button.mapToGlobal(QPoint(-900, 300)))
+    window = app_driver.taken_out(BusPage)
+    window.window().move(button.mapToGlobal(QPoint(-900, 300)))
     app_driver.hold_button(window.send_box.unlock)
     window.filter_bar.senders.showPopup()
     assert QApplication.activePopupWidget() is not None
@@ -161,7 +162,16 @@ def menu_of_a_figure(app_driver, _button):
     assert isinstance(QApplication.activePopupWidget(), QMenu)
 
 
+def command_palette(app_driver, _button):
+    app_driver.window.activateWindow()  # off the screen nobody does when a dialog closes
+    app_driver.wait(app_driver.window.isActiveWindow)
+    QTest.keyClick(app_driver.window, Qt.Key.Key_K, Qt.KeyboardModifier.ControlModifier)
+    palette = app_driver.dialog(CommandPalette)
+    QTest.keyClicks(palette.search, "home")
+
+
 OPEN = [
+    command_palette,
     list_of_the_bus_monitor,
     list_of_the_curves,
     menu_of_a_figure,
@@ -245,6 +255,42 @@ def test_the_keys_act_at_the_first_press(app_driver, presses, open_it, key):
     open_it(app_driver, app_driver.find("stop_button"))
     QTest.keyPress(app_driver.window.windowHandle(), key)
     assert presses() == ((0, 1) if key == HALT_KEY else (1, 0))
+
+
+@pytest.mark.parametrize("key", [Qt.Key.Key_F12, Qt.Key.Key_Pause, HALT_KEY])
+def test_the_palette_swallows_no_stop(app_driver, presses, key):
+    """The keys reach the arm while its search is typed into, and both buttons stand on it."""
+    command_palette(app_driver, None)
+    palette = app_driver.dialog(CommandPalette)
+    expected = (0, 1) if key == HALT_KEY else (1, 0)
+    QTest.keyPress(palette.search, key)
+    assert presses() == expected
+    assert palette.isVisible()
+    assert palette.search.text() == "home"
+    press(palette.findChild(HaltButton if key == HALT_KEY else StopButton))
+    assert presses() == tuple(2 * count for count in expected)
+
+
+def test_a_press_on_the_main_stop_needs_no_press_to_close_the_palette(app_driver, presses):
+    command_palette(app_driver, None)
+    palette = app_driver.dialog(CommandPalette)
+    button = app_driver.find("stop_button")
+    assert not palette.geometry().intersects(
+        button.rect().translated(button.mapToGlobal(QPoint(0, 0)))
+    )
+    press(button)
+    assert presses() == (1, 0)
+
+
+@pytest.mark.parametrize(("words", "expected"), [("急停", (1, 0)), ("tz", (0, 1))])
+def test_the_palette_stops_and_halts_too(app_driver, presses, words, expected):
+    app_driver.store.change(language="zh")
+    command_palette(app_driver, None)
+    palette = app_driver.dialog(CommandPalette)
+    app_driver.wait(lambda: palette.knows_names)
+    palette.search.setText(words)
+    QTest.keyClick(palette.search, Qt.Key.Key_Return)
+    assert presses() == expected
 
 
 def test_every_window_with_a_stop_has_its_halt_or_the_key(app_driver):

@@ -15,7 +15,7 @@ from tests.sim.talk import DISABLE, frame, mode, target
 
 A = (30.0, 30.0, -30.0, 0.0, 0.0, 0.0)
 B = (-30.0, 30.0, -30.0, 0.0, 0.0, 0.0)
-MIT = "151#010400AD00000000"
+MIT = "151#010600AD00000000"
 QUESTION = "472#0101000000000000"
 
 

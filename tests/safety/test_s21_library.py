@@ -15,8 +15,8 @@ from armui.protocol.generation import Generation
 from armui.trajectory.library import bin as library_bin
 from armui.trajectory.library.store import Library
 from armui.trajectory.points.program import Trajectory, Waypoint
-from armui.ui.trajectory.editor.editor_window import EditorWindow
-from armui.ui.trajectory.library.library_window import LibraryWindow
+from armui.ui.trajectory.editor.editor_page import EditorPage
+from armui.ui.trajectory.library.library_page import LibraryPage
 from tests.app_driver import AppDriver
 
 POINT = Waypoint(MoveMode.MOVE_J, (0.0, 30.0, -30.0, 0.0, 0.0, 0.0))
@@ -62,9 +62,9 @@ def test_alone_nothing_goes_into_the_bin(folder):
     assert ours.recently_deleted() == []
 
 
-def library_window(app_driver):
+def library_page(app_driver):
     app_driver.window.open_library_window()
-    return app_driver.dialog(LibraryWindow)
+    return app_driver.page(LibraryPage)
 
 
 def company(window):
@@ -73,10 +73,10 @@ def company(window):
 
 def test_the_editor_says_that_it_displaced_the_other_s_points(app_driver):
     Library(app_driver.library_folder).save(points(1))
-    window = library_window(app_driver)
+    window = library_page(app_driver)
     window.open_trajectory("T")
     Library(app_driver.library_folder).save(points(2), replacing="T")
-    editor = app_driver.dialog(EditorWindow)
+    editor = app_driver.page(EditorPage)
     editor.document.set_note("mine", "note")
     editor.save()
     message = editor.findChild(QWidget, "editor_message").text()
@@ -87,15 +87,15 @@ def test_the_editor_says_that_it_displaced_the_other_s_points(app_driver):
 
 def test_each_program_says_that_the_other_is_there(qapp, request, app_driver, tmp_path):
     Library(app_driver.library_folder).save(points(1))
-    here = library_window(app_driver)
+    here = library_page(app_driver)
     assert not company(here)
     other = AppDriver(qapp, request.node.nodeid + "2", tmp_path / "settings.json", Generation.TWO)
     try:
         other.window.open_library_window()
         (there,) = [
             widget
-            for widget in qapp.topLevelWidgets()
-            if isinstance(widget, LibraryWindow) and widget is not here and widget.isVisible()
+            for widget in qapp.allWidgets()
+            if isinstance(widget, LibraryPage) and widget is not here and widget.isVisible()
         ]
         here.refresh()
         assert "Another program has this library open" in company(here)
@@ -111,7 +111,7 @@ def test_each_program_says_that_the_other_is_there(qapp, request, app_driver, tm
 def test_a_killed_program_is_not_there(app_driver):
     Library(app_driver.library_folder).save(points(1))
     (app_driver.library_folder / ".program-999999-00.lock").write_text("4194303\narmui\nhost\n\n\n")
-    window = library_window(app_driver)
+    window = library_page(app_driver)
     # the lock names another computer's process: it may live
     assert "host" in company(window)
     (app_driver.library_folder / ".program-999999-00.lock").unlink()

@@ -8,11 +8,11 @@ from armui.control.safety.recovery_steps import Action, StepKind
 from armui.protocol.codes import MoveMode, TrajectoryCommand
 from tests.named_version import name_version
 from tests.sim.talk import frame, target
-from tests.sim.test_direct_control import hold
+from tests.sim.test_direct_control import STIFF, hold
 
 A = (10.0, 45.0, -45.0, 0.0, 20.0, 0.0)
-MIT = "151#010400AD00000000"
-MIT_FROM_1_8_8 = "151#010600AD00000000"
+MIT_UNTIL_1_8_7 = "151#010400AD00000000"
+MIT = "151#010600AD00000000"
 HIGH_FOLLOW = "151#010100AD00000000"
 CPV = "151#0105320000000000"
 
@@ -30,8 +30,8 @@ def raised(rig):
 @pytest.mark.parametrize(
     ("word", "mode"),
     [
+        (MIT_UNTIL_1_8_7, "mit"),
         (MIT, "mit"),
-        (MIT_FROM_1_8_8, "mit"),
         (HIGH_FOLLOW, "high_follow"),
         (CPV, "cpv"),
     ],
@@ -69,7 +69,7 @@ def test_what_0x2a1_shows_is_enough(raised, shown):
     assert rig.heard() == []
 
 
-@pytest.mark.parametrize("word", [MIT, MIT_FROM_1_8_8, HIGH_FOLLOW, CPV])
+@pytest.mark.parametrize("word", [MIT_UNTIL_1_8_7, MIT, HIGH_FOLLOW, CPV])
 def test_who_moves_the_arm_is_the_other_host_as_long_as_its_mode_lasts(raised, other_host, word):
     other_host.say(word)
     raised.run(6.0)  # it has said nothing for long
@@ -78,7 +78,7 @@ def test_who_moves_the_arm_is_the_other_host_as_long_as_its_mode_lasts(raised, o
 
 def test_the_speed_slider_lets_no_arm_fall(raised, other_host):
     rig = raised
-    other_host.say(MIT, *hold(A))
+    other_host.say(MIT, *hold(A, **STIFF))
     rig.run(0.5)
     for percent in (10, 0, 100):
         rig.controller.motion.set_speed_percent(percent)
@@ -95,12 +95,12 @@ def resume_and_enable(rig):
     rig.run(1.0)
 
 
-OLD = [None, "S-V1.5-2", "S-V1.8-4", "S-V1.8-5"]
-NEW = ["S-V1.8-6", "S-V1.8-8", "S-V1.9-0"]
+RESET_FIRST = [None, "S-V1.5-2", "S-V1.8-4", "S-V1.8-5"]
+BY_A_WORD = ["S-V1.8-6", "S-V1.8-8", "S-V1.9-0"]
 
 
-@pytest.mark.parametrize("version", OLD)
-@pytest.mark.parametrize("word", [MIT, MIT_FROM_1_8_8])
+@pytest.mark.parametrize("version", RESET_FIRST)
+@pytest.mark.parametrize("word", [MIT_UNTIL_1_8_7, MIT])
 def test_the_way_back_is_the_reset_before_1_8_6(raised, other_host, version, word):
     name_version(raised.controller, version)
     other_host.say(word)
@@ -111,13 +111,14 @@ def test_the_way_back_is_the_reset_before_1_8_6(raised, other_host, version, wor
     assert step.dangerous
 
 
-@pytest.mark.parametrize("version", NEW)
-@pytest.mark.parametrize("word", [MIT_FROM_1_8_8, HIGH_FOLLOW, CPV])
+@pytest.mark.parametrize("version", BY_A_WORD)
+@pytest.mark.parametrize("word", [MIT, HIGH_FOLLOW, CPV])
 def test_the_way_back_is_a_mode_word_from_1_8_6_on(raised, other_host, version, word):
     """The word and the six angles measured leave together, and the arm stays where it is."""
     rig, controller = raised, raised.controller
     name_version(rig.controller, version)
-    other_host.say(word, *(target(*A) if word == HIGH_FOLLOW else []))
+    targets = {HIGH_FOLLOW: target(*A), MIT: hold(A, **STIFF)}
+    other_host.say(word, *targets.get(word, []))
     rig.run(3.0)
     step = controller.recovery.step
     assert step.action is Action.LEAVE_MODE
@@ -141,7 +142,7 @@ def test_the_way_back_is_a_mode_word_from_1_8_6_on(raised, other_host, version, 
 def test_against_a_stream_only_the_stop_wins(raised, other_host):
     rig, controller = raised, raised.controller
     name_version(rig.controller, "S-V1.8-9")
-    other_host.stream(lambda _t_s: [MIT_FROM_1_8_8, *hold(A)], rate_hz=100)
+    other_host.stream(lambda _t_s: [MIT, *hold(A)], rate_hz=100)
     rig.run(1.0)
     step = controller.recovery.step
     assert step.action is Action.LEAVE_MODE
@@ -177,7 +178,7 @@ def test_an_arm_that_does_not_leave_its_mode_is_said_to_be_in_it(raised, other_h
 def test_the_way_back_is_the_reset(raised, other_host):
     rig, controller = raised, raised.controller
     name_version(rig.controller, "S-V1.8-5")
-    other_host.say(MIT)
+    other_host.say(MIT_UNTIL_1_8_7)
     rig.run(3.0)
     step = controller.recovery.step
     assert step.action is Action.RESET

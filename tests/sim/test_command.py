@@ -10,7 +10,9 @@ import can
 import pytest
 
 from armui.protocol.addressing import Addressing
+from armui.protocol.firmware_version import FirmwareBug
 from armui.protocol.generation import Generation
+from armui.protocol.piper_model import PiperModel
 from armui.sim import command
 from armui.sim.faults.schedule import FAULTS, Fault
 from armui.sim.firmware import Firmware
@@ -79,7 +81,39 @@ def test_options_left_out() -> None:
         "fault": [],
         "offset": None,
         "seed": 0,
+        "bugs": frozenset(),
+        "model": PiperModel.PIPER,
     }
+
+
+def test_bugs() -> None:
+    assert read("--bugs", "all").bugs == frozenset(FirmwareBug)
+    assert read("--bugs", "zero-feedback,feedback-parts").bugs == {
+        FirmwareBug.ZERO_FEEDBACK,
+        FirmwareBug.FEEDBACK_PARTS,
+    }
+
+
+@pytest.mark.parametrize(
+    ("version", "names", "said"),
+    [
+        ("S-V1.8-6", {FirmwareBug.FEEDBACK_PARTS}, ""),
+        ("S-V1.8-9", set(), "no bug of S-V1.8-9 is known"),
+    ],
+)
+def test_bugs_without_names_are_those_of_the_version(
+    version, names, said, capsys, monkeypatch
+) -> None:
+    made = []
+
+    def run_arm(arm, *_rest, **_more):
+        made.append(arm)
+        return 0
+
+    monkeypatch.setattr(command, "run_arm", run_arm)
+    assert command.run(read("--firmware", version, "--bugs")) == 0
+    assert made[0].bugs.present == names
+    assert said in capsys.readouterr().err
 
 
 def test_options(tmp_path: Path) -> None:
@@ -102,7 +136,8 @@ def test_options(tmp_path: Path) -> None:
         (["--generation", "3"], "invalid choice"),
         (["--bitrate", "-5"], "'-5' is no bit rate; give bit/s, as 1000000"),
         (["--bitrate", "0"], "'0' is no bit rate"),
-        (["--firmware", "1.8"], "'1.8' is no firmware version; write it as S-V1.8-5"),
+        (["--firmware", "1.8"], "'1.8' is no firmware version; write it as S-V1.8-9"),
+        (["--bugs", "fleas"], "no bug is called 'fleas'; there are zero-feedback, "),
         (["--flash", "/nowhere/arm.json"], "must be a file in a folder that exists"),
         (["--flash", "/"], "must be a file in a folder that exists"),
         (["--fault", "fire@1"], "no fault is called 'fire'"),
@@ -123,7 +158,7 @@ def test_bad_options_give_a_reason_and_exit_code_2(
 
 def test_a_version_for_generation_1_is_refused(capsys: pytest.CaptureFixture[str]) -> None:
     assert command.run(read("--generation", "1", "--firmware", "S-V1.8-5")) == 2
-    assert "--firmware belongs to generation 2" in capsys.readouterr().err
+    assert "--firmware and --bugs belong to generation 2" in capsys.readouterr().err
 
 
 def test_help_names_every_fault(capsys: pytest.CaptureFixture[str]) -> None:

@@ -12,6 +12,7 @@ from armui.protocol.codec import Codec, Message
 from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
 from armui.sim.firmware import Firmware
+from tests.family import PIPER
 from tests.protocol.rows import ROWS
 from tests.sim.talk import (
     BOTH,
@@ -159,7 +160,7 @@ def test_end_pose_is_the_forward_kinematics_of_the_joints(generation: Generation
             for value in signals(codec, frames, identifier).values()
         ]
         # 0.001° of each joint at 0.6 m reach is 0.01 mm
-        assert pose == pytest.approx(Kinematics().forward(joints), abs=0.06)
+        assert pose == pytest.approx(Kinematics(PIPER).forward(joints), abs=0.06)
 
 
 def test_driver_positions_and_speeds_in_radians() -> None:

@@ -11,6 +11,7 @@ from armui.protocol.codec import Codec, Message
 from armui.protocol.generation import Generation
 from armui.sim.firmware import Firmware
 from armui.sim.mechanics.gravity import gravity_torques_nm
+from tests.family import PIPER
 from tests.sim.talk import DISABLE, STOP, ready, tell
 
 TWO = Generation.TWO
@@ -32,7 +33,7 @@ def current_a(arm: Firmware, joint: int) -> float:
 @pytest.mark.parametrize("pose", [LEANING, (0, 150, -60, 0, 0, 0), (0, 60, -120, 0, -50, 0)])
 def test_a_payload_weighs_as_its_height_changes(joint: int, pose: tuple[float, ...]) -> None:
     """Virtual work: a weight's torque on a joint is the weight times the height it loses."""
-    kinematics, nudge_deg = Kinematics(), 0.01
+    kinematics, nudge_deg = Kinematics(PIPER), 0.01
     heights_m = []
     for sign in (-1, 1):
         nudged = list(pose)
@@ -102,6 +103,6 @@ def test_a_motor_pushes_back() -> None:
     arm = ready(joints_deg=LEANING)
     assert current_a(arm, 1) == 0.0
     arm.protection.push(0, 1.2)
-    # 6 N·m an ampere
-    assert current_a(arm, 1) == -0.2
+    # k·b·c = 1.18125·4·1 = 4.725 N·m an ampere
+    assert current_a(arm, 1) == -0.254
     assert arm.joints_deg == LEANING

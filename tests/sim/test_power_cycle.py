@@ -70,7 +70,7 @@ def test_while_it_is_off_it_hears_and_says_nothing_and_falls(generation: Generat
 
 def test_mit_ends_with_the_power() -> None:
     arm = ready(joints_deg=LEANING)
-    tell(arm, "151#010400AD00000000")
+    tell(arm, "151#010600AD00000000")
     arm.power_cycle()
     arm.step(30.0)
     tell(arm, ENABLE, mode(30))

@@ -28,6 +28,7 @@ from armui.protocol.generation import Generation
 from armui.sim.faults.schedule import Fault, fault
 from armui.sim.firmware import Firmware
 from armui.sim.node import Node
+from tests.family import PIPER
 from tests.moments import now
 
 WITHIN_S = 20.0
@@ -150,7 +151,7 @@ def test_enable_move_and_read_where_it_is(arm: Node, sdk: Sdk) -> None:
     goal = (20.0, 30.0, -40.0, 5.0, 10.5, -15.0)
     until(lambda: firmware.joints_deg == goal, "the arm is there")
     sdk.until_reads("GetArmJointMsgs", "joint_state", joints(firmware))
-    pose = [round(1000 * value) for value in Kinematics().forward(goal)]
+    pose = [round(1000 * value) for value in Kinematics(PIPER).forward(goal)]
     axes = ("X_axis", "Y_axis", "Z_axis", "RX_axis", "RY_axis", "RZ_axis")
     sdk.until_reads("GetArmEndPoseMsgs", "end_pose", dict(zip(axes, pose, strict=True)))
     sdk.until_reads(
@@ -169,7 +170,7 @@ READY_DEG = (0.0, 60.0, -60.0, 0.0, -20.0, 0.0)
 
 def pose_at(joints_deg: Sequence[float]) -> list[int]:
     """As the SDK counts a pose: 0.001 mm and 0.001°."""
-    return [round(1000 * value) for value in Kinematics().forward(joints_deg)]
+    return [round(1000 * value) for value in Kinematics(PIPER).forward(joints_deg)]
 
 
 def until_at(sdk: Sdk, arm: Node, goal: list[int]) -> None:
@@ -236,7 +237,7 @@ def test_drivers_are_read_as_they_are(arm: Node, sdk: Sdk) -> None:
 
 def test_settings_are_set_and_read_back(arm: Node, sdk: Sdk) -> None:
     settings = arm.firmware.settings
-    until(lambda: sdk("GetPiperFirmwareVersion") == "S-V1.8-5", "the version is known")
+    until(lambda: sdk("GetPiperFirmwareVersion") == "S-V1.8-9", "the version is known")
 
     sdk("MotorAngleLimitMaxSpdSet", 1, 900, -450, 150)
     answer = {"instruction_index": 0x74, "is_set_zero_successfully": 0}

@@ -15,6 +15,7 @@ from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
 from armui.sim.firmware import Firmware
 from armui.sim.parameters.settings import Light
+from tests.family import PIPER, PIPER_BEFORE_V1_6_3
 from tests.moments import now
 from tests.sim.talk import (
     BOTH,
@@ -161,7 +162,7 @@ def test_end_motion_of_a_standing_arm_is_nothing() -> None:
 @pytest.mark.parametrize("joint", range(1, 7))
 def test_end_motion_is_that_of_the_flange(joint: int) -> None:
     """One joint turns alone: the flange's own track tells the same speed."""
-    arm, kinematics, codec = ready(joints_deg=LEANING), Kinematics(), Codec(TWO)
+    arm, kinematics, codec = ready(joints_deg=LEANING), Kinematics(PIPER), Codec(TWO)
     goal = list(LEANING)
     goal[joint - 1] += 40.0
     tell(arm, END_MOTION_ON[TWO], mode(40), *target(*goal))
@@ -274,12 +275,12 @@ def test_end_motion_in_bytes() -> None:
 @pytest.mark.parametrize(
     ("version", "geometry"),
     [
-        ("S-V1.5-2", Geometry.BEFORE_V1_6_3),
-        ("S-V1.6-2", Geometry.BEFORE_V1_6_3),
-        ("S-V1.6-3", Geometry.CURRENT),
-        ("S-V1.10-0", Geometry.CURRENT),
-        ("S-V2.0-0", Geometry.CURRENT),
-        ("unreadable", Geometry.CURRENT),
+        ("S-V1.5-2", PIPER_BEFORE_V1_6_3),
+        ("S-V1.6-2", PIPER_BEFORE_V1_6_3),
+        ("S-V1.6-3", PIPER),
+        ("S-V1.10-0", PIPER),
+        ("S-V2.0-0", PIPER),
+        ("unreadable", PIPER),
     ],
 )
 def test_the_end_pose_is_that_of_the_version_s_geometry(version: str, geometry: Geometry) -> None:
@@ -293,5 +294,5 @@ def test_the_end_pose_is_that_of_the_version_s_geometry(version: str, geometry: 
 
 
 def test_the_two_geometries_differ() -> None:
-    new, old = (Kinematics(each).forward((0.0,) * 6) for each in Geometry)
+    new, old = (Kinematics(each).forward((0.0,) * 6) for each in (PIPER, PIPER_BEFORE_V1_6_3))
     assert math.dist(new[:3], old[:3]) > 5.0

@@ -14,6 +14,7 @@ from armui.kinematics.tool_path import Arc, Line
 from armui.protocol.codes import ArmStatusCode, MotionState
 from armui.protocol.generation import Generation
 from armui.sim.firmware import Firmware
+from tests.family import PIPER
 from tests.sim.talk import (
     BOTH,
     STANDBY,
@@ -27,7 +28,7 @@ from tests.sim.talk import (
 )
 
 TWO = Generation.TWO
-KINEMATICS = Kinematics()
+KINEMATICS = Kinematics(PIPER)
 HERE = (10.0, 70.0, -60.0, 10.0, 25.0, -20.0)
 P, L, C = 0, 2, 3
 

@@ -15,11 +15,12 @@ from armui.kinematics.poses import Pose, matrix_to_pose, pose_to_matrix
 from armui.kinematics.tool_path import Line
 from armui.protocol.codes import ArmStatusCode, MotionState
 from armui.protocol.generation import Generation
+from tests.family import PIPER
 from tests.moments import now
 from tests.sim.talk import BOTH, arc_point, mode, pose_target, ready, status_bytes, target, tell
 
 ONE, TWO = Generation.ONE, Generation.TWO
-KINEMATICS = Kinematics()
+KINEMATICS = Kinematics(PIPER)
 HERE = (10.0, 70.0, -60.0, 10.0, 25.0, -20.0)
 P, L, C = 0, 2, 3
 

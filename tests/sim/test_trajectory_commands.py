@@ -9,6 +9,7 @@ from armui.kinematics.arm_kinematics import Kinematics
 from armui.protocol.codes import MotionState
 from armui.protocol.generation import Generation
 from armui.sim.firmware import Firmware
+from tests.family import PIPER
 from tests.sim.talk import (
     BOTH,
     RESUME,
@@ -24,7 +25,7 @@ from tests.sim.talk import (
 )
 
 ONE, TWO = Generation.ONE, Generation.TWO
-KINEMATICS = Kinematics()
+KINEMATICS = Kinematics(PIPER)
 HERE = (10.0, 70.0, -60.0, 10.0, 25.0, -20.0)
 P, J, L, C = 0, 1, 2, 3
 

@@ -10,8 +10,9 @@ from armui.arm.state import EndLimits
 from armui.kinematics.arm_kinematics import Kinematics
 from armui.protocol.codes import MoveMode
 from armui.trajectory.points.program import Trajectory, Waypoint
+from tests.family import PIPER
 
-KINEMATICS = Kinematics()
+KINEMATICS = Kinematics(PIPER)
 ARM = ArmModel(
     limits=FACTORY_LIMITS,
     accelerations_deg_s2=(FACTORY_ACCELERATION_DEG_S2,) * 6,

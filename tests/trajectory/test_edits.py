@@ -16,6 +16,7 @@ from armui.trajectory.points import edits
 from armui.trajectory.points.cells import PointColumn, edited
 from armui.trajectory.points.clipboard import from_text, to_text
 from armui.trajectory.points.program import GripperOpening, LightAction, Waypoint
+from tests.family import PIPER
 from tests.trajectory.strategies import POINTS
 
 
@@ -130,7 +131,7 @@ def test_a_middle_pose_is_six_figures_with_anything_between():
 
 
 def test_another_kind_of_motion_keeps_the_place():
-    model = Kinematics()
+    model = Kinematics(PIPER)
     joint = Waypoint(MoveMode.MOVE_J, (10.0, 60.0, -60.0, 5.0, 30.0, -10.0))
     before = tuple(model.forward((0.0, 60.0, -60.0, 0.0, 30.0, 0.0)))
 

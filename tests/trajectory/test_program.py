@@ -27,12 +27,13 @@ from armui.trajectory.points.program import (
     check_trajectory,
 )
 from armui.trajectory.samples.recording import Recording, check_recording
+from tests.family import PIPER
 from tests.trajectory.strategies import RECORDINGS, TRAJECTORIES
 
 HERE = (10.0, 70.0, -60.0, 10.0, 25.0, -20.0)
 POINT = Waypoint(MoveMode.MOVE_J, HERE, note="over the tray")
 POSE = (300.0, 0.0, 250.0, 0.0, 85.0, 0.0)
-KINEMATICS = Kinematics()
+KINEMATICS = Kinematics(PIPER)
 
 
 @given(TRAJECTORIES)

@@ -11,7 +11,6 @@ import pytest
 
 from armui.control.run import replayer
 from armui.kinematics.arm_kinematics import Kinematics
-from armui.kinematics.geometry import Geometry
 from armui.kinematics.tool_path import Line
 from armui.protocol.codes import MotionState, MoveMode
 from armui.protocol.generation import Generation
@@ -19,6 +18,7 @@ from armui.sim.firmware import Firmware
 from armui.trajectory.planning.timing import APPROACH_PERCENT, plan_path
 from armui.trajectory.points.program import Trajectory, Waypoint
 from armui.trajectory.samples.recording import Recording
+from tests.family import PIPER_BEFORE_V1_6_3
 from tests.sim.talk import arc_point, mode, pose_target, ready, target, tell
 from tests.trajectory.arms import ARM, HERE, KINEMATICS, arc, joint, line, pose, pose_near, run
 
@@ -286,7 +286,7 @@ def test_no_samples_are_a_path_of_no_time() -> None:
 
 @pytest.mark.parametrize("move", [MoveMode.MOVE_J, MoveMode.MOVE_L])
 def test_an_older_arm_is_planned_with_its_own_geometry(move: MoveMode) -> None:
-    older = replace(ARM, kinematics=Kinematics(Geometry.BEFORE_V1_6_3), tool_mm=0.0)
+    older = replace(ARM, kinematics=Kinematics(PIPER_BEFORE_V1_6_3), tool_mm=0.0)
     aim = HERE if move is MoveMode.MOVE_J else ACROSS
     path = plan_path(run(Waypoint(move, tuple(aim))), older, HERE)
 

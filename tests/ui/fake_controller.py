@@ -17,6 +17,7 @@ from armui.control.devices.gripper_ranges import Figures, figures_of
 from armui.control.devices.teaching_phase import why_not
 from armui.control.events import Event, Level
 from armui.control.motion.jog_path import JointJog, ToolJog
+from armui.control.motion.steered_path import SteeredJog
 from armui.control.operating_state import OperatingState
 from armui.control.parameters.setting_cell import SettingCellState
 from armui.control.parameters.setting_checks import Changes
@@ -199,8 +200,9 @@ class FakeJogging:
     def __init__(self, controller: FakeController) -> None:
         self._controller = controller
         self.active = False
+        self.steered: SteeredJog | None = None
 
-    def start(self, jog: JointJog | ToolJog) -> Refusal | None:
+    def start(self, jog: JointJog | ToolJog | SteeredJog) -> Refusal | None:
         refusal = self._controller._asked("jog_start", jog)
         self.active = refusal is None
         return refusal

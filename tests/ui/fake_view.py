@@ -7,6 +7,8 @@ from typing import Any
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QWidget
 
+from armui.viewport.viewpoint import ViewMode
+
 
 class FakeView(QWidget):
     """Stands for the 3D view; remembers what it was last given."""
@@ -14,6 +16,11 @@ class FakeView(QWidget):
     joint_picked = Signal(int)
     mark_picked = Signal(int)
     load_failed = Signal(object)
+    finding_picked = Signal(object)
+    view_changed = Signal()
+    handle_taken = Signal()
+    handle_moved = Signal(object, bool, bool)
+    handle_left = Signal(bool)
 
     def __init__(self) -> None:
         super().__init__()
@@ -22,6 +29,11 @@ class FakeView(QWidget):
         self.palette_shown: Any = None
         self.robot: Any = None
         self.resets = 0
+        self.shape: Any = None
+        self.mode = ViewMode.FIT
+        self.looked_from: list[Any] = []
+        self.is_current = False
+        self.joint_range: tuple[Any, ...] | None = None
 
     def set_joints(self, angles_deg: Any, gripper_mm: Any, stale: bool = False) -> None:
         self.joints = (angles_deg, gripper_mm, stale)
@@ -40,3 +52,36 @@ class FakeView(QWidget):
 
     def reset_view(self) -> None:
         self.resets += 1
+
+    def look_from(self, direction: Any) -> None:
+        self.looked_from.append(direction)
+
+    def fit(self) -> None:
+        self.mode = ViewMode.FIT
+
+    def follow_tool(self, *, wanted: bool) -> None:
+        self.mode = ViewMode.FOLLOW if wanted else ViewMode.FIT
+
+    def set_orthographic(self, *, wanted: bool) -> None:
+        self.orthographic = wanted
+
+    def show_tool_frame(self, *, wanted: bool) -> None:
+        self.tool_frame = wanted
+
+    def show_joint_range(self, number: Any, limits_deg: Any = None) -> None:
+        self.joint_range = None if number is None else (number, limits_deg)
+
+    def set_tool(self, tool: Any) -> None:
+        self.tool = tool
+
+    def set_reach(self, reach: Any) -> None:
+        self.reach = reach
+
+    def set_handles(self, place: Any) -> None:
+        self.handles = place
+
+    def set_trail(self, trail: Any) -> None:
+        self.trail = trail
+
+    def set_covered(self, corner: Any, strip_px: float) -> None:
+        self.covered = (corner, strip_px)

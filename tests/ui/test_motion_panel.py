@@ -65,15 +65,54 @@ def test_nothing_is_made_up_before_the_arm_is_heard(panel):
     assert field(panel, 1).placeholderText() == "—"
     assert [measured(panel, joint).text() for joint in range(1, 7)] == ["—"] * 6
     assert not push(panel, "send_button").isEnabled()
-    assert "No arm is connected" in message(panel)
+    assert "No arm is connected" in push(panel, "send_button").toolTip()
+    assert message(panel) == ""  # the line above the panels says it
 
 
-def test_first_angles_heard_fill_the_fields_once(panel, controller):
+def test_fields_follow_the_arm_until_a_target_is_given(panel, controller, qtbot):
     controller.be_ready(ANGLES)
     assert texts(panel) == ["10.000", "20.000", "-30.000", "40.000", "50.000", "-60.000"]
+    type_into(qtbot, field(panel, 2), "90")
+    controller.hear(arm_state((11.0,) * 6, sequence=2))
+    assert texts(panel) == ["11.000", "90", *["11.000"] * 4]
+    assert measured(panel, 2).text() == "11.000°"
+    qtbot.mouseClick(push(panel, "send_button"), LEFT)
+    assert controller.calls == [("send_joints", (11.0, 90.0, 11.0, 11.0, 11.0, 11.0))]
+
+
+def test_a_field_about_to_be_typed_over_stays_so_while_it_follows(panel, controller):
+    controller.be_ready(ANGLES)
+    field(panel, 1).setFocus()
+    field(panel, 1).selectAll()
+    controller.hear(arm_state((11.0,) * 6, sequence=2))
+    assert field(panel, 1).selectedText() == "11.000"
+
+
+def test_send_is_lit_while_there_is_something_to_send(panel, controller, qtbot):
+    def lit():
+        return bool(push(panel, "send_button").property("primary"))
+
+    controller.be_ready(ANGLES)
+    assert not lit()
+    type_into(qtbot, field(panel, 2), "90")
+    assert lit()
+    type_into(qtbot, field(panel, 2), "20")
+    assert not lit()
+    type_into(qtbot, field(panel, 2), "90")
+    qtbot.mouseClick(push(panel, "send_button"), LEFT)
+    controller.hear(arm_state((10.0, 90.0, -30.0, 40.0, 50.0, -60.0), sequence=2))
+    assert not lit()
+    controller.hear(arm_state((0.0,) * 6, sequence=3))  # somebody else moved it
+    assert not lit()
+    assert texts(panel) == ["0.000"] * 6
+
+
+def test_loaded_angles_stay(panel, controller, qtbot):
+    controller.be_ready(ANGLES)
+    qtbot.mouseClick(push(panel, "load_button"), LEFT)
     controller.hear(arm_state((11.0,) * 6, sequence=2))
     assert texts(panel)[0] == "10.000"
-    assert measured(panel, 1).text() == "11.000°"
+    assert push(panel, "send_button").property("primary")
 
 
 def test_fields_with_no_figure_are_not_sent(panel, controller, qtbot):
@@ -276,7 +315,7 @@ def test_what_cannot_be_used_says_why(panel, controller):
     for name in ("send_button", "home_button", "jog_plus_1", "jog_minus_6"):
         assert not push(panel, name).isEnabled()
         assert "emergency stop" in push(panel, name).toolTip()
-    assert "emergency stop" in message(panel)
+    assert message(panel) == ""  # the line above the panels says it
     assert push(panel, "load_button").isEnabled()
     controller.be(operating_state())
     assert message(panel) == ""

@@ -15,7 +15,7 @@ from pytestqt.qtbot import QtBot
 
 from armui.ui.translation import TranslationMissingError, Translator
 from tests.moments import now
-from tests.translations import TS, lupdate
+from tests.translations import NAMES, TS, lupdate, names
 
 
 class Entry(NamedTuple):
@@ -65,6 +65,10 @@ def test_the_file_has_every_string_of_the_code_and_no_other(
     in_code = entries(fresh).keys()
     assert sorted(in_code - committed.keys()) == [], "run: python -m tests.translations"
     assert sorted(committed.keys() - in_code) == [], "run: python -m tests.translations"
+
+
+def test_the_names_are_those_of_the_file() -> None:
+    assert NAMES.read_text(encoding="utf-8") == names(TS), "run: python -m tests.translations"
 
 
 def test_the_compiled_file_says_what_the_source_file_says(

@@ -19,6 +19,7 @@ from armui.control.arm_controller import ArmController
 from armui.control.devices.gripper_ranges import Figures
 from armui.control.events import Event
 from armui.control.motion.jog_path import JointJog, ToolJog
+from armui.control.motion.steered_path import SteeredJog
 from armui.control.operating_state import OperatingState
 from armui.control.parameters.setting_cell import SettingCellState
 from armui.control.parameters.setting_checks import Changes
@@ -63,7 +64,9 @@ class Jogging(Protocol):
 
     @property
     def active(self) -> bool: ...
-    def start(self, jog: JointJog | ToolJog) -> Refusal | None: ...
+    @property
+    def steered(self) -> SteeredJog | None: ...
+    def start(self, jog: JointJog | ToolJog | SteeredJog) -> Refusal | None: ...
     def stop(self) -> None: ...
 
 

@@ -2,11 +2,11 @@
 
 import pytest
 
-from armui.viewport.camera import HOME_CAMERA
 from armui.viewport.palette import LIGHT
 from armui.viewport.path_picture import NOTHING
 from armui.viewport.view import ArmView
 from armui.viewport.view_state import BUILT_IN_ROBOT
+from armui.viewport.viewpoint import ViewMode
 from armui.viewport.watch import Restarts
 from tests.viewport.pinhole import HEIGHT, WIDTH
 from tests.waiting import wait_until
@@ -41,5 +41,5 @@ def view(drawn_view):
     if drawn_view._state.robot.path != BUILT_IN_ROBOT.path:
         drawn_view.set_robot(None)
     wait_until(lambda: drawn_view.is_settled)
-    assert drawn_view.camera == HOME_CAMERA
+    assert drawn_view.mode is ViewMode.FIT
     return drawn_view

@@ -1,15 +1,15 @@
-"""Where the first view shows a point: a pinhole camera, worked out apart from the program's."""
+"""Where a view shows a point: a pinhole camera, worked out apart from the program's."""
 
 import numpy as np
 
-from armui.viewport.camera import HOME_CAMERA, VIEW_ANGLE_DEG
+from armui.viewport.camera import HOME_CAMERA, VIEW_ANGLE_DEG, OrbitCamera
 
 WIDTH, HEIGHT = 450, 350
 
 
-def project(points_m: np.ndarray) -> np.ndarray:
-    """Pixels (x, y from the top left) where a picture of the first view shows points."""
-    eye, focus = np.array(HOME_CAMERA.eye_m), np.array(HOME_CAMERA.focus_m)
+def project(points_m: np.ndarray, camera: OrbitCamera = HOME_CAMERA) -> np.ndarray:
+    """Pixels (x, y from the top left) where a picture of a view with perspective shows points."""
+    eye, focus = np.array(camera.eye_m), np.array(camera.focus_m)
     forward = (focus - eye) / np.linalg.norm(focus - eye)
     right = np.cross(forward, [0.0, 0.0, 1.0])
     right /= np.linalg.norm(right)

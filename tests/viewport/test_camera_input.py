@@ -70,7 +70,6 @@ def test_nothing_is_dragged_without_a_press_or_after_the_end(qapp):
         (Qt.Key.Key_Down, HOME_CAMERA.orbit(0.0, 20.0)),
         (Qt.Key.Key_Equal, HOME_CAMERA.zoom(1.0)),
         (Qt.Key.Key_Minus, HOME_CAMERA.zoom(-1.0)),
-        (Qt.Key.Key_Home, HOME_CAMERA),
         (Qt.Key.Key_A, None),
     ],
 )

@@ -1,6 +1,7 @@
 """The figures over the picture."""
 
 import pytest
+from PySide6.QtCore import QPointF
 from PySide6.QtGui import QColor, QFont, QFontMetricsF, QImage, QPainter
 
 from armui.viewport.hud import Hud, HudValues, figures, hud_font
@@ -99,3 +100,35 @@ def test_figures_of_any_width_end_in_one_line(qapp):
     hud.frame(QFont())
     for figure in ("1.000", "-170.123", "-0000.000"):
         assert hud._width_px(figure) == pytest.approx(metrics.horizontalAdvance(figure), abs=0.5)
+
+
+def test_digits_of_any_font_stand_in_cells_of_one_width(qapp, monkeypatch):
+    """A font without tabular figures: «1» is narrower than «8», and no figure moves for it."""
+    hud = Hud()
+    hud.frame(QFont())
+    assert hud._is_tabular
+
+    class Narrow:
+        def __init__(self, metrics):
+            self.metrics = metrics
+
+        def __getattr__(self, name):
+            return getattr(self.metrics, name)
+
+        def horizontalAdvance(self, text):  # noqa: N802 - Qt's name
+            return self.metrics.horizontalAdvance(text) - 4.0 * text.count("1")
+
+    monkeypatch.setattr(
+        "armui.viewport.hud.QFontMetricsF", lambda font: Narrow(QFontMetricsF(font))
+    )
+    proportional = Hud()
+    proportional.frame(QFont())
+    assert not proportional._is_tabular
+    assert proportional._width_px("111.111") == proportional._width_px("888.888")
+    drawn: dict[str, list[QPointF]] = {}
+    for text in ("-111.111", "-888.888"):
+        places = drawn[text] = []
+        painter = type("P", (), {"drawText": lambda _self, at, _text, into=places: into.append(at)})
+        proportional._draw_in_cells(painter(), QPointF(), text)
+    ends = [(places[0].x(), places[4].x()) for places in drawn.values()]
+    assert ends[0] == ends[1]  # sign and decimal point

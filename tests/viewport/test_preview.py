@@ -30,7 +30,7 @@ def path(bad_rows=frozenset()):
 @pytest.fixture
 def scene():
     scene = Scene(WIDTH, HEIGHT)
-    scene.load(URDF / "piper.urdf")
+    scene.load(URDF / "piper" / "piper.urdf")
     scene.set_joints(REST, 0.0)
     yield scene
     scene.close()
@@ -95,7 +95,7 @@ def test_a_ghost_shines_through_where_no_arm_is(scene):
 
 def test_a_ghost_is_no_arm_to_pick(scene):
     raised = Scene(WIDTH, HEIGHT)
-    raised.load(URDF / "piper.urdf")
+    raised.load(URDF / "piper" / "piper.urdf")
     raised.set_joints(RAISED, 0.0)
     columns, rows = np.meshgrid(np.arange(0, WIDTH, 20), np.arange(0, HEIGHT, 20))
     places = [
@@ -121,7 +121,9 @@ def test_a_mark_is_found_by_a_click_beside_it(scene):
 def test_a_click_on_a_mark_tells_its_row_and_a_drag_does_not(view, qtbot):
     view.set_joints(REST, 0.0)
     view.set_preview(Preview(path()))
-    at = QPoint(*np.round(project(CORNERS_MM[1:2] / 1000.0)[0]).astype(int).tolist())
+    view.fit()
+    place = project(CORNERS_MM[1:2] / 1000.0, view.camera)[0]
+    at = QPoint(*np.round(place).astype(int).tolist())
     with qtbot.waitSignal(view.mark_picked, timeout=LIMIT_MS) as picked:
         qtbot.mouseClick(view, Qt.MouseButton.LeftButton, pos=at)
     assert picked.args == [1]

@@ -8,10 +8,12 @@ import time
 from typing import TYPE_CHECKING, Final
 
 from armui.bus.intake import Intake
+from armui.bus.playback.curve_history import CurveHistory, fill
 from armui.bus.playback.folding import Folding
 from armui.bus.playback.log_cursor import LogCursor, ReplayedFrame, joined
 from armui.bus.playback.series_tap import SeriesTap, is_own_command
 from armui.protocol.frame import Frame
+from armui.telemetry.series import KEPT_S
 from armui.telemetry.store import Telemetry
 
 if TYPE_CHECKING:
@@ -32,7 +34,6 @@ _AT_ONCE: Final = 256
 """So many frames are taken in before others may look."""
 FILLED_S: Final = 120.0
 """So much of the log before a place is shown in its curves at once."""
-_FILL_ROWS: Final = 32_768
 _SETTLE_S: Final = 0.08
 """Curves are drawn a dozen times a second: what is played fast reaches them as often."""
 
@@ -53,6 +54,7 @@ class LogPlayer:
         intake: Where they go.
         last: The frame that was taken in last.
         played: How many frames were passed since the last :meth:`enter`.
+        curves_from_s: Log time from which on everything is in the curves.
     """
 
     def __init__(
@@ -66,6 +68,7 @@ class LogPlayer:
         answered: Callable[[Message], object],
     ) -> None:
         self._session = session
+        self._channel = channel
         self._clock = clock
         self._cursor = LogCursor(session, channel)
         self._look_up = LogCursor(session, channel)
@@ -79,6 +82,7 @@ class LogPlayer:
         self._settled_s = 0.0
         self.last: ReplayedFrame | None = None
         self.played = 0
+        self.curves_from_s = math.inf
 
     def _for_log(self, taps: Sequence[Tap]) -> list[Tap]:
         """The same taps; the series of the curves can take in many frames at once."""
@@ -132,6 +136,7 @@ class LogPlayer:
             self._waiting = []
             self.last = recalled[-1] if recalled else None
             self.played = 0
+            self.curves_from_s = math.inf
             self._clock.set(at_s)
             for tap in self._series.values():
                 tap.telemetry.release()
@@ -144,15 +149,44 @@ class LogPlayer:
         """
         end_s = self._clock()
         begin_s = max(self._session.start_s, end_s - FILLED_S)
-        pieces: list[FrameColumns] = []
-        for frames in self._look_up.columns_between(begin_s, end_s):
-            if not is_wanted():
+        for tap in self._series.values():
+            if not fill(tap, self._look_up, begin_s, end_s, lambda _at_s: is_wanted()):
                 return
-            pieces.append(frames)
-            if sum(map(len, pieces)) >= _FILL_ROWS:
-                self._fill_series(pieces)
-                pieces = []
-        self._fill_series(pieces)
+        self.curves_from_s = begin_s
+
+    def read_history(self, then: Callable[[], object]) -> CurveHistory | None:
+        """Have more of what led to this place read, as far back as curves are kept.
+
+        Args:
+            then: Called, in another thread, when it is read: see :meth:`take_history`.
+
+        Returns:
+            What reads it; ``None``: everything is shown already.
+        """
+        end_s = self._clock()
+        begin_s = max(self._session.start_s, end_s - KEPT_S)
+        tap = next(iter(self._series.values()), None)
+        if tap is None or begin_s >= self.curves_from_s:
+            return None
+        empty = tap.telemetry.alike()
+        return CurveHistory(self._session, self._channel, empty, (begin_s, end_s), then)
+
+    def take_history(self, history: CurveHistory, is_wanted: Callable[[], bool]) -> None:
+        """Show in the curves what was read, and what was played meanwhile.
+
+        Args:
+            history: Has come to its end.
+            is_wanted: Whether this is still the place it was read for.
+        """
+        self.settle()
+        tap, end_s = SeriesTap(history.telemetry), self._clock()
+        behind_s = math.nextafter(history.end_s, math.inf)
+        if not fill(tap, self._look_up, behind_s, end_s, lambda _at_s: is_wanted()):
+            return
+        with self.lock:
+            if is_wanted():
+                next(iter(self._series.values())).telemetry.adopt(history.telemetry)
+                self.curves_from_s = history.begin_s
 
     def _fill_series(self, pieces: list[FrameColumns]) -> None:
         if pieces:

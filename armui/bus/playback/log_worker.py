@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from armui.arm.device import Device
     from armui.arm.other_hosts import OtherTraffic
     from armui.arm.state import ArmState
+    from armui.bus.playback.curve_history import CurveHistory
     from armui.bus.playback.log_clock import LogClock
     from armui.bus.playback.log_cursor import ReplayedFrame
     from armui.bus.samples import SampleRing
@@ -93,6 +94,8 @@ class LogWorker(QThread):
         self._wanted: tuple[int, float | None] | None = None
         self._asked = 0
         self._at_hand: tuple[int, float, list[ReplayedFrame]] | None = None
+        self._history: CurveHistory | None = None
+        self._wants_history = self._history_due = False
 
     # As a bus worker --------------------------------------------------------------------------
 
@@ -200,6 +203,7 @@ class LogWorker(QThread):
         at_hand = self._at_hand
         if at_hand is None or at_hand[0] != number or number != self._asked:
             return False
+        self._drop_history()
         self._player.enter(at_hand[1], at_hand[2])
         self._report(BusState.LOST)
         self._report(BusState.OPEN)
@@ -214,6 +218,29 @@ class LogWorker(QThread):
             self._filling = True
             self._wake.notify()
 
+    def want_history(self, *, on: bool) -> None:
+        """Have the curves show all that they can hold, wherever the log is; it takes seconds."""
+        if on != self._wants_history:
+            with self._wake:
+                self._wants_history = self._history_due = on
+                self._wake.notify()
+
+    @property
+    def history(self) -> CurveHistory | None:
+        """What is being read for the curves."""
+        return self._history
+
+    @property
+    def curves_from_s(self) -> float:
+        """Log time from which on everything is in the curves."""
+        return self._player.curves_from_s
+
+    def _drop_history(self) -> None:
+        with self._wake:
+            history, self._history = self._history, None
+        if history is not None:
+            history.end()
+
     # The thread -------------------------------------------------------------------------------
 
     def run(self) -> None:
@@ -227,6 +254,9 @@ class LogWorker(QThread):
             self._run()
         except Exception as error:  # noqa: BLE001 - whatever is wrong with a file: it is told
             self.failed.emit(str(error) or type(error).__name__)
+        history, self._history = self._history, None
+        if history is not None:
+            history.end(wait=True)
         self._report(BusState.CLOSED)
         self.released.set()
 
@@ -254,11 +284,15 @@ class LogWorker(QThread):
             looked_s = now_s
 
     def _is_something_to_do(self) -> bool:
-        here = not self._travelling and (self._filling or self._steps > 0)
+        here = not self._travelling and (
+            self._filling or self._steps > 0 or self._is_history_to_do()
+        )
         return self._wanted is not None or here
 
     def _go_on(self, steps: int, passed_s: float) -> bool:
         """Do what is to be done here; whether it was playing."""
+        if self._is_history_to_do():
+            self._see_to_history()
         if self._filling:
             self._fill()
         elif steps:
@@ -285,7 +319,38 @@ class LogWorker(QThread):
         with self._wake:
             if self._asked == asked:
                 self._filling = False
+                self._history_due = self._wants_history
         self.moved.emit()
+
+    def _is_history_to_do(self) -> bool:
+        history = self._history
+        return self._history_due if history is None else history.is_over
+
+    def _see_to_history(self) -> None:
+        """Begin to read it, once what is near is shown; show it when it is read."""
+        asked = self._asked
+        with self._wake:
+            history, self._history_due = self._history, False
+        if history is None:
+            begun = self._player.read_history(self._on_history)
+            with self._wake:
+                if self._asked == asked:
+                    self._history = begun
+            if begun is not None and self._history is not begun:
+                begun.end()
+        else:
+            if history.is_whole:
+                self._player.take_history(
+                    history, lambda: self._asked == asked and not self._closing
+                )
+            with self._wake:
+                if self._history is history:
+                    self._history = None
+        self.moved.emit()
+
+    def _on_history(self) -> None:
+        with self._wake:
+            self._wake.notify()
 
     def _play(self, passed_s: float) -> None:
         asked = self._asked

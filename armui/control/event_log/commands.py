@@ -52,6 +52,9 @@ COMMANDS: Final[Mapping[E, CommandRule]] = {
     E.STEPPED_TOOL: MOTION,
     E.JOGGING_JOINT: _rule(E.JOG_ENDED, E.MOTION_UNHEEDED, moves=True),
     E.JOGGING_TOOL: _rule(E.JOG_ENDED, E.MOTION_UNHEEDED, moves=True),
+    E.DEVICE_JOGS_JOINTS: _rule(E.JOG_ENDED, E.MOTION_UNHEEDED, moves=True),
+    E.DEVICE_JOGS_BASE: _rule(E.JOG_ENDED, E.MOTION_UNHEEDED, moves=True),
+    E.DEVICE_JOGS_TOOL: _rule(E.JOG_ENDED, E.MOTION_UNHEEDED, moves=True),
     E.SENT_SPEED: _rule(),
     E.SPEED_WAITS: _rule(),
     E.SENT_LAMP: _rule(),
@@ -116,6 +119,8 @@ LASTING: Final[Mapping[E, frozenset[E]]] = {
     E.OFFLINE: frozenset({E.ONLINE, E.LINK_LOST, E.DISCONNECTED}),
     E.LINK_LOST: frozenset({E.RECONNECTED, E.DISCONNECTED}),
     E.BUS_BLOCKED: frozenset({E.BUS_UNBLOCKED, E.LINK_LOST, E.DISCONNECTED}),
+    E.MODEL_OTHER: frozenset({E.LINK_LOST, E.DISCONNECTED}),
+    E.MODEL_NONE: frozenset({E.LINK_LOST, E.DISCONNECTED}),
     E.OTHER_HOST_MOVES: frozenset({E.OTHER_HOST_GONE, E.LINK_LOST, E.DISCONNECTED}),
     E.LEADER_ARM_MOVES: frozenset({E.OTHER_HOST_GONE, E.LINK_LOST, E.DISCONNECTED}),
 }
@@ -132,16 +137,23 @@ _LINK: Final = frozenset(
     }
 )
 _OTHER_HOST: Final = frozenset({E.OTHER_HOST_MOVES, E.LEADER_ARM_MOVES, E.OTHER_HOST_GONE})
-_STATUS: Final = frozenset({E.GENERATION, E.LIMITS_READ, E.LIMITS_MISSING, E.LIMITS_CORRUPT})
+_STATUS: Final = frozenset(
+    {
+        *(E.GENERATION, E.LIMITS_READ, E.LIMITS_MISSING, E.LIMITS_CORRUPT),
+        *(E.MODEL_OTHER, E.MODEL_NONE),
+    }
+)
 _PROGRAM: Final = frozenset(
     {
         *(E.PART_FAILED, E.SETTINGS_SHARED, E.CHANNEL_SHARED),
-        *(E.RING_SAVED, E.RING_NOT_SAVED, E.SESSION_FRAMES_LOST),
+        *(E.RING_SAVED, E.RING_NOT_SAVED, E.SESSION_FRAMES_LOST, E.MF4_SAVED, E.MF4_NOT_SAVED),
     }
 )
-JOGS: Final = frozenset({E.JOGGING_JOINT, E.JOGGING_TOOL})
+_BY_BUTTON: Final = frozenset({E.JOGGING_JOINT, E.JOGGING_TOOL})
+_BY_DEVICE: Final = frozenset({E.DEVICE_JOGS_JOINTS, E.DEVICE_JOGS_BASE, E.DEVICE_JOGS_TOOL})
+JOGS: Final = _BY_BUTTON | _BY_DEVICE
 """What a held button begins: its motion is sent a moment later."""
-_JOG: Final = JOGS | {E.JOG_ENDED}
+_JOG: Final = _BY_BUTTON | {E.JOG_ENDED}
 _RUN: Final = frozenset(_RUN_ENDS)
 _BY_PROGRAM: Final = frozenset(
     {

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import fields
 from datetime import datetime
-from typing import TYPE_CHECKING, Final
+from typing import TYPE_CHECKING, Final, NamedTuple
 
 from armui.arm.joint_status import Item, Word
 from armui.arm.other_hosts import OtherTraffic
@@ -25,6 +25,7 @@ from armui.telemetry.events import MOST_ENTRIES, Asker, EventEntry, EventKind, E
 if TYPE_CHECKING:
     from armui.arm.device import RecordedArm
     from armui.session.frames import Channel
+    from armui.session.id_rows import IdRows
     from armui.session.session import Session, SessionMark
 
 Wall = Callable[[float], datetime]
@@ -44,25 +45,72 @@ _LINK: Final = EventKind.LINK, Asker.PROGRAM
 _BY_PROGRAM: Final = EventKind.PROGRAM, Asker.PROGRAM
 
 
-def log_events(session: Session, channel: Channel, arm: RecordedArm, wall: Wall) -> EventLog:
-    """Everything that happened, in the order of time; this may take a second.
+class LoggedEvents(NamedTuple):
+    """What happened in a log.
 
-    Beside a recording of this program stand its events, as they were told live. Of any other log
-    the arm's frames are looked at as they would be live; commands and silences are its marks.
+    Attributes:
+        log: In the order of time.
+        marks: The moments worth going to.
+    """
+
+    log: EventLog
+    marks: Sequence[SessionMark]
+
+
+def log_events(
+    session: Session,
+    channel: Channel,
+    arm: RecordedArm,
+    wall: Wall,
+    is_wanted: Callable[[], bool] = lambda: True,
+) -> LoggedEvents:
+    """Everything that happened, in the order of time; this may take some seconds.
+
+    Beside a recording made in the window stand its events, as they were told live. Of any other
+    log the arm's frames are looked at as they would be live; commands and silences are its marks.
 
     Args:
         session: The log.
         channel: What is seen of it.
         arm: What it tells of its arm.
         wall: What the clock on the wall showed at a log time.
+        is_wanted: Asked now and then; when it is not, the rest is left out.
     """
-    marks = [each for each in session.marks if each.entry.get("channel", channel) == channel]
+    found: Sequence[SessionMark] = session.marks
+    rows: HasDataRows | None = session if isinstance(session, HasDataRows) else None
+    if rows is None and not any("number" in each.entry for each in found):
+        from armui.session.log_marks import LogFrames, marks_of  # noqa: PLC0415 - numpy
+
+        rows = gathered = _gathered(session, channel, arm, is_wanted)
+        frames = LogFrames((channel,), gathered.times_and_payloads)
+        told = marks_of(frames, Generation(arm.generation))
+        found = sorted([*told, *found], key=lambda each: each.at_s)
+    marks = [each for each in found if each.entry.get("channel", channel) == channel]
     entries: list[EventEntry] = []
-    if isinstance(session, HasDataRows):
+    if rows is not None:
         marks = [each for each in marks if each.entry.get("code") not in _STATUS]
-        entries = _heard(session, channel, arm, wall)
+        entries = _heard(rows, channel, arm, wall)
     entries += [entry_of(each, wall) for each in marks]
-    return _log_of(entries)
+    return LoggedEvents(_log_of(entries), found)
+
+
+def _gathered(
+    session: Session, channel: Channel, arm: RecordedArm, is_wanted: Callable[[], bool]
+) -> IdRows:
+    """The frames that tell what happened."""
+    from armui.control.event_log.heard import WATCHED  # noqa: PLC0415 - with such a log
+    from armui.session.id_rows import IdRows  # noqa: PLC0415 - numpy
+    from armui.session.log_marks import marked_ids  # noqa: PLC0415 - as above
+
+    generation = Generation(arm.generation)
+    codec = Codec(generation, Addressing(arm.feedback_offset))
+    watched = {
+        wire_id
+        for wire_id in range(0x800)
+        if (layout := codec.layout(wire_id)) is not None and layout.name in WATCHED
+    }
+    every, heard = marked_ids(generation)
+    return IdRows(session, channel, every | watched, heard, is_wanted)
 
 
 def entry_of(mark: SessionMark, wall: Wall) -> EventEntry:

@@ -21,6 +21,7 @@ from armui.control.operating_state import LinkState
 from armui.protocol.addressing import Addressing
 from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
+from armui.protocol.piper_model import PiperModel
 
 if TYPE_CHECKING:
     from armui.bus.playback.log_worker import LogWorker
@@ -56,6 +57,11 @@ class Connection(QObject):
         parent: Qt's.
         make_worker: Makes what stands where the bus does, in the place of a bus thread.
 
+    Attributes:
+        device: The one that is open, or is being opened.
+        model: Which arm of the family it is, as the operator has chosen; of the last one while no
+            device is open.
+
     Signals:
         changed: A :class:`BusReport` and the code of the notice it is worth.
         answered: A decoded message that answers a command.
@@ -90,6 +96,7 @@ class Connection(QObject):
         self._arms = 0
         self._by_hand = OtherHosts()
         self.device: Device | None = None
+        self.model = PiperModel.PIPER
         self.problem: Refusal | None = None
         self.handshake: Handshake | None = None
         self._codec: Codec | None = None
@@ -173,6 +180,7 @@ class Connection(QObject):
         from armui.protocol.codec import Codec  # noqa: PLC0415
 
         self.device = device
+        self.model = device.model
         self.problem = None
         self._codec = Codec(Generation.TWO)
         self._by_hand = OtherHosts()

@@ -66,17 +66,22 @@ class Cartesian:
         self.kinematics()
 
     def kinematics(self) -> Kinematics:
-        """Of the geometry that fits the pose the arm reports best.
+        """Of the chosen model, with the zeros that fit the pose the arm reports.
 
         Older firmware counts joints 2 and 3 from other zeros, and an arm of generation 1 tells no
-        version: its own pose does.
+        version: its own pose does. The model is never another than the operator's.
         """
+        from armui.arm.models import model_data  # noqa: PLC0415 - see above
         from armui.kinematics.arm_kinematics import Kinematics  # noqa: PLC0415 - see above
-        from armui.kinematics.geometry import Geometry  # noqa: PLC0415 - see above
 
         state = self._context.state()
-        if self._model is None or not self._fits(self._model, state):
-            models = [Kinematics(geometry) for geometry in Geometry]
+        data = model_data(self._context.connection.model)
+        if (
+            self._model is None
+            or self._model.geometry not in data.geometries
+            or not self._fits(self._model, state)
+        ):
+            models = [Kinematics(geometry) for geometry in data.geometries]
             fitting = [model for model in models if self._fits(model, state)]
             self._model = (fitting or models)[0]
         return self._model
@@ -97,9 +102,22 @@ class Cartesian:
             return Refusal(RefusalCode.JOINTS_UNKNOWN)
         if state.end_pose() is None:
             return Refusal(RefusalCode.POSE_UNKNOWN)
-        if self._context.operating_state().moving or self._fits(self.kinematics(), state):
+        now = self._context.operating_state()
+        if now.model_fit.wrong is not None:
+            return now.model_fit.wrong
+        if now.moving or self._fits(self.kinematics(), state):
             return None
-        return Refusal(RefusalCode.MODEL_DIFFERS)
+        return self._other_model(state) or Refusal(RefusalCode.MODEL_DIFFERS)
+
+    def _other_model(self, state: ArmState) -> Refusal | None:
+        """That another model fits, as a reason."""
+        from armui.arm.model_check import ModelFit, fitting_models  # noqa: PLC0415 - see above
+
+        joints_deg, pose = state.angles_deg(), state.end_pose()
+        if joints_deg is None or pose is None:
+            return None
+        fitting = fitting_models(joints_deg, pose, state.firmware)
+        return ModelFit(self._context.connection.model, fitting).wrong if fitting else None
 
     @staticmethod
     def _fits(model: Kinematics, state: ArmState) -> bool:

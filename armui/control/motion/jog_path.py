@@ -16,8 +16,8 @@ if TYPE_CHECKING:
     from armui.kinematics.arm_kinematics import Kinematics
     from armui.kinematics.poses import Matrix
 
-_TOOL_MM_S: Final = 60.0
-_TOOL_DEG_S: Final = 12.0
+TOOL_MM_S: Final = 60.0
+TOOL_DEG_S: Final = 12.0
 """Highest jog speeds of the tool centre point. Where a joint would have to turn faster than it may
 be jogged, the tool goes slower."""
 
@@ -126,7 +126,7 @@ class ToolJogPath:
 
     def speed(self, pace: Pace) -> float:
         """The tool's, at the present speed percentage."""
-        return pace.share * (_TOOL_MM_S if self._jog.axis < LINEAR_AXES else _TOOL_DEG_S)
+        return pace.share * (TOOL_MM_S if self._jog.axis < LINEAR_AXES else TOOL_DEG_S)
 
     def room(self) -> float:
         """As far as the arm reaches: that is found out on the way."""
@@ -145,12 +145,17 @@ class ToolJogPath:
         beyond = check_joints(solutions[0], self._limits)
         if beyond is None:
             return solutions[0]
-        bound = "minimum" if beyond.params["value"] < beyond.params["minimum"] else "maximum"  # type: ignore[operator]  # both are angles
-        return Refusal(
-            RefusalCode.JOG_AT_LIMIT,
-            {"joint": beyond.params["joint"], "limit": beyond.params[bound]},
-        )
+        return at_limit(beyond)
 
     def end(self) -> Refusal:
         """The edge of the arm's reach."""
         return Refusal(RefusalCode.JOG_OUT_OF_REACH)
+
+
+def at_limit(beyond: Refusal) -> Refusal:
+    """What to say of a jog at the limit that six angles would be beyond."""
+    bound = "minimum" if beyond.params["value"] < beyond.params["minimum"] else "maximum"  # type: ignore[operator]  # both are angles
+    return Refusal(
+        RefusalCode.JOG_AT_LIMIT,
+        {"joint": beyond.params["joint"], "limit": beyond.params[bound]},
+    )

@@ -46,6 +46,11 @@ class JogStream:
         self._gone = 0.0
         self._stalled_s = 0.0
 
+    def follow(self, way: JogPath) -> None:
+        """Go on along another way, which begins at the setpoint of now."""
+        self._way = way
+        self._gone = 0.0
+
     def advance(self, measured_deg: Sequence[float], dt_s: float, pace: Pace) -> Refusal | None:
         """Put the setpoint on for the time gone by, as far as the arm has followed.
 

@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import Qt, QTimer
 
+from armui.arm.limits import JOINTS
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.control.context import Context
@@ -23,10 +24,19 @@ from armui.control.motion.jog_pace import accelerations, pace
 from armui.control.motion.jog_path import JogPath, JointJog, JointJogPath, ToolJog, ToolJogPath
 from armui.control.motion.jog_stream import JogStream
 from armui.control.motion.motion_command import CommandKind, MotionCommand
+from armui.control.motion.steered_path import SteeredJog, SteeredJointPath, SteeredToolPath
 from armui.control.safety.standstill import QUIET_DEG, QUIET_S, RestWatch
-from armui.kinematics.axes import AXES
+from armui.kinematics.axes import AXES, JogFrame
 from armui.protocol import commands
 from armui.protocol.codes import MoveMode
+
+_STEERED: Final = {
+    None: EventCode.DEVICE_JOGS_JOINTS,
+    JogFrame.BASE: EventCode.DEVICE_JOGS_BASE,
+    JogFrame.TOOL: EventCode.DEVICE_JOGS_TOOL,
+}
+
+Jog = JointJog | ToolJog | SteeredJog
 
 if TYPE_CHECKING:
     from armui.arm.state import ArmState
@@ -54,11 +64,13 @@ class _Hold:
         stream: Its setpoints, once the arm has been seen at rest.
         before: Our command that was under way or had arrived when it began.
         command: What the arm was told, once the first setpoint is sent.
+        steered_s: When whoever steers was last heard of.
     """
 
-    jog: JointJog | ToolJog
+    jog: Jog
     began_s: float
     last_s: float
+    steered_s: float
     stream: JogStream | None = None
     before: MotionCommand | None = None
     command: MotionCommand | None = None
@@ -89,8 +101,17 @@ class Jogging:
         """Whether something is held."""
         return self._hold is not None
 
-    def start(self, jog: JointJog | ToolJog) -> Refusal | None:
+    @property
+    def steered(self) -> SteeredJog | None:
+        """What a device steers now."""
+        hold = self._hold
+        return hold.jog if hold is not None and isinstance(hold.jog, SteeredJog) else None
+
+    def start(self, jog: Jog) -> Refusal | None:
         """Begin to move, and go on until :meth:`stop`; a jog under way ends.
+
+        A steered one ends as well if :meth:`steer` is not called for longer than a program may be
+        stuck.
 
         Returns:
             ``None``, or why it does not begin. What ends it later is told by the notice
@@ -99,19 +120,47 @@ class Jogging:
         self.stop()
         context = self._context
         refusal = context.refresh().cannot_move
-        if refusal is None and isinstance(jog, ToolJog):
+        if refusal is None and not _by_joints(jog):
             refusal = self._cartesian.why_unknown()
         if refusal is not None:
             return context.refuse(refusal)
         now_s = context.clock()
-        self._hold = _Hold(jog, now_s, now_s, before=context.authority.command)
+        self._hold = _Hold(jog, now_s, now_s, now_s, before=context.authority.command)
         self._timer.start()
         context.refresh()
-        if isinstance(jog, JointJog):
-            context.tell(EventCode.JOGGING_JOINT, joint=jog.joint, sign=_sign(jog.direction))
-        else:
-            context.tell(EventCode.JOGGING_TOOL, axis=AXES[jog.axis], sign=_sign(jog.direction))
+        self._tell_begun(jog)
         return None
+
+    def _tell_begun(self, jog: Jog) -> None:
+        tell = self._context.tell
+        if isinstance(jog, JointJog):
+            tell(EventCode.JOGGING_JOINT, joint=jog.joint, sign=_sign(jog.direction))
+        elif isinstance(jog, ToolJog):
+            tell(EventCode.JOGGING_TOOL, axis=AXES[jog.axis], sign=_sign(jog.direction))
+        else:
+            tell(_STEERED[jog.frame], axes=axes_text(jog), device=jog.device)
+
+    def steer(self, jog: SteeredJog) -> bool:
+        """Go on as a device steers now, in the frame in which it began.
+
+        Returns:
+            Whether a steered jog is still under way: False, and nothing is changed, once it has
+            ended or something else is held.
+        """
+        hold, before = self._hold, self.steered
+        if hold is None or before is None or before.frame is not jog.frame:
+            return False
+        hold.steered_s = self._context.clock()
+        if jog.rates != before.rates:
+            hold.jog = jog
+            if hold.stream is not None:
+                hold.stream.follow(self._way(jog, hold.stream.setpoint_deg))
+        return True
+
+    def end(self, reason: Refusal) -> None:
+        """Stop, and say why."""
+        if self._hold is not None:
+            self._end(reason)
 
     def stop(self) -> None:
         """Send no more setpoints: the arm rests at the last one, within 100 ms."""
@@ -138,7 +187,11 @@ class Jogging:
         hold.last_s = now_s
         state = context.connection.newest
         measured_deg = state.angles_deg()
-        refusal = _why_blind(state, dt_s, now_s) or context.operating_state().cannot_move
+        refusal = (
+            _why_blind(state, dt_s, now_s)
+            or _why_not_steered(hold, now_s)
+            or context.operating_state().cannot_move
+        )
         if refusal is not None or measured_deg is None:
             self._end(refusal)
         elif self._is_replaced(hold):
@@ -168,11 +221,19 @@ class Jogging:
         base_deg = self._context.authority.joint_base_deg() or measured_deg
         hold.stream = JogStream(self._way(hold.jog, base_deg), base_deg, measured_deg)
 
-    def _way(self, jog: JointJog | ToolJog, base_deg: Sequence[float]) -> JogPath:
+    def _way(self, jog: Jog, base_deg: Sequence[float]) -> JogPath:
         limits = self._context.operating_state().limits
         if isinstance(jog, JointJog):
             return JointJogPath(jog, base_deg, limits)
         cartesian = self._cartesian
+        if isinstance(jog, SteeredJog):
+            if jog.frame is None:
+                return SteeredJointPath(jog.rates, base_deg, limits)
+            return SteeredToolPath(
+                *(jog.rates, jog.frame, cartesian.kinematics(), base_deg),
+                tool=cartesian.tool,
+                limits=limits,
+            )
         return ToolJogPath(jog, cartesian.kinematics(), base_deg, cartesian.tool, limits)
 
     def _go_on(
@@ -246,3 +307,21 @@ def _why_blind(state: ArmState, dt_s: float, now_s: float) -> Refusal | None:
 
 def _sign(direction: int) -> str:
     return "+" if direction > 0 else "−"
+
+
+def _why_not_steered(hold: _Hold, now_s: float) -> Refusal | None:
+    """Nobody has said for too long that the device is still held."""
+    if isinstance(hold.jog, SteeredJog) and now_s - hold.steered_s > _HELD_UP_S:
+        return Refusal(RefusalCode.GAMEPAD_SILENT, {"name": hold.jog.device})
+    return None
+
+
+def _by_joints(jog: Jog) -> bool:
+    return isinstance(jog, JointJog) or (isinstance(jog, SteeredJog) and jog.frame is None)
+
+
+def axes_text(jog: SteeredJog) -> str:
+    """The axes that move and their directions, as J1+ J3−."""
+    names = tuple(f"J{joint}" for joint in JOINTS) if jog.frame is None else AXES
+    moving = zip(names, jog.rates, strict=True)
+    return " ".join(f"{name}{'+' if rate > 0 else '−'}" for name, rate in moving if rate)

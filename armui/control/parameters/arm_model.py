@@ -4,14 +4,11 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Final
 
-from armui.arm.limits import FACTORY_ACCELERATION_DEG_S2
 from armui.arm.model import ArmModel
+from armui.arm.models import model_data
 
 if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
-
-GRIPPER_REACH_MM: Final = 140.0
-"""How far the maker's gripper reaches beyond the flange, where no tool centre point is set."""
 
 HOME_DEG: Final = (0.0,) * 6
 
@@ -21,15 +18,19 @@ def arm_model(controller: ArmController) -> ArmModel:
     state = controller.state
     handle = state.teaching_handle
     tool_z_mm = controller.cartesian.tool[2]
+    data = model_data(controller.operating_state.model)
     return ArmModel(
         limits=controller.operating_state.limits,
         accelerations_deg_s2=tuple(
-            FACTORY_ACCELERATION_DEG_S2 if heard is None else heard.value
-            for heard in state.accelerations_deg_s2
+            factory if heard is None else heard.value
+            for heard, factory in zip(
+                state.accelerations_deg_s2, data.accelerations_deg_s2, strict=True
+            )
         ),
         end_limits=None if state.end_limits is None else state.end_limits.value,
         kinematics=controller.cartesian.kinematics(),
-        tool_mm=tool_z_mm if tool_z_mm > 0.0 else GRIPPER_REACH_MM,
+        tool_mm=tool_z_mm if tool_z_mm > 0.0 else data.gripper.reach_mm,
+        gripper_turned_deg=data.gripper.turned_deg,
         stroke_mm=(handle.value.stroke_limit_mm or None) if handle is not None else None,
     )
 

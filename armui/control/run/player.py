@@ -60,7 +60,12 @@ class Player(Execution):
         """Begin a run: ``None`` if the arm is on its way, or why not."""
         context = self._context
         operating_state = context.refresh()
-        refusal = operating_state.occupied or operating_state.cannot_run or _why_empty(run)
+        refusal = (
+            operating_state.occupied
+            or operating_state.cannot_run
+            or operating_state.model_fit.wrong
+            or _why_empty(run)
+        )
         if refusal is None:
             refusal = why_not_possible(context.connection.generation, run.points)
         if refusal is not None:

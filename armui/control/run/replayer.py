@@ -72,6 +72,7 @@ class Replayer(Execution):
         refusal = (
             operating_state.occupied
             or operating_state.cannot_run
+            or operating_state.model_fit.wrong
             or why_not(replay, operating_state)
         )
         if refusal is not None:

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Final
 
-from armui.session.recording.kinds import RecordingFormat
+from armui.session.recording.kinds import MF4_SUFFIX, RecordingFormat
 from armui.settings import Settings
 from armui.system import paths
 
@@ -20,21 +20,25 @@ class SessionChoices:
     Attributes:
         folder: Where.
         kind: The format of what is recorded next.
+        as_mf4: Whether an .mf4 file is made of it when it has ended.
         rotate_bytes: A file that is as large is followed by another.
         save_at_faults: Whether the ring is saved by itself when a fault or a stop happens.
     """
 
     folder: Path
     kind: RecordingFormat = RecordingFormat.BLF
+    as_mf4: bool = False
     rotate_bytes: int = 100 * MEGABYTE
     save_at_faults: bool = False
 
 
 def choices_of(settings: Settings) -> SessionChoices:
     """As they stand in the settings."""
+    as_mf4 = settings.session_format == MF4_SUFFIX
     return SessionChoices(
         folder=Path(settings.session_folder) if settings.session_folder else paths.sessions(),
-        kind=RecordingFormat(settings.session_format),
+        kind=RecordingFormat.BLF if as_mf4 else RecordingFormat(settings.session_format),
+        as_mf4=as_mf4,
         rotate_bytes=settings.session_rotate_mb * MEGABYTE,
         save_at_faults=settings.session_save_at_faults,
     )

@@ -17,9 +17,11 @@ from armui.arm.refusal_codes import RefusalCode
 from armui.control.events import EventCode
 from armui.control.sessions.choices import SessionChoices
 from armui.control.sessions.event_feed import EventFeed
+from armui.control.sessions.mf4_making import Mf4Making
 from armui.control.sessions.progress import RecordingProgress, RingContent
 from armui.control.sessions.ring_saving import SaveAtFaults
 from armui.control.sessions.sidecar_lines import SidecarLines
+from armui.session.recording.kinds import MF4_SUFFIX
 from armui.session.recording.lane import FrameLane
 from armui.session.recording.names import is_name, name_for
 from armui.session.recording.problems import why_not_written
@@ -77,7 +79,8 @@ class SessionRecorder(QObject):
         self._ending: list[SessionRecording] = []
         self._saver: ThreadPoolExecutor | None = None
         self._saving: Future[Path] | None = None
-        self._saving_name = ""
+        self._saving_plan: RecordingPlan | None = None
+        self._mf4 = Mf4Making()
         self._at_faults = SaveAtFaults(KEPT_S)
         self._lost_told = self._dropped_before = 0
         self._device: object = None
@@ -99,11 +102,18 @@ class SessionRecorder(QObject):
         """Whether the ring is being saved."""
         return self._saving is not None
 
+    @property
+    def making_mf4(self) -> frozenset[str]:
+        """The recordings of which an .mf4 file is being made."""
+        return self._mf4.names
+
     def busy_names(self) -> frozenset[str]:
         """The recordings whose files are being written: they must not be moved."""
         writing = [*self._ending] + ([self._recording] if self._recording is not None else [])
         names = {each.name for each in writing if each.name is not None}
-        return frozenset(names | {self._saving_name} if self._saving is not None else names)
+        if self._saving_plan is not None:
+            names.add(self._saving_plan.name)
+        return self._mf4.names | names
 
     def progress(self) -> RecordingProgress | None:
         """The recording under way, if any."""
@@ -194,7 +204,7 @@ class SessionRecorder(QObject):
         plan = self._plan(name, "ring" if reason == "operator" else reason)
         oldest_s = self._context.clock() - KEPT_S
         lines += [_line(each, plan.base.shift_s) for each in self._recent if each.at_s >= oldest_s]
-        self._saving_name = plan.name
+        self._saving_plan = plan
         if self._saver is None:
             self._saver = ThreadPoolExecutor(1, "armui-ring-save")
         ring, collector = self._ring, self._collector
@@ -213,6 +223,7 @@ class SessionRecorder(QObject):
         if self._recording is not None:
             self._end(self._recording, "program ended")
         self._timer.stop()
+        self._mf4.end()
         if self._collector is not None:
             self._collector.end()
         until_s = time.monotonic() + _END_S
@@ -240,6 +251,7 @@ class SessionRecorder(QObject):
         self._note_facts()
         self._follow_recording()
         self._follow_saving()
+        self._follow_mf4()
         wanted = self._at_faults.take(self._context.clock())
         if wanted is not None and self._saving is None:
             self.save_ring("stop" if wanted is MarkKind.STOP else "fault")
@@ -287,6 +299,8 @@ class SessionRecorder(QObject):
                 size = f"{each.total_bytes / 1e6:.1f}"
                 figures = {"name": each.name or "", "frames": each.frames, "size": size}
                 self._context.tell(EventCode.SESSION_ENDED, **figures)
+                if each.frames:
+                    self._begin_mf4(each.plan, each.name or "")
             else:
                 reason = why_not_written(each.failure, each.plan.folder)
                 self._context.tell(EventCode.SESSION_FAILED, reason=reason)
@@ -296,14 +310,28 @@ class SessionRecorder(QObject):
         saving = self._saving
         if saving is None or not saving.done():
             return
-        self._saving = None
+        self._saving, plan, self._saving_plan = None, self._saving_plan, None
         error = saving.exception()
         if error is None:
-            self._context.tell(EventCode.RING_SAVED, name=saving.result().stem)
+            name = saving.result().stem
+            self._context.tell(EventCode.RING_SAVED, name=name)
+            self._begin_mf4(plan, name)
         else:
             reason = why_not_written(error, self.choices.folder)
             self._context.tell(EventCode.RING_NOT_SAVED, reason=reason)
         self.changed.emit()
+
+    def _begin_mf4(self, plan: RecordingPlan | None, name: str) -> None:
+        if plan is not None and (plan.facts or {}).get("also") == MF4_SUFFIX:
+            self._mf4.begin(plan.folder, name)
+
+    def _follow_mf4(self) -> None:
+        for made in self._mf4.take():
+            if made.reason is None:
+                self._context.tell(EventCode.MF4_SAVED, name=made.name)
+            else:
+                self._context.tell(EventCode.MF4_NOT_SAVED, name=made.name, reason=made.reason)
+            self.changed.emit()
 
     def _end(self, recording: SessionRecording, reason: str) -> None:
         """Let its last frames be written; what failed is over already."""
@@ -327,7 +355,11 @@ class SessionRecorder(QObject):
             base=TimeBase(self._context.clock(), time.time()),
             rotate_bytes=self.choices.rotate_bytes,
             channel=channel,
-            facts={"reason": reason, "device": None if device is None else device.name},
+            facts={
+                "reason": reason,
+                "device": None if device is None else device.name,
+                **({"also": MF4_SUFFIX} if self.choices.as_mf4 else {}),
+            },
         )
 
 

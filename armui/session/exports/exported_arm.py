@@ -8,9 +8,10 @@ from typing import TYPE_CHECKING, Final, NamedTuple
 
 import numpy as np
 
-from armui.arm.geometries import geometry_of
+from armui.arm.models import ModelData, all_models
 from armui.kinematics.forward import flange_transforms
 from armui.kinematics.geometry import Geometry
+from armui.kinematics.poses import pose_to_matrix
 from armui.protocol.addressing import OFFSETS, Addressing
 from armui.protocol.codec import Codec
 from armui.protocol.firmware_version import FirmwareVersion
@@ -26,6 +27,9 @@ from armui.session.frames import NOT_OF_THE_ARM
 if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator
 
+    from numpy.typing import NDArray
+
+    from armui.protocol.piper_model import PiperModel
     from armui.session.exports.frames import ArmFrames
     from armui.session.exports.request import ArmWishes
     from armui.session.frames import Channel, FrameBatch
@@ -36,7 +40,12 @@ _FRAMES_LOOKED_AT: Final = 6_000
 _ANGLES: Final = tuple(
     (f"JointFeedback{pair}", f"J{joint}") for pair in ("12", "34", "56") for joint in map(int, pair)
 )
-_PLACES: Final = (("EndPose1", "X"), ("EndPose1", "Y"), ("EndPose2", "Z"))
+_POSES: Final = (
+    ("EndPose1", "X"), ("EndPose1", "Y"), ("EndPose2", "Z"),
+    ("EndPose2", "RX"), ("EndPose3", "RY"), ("EndPose3", "RZ"),
+)  # fmt: skip
+_LEVER_MM: Final = 200.0
+"""What a turn of the flange counts, set against a way of it."""
 
 
 class NoSuchChannelError(Exception):
@@ -51,7 +60,9 @@ class ExportedArm(NamedTuple):
         why_generation: In words.
         channel: Whose frames are its.
         firmware: What the log tells or was said; "" where neither.
-        geometry: Where its joints have their zeros.
+        model: Which arm of the family it is.
+        why_model: In words.
+        geometry: With the zeros of its firmware.
         start_s: When the log's first frame was recorded.
     """
 
@@ -59,6 +70,8 @@ class ExportedArm(NamedTuple):
     why_generation: str
     channel: Channel
     firmware: str
+    model: ModelData
+    why_model: str
     geometry: Geometry
     start_s: float
 
@@ -94,9 +107,9 @@ def look_at(
     addressing = _addressing(pieces)
     firmware = wishes.firmware or _firmware(pieces)
     codec = Codec(generation, addressing, FirmwareVersion.parse(firmware))
-    geometry = geometry_of(firmware) if firmware else _geometry(pieces, codec)
+    model, why_model, geometry = _model(pieces, codec, firmware, wishes.model)
     start_s = float(looked_at[0].times_s[0])
-    arm = ExportedArm(codec, why, channel, firmware, geometry, start_s)
+    arm = ExportedArm(codec, why, channel, firmware, model, why_model, geometry, start_s)
     return arm, chain(looked_at, batches)
 
 
@@ -152,21 +165,43 @@ def _firmware(pieces: Iterable[ArmFrames]) -> str:
     return find_version(text) or ""
 
 
-def _geometry(pieces: Iterable[ArmFrames], codec: Codec) -> Geometry:
-    """That whose flange is nearest to where the arm itself says it is; today's where nothing tells.
+def _model(
+    pieces: Iterable[ArmFrames], codec: Codec, firmware: str, wish: PiperModel | None
+) -> tuple[ModelData, str, Geometry]:
+    """The model, and its geometry, whose flange is nearest to where the arm itself says it is.
 
-    Older firmware counts joints 2 and 3 from other zeros, and generation 1 tells no version.
+    Older firmware counts joints 2 and 3 from other zeros, and generation 1 tells no version. Where
+    nothing tells, it is a PiPER of today.
     """
-    history = History(codec)
-    off_mm = dict.fromkeys(Geometry, 0.0)
-    for frames in pieces:
-        history.take(frames)
-        at = table_rows(history, TimeSpan(-np.inf, np.inf))
-        if at is None:
-            continue
-        angles, places = signals_at(history, at, _ANGLES), signals_at(history, at, _PLACES)
-        known = ~(np.isnan(angles).any(axis=1) | np.isnan(places).any(axis=1))
-        for geometry in Geometry:
-            flange = flange_transforms(geometry, angles[known])[:, :3, 3]
-            off_mm[geometry] += float(np.linalg.norm(flange - places[known], axis=1).sum())
-    return min(Geometry, key=lambda geometry: off_mm[geometry])
+    models = [each for each in all_models().values() if wish in {None, each.model}]
+    candidates = [
+        (model, geometry)
+        for model in models
+        for geometry in ([model.geometry_of(firmware)] if firmware else model.geometries)
+    ]
+    off_mm = np.zeros(len(candidates))
+    rows = 0
+    if len(candidates) > 1:
+        history = History(codec)
+        for frames in pieces:
+            history.take(frames)
+            at = table_rows(history, TimeSpan(-np.inf, np.inf))
+            if at is None:
+                continue
+            angles, poses = signals_at(history, at, _ANGLES), signals_at(history, at, _POSES)
+            known = ~(np.isnan(angles).any(axis=1) | np.isnan(poses).any(axis=1))
+            rows += int(known.sum())
+            told = pose_to_matrix(poses[known])
+            for place, (_, geometry) in enumerate(candidates):
+                off_mm[place] += _off_mm(flange_transforms(geometry, angles[known]), told)
+    model, geometry = candidates[int(np.argmin(off_mm))]
+    if wish is not None:
+        return model, "as asked for", geometry
+    return model, "its end pose fits" if rows else "nothing in the log tells", geometry
+
+
+def _off_mm(one: NDArray[np.float64], other: NDArray[np.float64]) -> float:
+    """How far transforms (n, 4, 4) are apart, all in all."""
+    apart = np.linalg.norm(one[:, :3, 3] - other[:, :3, 3], axis=1)
+    turned = np.linalg.norm(one[:, :3, :3] - other[:, :3, :3], axis=(1, 2))
+    return float((apart + _LEVER_MM * turned).sum())

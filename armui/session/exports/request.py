@@ -6,9 +6,10 @@ import enum
 import math
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import NamedTuple
+from typing import Final, NamedTuple
 
 from armui.protocol.generation import Generation
+from armui.protocol.piper_model import PiperModel
 from armui.session.frames import Damage
 
 
@@ -19,19 +20,39 @@ class ArmWishes(NamedTuple):
         generation: Of the protocol.
         firmware: As ``S-V1.8-5``; it tells where the joints have their zeros.
         channel: The name of the log's channel, as text.
+        model: Which arm of the family it is.
     """
 
     generation: Generation | None = None
     firmware: str | None = None
     channel: str | None = None
+    model: PiperModel | None = None
 
 
 class ExportFormat(enum.StrEnum):
-    """What can be written; the value is also the ending of the file's name."""
+    """What can be written; of a file the value is also the ending of its name."""
 
     MCAP = "mcap"
     CSV = "csv"
     PARQUET = "parquet"
+    CSV_MESSAGES = "csv-messages"
+    """A folder with a file for each message."""
+
+    @property
+    def is_folder(self) -> bool:
+        """Whether several files are written."""
+        return self is ExportFormat.CSV_MESSAGES
+
+    def named(self, path: Path) -> Path:
+        """A file's or folder's name as this format has it."""
+        if self.is_folder:
+            return path.with_name(f"{path.stem}{_MESSAGES}")
+        stem = path.name.removesuffix(_MESSAGES) if path.name.endswith(_MESSAGES) else path.stem
+        return path.with_name(f"{stem}.{self}")
+
+
+_MESSAGES: Final = "-messages"
+"""What the name of such a folder ends with."""
 
 
 class ExportProblem(enum.StrEnum):
@@ -73,7 +94,7 @@ class ExportRequest:
 
     Attributes:
         log: The file, of any format that `LogFile` reads.
-        target: The file to write.
+        target: The file to write, or the folder.
         format: In which format.
         begin_s: From there on, in seconds from the log's first frame.
         end_s: Up to there.
@@ -100,6 +121,8 @@ class ExportReport:
         generation: Of the protocol, and why it was taken for that.
         why_generation: In words.
         firmware: Told by the log or said, "" if neither.
+        model: Which arm of the family it was taken for.
+        why_model: In words.
         offset: The identifier offset of the arm's feedback (0x470).
         channel: Whose frames were exported, as text; "" where the log has none.
         other_channels: Those left out.
@@ -116,6 +139,8 @@ class ExportReport:
     generation: int
     why_generation: str
     firmware: str
+    model: str
+    why_model: str
     offset: int
     channel: str
     other_channels: tuple[str, ...]
@@ -142,5 +167,5 @@ class ExportProgress:
 def default_target(log: Path, export_format: ExportFormat) -> Path:
     """Beside the log, with its name and the format's ending."""
     name = log.with_suffix("") if log.suffix.lower() == ".gz" else log
-    target = name.with_suffix(f".{export_format}")
+    target = export_format.named(name)
     return target if target != log else log.with_name(f"{name.stem}-export.{export_format}")

@@ -22,13 +22,15 @@ class ExportFacts:
 
     Attributes:
         codec: Speaks its generation.
-        geometry: Where its joints have their zeros.
+        geometry: Of the arm.
+        gripper_turned_deg: How its gripper is mounted, about the flange's Z axis.
         start_s: When the log's first frame was recorded.
         notes: In words: source, generation, firmware; for the file's metadata.
     """
 
     codec: Codec
     geometry: Geometry
+    gripper_turned_deg: float
     start_s: float
     notes: Mapping[str, str]
 

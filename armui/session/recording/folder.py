@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import Any, Final
 
 from armui.session.recording import index_file, sidecar
-from armui.session.recording.kinds import RecordingFormat
+from armui.session.recording.kinds import MF4_SUFFIX, RecordingFormat
 from armui.session.recording.names import file_name, is_name
 
 BIN: Final = "deleted"
@@ -137,8 +137,8 @@ def files_of(folder: Path, name: str) -> list[Path]:
     if not lines or lines[0]["kind"] != "session":
         raise ValueError("no recording")
     paths = _parts(folder, name, RecordingFormat(lines[0].get("format")))
-    index = folder / f"{name}{index_file.SUFFIX}"
-    return [*paths, *([index] if index.exists() else []), side]
+    beside = (folder / f"{name}{suffix}" for suffix in (MF4_SUFFIX, index_file.SUFFIX))
+    return [*paths, *(path for path in beside if path.exists()), side]
 
 
 def rename(folder: Path, name: str, new_name: str) -> None:

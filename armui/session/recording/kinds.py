@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import enum
-from typing import TYPE_CHECKING, Protocol
+from typing import TYPE_CHECKING, Final, Protocol
 
 if TYPE_CHECKING:
     import numpy as np
@@ -18,6 +18,10 @@ class RecordingFormat(enum.Enum):
     BLF = ".blf"
     ASC = ".asc"
     CANDUMP = ".log"
+
+
+MF4_SUFFIX: Final = ".mf4"
+"""Of what is made of a recording afterwards; see `armui.session.recording.mf4`."""
 
 
 class BlockFormat(Protocol):

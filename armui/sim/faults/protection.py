@@ -6,18 +6,19 @@ the collision levels: the higher the level, the more torque is put down to other
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Collection, Iterable, Mapping
 from typing import Final
 
+from armui.arm.limits import JOINTS
 from armui.sim.condition import Condition
 from armui.sim.faults.alarms import CUTS_POWER, Alarm
 from armui.sim.mechanics.drivers import Drivers
-from armui.sim.mechanics.gravity import PAYLOADS_KG, Weight
 from armui.sim.mechanics.mechanics import Mechanics
 from armui.sim.mechanics.powered_joints import JOINT_COUNT
 from armui.sim.mechanics.unpowered_joints import UnpoweredJoints
 from armui.sim.parameters.settings import ArmSettingsRecord
 
+_NS_PER_S: Final = 1_000_000_000
 LOWEST_V: Final = 20.0
 HOT_C: Final = 80.0
 COOL_C: Final = 75.0
@@ -68,18 +69,32 @@ class Protection:
         """Whether a motor may be switched on: nothing keeps its driver off."""
         return not self._condition.alarms.of(index) & CUTS_POWER
 
+    def watch(self, names: Collection[str], periods_ns: Mapping[str, int]) -> None:
+        """Lets the drivers measure before frames are made, and looks at what they measure.
+
+        Args:
+            names: Of the frames.
+            periods_ns: How often the frames of each name are made.
+        """
+        self.watch_torques()
+        self._drivers.measure(self._body)
+        for joint in JOINTS:
+            name = f"DriverSlow{joint}"
+            if name in names:
+                self._drivers.warm(joint - 1, periods_ns[name] / _NS_PER_S)
+                self.watch_driver(joint - 1)
+
     def watch_torques(self) -> None:
         """Looks for stalled joints and collisions."""
         if any(self._blocked):
             self._find_stall()
         weight = self._body.weight
-        told_kg = PAYLOADS_KG[self._settings.load]
-        if weight.payload_kg == told_kg and not any(weight.pushes_nm):
+        if weight.payload_kg == weight.told_kg and not any(weight.pushes_nm):
             if self._condition.alarms.collision:
                 self._compare((0.0,) * JOINT_COUNT)
             return
         positions_deg = self._body.positions_deg
-        expected = Weight(weight.zeros_deg, told_kg).torques_nm(positions_deg)
+        expected = weight.expected_nm(positions_deg)
         real = weight.torques_nm(positions_deg)
         self._compare(a - b for a, b in zip(real, expected, strict=True))
 

@@ -21,7 +21,7 @@ from armui.sim.feedback.frame_cache import FrameCache
 from armui.sim.mechanics.drivers import Drivers
 from armui.sim.mechanics.gripper import GripperError, SimulatedGripper
 from armui.sim.mechanics.mechanics import Mechanics
-from armui.sim.mechanics.powered_joints import SixValues
+from armui.sim.mechanics.powered_joints import STANDSTILL, SixValues
 
 _DEGREES_PER: Final = {**DEGREES_PER, "pulse": 360.0 / 65536.0}
 """With the encoder's pulses; the protocol text gives no number of them a turn, this is assumed."""
@@ -35,6 +35,9 @@ class _Parts(Protocol):
     drivers: Drivers
     gripper: SimulatedGripper
     kinematics: Kinematics
+
+    @property
+    def ik_solution_deg(self) -> SixValues | None: ...
 
 
 class Feedback:
@@ -59,6 +62,8 @@ class Feedback:
         for joint in (1, 3, 5):
             name = f"JointFeedback{joint}{joint + 1}"
             self._makers[name] = partial(self._joint_feedback, name, joint)
+            name = f"IkSolution{joint}{joint + 1}"
+            self._makers[name] = partial(self._ik_solution, name, joint)
         for joint in JOINTS:
             self._makers[f"DriverFast{joint}"] = partial(self._driver_fast, joint)
             self._makers[f"DriverSlow{joint}"] = partial(self._driver_slow, joint)
@@ -104,6 +109,11 @@ class Feedback:
     def _joint_feedback(self, name: str, joint: int) -> Frame:
         positions = self._arm.mechanics.positions_deg
         signals = {f"J{joint}": positions[joint - 1], f"J{joint + 1}": positions[joint]}
+        return self._cache.frame(name, **signals)
+
+    def _ik_solution(self, name: str, joint: int) -> Frame:
+        solution = self._arm.ik_solution_deg or STANDSTILL
+        signals = {f"J{joint}": solution[joint - 1], f"J{joint + 1}": solution[joint]}
         return self._cache.frame(name, **signals)
 
     def _gripper(self) -> Frame:

@@ -15,7 +15,17 @@ TICK_NS: Final = 5_000_000
 _NS_PER_MS: Final = 1_000_000
 _PER_DRIVER: Final = ("DriverFast", "DriverSlow")
 _END_MOTION: Final = tuple(f"EndMotion{joint}" for joint in range(1, 7))
+_IK_SOLUTION: Final = ("IkSolution12", "IkSolution34", "IkSolution56")
+_IK_SOLUTION_MS: Final = 5
+"""Assumed: the protocol text gives no cycle time."""
 _DRIVERS: Final = tuple(f"{kind}{joint}" for kind in _PER_DRIVER for joint in range(1, 7))
+
+
+_OPTIONS: Final = {
+    **dict.fromkeys(_END_MOTION, "end_motion"),
+    **dict.fromkeys(_IK_SOLUTION, "ik_solution"),
+}
+"""What has to be on for the frames that are not always sent."""
 
 
 @dataclass(slots=True)
@@ -25,7 +35,7 @@ class _Slot:
     due_ns: int
     period_ns: int
     names: tuple[str, ...]
-    is_end_motion: bool
+    option: str
 
 
 class FeedbackSchedule:
@@ -37,27 +47,31 @@ class FeedbackSchedule:
 
     Attributes:
         end_motion: Whether 0x481–0x486 are on; they follow the controller's frames.
+        ik_solution: Whether 0x2AA–0x2AC are sent.
     """
 
     def __init__(self, generation: Generation) -> None:
-        self.end_motion = False
+        self.end_motion = self.ik_solution = False
         database = load_database(generation)
-        groups: dict[tuple[int, int, bool], list[str]] = {}
+        groups: dict[tuple[int, int, str], list[str]] = {}
 
         def add(name: str, cycle_time_ms: int, part: int = 1, parts: int = 1) -> None:
             period_ns = cycle_time_ms * _NS_PER_MS
             first_ns = -(-period_ns * part // (parts * TICK_NS)) * TICK_NS
-            groups.setdefault((first_ns, period_ns, name in _END_MOTION), []).append(name)
+            groups.setdefault((first_ns, period_ns, _OPTIONS.get(name, "")), []).append(name)
 
         periodic = {each.name: each.cycle_time for each in database.messages if each.cycle_time}
         for name, cycle_time_ms in periodic.items():
             if name not in _DRIVERS:
                 add(name, cycle_time_ms)
+        if any(each.name in _IK_SOLUTION for each in database.messages):
+            for name in _IK_SOLUTION:
+                add(name, _IK_SOLUTION_MS)
         for name in _DRIVERS:
             add(name, periodic[name], int(name[-1]), 6)
         self._slots = [
-            _Slot(first_ns, period_ns, tuple(names), optional)
-            for (first_ns, period_ns, optional), names in groups.items()
+            _Slot(first_ns, period_ns, tuple(names), option)
+            for (first_ns, period_ns, option), names in groups.items()
         ]
         self.next_ns = min(slot.due_ns for slot in self._slots)
         self.periods_ns: Mapping[str, int] = {
@@ -70,7 +84,7 @@ class FeedbackSchedule:
         names: list[str] = []
         for slot in self._slots:
             if slot.due_ns == now_ns:
-                if self.end_motion or not slot.is_end_motion:
+                if not slot.option or getattr(self, slot.option):
                     names += slot.names
                 slot.due_ns += slot.period_ns
         self.next_ns = min(slot.due_ns for slot in self._slots)

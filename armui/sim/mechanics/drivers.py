@@ -11,12 +11,14 @@ from typing import Final
 
 import numpy as np
 
+from armui.sim.mechanics.joint_dynamics import JointLosses
 from armui.sim.mechanics.mechanics import Mechanics
 from armui.sim.mechanics.powered_joints import JOINT_COUNT, STANDSTILL, SixValues
 
-_TORQUE_PER_AMPERE: Final = (6.0, 6.0, 6.0, 3.0, 3.0, 3.0)
 _INERTIA_KG_M2: Final = (0.25, 0.30, 0.12, 0.02, 0.02, 0.01)
 _FRICTION_NM_S_RAD: Final = (0.8, 0.8, 0.8, 0.3, 0.3, 0.3)
+
+_PEAK_NM: Final = JointLosses().peak_nm
 
 SUPPLY_V: Final = 24.0
 _SUPPLY_NOISE_V: Final = 0.1
@@ -45,7 +47,14 @@ class Drivers:
         supply_v: What the supply gives.
     """
 
-    def __init__(self, seed: int) -> None:
+    def __init__(self, seed: int, nm_per_ampere: SixValues) -> None:
+        """Cold drivers.
+
+        Args:
+            seed: Of the noise.
+            nm_per_ampere: Torque at the output for a motor's current, joint 1 first.
+        """
+        self._nm_per_ampere = nm_per_ampere
         self._noise = np.random.default_rng(seed)
         self._ambient_c = [
             _COLD_C + _SPREAD_C * float(share) for share in self._noise.random(JOINT_COUNT)
@@ -64,6 +73,7 @@ class Drivers:
         """Takes the currents from the present motion and load."""
         powered, speeds_deg_s = mechanics.powered, mechanics.speeds_deg_s
         accelerations_deg_s2 = mechanics.accelerations_deg_s2
+        driven = mechanics.driver_torques_nm
         measured = (
             mechanics.positions_deg,
             speeds_deg_s,
@@ -71,14 +81,21 @@ class Drivers:
             powered,
             mechanics.weight.payload_kg,
             mechanics.weight.pushes_nm,
+            driven,
         )
         if measured == self._measured:
             return
         self._measured = measured
-        gravity = mechanics.weight.torques_nm(mechanics.positions_deg)
+        gravity = (
+            STANDSTILL
+            if len(driven) == JOINT_COUNT
+            else mechanics.weight.torques_nm(mechanics.positions_deg)
+        )
         self._speeds_rad_s = tuple(map(radians, speeds_deg_s))
         self._torques_nm = tuple(
-            (
+            driven[i]
+            if i in driven
+            else (
                 _INERTIA_KG_M2[i] * radians(accelerations_deg_s2[i])
                 + _FRICTION_NM_S_RAD[i] * self._speeds_rad_s[i]
                 - gravity[i]
@@ -88,8 +105,10 @@ class Drivers:
             for i in range(JOINT_COUNT)
         )
         self.currents_a = tuple(
-            torque / ratio
-            for torque, ratio in zip(self._torques_nm, _TORQUE_PER_AMPERE, strict=True)
+            min(max(torque, -most), most) / ratio
+            for torque, ratio, most in zip(
+                self._torques_nm, self._nm_per_ampere, _PEAK_NM, strict=True
+            )
         )
 
     def warm(self, index: int, dt_s: float) -> None:

@@ -1,94 +1,81 @@
-"""How gravity turns the joints: a plain model of the arm as three bars in a vertical plane.
-
-Only joints 2, 3 and 5 carry weight here. It decides where an arm without power sinks to and how
-much current a motor needs to hold its joint; masses are estimates that add up to a moving mass
-of about 2.7 kg of the arm's 4.2 kg.
-"""
+"""What loads the joints: the arm's masses, its payload, how it is mounted, pushes from outside."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
-from math import cos, radians, sin
+from functools import lru_cache
 from typing import Final
 
-from armui.protocol.codes import EndLoad
+import numpy as np
 
-_G_M_S2: Final = 9.81
-
-_UPPER_ARM_M: Final = 0.28503
-_ELBOW_OFFSET_M: Final = -0.02198
-_FOREARM_M: Final = 0.25075
-_HAND_COM_M: Final = 0.06
-_SHOULDER_ZERO_DEG: Final = -172.22
-_ELBOW_ZERO_DEG: Final = -102.78
-
-_UPPER_ARM_KG: Final = 1.2
-_FOREARM_KG: Final = 0.9
-_HAND_KG: Final = 0.6
-_FLANGE_M: Final = 0.091
-"""From the wrist to the flange, where a payload sits."""
+from armui.protocol.codes import EndLoad, Mounting
+from armui.sim.mechanics.links import piper_links
+from armui.sim.mechanics.rigid_body import DOWN, RigidBody, RigidLink
 
 PAYLOADS_KG: Final = {EndLoad.EMPTY: 0.0, EndLoad.HALF: 0.75, EndLoad.FULL: 1.5}
 """What the words of 0x477 byte 4 mean; 1.5 kg is the arm's payload, half of it is half."""
 
+DOWN_BY_MOUNTING: Final = {
+    Mounting.LEVEL: DOWN,
+    Mounting.ON_THE_LEFT_SIDE: (0.0, 1.0, 0.0),
+    Mounting.ON_THE_RIGHT_SIDE: (0.0, -1.0, 0.0),
+    Mounting.UPSIDE_DOWN: (0.0, 0.0, 1.0),
+}
+"""Where things fall, in the base frame; an arm on its left side has its Y axis below."""
+
 
 @dataclass(slots=True)
 class Weight:
-    """The loads on the joints: zeros, payload, and pushes from outside.
+    """The loads on the joints: zeros, payload, mounting, and pushes from outside.
 
     Attributes:
+        links: The arm's links and their masses.
         zeros_deg: Where each joint has its zero, counted from the factory's.
         payload_kg: Mass at the flange.
+        told_kg: Mass at the flange as the host says; the arm's own model of gravity has this one.
+        down: Where things fall, in the base frame.
         pushes_nm: What something outside adds to each joint's torque.
     """
 
+    links: tuple[RigidLink, ...] = field(default_factory=piper_links)
     zeros_deg: Sequence[float] = field(default_factory=lambda: (0.0,) * 6)
     payload_kg: float = 0.0
+    told_kg: float = 0.0
+    down: tuple[float, float, float] = DOWN
     pushes_nm: tuple[float, ...] = (0.0,) * 6
 
+    @property
+    def body(self) -> RigidBody:
+        """The arm with what hangs at its flange."""
+        return _body(self.links, self.payload_kg)
+
+    def true_deg(self, joints_deg: Sequence[float]) -> list[float]:
+        """Angles counted from the factory's zeros."""
+        return [angle + zero for angle, zero in zip(joints_deg, self.zeros_deg, strict=True)]
+
     def torques_nm(self, joints_deg: Sequence[float]) -> tuple[float, ...]:
-        """As `gravity_torques_nm`, for angles counted from the joints' own zeros."""
-        true_deg = [angle + zero for angle, zero in zip(joints_deg, self.zeros_deg, strict=True)]
-        torques_nm = gravity_torques_nm(true_deg, self.payload_kg)
+        """The torque with which gravity and pushes drive each joint; positive: to larger angles."""
+        torques_nm = self._gravity_nm(self.payload_kg, joints_deg)
         if not any(self.pushes_nm):
             return torques_nm
         return tuple(a + b for a, b in zip(torques_nm, self.pushes_nm, strict=True))
 
+    def expected_nm(self, joints_deg: Sequence[float]) -> tuple[float, ...]:
+        """The same as the arm's own model has it: with the payload the host has told, no pushes."""
+        return self._gravity_nm(self.told_kg, joints_deg)
+
+    def _gravity_nm(self, payload_kg: float, joints_deg: Sequence[float]) -> tuple[float, ...]:
+        joints_rad = np.radians(self.true_deg(joints_deg))
+        body = _body(self.links, payload_kg)
+        return tuple(body.gravity_torques_nm(joints_rad, self.down).tolist())
+
 
 def gravity_torques_nm(joints_deg: Sequence[float], payload_kg: float = 0.0) -> tuple[float, ...]:
-    """The torque with which gravity drives each joint, in N·m; positive towards larger angles.
+    """The torque with which gravity turns each joint of a PiPER that stands level, in N·m."""
+    return Weight(payload_kg=payload_kg).torques_nm(joints_deg)
 
-    In the plane of the arm a joint's torque is weight times horizontal lever arm. The angles are
-    those of the DH table: the upper arm points along (cos, −sin), the forearm along (sin, cos).
-    """
-    _, q2, q3, q4, q5, _ = joints_deg
-    shoulder = radians(q2 + _SHOULDER_ZERO_DEG)
-    elbow = shoulder + radians(q3 + _ELBOW_ZERO_DEG)
-    turn, bend = radians(q4), radians(q5)
 
-    upper_m = _UPPER_ARM_M * cos(shoulder)
-    offset_m = _ELBOW_OFFSET_M * cos(elbow)
-    forearm_m = _FOREARM_M * sin(elbow)
-    # from the wrist out, for each metre: seen from the elbow, and from joint 5
-    reach = cos(bend) * sin(elbow) + sin(bend) * cos(turn) * cos(elbow)
-    reach_turned = sin(bend) * cos(elbow) + cos(bend) * cos(turn) * sin(elbow)
-    hand_kg = _HAND_KG + payload_kg
-    hand_kg_m = _HAND_KG * _HAND_COM_M + payload_kg * _FLANGE_M
-
-    beyond_elbow_kg_m = (
-        _FOREARM_KG * (offset_m + forearm_m / 2)
-        + hand_kg * (offset_m + forearm_m)
-        + hand_kg_m * reach
-    )
-    beyond_shoulder_kg_m = (
-        _UPPER_ARM_KG * upper_m / 2 + (_FOREARM_KG + hand_kg) * upper_m + beyond_elbow_kg_m
-    )
-    return (
-        0.0,
-        _G_M_S2 * beyond_shoulder_kg_m,
-        _G_M_S2 * beyond_elbow_kg_m,
-        0.0,
-        _G_M_S2 * hand_kg_m * reach_turned,
-        0.0,
-    )
+@lru_cache(maxsize=64)
+def _body(links: tuple[RigidLink, ...], payload_kg: float) -> RigidBody:
+    return RigidBody(links, payload_kg)

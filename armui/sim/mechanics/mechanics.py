@@ -2,15 +2,43 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
+from typing import Protocol
 
 from armui.arm.limits import JointLimits
+from armui.sim.mechanics.driver_loop import LIMP, DriverLoop, DriverSetpoint
 from armui.sim.mechanics.gravity import Weight
 from armui.sim.mechanics.hand_guiding import HandGuiding
 from armui.sim.mechanics.powered_joints import JOINT_COUNT, STANDSTILL, JointMotion, SixValues
-from armui.sim.mechanics.servo import JointServo
 from armui.sim.mechanics.unpowered_joints import LimpJoints, UnpoweredJoints
-from armui.sim.motion.tool_plan import PathMotion
+
+
+class JointPath(Protocol):
+    """A motion of all joints that knows for itself how fast it goes.
+
+    Attributes:
+        positions_deg: Where the joints are.
+        speeds_deg_s: How fast they turn.
+        accelerations_deg_s2: How their speeds change.
+        moving: Whether the joints turn, or are about to.
+    """
+
+    @property
+    def positions_deg(self) -> SixValues: ...  # noqa: D102 - above
+    @property
+    def speeds_deg_s(self) -> SixValues: ...  # noqa: D102 - above
+    @property
+    def accelerations_deg_s2(self) -> SixValues: ...  # noqa: D102 - above
+    @property
+    def moving(self) -> bool: ...  # noqa: D102 - above
+
+    def run(self, share: float) -> None:
+        """Goes on with a share of its speed; 0 brakes."""
+        ...
+
+    def advance(self, dt_s: float) -> None:
+        """Lets time pass."""
+        ...
 
 
 class Mechanics:
@@ -29,9 +57,9 @@ class Mechanics:
     def __init__(self, positions_deg: Iterable[float], weight: Weight | None = None) -> None:
         self.weight = weight or Weight()
         self._motion = JointMotion(positions_deg)
-        self._path: PathMotion | None = None
+        self._path: JointPath | None = None
         self._hand: HandGuiding | None = None
-        self._servo = JointServo()
+        self._loop = DriverLoop(self.weight)
         self._sag_deg: SixValues = STANDSTILL
         self._limp = LimpJoints(self.weight)
         self.positions_deg: SixValues = self._motion.positions_deg
@@ -85,7 +113,7 @@ class Mechanics:
         """
         self._hand = None
         indices = [index for index in indices if self.powered[index] or index in self._limp]
-        self._servo.void(indices)
+        self._loop.void(indices)
         self._limp.release(indices, unpowered)
         for index in indices:
             self._set_power(index, on=False)
@@ -93,28 +121,28 @@ class Mechanics:
             self._place()
         self._read_motion()
 
-    def let_go(self, indices: Iterable[int], unpowered: UnpoweredJoints) -> None:
-        """Leaves motors their power and takes what they hold at: their joints give way."""
-        self._hand = None
-        indices = [index for index in indices if self.powered[index]]
-        self._servo.void(indices)
-        self._limp.release(indices, unpowered)
-        if not any(self._holds(index) for index in range(JOINT_COUNT)):
-            self._place()
-        self._read_motion()
+    @property
+    def driver_torques_nm(self) -> Mapping[int, float]:
+        """What the drivers of the joints (0–5) give that follow setpoints without a plan."""
+        return self._loop.torques_nm
 
-    def steer(self, index: int, setpoint_deg: float) -> None:
+    def let_go(self, indices: Iterable[int]) -> None:
+        """Leaves motors their power and takes what they hold at: their joints fall."""
+        self._hand = None
+        for index in indices:
+            self.steer(index, LIMP)
+
+    def steer(self, index: int, setpoint: DriverSetpoint) -> None:
         """Gives a joint a setpoint that its driver follows without a plan; nothing without power.
 
         A plan under way is dropped.
         """
         if not self.powered[index]:
             return
-        if index in self._limp:
-            self._limp.catch(index)
+        is_new = index not in self._loop
+        self._loop.set(index, setpoint, self.speeds_deg_s[index])
+        if is_new:
             self._place()
-        self._path = None
-        self._servo.set(index, setpoint_deg)
 
     def move_to(
         self,
@@ -127,17 +155,21 @@ class Mechanics:
         self._path = None
         self._motion.move_to(targets_deg, speeds_deg_s, accelerations_deg_s2)
 
-    def follow(self, path: PathMotion) -> None:
+    def follow(self, path: JointPath) -> None:
         """Moves all joints along a path that begins at their setpoints; it says how fast."""
         self._take_up()
         self._path = path
+
+    def follows(self, path: JointPath) -> bool:
+        """Whether the joints move along this very path."""
+        return self._path is path
 
     def brake(self, accelerations_deg_s2: Sequence[float]) -> None:
         """Brings a motion to its end as fast as the joints allow, along a path where it has one.
 
         Joints that follow setpoints without a plan go on to them.
         """
-        if self._servo:
+        if self._loop:
             return
         if self._path is None:
             self._motion.brake(accelerations_deg_s2)
@@ -158,17 +190,18 @@ class Mechanics:
 
     def halt(self) -> None:
         """Stands at once, without regard for what the joints can do."""
-        self._servo.void()
+        self._loop.void()
         self._place()
         self._read_motion()
 
     def count_anew(self, positions_deg: Iterable[float]) -> None:
         """Reads other angles where the joints stand, as after a zero was set; nothing moves.
 
-        A plan under way would lead elsewhere: let it end first.
+        A plan under way would lead elsewhere: let it end first. So would setpoints that joints
+        follow without a plan: these fall until the next.
         """
         self.positions_deg = tuple(positions_deg)
-        self._servo.void()
+        self.let_go(list(self.driver_torques_nm))
         self._place()
         self._read_motion()
 
@@ -179,7 +212,7 @@ class Mechanics:
             self._motion.carry(self._without_sag(led_to), speeds_deg_s, STANDSTILL)
             self._read_motion()
             return
-        was_moving = self.moving or bool(self._servo)
+        was_moving = self.moving or bool(self._loop)
         self._advance_motion(dt_s, limits)
         if self._limp:
             self.positions_deg = self._limp.advance(self._driven_and_limp(), limits, dt_s)
@@ -188,9 +221,9 @@ class Mechanics:
             self._read_motion()
 
     def _advance_motion(self, dt_s: float, stops: Sequence[JointLimits]) -> None:
-        if self._servo:
-            there, speeds_deg_s = self._servo.advance(self._motion.positions_deg, stops, dt_s)
-            self._motion.carry(there, speeds_deg_s, STANDSTILL)
+        if self._loop:
+            there, speeds_deg_s = self._loop.advance(self.positions_deg, stops, dt_s)
+            self._motion.carry(self._without_sag(there), speeds_deg_s, STANDSTILL)
             return
         path = self._path
         if path is None:
@@ -208,13 +241,12 @@ class Mechanics:
 
     def _take_up(self) -> None:
         """Lets the planner drive the joints that gave way or followed setpoints."""
-        if self._servo:
-            self._servo.void()
-        if self._limp:
-            self.power_on(i for i in range(JOINT_COUNT) if i in self._limp and self.powered[i])
+        if self._loop:
+            self._loop.void()
+            self._motion.carry(self._without_sag(self.positions_deg), self.speeds_deg_s, STANDSTILL)
 
     def _holds(self, index: int) -> bool:
-        return self.powered[index] and index not in self._limp
+        return self.powered[index] and index not in self._limp and index not in self._loop
 
     def _without_sag(self, positions_deg: SixValues) -> SixValues:
         """The setpoints at which the joints stand there."""

@@ -51,7 +51,8 @@ class MotionExecutor:
     def may_move(self) -> bool:
         """Whether the arm is in a state to take targets at all."""
         condition = self._condition
-        return all(self._body.powered) and not condition.stopped and not condition.hindered
+        able = not (condition.stopped or condition.hindered or condition.needs_reset)
+        return able and all(self._body.powered)
 
     def serves(self, order: Hashable) -> bool:
         """Whether this very order is under way, or was done or refused just here."""

@@ -2,14 +2,19 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Callable, Iterable
 from typing import Final
 
 from armui.kinematics.arm_kinematics import Kinematics
+from armui.protocol.codec import Codec
 from armui.protocol.codes import ArcPointNumber, TrajectoryCommand
+from armui.protocol.frame import Frame
+from armui.sim.arm_type import ArmType
 from armui.sim.condition import Condition
 from armui.sim.mechanics.mechanics import Mechanics
 from armui.sim.mechanics.powered_joints import SixValues
+from armui.sim.motion.cpv import CpvControl
 from armui.sim.motion.joint_moves import JointMoves
 from armui.sim.motion.mit import DirectControl
 from armui.sim.motion.motion_executor import MotionExecutor
@@ -21,7 +26,11 @@ _TOOL_TARGETS: Final = ("CartesianTarget1", "CartesianTarget2", "CartesianTarget
 
 
 class Moves:
-    """Collects targets of all kinds and has the newest carried out."""
+    """Collects targets of all kinds and has the newest carried out.
+
+    Attributes:
+        cpv: What each joint is told for itself in CPV.
+    """
 
     def __init__(
         self,
@@ -29,9 +38,23 @@ class Moves:
         condition: Condition,
         settings: ArmSettingsRecord,
         kinematics: Kinematics,
+        arm_type: ArmType,
+        *,
+        unsupported: Counter[str],
     ) -> None:
+        """Moves one arm.
+
+        Args:
+            mechanics: Its joints.
+            condition: Its modes.
+            settings: What it keeps.
+            kinematics: Of its geometry.
+            arm_type: Which arm it is.
+            unsupported: Counts what the arm understands but does not do.
+        """
         self._body = mechanics
-        self._direct = DirectControl(mechanics, condition)
+        self._direct = DirectControl(mechanics, condition, arm_type)
+        self.cpv = CpvControl(mechanics, condition, settings, arm_type.quirks, unsupported)
         self._travel = MotionExecutor(mechanics, condition, settings)
         self._joints = JointMoves(self._travel, condition, settings, self._direct.follow)
         self._tool = ToolMotions(self._travel, condition, settings, kinematics)
@@ -55,6 +78,11 @@ class Moves:
         return self._travel.targets_deg
 
     @property
+    def ik_solution_deg(self) -> SixValues | None:
+        """Where the last pose of MOVE P leads the joints; None before the first."""
+        return self._tool.ik_solution_deg
+
+    @property
     def paused(self) -> bool:
         """Whether the host has paused the motion."""
         return self._travel.paused
@@ -63,9 +91,13 @@ class Moves:
         """Takes a frame that is part of a target; whether it was one."""
         taker = self._takers.get(name)
         if taker is None:
-            return self._direct.take(name, signals)
+            return self._direct.take(name, signals) or self.cpv.take(name, signals)
         taker(signals)
         return True
+
+    def answers(self, codec: Codec) -> list[Frame]:
+        """What the frame that was taken last asks to be told."""
+        return self.cpv.answers(codec)
 
     def command(self, command: TrajectoryCommand) -> bool:
         """Obeys 0x150 byte 1; whether it is a command about motions the arm knows.
@@ -92,9 +124,14 @@ class Moves:
         short: an aborted target is gone, and one frame of its three does not complete it either.
         """
         self._direct.mode_word(signals)
+        self.cpv.mode_changed()
         self._travel.mode_changed()
         self._joints.mode_changed()
         self._tool.mode_changed(self._body.positions_deg)
+
+    def speed_changed(self) -> None:
+        """Takes a 0x151 that keeps the modes."""
+        self._travel.mode_changed()
 
     def cut_short(self) -> None:
         """Brakes; the target counts as not reached. One that waits goes on waiting."""

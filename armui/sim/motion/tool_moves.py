@@ -34,6 +34,9 @@ class ToolMotions:
     A complete pose waits until the arm is in CAN control and MOVE P or L; there it starts at once
     and replaces the one before. A pose that 0x158 marks is a point of an arc and no target; three
     of them wait for MOVE C. As with joint targets, nothing is kept for an arm that cannot move.
+
+    Attributes:
+        ik_solution_deg: Where the last pose of MOVE P leads the joints; None before the first.
     """
 
     def __init__(
@@ -52,6 +55,7 @@ class ToolMotions:
         self._latest: Pose | None = None
         self._waiting: Pose | None = None
         self._arc: dict[ArcPointNumber, Pose] = {}
+        self.ik_solution_deg: SixValues | None = None
 
     def take(self, values: Mapping[str, float], joints_deg: SixValues) -> None:
         """Takes one frame of a pose.
@@ -112,6 +116,8 @@ class ToolMotions:
         move_mode, poses = order
         try:
             end_deg = self._nearest(poses[-1], joints_deg)
+            if move_mode is MoveMode.MOVE_P:
+                self.ik_solution_deg = end_deg
             legs: list[Leg]
             if move_mode is MoveMode.MOVE_P:
                 legs = [end_deg]

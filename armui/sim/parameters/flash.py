@@ -5,7 +5,8 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Protocol
 
-from armui.sim.parameters.settings import ArmSettingsRecord
+from armui.protocol.piper_model import PiperModel
+from armui.sim.parameters.settings import ArmSettingsRecord, factory_settings
 from armui.sim.parameters.settings_text import SettingsTextError, from_text, to_text
 from armui.system.atomic import write_whole
 from armui.system.error_text import error_text
@@ -20,8 +21,8 @@ class Flash(Protocol):
 
     problem: str
 
-    def load(self) -> ArmSettingsRecord:
-        """What was saved last; factory values when nothing was, or when it cannot be read."""
+    def load(self, model: PiperModel = PiperModel.PIPER) -> ArmSettingsRecord:
+        """What was saved last; a model's factory values when nothing was, or none can be read."""
         ...
 
     def save(self, settings: ArmSettingsRecord) -> None:
@@ -42,15 +43,15 @@ class MemoryFlash:
         self.text = ""
         self.writes = 0
 
-    def load(self) -> ArmSettingsRecord:
+    def load(self, model: PiperModel = PiperModel.PIPER) -> ArmSettingsRecord:
         """What was saved last, or factory values."""
         if not self.text:
-            return ArmSettingsRecord()
+            return factory_settings(model)
         try:
             return from_text(self.text)
         except SettingsTextError as error:
             self.problem = f"flash unreadable, factory values in use: {error}"
-            return ArmSettingsRecord()
+            return factory_settings(model)
 
     def save(self, settings: ArmSettingsRecord) -> None:
         """Keeps the settings; the same ones again cost no write."""
@@ -72,19 +73,19 @@ class FileFlash:
         self.problem = ""
         self._kept = ""
 
-    def load(self) -> ArmSettingsRecord:
+    def load(self, model: PiperModel = PiperModel.PIPER) -> ArmSettingsRecord:
         """What the file says, or factory values."""
         try:
             text = self.path.read_text(encoding="utf-8")
             settings = from_text(text)
         except FileNotFoundError:
-            return ArmSettingsRecord()
+            return factory_settings(model)
         except OSError as error:
             self.problem = f"cannot read {self.path}, factory values in use: {error_text(error)}"
-            return ArmSettingsRecord()
+            return factory_settings(model)
         except (UnicodeDecodeError, SettingsTextError) as error:
             self._put_aside(str(error))
-            return ArmSettingsRecord()
+            return factory_settings(model)
         self._kept = text
         return settings
 

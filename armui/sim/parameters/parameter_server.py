@@ -6,7 +6,8 @@ from collections.abc import Callable, Iterable
 from dataclasses import replace
 from typing import Final, Protocol
 
-from armui.arm.limits import FACTORY_ACCELERATION_DEG_S2, FACTORY_LIMITS, JOINTS, JointLimits
+from armui.arm.limits import JOINTS, JointLimits
+from armui.arm.models import ModelData
 from armui.arm.units import DEGREES_PER
 from armui.protocol.codec import Codec, InvalidFrame
 from armui.protocol.codes import (
@@ -24,7 +25,6 @@ from armui.sim.parameters.settings import (
     ArmSettingsRecord,
     HandleSettings,
     Light,
-    factory_accelerations,
 )
 
 Signals = dict[str, float]
@@ -46,7 +46,13 @@ _READS_ONLY: Final = frozenset({"LimitQuery", "LightControl"})
 
 
 class Arm(Protocol):
-    """What a setting does to the arm beyond the value itself."""
+    """What a setting does to the arm beyond the value itself.
+
+    Attributes:
+        model: Which arm it is.
+    """
+
+    model: ModelData
 
     def set_zero(self, indices: Iterable[int]) -> bool:
         """Takes the present position of joints (0–5) as their zero; False when it cannot."""
@@ -156,7 +162,7 @@ class ParameterServer:
             limits = replace(limits, min_deg=signals["MinAngle"])
         if not self._unchanged(name, "MaxSpeed", signals):
             speed = self._inward(
-                name, "MaxSpeed", signals, most=FACTORY_LIMITS[index].max_speed_deg_s
+                name, "MaxSpeed", signals, most=self._arm.model.limits[index].max_speed_deg_s
             )
             limits = replace(limits, max_speed_deg_s=speed)
         if limits.min_deg < limits.max_deg and limits.max_speed_deg_s > 0.0:
@@ -173,7 +179,7 @@ class ParameterServer:
             name, "MaxAcceleration", signals
         ):
             acceleration = self._inward(
-                name, "MaxAcceleration", signals, most=FACTORY_ACCELERATION_DEG_S2
+                name, "MaxAcceleration", signals, most=max(self._arm.model.accelerations_deg_s2)
             )
             if acceleration > 0.0:
                 for index in indices:
@@ -186,8 +192,8 @@ class ParameterServer:
         if reset == FactoryReset.END_LIMITS_TO_FACTORY:
             settings.end_limits = ArmSettingsRecord().end_limits
         elif reset == FactoryReset.JOINT_LIMITS_TO_FACTORY:
-            settings.limits[:] = FACTORY_LIMITS
-            settings.accelerations_deg_s2[:] = factory_accelerations()
+            settings.limits[:] = self._arm.model.limits
+            settings.accelerations_deg_s2[:] = self._arm.model.accelerations_deg_s2
         feedback = self._codec.word("ParameterCommand", "EndFeedback", int(signals["EndFeedback"]))
         if feedback in _ON_OFF:
             self._arm.report_end_motion(on=feedback == "On")

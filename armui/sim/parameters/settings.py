@@ -6,7 +6,9 @@ from dataclasses import dataclass, field, fields
 from typing import Annotated, NamedTuple
 
 from armui.arm.limits import FACTORY_ACCELERATION_DEG_S2, FACTORY_LIMITS, JOINTS, JointLimits
+from armui.arm.models import model_data
 from armui.protocol.codes import EndLoad, LinkageRole
+from armui.protocol.piper_model import PiperModel
 
 
 class HandleSettings(NamedTuple):
@@ -41,13 +43,21 @@ def factory_accelerations() -> list[float]:
     return [FACTORY_ACCELERATION_DEG_S2] * len(JOINTS)
 
 
+def factory_settings(model: PiperModel) -> ArmSettingsRecord:
+    """What an arm of a model leaves the factory with."""
+    data = model_data(model)
+    return ArmSettingsRecord(
+        limits=list(data.limits), accelerations_deg_s2=list(data.accelerations_deg_s2)
+    )
+
+
 def _no_zeros() -> list[float]:
     return [0.0] * len(JOINTS)
 
 
 @dataclass(slots=True)
 class ArmSettingsRecord:
-    """What the arm keeps, with the values it leaves the factory with.
+    """What the arm keeps, with the values a PiPER leaves the factory with.
 
     Attributes:
         limits: Angles and speeds, joint 1 first.

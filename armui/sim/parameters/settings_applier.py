@@ -5,11 +5,13 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 from dataclasses import replace
 
-from armui.arm.limits import FACTORY_LIMITS, JointLimits
+from armui.arm.limits import JointLimits
 from armui.protocol.addressing import Addressing
+from armui.protocol.codes import Mounting
+from armui.sim.arm_type import ArmType
 from armui.sim.condition import Condition
 from armui.sim.feedback.schedule import FeedbackSchedule
-from armui.sim.mechanics.gravity import PAYLOADS_KG
+from armui.sim.mechanics.gravity import DOWN_BY_MOUNTING, PAYLOADS_KG
 from armui.sim.mechanics.mechanics import Mechanics
 from armui.sim.parameters.flash import Flash
 from armui.sim.parameters.settings import ArmSettingsRecord
@@ -19,6 +21,7 @@ class SettingsApplier:
     """Keeps the arm's parts and its flash in step with its settings.
 
     Attributes:
+        model: Which arm it is.
         stops: Where the metal ends, joint 1 first, whatever limits and zeros were set.
     """
 
@@ -28,11 +31,14 @@ class SettingsApplier:
         mechanics: Mechanics,
         condition: Condition,
         schedule: FeedbackSchedule,
+        arm_type: ArmType,
         *,
         flash: Flash,
         forget: Callable[[], None],
     ) -> None:
         """Takes care of the parts of one arm; `forget` drops the targets it has."""
+        self.model = arm_type.model
+        self._quirks = arm_type.quirks
         self._settings = settings
         self._flash = flash
         self._body = mechanics
@@ -40,7 +46,8 @@ class SettingsApplier:
         self._schedule = schedule
         self._forget = forget
         self._hanging_kg: float | None = None
-        self.stops: tuple[JointLimits, ...] = FACTORY_LIMITS
+        self._slips_deg = [0.0] * len(self.model.limits)
+        self.stops: tuple[JointLimits, ...] = self.model.limits
         self._refresh()
 
     @property
@@ -54,9 +61,17 @@ class SettingsApplier:
         self._hanging_kg = mass_kg
         self._refresh()
 
+    def mount(self, mounting: Mounting) -> None:
+        """Turns the whole arm as the host says it is mounted; the arm cannot say so itself."""
+        if mounting is Mounting.UPSIDE_DOWN and not self._quirks.has_upside_down:
+            return
+        down = DOWN_BY_MOUNTING.get(mounting)
+        if down is not None:
+            self._body.weight.down = down
+
     def restart(self) -> None:
         """Goes on with the settings that the flash holds."""
-        self._settings.take_over(self._flash.load())
+        self._settings.take_over(self._flash.load(self.model.model))
         self._schedule.end_motion = False
         self._refresh()
 
@@ -96,12 +111,46 @@ class SettingsApplier:
         mechanics.count_anew(angles_deg)
         return True
 
+    def slip(self, index: int, step_deg: float, *, most_deg: float) -> None:
+        """Lets a joint (0–5) turn on without its count: what it tells parts from where it is.
+
+        Args:
+            index: The joint.
+            step_deg: How far it turns now.
+            most_deg: How far it may turn in all; more is left out, and so is what a stop prevents.
+        """
+        stop, angle = self.stops[index], self._body.positions_deg[index]
+        there = self._slips_deg[index] + step_deg
+        if abs(there) <= most_deg and stop.min_deg <= angle + step_deg <= stop.max_deg:
+            self._slips_deg[index] = there
+            self._refresh()
+
+    def find_place(self) -> None:
+        """Lets every joint that had slipped tell where it is again."""
+        if any(self._slips_deg):
+            there = [a + b for a, b in zip(self._body.positions_deg, self._slips_deg, strict=True)]
+            self._slips_deg = [0.0] * len(self._slips_deg)
+            self._forget()
+            self._refresh()
+            self._body.count_anew(there)
+
+    def move_zero(self, index: int, angle_deg: float) -> None:
+        """Moves a joint's (0–5) zero by itself; the joint stays where it is and tells less."""
+        angles_deg, zeros_deg = list(self._body.positions_deg), list(self._settings.zeros_deg)
+        zeros_deg[index] += angle_deg
+        angles_deg[index] -= angle_deg
+        self._settings.zeros_deg = zeros_deg
+        self.settings_changed()
+        self._body.count_anew(angles_deg)
+
     def _refresh(self) -> None:
         zeros_deg, weight = self._settings.zeros_deg, self._body.weight
         told_kg = PAYLOADS_KG[self._settings.load]
+        zeros_deg = [a + b for a, b in zip(zeros_deg, self._slips_deg, strict=True)]
         weight.zeros_deg = zeros_deg
+        weight.told_kg = told_kg
         weight.payload_kg = told_kg if self._hanging_kg is None else self._hanging_kg
         self.stops = tuple(
             replace(each, min_deg=each.min_deg - zero, max_deg=each.max_deg - zero)
-            for each, zero in zip(FACTORY_LIMITS, zeros_deg, strict=True)
+            for each, zero in zip(self.model.limits, zeros_deg, strict=True)
         )

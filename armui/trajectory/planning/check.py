@@ -198,7 +198,9 @@ def _collisions(path: PlannedPath, arm: ArmModel) -> Iterator[Finding]:
     turned = np.abs(np.diff(path.joints_deg, axis=0)).max(axis=1, initial=0.0)
     strides = np.floor(np.concatenate(([0.0], np.cumsum(turned))) / _COLLISION_STEP_DEG)
     looked_at = np.flatnonzero(np.diff(strides, prepend=-1.0) != 0.0)
-    hits = collisions(arm.kinematics.geometry, path.joints_deg[looked_at], arm.tool_mm)
+    hits = collisions(
+        arm.kinematics.geometry, path.joints_deg[looked_at], arm.tool_mm, arm.gripper_turned_deg
+    )
     told: set[int] = set()
     for which in sorted(hits):
         index = int(looked_at[which])

@@ -6,6 +6,7 @@ Neighbours are left out, their joints' limits keep them apart.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Final
@@ -14,7 +15,7 @@ import numpy as np
 import numpy.typing as npt
 
 from armui.kinematics.forward import Links, links
-from armui.kinematics.geometry import BASE_MM, ELBOW_MM, HAND_MM, UPPER_ARM_MM, Geometry
+from armui.kinematics.geometry import Geometry, Wrist
 
 Array = npt.NDArray[np.float64]
 Whole = npt.NDArray[np.int64]
@@ -49,24 +50,27 @@ class _Capsule:
     radius_mm: float
 
 
-def collisions(geometry: Geometry, joints_deg: Array, tool_mm: float) -> dict[int, str]:
+def collisions(
+    geometry: Geometry, joints_deg: Array, tool_mm: float, gripper_turned_deg: float = 0.0
+) -> dict[int, str]:
     """Where parts of the arm would be in each other.
 
     Args:
         geometry: Of the arm.
         joints_deg: (n, 6).
         tool_mm: How far the gripper reaches beyond the flange; 0 if there is none.
+        gripper_turned_deg: How it is mounted, about the flange's Z axis.
 
     Returns:
         By index, the two parts, as ``upper arm/gripper``.
     """
     arm = links(geometry, joints_deg)
-    close = np.flatnonzero(_close(arm, tool_mm))
+    close = np.flatnonzero(_close(geometry, arm, tool_mm))
     found: dict[int, str] = {}
     if not len(close):
         return found
     near = Links(*(each[close] for each in arm))
-    for fixed, moving in _pairs(near, tool_mm):
+    for fixed, moving in _pairs(geometry, near, tool_mm, gripper_turned_deg):
         gaps = segment_distances(fixed.start, fixed.end, moving.start, moving.end)
         for index in close[gaps < fixed.radius_mm + moving.radius_mm].tolist():
             found.setdefault(index, f"{fixed.part}/{moving.part}")
@@ -91,25 +95,27 @@ def segment_distances(a: Array, b: Array, c: Array, d: Array) -> Array:
     return gap
 
 
-def _close(arm: Links, tool_mm: float) -> npt.NDArray[np.bool_]:
+def _close(geometry: Geometry, arm: Links, tool_mm: float) -> npt.NDArray[np.bool_]:
     """Whether hand or forearm could touch anything, by the spheres around them."""
-    half_mm = (HAND_MM + tool_mm) / 2.0
+    half_mm = (geometry.hand_mm + tool_mm) / 2.0
     middle = arm.centre + half_mm * arm.hand
-    reach_mm = half_mm + _FURTHEST_MM
+    reach_mm = half_mm + _FURTHEST_MM + geometry.wrist_mm
     to_axis = np.hypot(middle[:, 0], middle[:, 1])
-    to_column = np.hypot(to_axis, np.maximum(middle[:, 2] - BASE_MM, 0.0))
-    shoulder = np.array((0.0, 0.0, BASE_MM))
-    along = np.clip(_dot(middle - shoulder, arm.upper_arm), 0.0, UPPER_ARM_MM)
+    to_column = np.hypot(to_axis, np.maximum(middle[:, 2] - geometry.base_mm, 0.0))
+    shoulder = np.array((0.0, 0.0, geometry.base_mm))
+    along = np.clip(_dot(middle - shoulder, arm.upper_arm), 0.0, geometry.upper_arm_mm)
     off_arm = np.linalg.norm(middle - shoulder - along[:, None] * arm.upper_arm, axis=1)
     near_arm = off_arm < reach_mm + _UPPER_ARM_RADIUS_MM + _KNEE_MM[1]
-    wrist = arm.centre[:, 2] < BASE_MM + _COLUMN_RADIUS_MM + _FOREARM_RADIUS_MM
+    wrist = arm.wrist[:, 2] < geometry.base_mm + _COLUMN_RADIUS_MM + _FOREARM_RADIUS_MM
     return np.asarray((to_column < reach_mm + _COLUMN_RADIUS_MM) | near_arm | wrist)
 
 
-def _pairs(arm: Links, tool_mm: float) -> Iterator[tuple[_Capsule, _Capsule]]:
+def _pairs(
+    geometry: Geometry, arm: Links, tool_mm: float, gripper_turned_deg: float
+) -> Iterator[tuple[_Capsule, _Capsule]]:
     """The parts that could meet."""
     foot = np.zeros_like(arm.elbow)
-    shoulder = foot + np.array((0.0, 0.0, BASE_MM))
+    shoulder = foot + np.array((0.0, 0.0, geometry.base_mm))
     knee = shoulder + _KNEE_MM[0] * arm.upper_arm - _KNEE_MM[1] * np.cross(arm.side, arm.upper_arm)
     column = _Capsule("base", foot, shoulder, _COLUMN_RADIUS_MM)
     low = foot + np.array((_SOCKET_MM[0], 0.0, 0.0))
@@ -118,18 +124,24 @@ def _pairs(arm: Links, tool_mm: float) -> Iterator[tuple[_Capsule, _Capsule]]:
         _Capsule("upper arm", shoulder, knee, _UPPER_ARM_RADIUS_MM),
         _Capsule("upper arm", knee, arm.elbow, _UPPER_ARM_RADIUS_MM),
     )
-    bar = arm.elbow + ELBOW_MM * arm.across + _FOREARM_FROM_MM * arm.forearm
-    yield column, _Capsule("forearm", bar, arm.centre, _FOREARM_RADIUS_MM)
-    for moving in _hand(arm, tool_mm):
+    bar = arm.elbow + geometry.elbow_mm * arm.across + _FOREARM_FROM_MM * arm.forearm
+    yield column, _Capsule("forearm", bar, arm.wrist, _FOREARM_RADIUS_MM)
+    for moving in _hand(geometry, arm, tool_mm, gripper_turned_deg):
         for fixed in (column, socket, *upper):
             yield fixed, moving
 
 
-def _hand(arm: Links, tool_mm: float) -> Iterator[_Capsule]:
+def _hand(
+    geometry: Geometry, arm: Links, tool_mm: float, gripper_turned_deg: float
+) -> Iterator[_Capsule]:
+    if geometry.wrist is Wrist.PARALLEL:
+        yield _Capsule("hand", arm.wrist, arm.centre, _HAND_RADIUS_MM)
     yield _Capsule("hand", arm.centre, arm.flange, _HAND_RADIUS_MM)
     if tool_mm > _PALM_AT_MM:
         palm = arm.flange + _PALM_AT_MM * arm.hand
-        aside = _PALM_HALF_MM * arm.palm
+        turn = math.radians(gripper_turned_deg)
+        apart = math.cos(turn) * arm.palm - math.sin(turn) * arm.along
+        aside = _PALM_HALF_MM * apart
         yield _Capsule("gripper", palm - aside, palm + aside, _PALM_RADIUS_MM)
         tip = arm.flange + (tool_mm - _FINGER_RADIUS_MM) * arm.hand
         yield _Capsule("gripper", palm, tip, _FINGER_RADIUS_MM)

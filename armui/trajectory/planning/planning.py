@@ -107,7 +107,7 @@ def _same_place(start: Matrix, goal: Matrix) -> bool:
 
 
 def _out_of_reach(table: Stops, arm: ArmModel, stop: int) -> Finding:
-    missing = missing_mm(table.goals[stop])
+    missing = missing_mm(arm.kinematics.geometry, table.goals[stop])
     place = table.goals[stop, :3, 3] + arm.tool_mm * table.goals[stop, :3, 2]
     params = {"missing": round(missing, 1)}
     return Finding(FindingCode.OUT_OF_REACH, params, stop - 1, place_mm=tuple(place.tolist()))

@@ -16,9 +16,8 @@ import numpy.typing as npt
 from armui.arm.limits import ANGLE_STEP_DEG
 from armui.arm.model import ArmModel
 from armui.kinematics.forward import flange_transforms
-from armui.kinematics.inverse import WAYS, nearest_first, solutions
+from armui.kinematics.inverse import FREE_DEG, nearest_first, same_way, solutions
 from armui.kinematics.poses import Joints, pose_to_matrix
-from armui.kinematics.wrist import STRETCHED_DEG, continued
 from armui.protocol.codes import MoveMode
 from armui.trajectory.points.program import Waypoint
 
@@ -38,7 +37,7 @@ class Stops:
         goals: (n, 4, 4) transforms of the flange.
         solutions_deg: (n, 8, 6) ways to hold the flange, see `armui.kinematics.inverse`.
         within: (n, 8) whether each is within the joints' limits.
-        stretched: (n,) whether the wrist may be stretched there.
+        stretched: (n,) whether the wrist may leave a joint free there.
     """
 
     joints_deg: Array
@@ -59,7 +58,7 @@ def stops(points: Sequence[Waypoint], arm: ArmModel, start_deg: Sequence[float])
     ways, bends = solutions(arm.kinematics.geometry, goals)
     low, high = bounds(arm)
     within = np.asarray(((ways >= low) & (ways <= high)).all(axis=2))
-    return Stops(joints_deg, goals, ways, within, bends < STRETCHED_DEG)
+    return Stops(joints_deg, goals, ways, within, bends < FREE_DEG)
 
 
 def bounds(arm: ArmModel) -> tuple[Array, Array]:
@@ -120,8 +119,12 @@ def choose(
             if before is not None and before[0] == joints:
                 end = before[1]
             else:
-                way = _way_at(table.solutions_deg[here], joints)
-                end = _wrist_near(table.solutions_deg[stop, 2 * way : 2 * way + 2], joints)
+                end = same_way(
+                    arm.kinematics.geometry,
+                    table.solutions_deg[here],
+                    joints,
+                    table.solutions_deg[stop],
+                )
         else:
             end = _nearest(table, stop, joints, arm)
         route.origins[stop] = here
@@ -132,21 +135,6 @@ def choose(
         route.ends_deg[stop] = joints = end
         here = stop
     return route
-
-
-def _way_at(ways_deg: Array, joints: Joints) -> int:
-    """Which way of the arm the joints are on."""
-    arms: Array = ways_deg.reshape(WAYS, 2, 6)[:, 0, :3] - np.array(joints[:3])
-    gaps = np.abs(arms).max(axis=1)
-    return int(np.argmin(np.where(np.isnan(gaps), math.inf, gaps)))
-
-
-def _wrist_near(ways_deg: Array, joints: Joints) -> Joints | None:
-    """Of two bends of the wrist the nearer one, without a turn more than needed."""
-    if math.isnan(ways_deg[0, 0]):
-        return None
-    rows = [(*way[:3], *continued(way[3:], joints[3:])) for way in ways_deg.tolist()]
-    return min(rows, key=lambda row: math.dist(row[3:], joints[3:]))
 
 
 def _nearest(table: Stops, stop: int, joints: Joints, arm: ArmModel) -> Joints | None:
@@ -163,7 +151,7 @@ def _nearest(table: Stops, stop: int, joints: Joints, arm: ArmModel) -> Joints |
 
 
 def _nearest_stretched(goal: Array, joints: Joints, arm: ArmModel) -> Joints | None:
-    """The same with a wrist that is as good as stretched: joint 4 stays where it is."""
+    """The same with a wrist that leaves a joint free: it stays where it is."""
     low, high = bounds(arm)
     ways = nearest_first(arm.kinematics.geometry, goal, joints)
     inside = [way for way in ways if (low <= way).all() and (way <= high).all()]

@@ -11,6 +11,7 @@ from PySide6.QtCore import QT_TRANSLATE_NOOP, QCoreApplication
 from armui import __version__
 from armui.arm.device import Device
 from armui.arm.limits import JOINTS
+from armui.arm.models import model_data
 from armui.arm.state import ArmState
 from armui.control.operating_state import LinkState, OperatingState
 from armui.doctor.facts import LinkFacts
@@ -77,7 +78,7 @@ def about_rows(
     untold = translate("AboutArm", "unknown: the arm does not tell it")
     system = f"{platform.system()} {platform.release()}, Python {platform.python_version()}"
     values = {
-        "model": untold,
+        "model": _model(now),
         "firmware": _firmware(state, now),
         "date": _told(state, now, "iso_date"),
         "hardware": _told(state, now, "hardware"),
@@ -101,6 +102,24 @@ def about_rows(
 def _label(key: str) -> str:
     name, _, joint = key.partition("_")
     return translate("AboutArm", str(_LABELS[name])).format(joint=joint)
+
+
+def _model(now: OperatingState) -> str:
+    if now.device is None:
+        return translate("AboutArm", "none connected")
+    fit, name = now.model_fit, model_data(now.model).name
+    if now.link is not LinkState.ONLINE or fit.fitting is None:
+        text = translate("AboutArm", "{model}, as chosen; not compared yet")
+    elif fit.confirmed:
+        text = translate("AboutArm", "{model}, confirmed by the pose it reports")
+    elif fit.wrong is None:
+        text = translate("AboutArm", "{model}, as chosen; other models fit its pose as well")
+    elif fit.other is not None:
+        text = translate("AboutArm", "{model}, as chosen; its pose is that of a {other}")
+        return text.format(model=name, other=model_data(fit.other).name)
+    else:
+        text = translate("AboutArm", "{model}, as chosen; its pose fits none of the models")
+    return text.format(model=name)
 
 
 def _firmware(state: ArmState, now: OperatingState) -> str:

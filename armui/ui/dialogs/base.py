@@ -5,12 +5,14 @@ from __future__ import annotations
 from typing import Final
 
 from PySide6.QtCore import Qt
-from PySide6.QtGui import QContextMenuEvent
+from PySide6.QtGui import QContextMenuEvent, QMoveEvent
 from PySide6.QtWidgets import QDialog, QHBoxLayout, QVBoxLayout, QWidget
 
 from armui.control.arm_controller import ArmController
+from armui.ui.dialogs.placing import place
 from armui.ui.widgets.curve_menu import offer_curves
 from armui.ui.widgets.halt_button import HaltButton
+from armui.ui.widgets.keeps_focus import KeepsFocus
 from armui.ui.widgets.layouts import in_column, in_row
 from armui.ui.widgets.stop_button import StopButton
 from armui.ui.widgets.text_label import text_label
@@ -20,7 +22,7 @@ _MARGIN_PX: Final = 20
 _GAP_PX: Final = 14
 
 
-class ArmDialog(Translated, QDialog):
+class ArmDialog(Translated, KeepsFocus, QDialog):
     """A dialog with its title, halt and emergency stop at the top.
 
     It never blocks the main window: the stop there stays within reach too. Escape closes it.
@@ -33,11 +35,12 @@ class ArmDialog(Translated, QDialog):
     def __init__(self, controller: ArmController, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setModal(False)
+        self._moved = False
         self._heading = text_label(rank="title", wraps=True, plain=True)
         self.halt_button = HaltButton(controller, self)
         self.stop_button = StopButton(controller, self)
 
-        header = in_row((self._heading, 1), spacing=_GAP_PX)
+        self._header = header = in_row((self._heading, 1), spacing=_GAP_PX)
         header.addWidget(self.halt_button, 0, Qt.AlignmentFlag.AlignTop)
         header.addWidget(self.stop_button, 0, Qt.AlignmentFlag.AlignTop)
         self._body = in_column(spacing=_GAP_PX)
@@ -56,6 +59,10 @@ class ArmDialog(Translated, QDialog):
         """Where its buttons go, from left to right."""
         return self._footer
 
+    def add_to_header(self, widget: QWidget) -> None:
+        """Put something between the title and the stops."""
+        self._header.insertWidget(1, widget, 0, Qt.AlignmentFlag.AlignVCenter)
+
     def set_title(self, title: str) -> None:
         """Name the dialog, in its frame and at its top."""
         self.setWindowTitle(title)
@@ -63,9 +70,17 @@ class ArmDialog(Translated, QDialog):
 
     def open(self) -> None:
         """Show the dialog in front; unlike Qt's own, without blocking the window behind it."""
+        if not self.isVisible() and not self._moved:
+            place(self)
         self.show()
         self.raise_()
         self.activateWindow()
+
+    def moveEvent(self, event: QMoveEvent) -> None:
+        """Where the operator has put it, it opens again."""
+        super().moveEvent(event)
+        if event.spontaneous() and self.isVisible():
+            self._moved = True
 
     def retranslate_ui(self) -> None:
         """Put every word into the operator's language; called anew when that changes."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Final
+from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QHideEvent, QShowEvent
@@ -16,7 +16,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from armui import settings
+from armui import setting_checks
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.control.arm_controller import ArmController
@@ -31,7 +31,10 @@ from armui.ui.widgets.elided_label import ElidedLabel
 from armui.ui.widgets.layouts import STRETCH, empty_grid, fill, in_row
 from armui.ui.widgets.message_line import MessageLine
 
-_SIZE_PX: Final = (680, 460)
+if TYPE_CHECKING:
+    from armui.ui.gamepad.gamepad_dialog import GamepadDialog
+
+_SIZE_PX: Final = (680, 500)
 _STEP_WIDTH_PX: Final = 110
 _LANGUAGES: Final = (("zh", "中文"), ("en", "English"))
 """Each in its own words: who cannot read the present language must find their own."""
@@ -71,6 +74,7 @@ class SettingsDialog(ArmDialog):
         self.built_in_button.clicked.connect(self._on_built_in)
         self.diagnosis_button.clicked.connect(self.diagnosis_wanted)
         self.about_arm_button.clicked.connect(self.about_arm_wanted)
+        self.gamepad_button.clicked.connect(self._on_gamepad)
         self.close_button.clicked.connect(self.close)
         self.language_box.setFocus()
         self.retranslate_ui()
@@ -90,6 +94,9 @@ class SettingsDialog(ArmDialog):
         self.browse_button, self.built_in_button = (push_button(on_enter=False) for _ in range(2))
         self.diagnosis_button = push_button("diagnosis_button", on_enter=False)
         self.about_arm_button = push_button("about_arm_button", on_enter=False)
+        self._gamepad_label, self._gamepad_state = QLabel(), ElidedLabel()
+        self.gamepad_button = push_button("gamepad_button", on_enter=False)
+        self._gamepad_dialog: GamepadDialog | None = None
         self.close_button = push_button(on_enter=False)
         for code, name in _LANGUAGES:
             self.language_box.addItem(name, code)
@@ -106,6 +113,10 @@ class SettingsDialog(ArmDialog):
         _add_row(grid, self._urdf_label, self._urdf_name)
         row = in_row(self.browse_button, self.built_in_button, STRETCH, spacing=8)
         grid.addLayout(row, grid.rowCount(), 1)
+        place = grid.rowCount()
+        grid.addWidget(self._gamepad_label, place, 0)
+        row = in_row(self.gamepad_button, (self._gamepad_state, 1), spacing=12)
+        grid.addLayout(row, place, 1)
         grid.addWidget(self.stop_again_box, grid.rowCount(), 1)
         self._message = MessageLine()
         fill(self.body, grid, STRETCH, self._message)
@@ -121,7 +132,8 @@ class SettingsDialog(ArmDialog):
         self._jog_label.setText(self.tr("Jog step"))
         self._jog_hint.setText(
             self.tr("{minimum}° to {maximum}°: how far − and + move a joint").format(
-                minimum=f"{settings.JOG_STEP_MIN_DEG:g}", maximum=f"{settings.JOG_STEP_MAX_DEG:g}"
+                minimum=f"{setting_checks.JOG_STEP_MIN_DEG:g}",
+                maximum=f"{setting_checks.JOG_STEP_MAX_DEG:g}",
             )
         )
         self._urdf_label.setText(self.tr("Robot description (URDF)"))
@@ -132,6 +144,8 @@ class SettingsDialog(ArmDialog):
         caption(self.stop_again_box, text, tip=tip)
         self.browse_button.setText(self.tr("Browse…"))
         self.built_in_button.setText(self.tr("Use the built-in one"))
+        self._gamepad_label.setText(self.tr("Gamepad, SpaceMouse"))
+        caption(self.gamepad_button, self.tr("Gamepad…"))
         self.diagnosis_button.setText(self.tr("Diagnosis…"))
         self.about_arm_button.setText(self.tr("About this arm…"))
         self.close_button.setText(self.tr("Close"))
@@ -158,6 +172,8 @@ class SettingsDialog(ArmDialog):
         if not self._jog_step_wrong:
             self.jog_step_edit.setText(f"{now.jog_step_deg:g}°")
         self._urdf_name.show_text(now.urdf_path or self.tr("Built-in model of the PiPER"))
+        on, off = self.tr("on: jogs the arm"), self.tr("off")
+        self._gamepad_state.show_text(on if now.gamepad else off)
         built_in = now.urdf_path is None
         self.built_in_button.setEnabled(not built_in)
         tip = self.tr("The built-in robot description is in use.") if built_in else ""
@@ -179,6 +195,14 @@ class SettingsDialog(ArmDialog):
 
     def _on_stop_again(self) -> None:
         self._show_problem(self._store.change(stop_again=self.stop_again_box.isChecked()))
+
+    def _on_gamepad(self) -> None:
+        from armui.ui.gamepad.gamepad_dialog import GamepadDialog  # noqa: PLC0415 - faster start
+
+        if self._gamepad_dialog is None:
+            self._gamepad_dialog = GamepadDialog(self._store, self._controller, self.parentWidget())
+            self._gamepad_dialog.finished.connect(self._refresh)
+        self._gamepad_dialog.open()
 
     def _on_jog_step(self) -> None:
         text = self.jog_step_edit.text()

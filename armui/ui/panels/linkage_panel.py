@@ -150,7 +150,7 @@ class LinkagePanel(Panel):
         if refusal is None and not operating_state.control_certain:
             refusal = Refusal(RefusalCode.CONTROL_OFFSET_UNKNOWN)
         if refusal is None and not operating_state.teaching_input and self._event is None:
-            refusal = operating_state.unreachable
+            refusal = self._unless_told(operating_state.unreachable)
         self._say(refusal, self._event)
 
     def retranslate_ui(self) -> None:

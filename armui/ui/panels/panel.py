@@ -13,7 +13,8 @@ from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import ArmState
 from armui.control.arm_controller import ArmController
 from armui.control.events import Event, Level
-from armui.control.operating_state import OperatingState
+from armui.control.operating_state import LinkState, OperatingState
+from armui.control.safety.recovery_steps import Step, StepKind
 from armui.ui import words
 from armui.ui.dialogs.confirm import confirm
 from armui.ui.widgets.buttons import named
@@ -29,7 +30,9 @@ _LEVELS: Final = {
     RefusalCode.STOP_REQUESTED: Level.FAULT,
     RefusalCode.ARM_FAULT: Level.FAULT,
 }
-_GAP_PX: Final = 12
+_GAP_PX: Final = 10
+_SAID_ONLY_HERE: Final = frozenset({StepKind.READY, StepKind.STATUS_UNKNOWN})
+"""Steps whose line does not say why: nothing is wrong, or the panel names what is silent."""
 
 
 def level_of(refusal: Refusal) -> Level:
@@ -90,6 +93,18 @@ class Panel(Translated, QWidget):
         self._controller.state_changed.connect(self._on_state_changed)
         self._controller.operating_state_changed.connect(self._on_operating_state_changed)
         self._controller.noticed.connect(self._on_noticed)
+        self._controller.step_changed.connect(self._on_step_changed)
+
+    def _on_step_changed(self, _step: Step) -> None:
+        if self.isVisible():
+            self._show_message()
+
+    def _unless_told(self, reason: Refusal | None) -> Refusal | None:
+        """A standing reason, unless the line of the next step above the panel says it already."""
+        if self._operating_state.link is LinkState.NO_DEVICE:
+            return None
+        told = self._controller.recovery.step.kind not in _SAID_ONLY_HERE
+        return None if told else reason
 
     def _on_noticed(self, event: Event) -> None:
         if event.code.startswith(self._told_here):

@@ -1,4 +1,4 @@
-"""Region 9: opens 轨迹库, below the menu."""
+"""Region 9: opens 轨迹库, below the menu; it is down while a page is seen."""
 
 from __future__ import annotations
 
@@ -11,11 +11,12 @@ from armui.ui.widgets.translated import Translated
 
 
 class LibraryButton(Translated, QToolButton):
-    """An icon and the name of the window it opens."""
+    """An icon and the name of the page it opens."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("library_button")
+        self.setCheckable(True)
         self.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
         self.setIconSize(QSize(20, 20))
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)

@@ -16,6 +16,7 @@ from armui.ui import words
 from armui.ui.dialogs.confirm import confirm
 from armui.ui.theme import Colors, colors_of
 from armui.ui.widgets import icons, painting
+from armui.ui.widgets.buttons import show_primary
 from armui.ui.widgets.hold_button import HoldButton
 from armui.ui.widgets.text_label import text_label
 from armui.ui.widgets.translated import Translated
@@ -31,7 +32,7 @@ _TOP_PX: Final = 6
 _PADDING_PX: Final = 5
 _TWO_LINES: Final = "急\n急"
 
-_CALM: Final = frozenset({StepKind.NO_DEVICE, StepKind.OPENING, StepKind.HANDSHAKE, StepKind.READY})
+_CALM: Final = frozenset({StepKind.OPENING, StepKind.HANDSHAKE, StepKind.READY})
 """Nothing is wrong: said in muted words without a ground, and without a button."""
 
 
@@ -145,6 +146,7 @@ class RecoveryLine(Translated, QWidget):
         self._text.style().polish(self._text)
         self.setAccessibleName(text)
         self._show_button()
+        show_primary(self._button, wanted=step.level is Level.INFO)
         self._recolor()
         self.update()
 
@@ -194,6 +196,10 @@ class RecoveryLine(Translated, QWidget):
         """Put every word into the operator's language."""
         self._show_step()
 
+    def hasHeightForWidth(self) -> bool:  # noqa: N802 - the name Qt calls
+        """The height is what is said below, however the text wraps."""
+        return False
+
     def sizeHint(self) -> QSize:
         """Always room for two lines and the button."""
         text = self.fontMetrics().size(0, _TWO_LINES).height()
@@ -221,5 +227,5 @@ def _paint_colors(colors: Colors, level: Level) -> tuple[str, str]:
         Level.INFO: (colors.accent_pale, colors.accent),
         Level.DONE: (colors.accent_pale, colors.ok),
         Level.WARNING: (colors.warn_pale, colors.warn),
-        Level.FAULT: (colors.stop_pale, colors.stop),
+        Level.FAULT: (colors.stop_pale, colors.stop_ink),
     }[level]

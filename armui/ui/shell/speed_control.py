@@ -115,9 +115,9 @@ class SpeedControl(Translated, QWidget):
         self._slider.show_measured(None if stale else percent)
 
     def _show_what_is_told(self, generation: Generation | None) -> None:
-        """Firmware of generation 2 reports no speed percentage: there is nothing to be shown."""
+        """Only firmware of generation 1 reports a speed percentage; else nothing is shown."""
         for widget in (self._arm_label, self._arm_value):
-            widget.setVisible(generation is not Generation.TWO)
+            widget.setVisible(generation is Generation.ONE)
             widget.setToolTip(self.tr("The speed percentage the arm reports"))
 
     def retranslate_ui(self) -> None:

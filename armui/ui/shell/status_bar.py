@@ -145,7 +145,7 @@ class StatusBar(Translated, QWidget):
         shape = Qt.CursorShape.PointingHandCursor if text else Qt.CursorShape.ArrowCursor
         self._notice_label.setCursor(shape)
         colors = colors_of(self)
-        color = {Level.WARNING: colors.warn, Level.FAULT: colors.stop}.get(level)
+        color = {Level.WARNING: colors.warn, Level.FAULT: colors.stop_ink}.get(level)
         self._notice_icon.setVisible(color is not None)
         if color is not None:
             self._draw_warning(self._notice_icon, color)
@@ -227,11 +227,11 @@ class StatusBar(Translated, QWidget):
     def _alarm_color(self, status: Status) -> str | None:
         colors = colors_of(self)
         if any(status.communication_fault):
-            return colors.stop
+            return colors.stop_ink
         if status.arm_status in _WARNINGS:
             return colors.warn
         if status.arm_status not in _NO_FAULT:
-            return colors.stop
+            return colors.stop_ink
         return colors.warn if any(status.limit_exceeded) else None
 
     def _joint_faults(self, status: Status) -> str:

@@ -2,12 +2,22 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import Qt, Signal
-from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QPushButton, QWidget
+from typing import TYPE_CHECKING
 
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtGui import QResizeEvent
+from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QPushButton, QVBoxLayout, QWidget
+
+from armui.ui.actions.keys import keys_of
 from armui.ui.theme import colors_of
 from armui.ui.widgets import icons
 from armui.ui.widgets.translated import Translated
+
+if TYPE_CHECKING:
+    from armui.ui.picture.picture_work import PictureWork
+    from armui.viewport.view import ArmView
+
+_RIM_PX = 14
 
 
 class ViewRegion(Translated, QWidget):
@@ -18,16 +28,23 @@ class ViewRegion(Translated, QWidget):
     settings_wanted = Signal()
 
     def __init__(
-        self, view: QWidget, bar: QWidget | None = None, parent: QWidget | None = None
+        self,
+        view: ArmView,
+        bar: QWidget | None = None,
+        work: PictureWork | None = None,
+        parent: QWidget | None = None,
     ) -> None:
         """Lay out.
 
         Args:
             view: Shows the arm.
             bar: Stands under it while it has something to offer.
+            work: Whose strip and note stand over the picture.
             parent: Qt's.
         """
         super().__init__(parent)
+        self._view = view
+        self._strip: QWidget | None = None
         self._help = QPushButton()
         self._reset = QPushButton()
         self._settings = QPushButton()
@@ -36,8 +53,8 @@ class ViewRegion(Translated, QWidget):
             "reset_view": self._reset,
             "settings": self._settings,
         }
-        row = QHBoxLayout()
-        row.setContentsMargins(14, 14, 14, 14)
+        self._row = row = QHBoxLayout()
+        row.setContentsMargins(_RIM_PX, _RIM_PX, _RIM_PX, _RIM_PX)
         row.setSpacing(8)
         for name, button in self._buttons.items():
             button.setObjectName(f"{name}_button")
@@ -48,19 +65,36 @@ class ViewRegion(Translated, QWidget):
         layout.setContentsMargins(0, 0, 0, 0)
         layout.addWidget(view, 0, 0)
         layout.addLayout(row, 0, 0, Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignBottom)
+        if work is not None:
+            self._strip = work.bar
+            corner = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignTop
+            layout.addLayout(_with_rim(work.bar), 0, 0, corner)
+            corner = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignBottom
+            layout.addLayout(_with_rim(work.note), 0, 0, corner)
+            work.bar.raise_()
+            work.note.raise_()
         if bar is not None:
             layout.addWidget(bar, 1, 0)
             layout.setRowStretch(0, 1)
         for button in self._buttons.values():
             button.raise_()
-        self._help.setShortcut("F1")
-        self._settings.setShortcut("Ctrl+,")
-        self._reset.setShortcut("Ctrl+0")
+        self._settings.setShortcut(keys_of("window.settings"))
+        self._reset.setShortcut(keys_of("window.reset_view"))
         self._help.clicked.connect(self.help_wanted)
         self._reset.clicked.connect(self.reset_wanted)
         self._settings.clicked.connect(self.settings_wanted)
         self.retranslate_ui()
         self._recolor()
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """The arm stands beside the buttons."""
+        super().resizeEvent(event)
+        self._tell_covered()
+
+    def _tell_covered(self) -> None:
+        corner = self._row.sizeHint()
+        strip_px = 0 if self._strip is None else self._strip.sizeHint().width() + _RIM_PX
+        self._view.set_covered((corner.width(), corner.height()), strip_px)
 
     def retranslate_ui(self) -> None:
         """Put the words into the operator's language."""
@@ -73,8 +107,18 @@ class ViewRegion(Translated, QWidget):
             button.setText(text)
             button.setShortcut(shortcut)
             button.setAccessibleName(text)
-            button.setToolTip(f"{tip} ({shortcut.toString(shortcut.SequenceFormat.NativeText)})")
+            keys = shortcut.toString(shortcut.SequenceFormat.NativeText)
+            button.setToolTip(f"{tip} ({keys})" if keys else tip)
+        self._tell_covered()
 
     def _recolor(self) -> None:
         for name, button in self._buttons.items():
             button.setIcon(icons.icon(name, colors_of(self).muted))
+
+
+def _with_rim(widget: QWidget) -> QVBoxLayout:
+    """A widget a little away from the picture's edge."""
+    layout = QVBoxLayout()
+    layout.setContentsMargins(_RIM_PX, _RIM_PX, _RIM_PX, _RIM_PX)
+    layout.addWidget(widget)
+    return layout

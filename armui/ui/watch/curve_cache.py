@@ -59,7 +59,7 @@ class CurveCache(Generic[Drawn]):
         self._make = make
         self._scale = (0.0, 0)
         self._begin_s = self._end_s = 0.0
-        self._exponent = 0
+        self._exponent = self._replaced = 0
         self._body_begin = self._body_end = 0
         self._body: list[list[Drawn]] = []
         self._body_extents: list[Extent] = []
@@ -77,6 +77,8 @@ class CurveCache(Generic[Drawn]):
         """
         px_s = (end_s - begin_s) / max(width_px, 1)
         same = (px_s, width_px) == self._scale and begin_s >= self._begin_s
+        if self._replaced != self.series.replaced:
+            self._replaced, same, self._body = self.series.replaced, False, []
         behind_s = end_s - self._end_s
         if same and 0.0 <= behind_s < _BEHIND_PX * px_s and behind_s < _BEHIND_S and not turn:
             return

@@ -7,8 +7,8 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Final
 
 import pyqtgraph as pg
-from PySide6.QtCore import QLineF, QPointF, QRectF
-from PySide6.QtGui import QColor, QPen, QPolygonF
+from PySide6.QtCore import QLineF, QPointF, QRectF, Qt
+from PySide6.QtGui import QBrush, QColor, QPen, QPolygonF
 
 if TYPE_CHECKING:
     from PySide6.QtGui import QPainter
@@ -28,6 +28,20 @@ class DrawnCurve:
 
     color: str
     pieces: Sequence[QPolygonF]
+
+
+@dataclass(frozen=True, slots=True)
+class Missing:
+    """A time of which the curves are not there yet.
+
+    Attributes:
+        begin_s, end_s: Monotonic times.
+        text: What is said of it.
+    """
+
+    begin_s: float
+    end_s: float
+    text: str
 
 
 polygon = pg.functions.arrayToQPolygonF
@@ -53,6 +67,8 @@ class CurvesItem(pg.GraphicsObject):  # type: ignore[misc]
         self._cursor_pen = thin_pen("#808080")
         self._grid_pen = thin_pen("#808080")
         self._grid: list[QLineF] = []
+        self._missing: Missing | None = None
+        self._missing_brush = QBrush()
         self._pens: dict[str, QPen] = {}
         self.setFlag(self.GraphicsItemFlag.ItemUsesExtendedStyleOption, enabled=False)
 
@@ -67,6 +83,13 @@ class CurvesItem(pg.GraphicsObject):  # type: ignore[misc]
         self._cursors = tuple(at_s)
         self._cursor_pen = self._pen(color)
         self.update()
+
+    def show_missing(self, missing: Missing | None, color: str) -> None:
+        """Hatch a time of which there is nothing yet."""
+        if missing != self._missing:
+            self._missing = missing
+            self._missing_brush = QBrush(QColor(color), Qt.BrushStyle.BDiagPattern)
+            self.update()
 
     def show_grid(
         self, times_s: Sequence[float], figures: Sequence[float], color: str | None = None
@@ -99,6 +122,7 @@ class CurvesItem(pg.GraphicsObject):  # type: ignore[misc]
         painter.save()
         painter.setPen(self._grid_pen)
         painter.drawLines(self._grid)
+        self._paint_missing(painter)
         painter.translate(-self._edge_s, 0.0)
         for pen, pieces in self._curves:
             painter.setPen(pen)
@@ -117,4 +141,22 @@ class CurvesItem(pg.GraphicsObject):  # type: ignore[misc]
                 top = to_view.map(QPointF(at_s, bounds.bottom()))
                 place = top + QPointF(_NAME_PX, painter.fontMetrics().ascent())
                 painter.drawText(place, name)
+        painter.restore()
+
+    def _paint_missing(self, painter: QPainter) -> None:
+        missing, bounds = self._missing, self._bounds
+        if missing is None:
+            return
+        begin_s = max(missing.begin_s - self._edge_s, bounds.left())
+        end_s = min(missing.end_s - self._edge_s, bounds.right())
+        if end_s <= begin_s:
+            return
+        place = QRectF(begin_s, bounds.top(), end_s - begin_s, bounds.height())
+        to_view = painter.worldTransform()
+        on_screen = to_view.mapRect(place)
+        painter.save()
+        painter.resetTransform()
+        painter.fillRect(on_screen, self._missing_brush)
+        painter.setPen(self._cursor_pen)
+        painter.drawText(on_screen, Qt.AlignmentFlag.AlignCenter, missing.text)
         painter.restore()

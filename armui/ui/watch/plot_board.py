@@ -24,6 +24,7 @@ if TYPE_CHECKING:
     from PySide6.QtGui import QHideEvent, QResizeEvent, QShowEvent
 
     from armui.telemetry.store import Telemetry
+    from armui.ui.watch.curves_item import Missing
     from armui.ui.watch.time_frame import Range
 
 PICTURE_MS: Final = 80
@@ -79,21 +80,21 @@ class PlotBoard(QWidget):
         self._chosen = 0
         self._valued_s = 0.0
         self._dirty = True
+        self._missing: Missing | None = None
         self._waiting: list[PlotPane] = []
-        self._column = QWidget()
+        self._area = area = QScrollArea(self)
+        self._column = QWidget(area)
         self._column.setObjectName("plot_column")
         self._stack = QVBoxLayout(self._column)
         self._stack.setContentsMargins(0, 0, 0, 0)
         self._stack.setSpacing(4)
-        self.times = TimeStrip()
-        self._strip = DropStrip()
+        self.times = TimeStrip(self)
+        self._strip = DropStrip(self)
         self._strip.dropped.connect(lambda keys, plot: self.take(keys, plot, None))
-        area = QScrollArea()
         area.setWidgetResizable(True)
         area.setFrameShape(QFrame.Shape.NoFrame)
         area.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         area.setWidget(self._column)
-        self._area = area
         whole = QVBoxLayout(self)
         whole.setContentsMargins(0, 0, 0, 0)
         whole.setSpacing(4)
@@ -187,7 +188,7 @@ class PlotBoard(QWidget):
         self.draw_soon()
 
     def _new_pane(self, place: int, keys: tuple[str, ...]) -> PlotPane:
-        pane = PlotPane(self.telemetry, self._book, place, keys)
+        pane = PlotPane(self.telemetry, self._book, place, keys, self._column)
         box = pane.graph.box
         pane.dropped.connect(lambda what, source: self.take(what, source, place))
         pane.menu_wanted.connect(partial(self.menu_wanted.emit, place))
@@ -305,6 +306,12 @@ class PlotBoard(QWidget):
 
     # Drawing ----------------------------------------------------------------------------------
 
+    def show_missing(self, missing: Missing | None) -> None:
+        """Mark a time of which the curves are not there yet; ``None``: nothing is missing."""
+        if missing != self._missing:
+            self._missing = missing
+            self.draw_soon()
+
     @property
     def draws(self) -> bool:
         """Whether it is drawing now."""
@@ -358,6 +365,7 @@ class PlotBoard(QWidget):
     def _draw_pane(self, pane: PlotPane, now_s: float) -> None:
         shown, edge_s = self.frame.shown, self.frame.edge_s(now_s)
         pane.advance(shown, edge_s, now_s, shown.ranges.get(self.panes.index(pane)))
+        pane.show_missing(self._missing)
         pane.show_cursors(self.cursors_s, edge_s)
         at_zero = clock_time(self.telemetry.wall_time(edge_s)).partition(".")[0]
         zero = "" if self.frame.live else at_zero

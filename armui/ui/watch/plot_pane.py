@@ -35,6 +35,7 @@ if TYPE_CHECKING:
     from armui.telemetry.quantities import Quantity
     from armui.telemetry.store import Telemetry
     from armui.ui.watch.curve_shapes import Line
+    from armui.ui.watch.curves_item import Missing
     from armui.ui.watch.time_frame import Range, Shown
 
 _LIGHT_CURVES: Final = (
@@ -88,8 +89,8 @@ class PlotPane(QWidget):
         self._shown: Shown | None = None
         self._chosen = False
         self.heights: Range = (0.0, 1.0)
-        self.legend = Legend(place)
-        self.graph = Graph()
+        self.legend = Legend(place, self)
+        self.graph = Graph(self)
         self.graph.setMinimumHeight(LEAST_PX)
         self.setAcceptDrops(True)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
@@ -173,6 +174,10 @@ class PlotPane(QWidget):
         """Draw the cursors at monotonic times."""
         self.graph.box.cursors = [None if each is None else each - edge_s for each in at_s]
         self.graph.curves.show_cursors(at_s, colors_of(self).text)
+
+    def show_missing(self, missing: Missing | None) -> None:
+        """Mark a time of which the curves are not there yet."""
+        self.graph.curves.show_missing(missing, colors_of(self).border)
 
     def ends_px(self, of: QWidget) -> tuple[float, float]:
         """Where the time begins and ends, in another widget."""

@@ -37,6 +37,14 @@ def push_button(
     return button
 
 
+def show_primary(button: QPushButton, *, wanted: bool) -> None:
+    """Light a button, or let it stand back: it has something to do, or not just now."""
+    if bool(button.property("primary")) != wanted:
+        button.setProperty("primary", wanted)
+        button.style().unpolish(button)
+        button.style().polish(button)
+
+
 def caption(
     button: QAbstractButton, text: str, *, tip: str = "", whose: str = "", key: str = ""
 ) -> None:

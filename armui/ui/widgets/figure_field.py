@@ -51,6 +51,20 @@ class FigureField(QLineEdit):
         self._committed = "" if value is None else fmt.number(value, self._decimals)
         self.setText(self._committed)
 
+    def follow(self, value: float) -> bool:
+        """Show a figure that changes by itself; whether it is written in another way than before.
+
+        What was chosen to be typed over stays chosen.
+        """
+        text = fmt.number(value, self._decimals)
+        if text == self.text():
+            return False
+        chosen = bool(self.selectedText()) and self.selectedText() == self.text()
+        self.show_value(value)
+        if chosen:
+            self.selectAll()
+        return True
+
     def is_nonsense(self) -> bool:
         """Whether there is text that is no figure."""
         return bool(self.text().strip()) and self.value is None

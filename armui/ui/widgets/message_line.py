@@ -52,6 +52,10 @@ class MessageLine(QWidget):
         self.updateGeometry()
         self.update()
 
+    def hasHeightForWidth(self) -> bool:  # noqa: N802 - the name Qt calls
+        """The height is what is said below, however the text wraps."""
+        return False
+
     def sizeHint(self) -> QSize:
         """Room for two lines, and for more where the message needs them."""
         metrics = self.fontMetrics()
@@ -101,5 +105,5 @@ class MessageLine(QWidget):
             Level.INFO: (colors.accent_pale, colors.accent),
             Level.DONE: (colors.accent_pale, colors.ok),
             Level.WARNING: (colors.warn_pale, colors.warn),
-            Level.FAULT: (colors.stop_pale, colors.stop),
+            Level.FAULT: (colors.stop_pale, colors.stop_ink),
         }[self._level]

@@ -26,6 +26,9 @@ _NOTICES: Final[Mapping[EventCode, object]] = {
     EventCode.WENT_HOME: QT_TRANSLATE_NOOP("Notice", "Home sent: all joints to 0°"),
     EventCode.JOGGING_JOINT: QT_TRANSLATE_NOOP("Notice", "Jogging J{joint} {sign}"),
     EventCode.JOGGING_TOOL: QT_TRANSLATE_NOOP("Notice", "Jogging {axis} {sign}"),
+    EventCode.DEVICE_JOGS_JOINTS: QT_TRANSLATE_NOOP("Notice", "{device} jogs {axes} (joints)"),
+    EventCode.DEVICE_JOGS_BASE: QT_TRANSLATE_NOOP("Notice", "{device} jogs {axes} (base frame)"),
+    EventCode.DEVICE_JOGS_TOOL: QT_TRANSLATE_NOOP("Notice", "{device} jogs {axes} (tool frame)"),
     EventCode.JOG_ENDED: QT_TRANSLATE_NOOP("Notice", "Jogging ended. {reason}"),
     EventCode.SENT_POSE: QT_TRANSLATE_NOOP(
         "Notice", "Sent MOVE P to X {x}  Y {y}  Z {z} mm  RX {rx}°  RY {ry}°  RZ {rz}°"
@@ -47,6 +50,15 @@ _NOTICES: Final[Mapping[EventCode, object]] = {
     ),
     EventCode.OTHER_HOST_GONE: QT_TRANSLATE_NOOP(
         "Notice", "Nobody else controls the arm any more."
+    ),
+    EventCode.MODEL_OTHER: QT_TRANSLATE_NOOP(
+        "Notice",
+        "Connected as a {chosen}, but the pose it reports is that of a {fits}. Connect it as a "
+        "{fits}.",
+    ),
+    EventCode.MODEL_NONE: QT_TRANSLATE_NOOP(
+        "Notice",
+        "The pose the arm reports fits its angles in no model of the family, {chosen} included.",
     ),
     EventCode.TAKEN_OVER: QT_TRANSLATE_NOOP("Notice", "Taken over: this program may move the arm."),
     EventCode.MODE_LEFT: QT_TRANSLATE_NOOP(
@@ -291,6 +303,10 @@ _NOTICES: Final[Mapping[EventCode, object]] = {
     ),
     EventCode.SESSION_FRAMES_LOST: QT_TRANSLATE_NOOP(
         "Notice", "{count} frames are missing in the recording: the disk is too slow"
+    ),
+    EventCode.MF4_SAVED: QT_TRANSLATE_NOOP("Notice", "Also saved as MF4: {name}.mf4"),
+    EventCode.MF4_NOT_SAVED: QT_TRANSLATE_NOOP(
+        "Notice", "No .mf4 file of {name}: {reason} The recording is whole as .blf."
     ),
     EventCode.RING_SAVED: QT_TRANSLATE_NOOP("Notice", "What just happened is saved: {name}"),
     EventCode.RING_NOT_SAVED: QT_TRANSLATE_NOOP(

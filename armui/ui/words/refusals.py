@@ -11,6 +11,7 @@ from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.ui.words import status
 from armui.ui.words.backup_refusals import BACKUP_REFUSALS
+from armui.ui.words.gamepad_refusals import GAMEPAD_REFUSALS
 from armui.ui.words.gripper import gripper_figure
 from armui.ui.words.lights import light_figure
 from armui.ui.words.log_refusals import LOG_REFUSALS
@@ -183,6 +184,12 @@ _REFUSALS: Final[Mapping[RefusalCode, object]] = {
         "The pose the arm reports does not fit its joint angles: the program cannot compute its "
         "way. Check the joints' zeros; the joints can still be moved one by one.",
     ),
+    RefusalCode.MODEL_OTHER: QT_TRANSLATE_NOOP(
+        "Refusal",
+        "This arm was connected as a {chosen}, but the pose it reports is that of a {fits}: the "
+        "program would compute with the wrong lengths. Connect it as a {fits}; until then the "
+        "joints can be moved one by one.",
+    ),
     RefusalCode.TOOL_NOT_POSSIBLE: QT_TRANSLATE_NOOP(
         "Refusal",
         "Tool centre point: {value} is not possible. Enter lengths up to {maximum} mm and angles "
@@ -302,6 +309,7 @@ _ALL: Final[Mapping[RefusalCode, object]] = {
     **OTHER_HOST_REFUSALS,
     **MOTOR_REFUSALS,
     **SESSION_REFUSALS,
+    **GAMEPAD_REFUSALS,
     **TRAJECTORY_REFUSALS,
 }
 

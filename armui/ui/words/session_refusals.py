@@ -16,6 +16,9 @@ SESSION_REFUSALS: Final[Mapping[RefusalCode, object]] = {
     RefusalCode.SESSION_NONE: QT_TRANSLATE_NOOP(
         "Refusal", "The session is not being recorded: there is nothing to stop."
     ),
+    RefusalCode.SESSION_NO_MF4: QT_TRANSLATE_NOOP(
+        "Refusal", "MF4 needs the package asammdf (pip install asammdf)."
+    ),
     RefusalCode.SESSION_SAVING: QT_TRANSLATE_NOOP(
         "Refusal", "The last minutes are being saved already. Wait a moment."
     ),

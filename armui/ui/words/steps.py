@@ -14,7 +14,10 @@ from armui.ui.words.refusals import refusal, under_way
 from armui.ui.words.text import sentence
 
 _SENTENCES: Final[Mapping[StepKind, object]] = {
-    StepKind.NO_DEVICE: QT_TRANSLATE_NOOP("RecoveryStep", "No arm is connected."),
+    StepKind.NO_DEVICE: QT_TRANSLATE_NOOP(
+        "RecoveryStep",
+        "No arm is connected. Connect one, or the simulated arm to try everything out.",
+    ),
     StepKind.OPENING: QT_TRANSLATE_NOOP("RecoveryStep", "The device is being opened."),
     StepKind.DEVICE_LOST: QT_TRANSLATE_NOOP(
         "RecoveryStep", "The CAN device is gone. Plug it in again, or choose another one."

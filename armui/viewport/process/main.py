@@ -23,9 +23,11 @@ from armui.viewport.messages import (
     PicturePhase,
     Ready,
     RobotRead,
+    RobotShown,
 )
 from armui.viewport.process.frame_painter import FramePainter
 from armui.viewport.process.heartbeat import Heartbeat
+from armui.viewport.process.outline import shape_of
 from armui.viewport.process.settle_in import settle_in, stand_back
 
 if TYPE_CHECKING:
@@ -102,6 +104,8 @@ class _Drawing:
             pixels = painter.paint(replace(request.state, preview=preview), known)
             if painter.robot is not before and painter.robot is not known:
                 self._say(RobotRead(pickle.dumps(painter.robot)))
+            if painter.robot is not before and painter.robot is not None:
+                self._say(RobotShown(shape_of(painter.robot)))
         size_px = None
         if pixels is not None and self._memory is not None:
             target = self._memory.slot(request.slot, pixels.nbytes)

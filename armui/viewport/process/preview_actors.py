@@ -21,6 +21,7 @@ _MM = 0.001
 _LINE_PX = 3.0
 _MARK_PX = 11.0
 _SELECTED_PX = 17.0
+_LIT_PX = 23.0
 _NEAR_PX = 12.0
 """How near to a mark a click counts as one on it."""
 
@@ -32,6 +33,7 @@ class PreviewActors:
         self._renderer = renderer
         self._actors: list[vtkActor] = []
         self._selected: vtkActor | None = None
+        self._lit: tuple[vtkActor, ...] = ()
         self._path: PathPicture | None = None
         self._palette: ScenePalette | None = None
         self._pixel_ratio = 1.0
@@ -51,6 +53,7 @@ class PreviewActors:
                 if which.any():
                     self._actors.append(self._marks(path.marks_mm[which], color, _MARK_PX))
         self.select(preview.selected_row)
+        self.light(preview.current_row)
 
     def select(self, row: int | None) -> None:
         """Let the mark of a row stand out, and none else."""
@@ -61,6 +64,17 @@ class PreviewActors:
         if path is not None and row in path.rows and self._palette is not None:
             place_mm = path.marks_mm[[path.rows.index(row)]]
             self._selected = self._marks(place_mm, self._palette.text, _SELECTED_PX)
+
+    def light(self, row: int | None) -> None:
+        """Light the mark of the row that the arm is on its way to, and no other."""
+        for actor in self._lit:
+            self._renderer.RemoveActor(actor)
+        self._lit = ()
+        path, palette = self._path, self._palette
+        if path is not None and row in path.rows and palette is not None:
+            place_mm = path.marks_mm[[path.rows.index(row)]]
+            ring = self._marks(place_mm, palette.current, _LIT_PX)
+            self._lit = (ring, self._marks(place_mm, palette.text, _MARK_PX))
 
     def row_at(self, x_px: float, y_px: float, pixel_ratio: float) -> int | None:
         """The row of the mark next to a pixel, counted from the top left; None: there is none."""

@@ -5,6 +5,8 @@ A scene belongs to the thread that made it: OpenGL contexts don't travel.
 
 from __future__ import annotations
 
+import math
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from vtkmodules.vtkRenderingCore import vtkCellPicker
@@ -14,8 +16,10 @@ from armui.viewport.palette import LIGHT, ScenePalette
 from armui.viewport.path_picture import NOTHING, Preview
 from armui.viewport.process.offscreen import Canvas, Pixels
 from armui.viewport.process.preview_actors import PreviewActors
+from armui.viewport.process.reach_actor import ReachActor
 from armui.viewport.process.robot_actors import RobotActors
 from armui.viewport.process.stage import Stage
+from armui.viewport.process.trail_actors import TrailActors
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -25,6 +29,8 @@ if TYPE_CHECKING:
     from armui.viewport.view_state import ViewState
 
 _FAR_BEHIND_FOCUS_M = 5.0
+_FAR_BEFORE_FOCUS_M = 3.0
+"""Without perspective nothing is too near to be seen, however small the picture's scale."""
 _ZERO_DEG = (0.0,) * 6
 
 
@@ -52,6 +58,8 @@ class Scene:
         self._ghost: RobotActors | None = None
         self._preview = NOTHING
         self._preview_actors = PreviewActors(self._canvas.renderer)
+        self._trail = TrailActors(self._canvas.renderer)
+        self._reach = ReachActor(self._canvas.renderer)
         self._pixel_ratio = pixel_ratio
         self._palette = palette
         self._is_fresh = False
@@ -102,6 +110,9 @@ class Scene:
             self.highlight_joint(state.highlighted_joint)
         self.set_joints(state.angles_deg, state.gripper_mm, stale=state.stale)
         self.set_preview(state.preview)
+        self._trail.show(state.trail, self._palette, state.pixel_ratio)
+        if self._description is not None:
+            self._reach.show(state.reach, self._description, self._palette)
         self.resize(state.width_px, state.height_px, state.pixel_ratio)
 
     def set_joints(
@@ -130,6 +141,8 @@ class Scene:
             self._preview_actors.show(preview, self._palette, self._pixel_ratio)
         elif preview.selected_row != before.selected_row:
             self._preview_actors.select(preview.selected_row)
+        if preview.current_row != before.current_row or preview.path is not before.path:
+            self._preview_actors.light(preview.current_row)
         if preview.ghost_deg != before.ghost_deg:
             self._show_ghost(preview.ghost_deg)
 
@@ -192,12 +205,21 @@ class Scene:
         width_px, height_px = self._canvas.size_px
         camera.SetUseHorizontalViewAngle(width_px < height_px)
         camera.SetViewAngle(VIEW_ANGLE_DEG)
+        camera.SetParallelProjection(self.camera.orthographic)
+        _, _, up = self.camera.axes()
         camera.SetFocalPoint(self.camera.focus_m)
-        camera.SetPosition(self.camera.eye_m)
-        camera.SetViewUp(0.0, 0.0, 1.0)
+        camera.SetViewUp(up)
         # Fixed by the camera alone: were it fitted to the arm, each motion would shift all depths
         # a little and edges far from the motion would flicker.
         distance_m = self.camera.distance_m
+        if self.camera.orthographic:
+            seen_m = distance_m * math.tan(math.radians(VIEW_ANGLE_DEG / 2.0))
+            camera.SetParallelScale(seen_m * height_px / min(width_px, height_px))
+            away = replace(self.camera, distance_m=_FAR_BEFORE_FOCUS_M)
+            camera.SetPosition(away.eye_m)
+            camera.SetClippingRange(0.01, _FAR_BEFORE_FOCUS_M + _FAR_BEHIND_FOCUS_M)
+            return
+        camera.SetPosition(self.camera.eye_m)
         camera.SetClippingRange(0.05 * distance_m, distance_m + _FAR_BEHIND_FOCUS_M)
 
     def _show_ghost(self, angles_deg: Sequence[float] | None) -> None:

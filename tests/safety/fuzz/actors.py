@@ -20,7 +20,8 @@ from armui.protocol.codes import EndLoad, LinkageRole, MoveMode, TeachingState, 
 from armui.sim.faults.schedule import fault
 from armui.trajectory.points.program import Waypoint
 from armui.trajectory.samples.recording import Recording
-from tests.safety.fuzz.oracle import Asked, Kind, Oracle
+from tests.safety.fuzz.asked import Asked, Kind
+from tests.safety.fuzz.oracle import Oracle
 from tests.safety.fuzz.world import World
 from tests.sim.talk import DISABLE, ENABLE, pose_target
 
@@ -307,8 +308,8 @@ class Actors:
         self._world.other.say(f"151#{word}1E0000000000")
 
     def other_mit(self) -> None:
-        hold = [f"{0x15A + joint:03X}#7FFF7FF0519477F0" for joint in range(6)]
-        self._world.other.say("151#010400AD00000000", *hold)
+        hold = [f"{0x15A + joint:03X}#7FFF7FF0519477FF" for joint in range(6)]
+        self._world.other.say("151#010600AD00000000", *hold)
 
     def other_plan(self, command: int) -> None:
         self._world.other.say(f"150#00{command:02X}000000000000")

@@ -7,15 +7,15 @@ what another host's frame has begun.
 
 from __future__ import annotations
 
-import enum
 from collections import deque
 from collections.abc import Collection, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import replace
 from typing import Any, Final
 
 from armui.control.events import EventCode
 from armui.control.operating_state import LinkState, StopState
 from armui.sim.mechanics.powered_joints import SixValues
+from tests.safety.fuzz.asked import Asked, Kind, Violation
 from tests.safety.fuzz.traffic import Said, Sender, Started, base_id, is_motion
 from tests.safety.fuzz.world import World
 
@@ -31,65 +31,13 @@ _NEAR_DEG: Final = 0.75
 _JOG_AHEAD_DEG: Final = 20.0
 _TOOL_MM: Final = 15.0
 _POSE_MM: Final = 1.0
+_TAKEN_S: Final = 0.4
+"""Until then after a target was asked for, no feedback tells that the arm never heard it."""
 _PLACES: Final = 4
 """Looks ago: a moving arm's angles may be 0.05 s old, heard a step before."""
 
 
-class Kind(enum.Enum):
-    """What the operator asked for."""
-
-    NOTHING = "nothing"
-    STEP = "a joint step"
-    TOOL_STEP = "a tool step"
-    JOINTS = "six angles"
-    POSE = "a pose"
-    JOG = "a held jog"
-    RUN = "a run"
-    CONTINUE = "继续"
-    TEACHING = "drag teaching"
-
-
 _LASTING: Final = frozenset({Kind.JOG, Kind.RUN, Kind.TEACHING})
-
-
-@dataclass(slots=True)
-class Asked:
-    """The last thing the operator asked for that may move the arm.
-
-    Attributes:
-        kind: What it was.
-        at_s: When.
-        goal_deg, pose: Where it leads, as far as it says.
-        joint, delta: Of a step: what is to turn, and by how much.
-        bases: Where a step may start from: the arm, and our own target while it stands.
-        cancelled: What has ended it.
-        over_jog: Whether a jog was still held when it was asked for.
-    """
-
-    kind: Kind
-    at_s: float
-    goal_deg: SixValues | None = None
-    pose: SixValues | None = None
-    joint: int | None = None
-    delta: float = 0.0
-    bases: list[SixValues] = field(default_factory=list)
-    cancelled: str | None = None
-    over_jog: bool = False
-
-
-@dataclass(frozen=True, slots=True)
-class Violation:
-    """Something that must not be.
-
-    Attributes:
-        promise: Its number in safety.md, or «exception».
-        key: What tells it from other violations: the same in each shrunk run.
-        text: What was seen, with its figures.
-    """
-
-    promise: str
-    key: str
-    text: str
 
 
 class Oracle:
@@ -121,8 +69,14 @@ class Oracle:
 
     def bases(self) -> list[SixValues]:
         """Where a step pressed now may start from: our own target, or what was measured of late."""
-        here = [*self._places_deg, self._world.firmware.joints_deg]
-        return here if self._ours_deg is None else [*here, self._ours_deg]
+        bases = [*self._places_deg, self._world.firmware.joints_deg]
+        if self._ours_deg is not None:
+            bases.append(self._ours_deg)
+        asked = self._asked
+        fresh = asked.cancelled is None and self._world.time_s - asked.at_s < _TAKEN_S
+        if fresh and asked.goal_deg is not None:
+            bases.append(asked.goal_deg)
+        return bases
 
     def ask(self, asked: Asked) -> None:
         """The operator has asked for something that may move the arm."""
@@ -220,7 +174,7 @@ class Oracle:
         """The other host has said something; what another arm listens to is no concern of ours."""
         frame, world = said.frame, self._world
         identifier = base_id(frame.arbitration_id)
-        to_arm = frame.arbitration_id - identifier == world.firmware.addressing.control_offset
+        to_arm = said.to_arm  # the frame itself may have moved the arm to other identifiers
         if to_arm and is_motion(frame) and world.hears:
             self._other_s, self._taken_over = said.at_s, False
         if identifier in (0x470, 0x471, 0x475) or (to_arm and 0x150 <= identifier <= 0x15F):

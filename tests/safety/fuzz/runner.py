@@ -9,7 +9,8 @@ from typing import Final
 
 from armui.protocol.generation import Generation
 from tests.safety.fuzz.actors import Actors
-from tests.safety.fuzz.oracle import Oracle, Violation
+from tests.safety.fuzz.asked import Violation
+from tests.safety.fuzz.oracle import Oracle
 from tests.safety.fuzz.script import Action
 from tests.safety.fuzz.world import STEP_S, World
 

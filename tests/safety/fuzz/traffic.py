@@ -31,12 +31,14 @@ class Said:
 
     Attributes:
         after: What the operator had asked for when it was said, and what had ended that.
+        to_arm: Whether it is for this arm, as the arm listened when it was said.
     """
 
     at_s: float
     sender: Sender
     frame: Frame
     after: Any = None
+    to_arm: bool = True
 
 
 @dataclass(frozen=True, slots=True)
@@ -102,7 +104,11 @@ class Traffic:
 
     def note(self, sender: Sender, frame: Frame) -> None:
         """A frame is on the bus."""
-        said = Said(self._clock(), sender, frame, self.asked())
+        arm = self._firmware()
+        assert arm is not None
+        offset = frame.arbitration_id - base_id(frame.arbitration_id)
+        to_arm = offset == arm.addressing.control_offset
+        said = Said(self._clock(), sender, frame, self.asked(), to_arm)
         self._pending.append(said)
         self.said.append(said)
 

@@ -15,7 +15,7 @@ from armui.viewport.view_state import PickRequest, RobotChoice, ViewState
 from tests.viewport.foreign import write_arm
 
 STATE = ViewState(
-    RobotChoice(URDF / "piper.urdf"),
+    RobotChoice(URDF / "piper" / "piper.urdf"),
     width_px=240,
     height_px=180,
     angles_deg=(0.0,) * 6,

@@ -19,13 +19,13 @@ RAISED = (30.0, 70.0, -60.0, 20.0, 40.0, 10.0)
 
 @pytest.fixture(scope="module")
 def robot():
-    return load_robot(URDF / "piper.urdf")
+    return load_robot(URDF / "piper" / "piper.urdf")
 
 
 @pytest.fixture
 def scene():
     scene = Scene(WIDTH, HEIGHT)
-    scene.load(URDF / "piper.urdf")
+    scene.load(URDF / "piper" / "piper.urdf")
     scene.set_joints(RAISED, 35.0)
     yield scene
     scene.close()

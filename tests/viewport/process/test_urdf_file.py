@@ -30,7 +30,7 @@ def parts_of(robot, link: str) -> list[Any]:
 
 
 def test_our_arm_has_its_joints_colours_and_meshes():
-    robot = load_robot(URDF / "piper.urdf")
+    robot = load_robot(URDF / "piper" / "piper.urdf")
     assert robot.root == "base_link"
     assert robot.arm_joints == tuple(f"joint{number}" for number in range(1, 7))
     shell, dark = parts_of(robot, "link2")
@@ -41,19 +41,19 @@ def test_our_arm_has_its_joints_colours_and_meshes():
 
 
 def test_links_know_the_joint_that_moves_them():
-    numbers = load_robot(URDF / "piper.urdf").joint_numbers()
+    numbers = load_robot(URDF / "piper" / "piper.urdf").joint_numbers()
     assert "base_link" not in numbers
     assert [numbers[f"link{number}"] for number in range(1, 7)] == [1, 2, 3, 4, 5, 6]
     assert numbers["finger_left"] == 6
 
 
 def test_zero_pose_of_the_flange():
-    pose = load_robot(URDF / "piper.urdf").link_poses([0.0] * 6, 0.0)["flange"]
+    pose = load_robot(URDF / "piper" / "piper.urdf").link_poses([0.0] * 6, 0.0)["flange"]
     np.testing.assert_allclose(pose[:3, 3] * 1000.0, [56.128, 0.0, 213.266], atol=5e-4)
 
 
 def test_fingers_part_by_the_opening_and_no_further_than_their_limit():
-    robot = load_robot(URDF / "piper.urdf")
+    robot = load_robot(URDF / "piper" / "piper.urdf")
     for opening_mm, expected_mm in ((0.0, 0.0), (40.0, 40.0), (90.0, 70.0)):
         poses = robot.link_poses([0.0] * 6, opening_mm)
         gap = poses["finger_left"][:3, 3] - poses["finger_right"][:3, 3]

@@ -229,13 +229,18 @@ class FingerStream:
 
 
 class FixedStream:
-    """One `tf2_msgs/TFMessage` at the first frame: what is mounted on link 6 stays as it is."""
+    """One `tf2_msgs/TFMessage` at the first frame: what is mounted on link 6 stays as it is.
+
+    Args:
+        facts: Of the arm.
+    """
 
     topic = "/tf_static"
     schema = "tf2_msgs/TFMessage"
 
-    def __init__(self) -> None:
+    def __init__(self, facts: ExportFacts) -> None:
         pairs = [(links.LINKS[-1], links.FLANGE), (links.FLANGE, links.GRIPPER_BASE)]
+        self._mounted = links.mounted_transforms(facts.gripper_turned_deg)
         self._template = _transform_template(pairs)
         self._written = False
 
@@ -246,16 +251,14 @@ class FixedStream:
         if self._written or not len(inside) or history.samples(TIME_BASE) is None:
             return None
         self._written = True
-        still = np.zeros((1, 2, 7))
-        still[..., 6] = 1.0
         at = RowTimes(frames.rows[inside], frames.times_s[inside])
-        return _timed(at, self._template, _by_place(still))
+        return _timed(at, self._template, _by_place(self._mounted))
 
 
 def make_streams(facts: ExportFacts) -> list[Stream]:
     """One for each topic that an arm of this generation can fill, but for the diagnostics."""
     streams: list[Stream] = [
-        FixedStream(),
+        FixedStream(facts),
         JointStream(facts.codec, commanded=False),
         LinkStream(facts),
         EndPoseStream(),

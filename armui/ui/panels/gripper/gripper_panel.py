@@ -15,6 +15,7 @@ from armui.control.devices.gripper_ranges import figures_of
 from armui.control.operating_state import OperatingState
 from armui.protocol.generation import Generation
 from armui.ui import words
+from armui.ui.actions.keys import keys_of
 from armui.ui.freshness import is_stale
 from armui.ui.panels.gripper.gripper_row import GripperRow
 from armui.ui.panels.gripper.measure_choice import MeasureChoice
@@ -28,7 +29,7 @@ from armui.ui.widgets.state_mark import Mark
 from armui.ui.widgets.text_label import text_label
 
 _TALLEST_CARD_PX: Final = 330
-_SEND_KEY: Final = "Ctrl+Return"
+_SEND_KEY: Final = keys_of("gripper.send")
 _ACTS: Final = ("enable", "disable", "clear", "zero")
 
 _Kind = tuple[Generation, bool]
@@ -260,7 +261,7 @@ class GripperPanel(Panel):
         enable_or_explain(self._acts["zero"], why_not, use)
 
     def _show_message(self) -> None:
-        refusal = self._refusal or self._operating_state.cannot_enable
+        refusal = self._refusal or self._unless_told(self._operating_state.cannot_enable)
         if refusal is None and self._event is None:
             refusal = self._travel.refusal() or self._effort.refusal()
         if refusal is not None and refusal.code == RefusalCode.BUSY and self._refusal is None:

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from functools import partial
+from typing import Final
 
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QWidget
 
 from armui.ui import format as fmt
+from armui.ui.theme import scaled_font
 from armui.ui.widgets.buttons import caption, push_button
 from armui.ui.widgets.enable_or_explain import enable_or_explain
 from armui.ui.widgets.layouts import empty_grid, in_row
@@ -16,6 +18,7 @@ from armui.ui.widgets.translated import Translated
 
 Pose = tuple[float, ...]
 _POINTS = ("start", "middle", "end")
+_TEXT_SCALE: Final = 0.85
 
 
 class ArcBox(Translated, QWidget):
@@ -30,21 +33,22 @@ class ArcBox(Translated, QWidget):
     def __init__(self) -> None:
         super().__init__()
         self.poses: list[Pose | None] = [None, None, None]
-        self._title = text_label(rank="muted")
         self._captures = [push_button(f"capture_{point}") for point in _POINTS]
-        self._texts = [text_label(f"captured_{point}") for point in _POINTS]
+        self._texts = [text_label(f"captured_{point}", rank="muted") for point in _POINTS]
         self.go_to_start = push_button("arc_start_button")
         self.send = push_button("move_c_button")
-        grid = empty_grid(self, gaps=(10, 4), margins=0)
-        grid.setColumnStretch(1, 1)
-        grid.addWidget(self._title, 0, 0, 1, 2)
-        for row, (button, text) in enumerate(zip(self._captures, self._texts, strict=True)):
-            button.clicked.connect(partial(self.capture_wanted.emit, row))
-            text.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
-            grid.addWidget(button, row + 1, 0)
-            grid.addWidget(text, row + 1, 1)
-        buttons = in_row((self.go_to_start, 1), (self.send, 1))
-        grid.addLayout(buttons, len(_POINTS) + 1, 0, 1, 2)
+        grid = empty_grid(self, gaps=(6, 2), margins=0)
+        for place, (button, text) in enumerate(zip(self._captures, self._texts, strict=True)):
+            button.clicked.connect(partial(self.capture_wanted.emit, place))
+            button.setProperty("compact", True)
+            text.setAlignment(Qt.AlignmentFlag.AlignCenter)
+            text.setFont(scaled_font(text, _TEXT_SCALE))
+            grid.addWidget(button, 0, place)
+            grid.addWidget(text, 1, place)
+            grid.setColumnStretch(place, 1)
+        buttons = in_row((self.go_to_start, 1), (self.send, 1), spacing=6)
+        grid.addLayout(buttons, 2, 0, 1, len(_POINTS))
+        grid.setRowStretch(3, 1)
         self.go_to_start.clicked.connect(self.start_wanted)
         self.send.clicked.connect(self.send_wanted)
         self.retranslate_ui()
@@ -83,12 +87,11 @@ class ArcBox(Translated, QWidget):
                 text.setToolTip("")
                 continue
             x, y, z, rx, ry, rz = (fmt.number(value, 1) for value in pose)
-            text.setText(f"{x}  {y}  {z} mm")
+            text.setText(f"{x}  {y}  {z}")
             text.setToolTip(f"X {x}  Y {y}  Z {z} mm  RX {rx}°  RY {ry}°  RZ {rz}°")
 
     def retranslate_ui(self) -> None:
         """Put every word into the operator's language."""
-        self._title.setText(self.tr("Arc by three poses"))
         names = (self.tr("Capture start"), self.tr("Capture middle"), self.tr("Capture end"))
         for button, text in zip(self._captures, names, strict=True):
             caption(button, text)

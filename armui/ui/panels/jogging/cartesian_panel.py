@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Final
 
 from PySide6.QtWidgets import QFrame
@@ -11,6 +12,7 @@ from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import ArmState
 from armui.control.arm_controller import ArmController
 from armui.control.motion.jog_path import ToolJog
+from armui.control.operating_state import OperatingState
 from armui.protocol.codes import ArmStatusCode, MoveMode
 from armui.settings import SettingsStore
 from armui.ui import words
@@ -18,9 +20,10 @@ from armui.ui.freshness import is_stale
 from armui.ui.panels.jogging.arc_box import ArcBox
 from armui.ui.panels.jogging.frame_choice import FrameChoice
 from armui.ui.panels.jogging.jog_panel import JogPanel
+from armui.ui.panels.jogging.pose_extras import PoseExtras
 from armui.ui.panels.jogging.pose_rows import PoseRows
 from armui.ui.panels.jogging.tool_box import ToolBox
-from armui.ui.widgets.buttons import caption, push_button
+from armui.ui.widgets.buttons import caption, push_button, show_primary
 from armui.ui.widgets.enable_or_explain import enable_or_explain
 from armui.ui.widgets.layouts import STRETCH, in_column
 
@@ -57,14 +60,15 @@ class CartesianPanel(JogPanel):
             write_step=lambda step: f"{step:g} mm / {step:g}°",
         )
         self._preferences = preferences
-        self._jogged = False
+        self._sent = False
+        self._heard = False
         self._frame = FrameChoice()
         self._rows = PoseRows()
         self._tool = ToolBox()
         self._arc = ArcBox()
         self._load = push_button("load_pose_button")
-        self._move_p = push_button("move_p_button", primary=True)
-        self._move_l = push_button("move_l_button", primary=True)
+        self._move_p = push_button("move_p_button")
+        self._move_l = push_button("move_l_button")
         self._lay_out()
         self._connect()
         self._use_tool(preferences.settings.tool)
@@ -73,8 +77,10 @@ class CartesianPanel(JogPanel):
 
     def _lay_out(self) -> None:
         card = QFrame()
-        parts = (self._rows, self._tool, self._arc, STRETCH)
-        in_column(*parts, on=card, spacing=12, margins=(16, 10, 16, 12))
+        self._extras = PoseExtras(self._arc, self._tool)
+        self._keys.toggled.connect(self._extras.setHidden)  # the keys need the room
+        parts = (self._rows, self._extras, STRETCH)
+        in_column(*parts, on=card, spacing=10, margins=(16, 8, 16, 10))
         buttons = (self._load, self._move_p, self._move_l)
         self._finish(card, buttons, tallest_px=_TALLEST_CARD_PX, above=(self._frame,))
 
@@ -106,7 +112,8 @@ class CartesianPanel(JogPanel):
         self._controller.cartesian.tool = tool
         self._tool.show_tool(tool)
         self._arc.clear()
-        self._rows.fill(self._pose())
+        self._rows.release()
+        self._follow_arm()
         self._rows.name_point(with_tool=any(tool))
         self._show_measured()
 
@@ -121,8 +128,8 @@ class CartesianPanel(JogPanel):
     def _on_stepped(self, place: int, direction: int) -> None:
         amount = direction * self._step_box.step
         refusal = self._controller.cartesian.step(place, amount, self._frame.frame)
-        self._jogged = refusal is None
-        self._accepted(refusal)
+        if self._accepted(refusal):
+            self._rows.release()
 
     def _on_repeated(self, place: int, direction: int) -> None:
         """MOVE L plans anew at each target: a held button waits for the arm."""
@@ -132,24 +139,41 @@ class CartesianPanel(JogPanel):
     def _on_held(self, place: int, direction: int) -> None:
         jog = ToolJog(place, direction, self._frame.frame)
         refusal = self._controller.jogging.start(jog)
-        self._jogged = refusal is None
-        self._accepted(refusal)
+        if self._accepted(refusal):
+            self._rows.release()
 
     # -- targets ------------------------------------------------------------------------------
+
+    def target_pose(self) -> tuple[float, ...] | None:
+        """The pose in the fields; None while one of them is no figure."""
+        pose = self._rows.targets()
+        return None if isinstance(pose, Refusal) else tuple(pose)
+
+    def take_pose(self, pose: Sequence[float]) -> None:
+        """Put a pose into the fields, as if it was typed; nothing is sent."""
+        self._rows.fill(pose)
+        self._on_edited()
 
     def _on_load(self) -> None:
         pose = self._pose()
         if pose is not None:
             self._rows.fill(pose)
+            self._follow_arm()
         self._accepted(None if pose is not None else Refusal(RefusalCode.POSE_UNKNOWN))
 
     def _send(self, move_mode: MoveMode) -> None:
-        self._jogged = False
         target = self._rows.targets()
         if isinstance(target, Refusal):
             self._accepted(target)
             return
-        self._accepted(self._controller.cartesian.move(target, move_mode))
+        self._sent = self._accepted(self._controller.cartesian.move(target, move_mode))
+
+    def _forget_outdated(self, old: OperatingState) -> None:
+        """Once a pose was driven to, the fields follow the arm again."""
+        super()._forget_outdated(old)
+        if self._sent and old.moving and not self._operating_state.moving:
+            self._sent = False
+            self._rows.release()
 
     def _on_capture(self, place: int) -> None:
         pose = self._pose()
@@ -158,7 +182,6 @@ class CartesianPanel(JogPanel):
         self._accepted(None if pose is not None else Refusal(RefusalCode.POSE_UNKNOWN))
 
     def _on_go_to_start(self) -> None:
-        self._jogged = False
         start = self._arc.poses[0]
         if start is None:
             point = self._arc.missing() or ""
@@ -174,34 +197,32 @@ class CartesianPanel(JogPanel):
         else:
             self._accepted(self._controller.cartesian.move_arc(*points))
 
-    def _follow_jog(self) -> None:
-        """The fields go along with a jog: sending them must not take it back."""
-        if self._jogged:
-            self._rows.fill(self._pose())
-
     def _on_edited(self) -> None:
-        self._jogged = False
+        self._light_move()
         self._accepted(None)
 
     # -- what the arm says --------------------------------------------------------------------
 
     def _on_state_changed(self, _state: ArmState) -> None:
-        self._fill_once()
         if self.isVisible():
-            self._follow_jog()
+            self._follow_arm()
             self._show_measured()
             self._show_message()
 
-    def _fill_once(self) -> None:
-        device = self._operating_state.device
-        if device is None or device == self._filled_for or not self.isVisible():
-            return
-        pose = self._pose()
+    def _follow_arm(self) -> None:
+        """Fields in which nothing was given show where the arm is."""
+        pose = None if self._operating_state.device is None else self._pose()
         if pose is not None:
-            self._filled_for = device
-            if self._rows.empty:
-                self._rows.fill(pose)
+            self._rows.follow(pose)
+        if (pose is None) is self._heard:
+            self._heard = pose is not None
             self._show_possible()
+        self._light_move()
+
+    def _light_move(self) -> None:
+        """Light MOVE P while a target was given that the arm is not at."""
+        pose = self._pose()
+        show_primary(self._move_p, wanted=pose is not None and self._rows.differ_from(pose))
 
     def _show_measured(self) -> None:
         state = self._controller.state
@@ -215,7 +236,7 @@ class CartesianPanel(JogPanel):
     # -- appearance ---------------------------------------------------------------------------
 
     def _show_all(self) -> None:
-        self._fill_once()
+        self._follow_arm()
         self._show_possible()
         self._show_message()
         self._show_measured()

@@ -8,7 +8,6 @@ from typing import Final
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QFrame, QLabel, QLayout, QPushButton, QWidget
 
-from armui.arm.device import Device
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.control.arm_controller import ArmController
@@ -54,7 +53,6 @@ class JogPanel(Panel):
     ) -> None:
         super().__init__(controller, message_name)
         self._numbers = tuple(numbers)
-        self._filled_for: Device | None = None
         self._step_label = QLabel()
         self._step_box = named(f"{name}_step", StepBox(write_step))
         self._step_label.setBuddy(self._step_box)
@@ -127,8 +125,8 @@ class JogPanel(Panel):
         """What is to be said against the targets as they stand in the fields."""
         raise NotImplementedError
 
-    def _fill_once(self) -> None:
-        """Take over what is measured, the first time it is heard of a device."""
+    def _follow_arm(self) -> None:
+        """Show in the fields in which no target was given where the arm is."""
         raise NotImplementedError
 
     def _forget_targets(self) -> None:
@@ -176,17 +174,16 @@ class JogPanel(Panel):
     def _forget_outdated(self, old: OperatingState) -> None:
         if old.device != self._operating_state.device:
             # another arm: targets made for the last one would be a trap
-            self._filled_for = None
             self._forget_targets()
         if old.cannot_move != self._operating_state.cannot_move:
             self._refusal = None
-        self._fill_once()
 
     def _why_not_move(self) -> str:
         return words.why_not(self._operating_state.cannot_move)
 
     def _show_message(self) -> None:
-        self._say(self._refusal or self._operating_state.cannot_move or self._first_wrong())
+        standing = self._unless_told(self._operating_state.cannot_move)
+        self._say(self._refusal or standing or self._first_wrong())
 
     def retranslate_ui(self) -> None:
         """Put the words of the head into the operator's language."""

@@ -21,6 +21,9 @@ from armui.ui.widgets.layouts import empty_grid
 from armui.ui.widgets.track_slider import TrackSlider
 from armui.ui.widgets.value_label import ValueLabel
 
+SAME_DEG: Final = 0.0006
+"""Two angles that are written alike are the same, however they were rounded."""
+
 _WIDEST_ANGLE: Final = "-000.000°"
 _WIDEST_LIMIT: Final = "-000.00°"
 
@@ -28,15 +31,22 @@ _WIDEST_LIMIT: Final = "-000.00°"
 class JointRow(JogSignals):
     """The controls of one joint; its signals carry the joint's number.
 
+    Its target follows the arm until the operator gives it another: sending the fields never takes
+    a joint back to where it was some time ago.
+
     Args:
         joint: Its number, 1–6.
         limits: Its range until the arm tells another.
+
+    Attributes:
+        own: Whether the target was given by the operator, and so stands still.
     """
 
     def __init__(self, joint: int, limits: JointLimits) -> None:
         super().__init__()
         painting.fill_ground(self)
         self.joint = joint
+        self.own = False
         self._limits = limits
         self._limits_read = False
         self._name = QLabel(f"J{joint}")
@@ -64,7 +74,7 @@ class JointRow(JogSignals):
 
     def _lay_out(self) -> None:
         top = Qt.AlignmentFlag.AlignTop
-        grid = empty_grid(self, gaps=(8, 2), margins=0)
+        grid = empty_grid(self, gaps=(8, 0), margins=0)
         grid.addWidget(self._name, 0, 0)
         grid.addWidget(self.minus, 0, 1)
         grid.addWidget(self.field, 0, 2)
@@ -90,15 +100,28 @@ class JointRow(JogSignals):
         return None if target is None else check_joint(self.joint, target, self._limits)
 
     def show_target(self, target_deg: float | None) -> None:
-        """Put a target into field and slider; ``None`` empties them."""
+        """Give a target, into field and slider; ``None`` empties them."""
+        self.own = target_deg is not None
         self.field.show_value(target_deg)
         self._after_target()
 
+    def follow(self, angle_deg: float) -> None:
+        """Have a target that nobody gave be where the arm is, or is sent to."""
+        if not self.own and self.field.follow(angle_deg):
+            self._after_target()
+
+    def differs_from(self, angle_deg: float) -> bool:
+        """Whether the operator has given a target, and it is another angle than this."""
+        target = self.target_deg
+        return self.own and (target is None or abs(target - angle_deg) > SAME_DEG)
+
     def _on_field_edited(self) -> None:
+        self.own = bool(self.field.text())
         self._after_target()
         self.edited.emit(self.joint)
 
     def _on_slider_moved(self) -> None:
+        self.own = True
         self.field.show_value(self.slider.requested)
         self._after_target()
         self.edited.emit(self.joint)

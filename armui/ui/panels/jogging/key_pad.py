@@ -68,10 +68,10 @@ class KeyPad(Translated, QFrame):
         for place, (what, plus, minus) in enumerate(keys):
             for text, direction in ((plus, 1), (minus, -1)):
                 self._moves[_key(text)] = (place, direction)
-            label = QLabel(f"{what}   + {plus}   − {minus}")
+            label = QLabel(f"{what}  + {plus}  − {minus}")
             label.setProperty("rank", "muted")
-            grid.addWidget(label, place % _COLUMNS, place // _COLUMNS)
-        in_column(self._hint, grid, on=self, spacing=4, margins=(14, 8, 14, 8))
+            grid.addWidget(label, place // _COLUMNS, place % _COLUMNS)
+        in_column(self._hint, grid, on=self, spacing=1, margins=(14, 5, 14, 5))
         self.retranslate_ui()
 
     def set_continuous(self, wanted: bool) -> None:
@@ -147,8 +147,9 @@ class KeyPad(Translated, QFrame):
     def retranslate_ui(self) -> None:
         """Say what the keys do, or what is missing."""
         self.setAccessibleName(self.tr("Keyboard jogging"))
+        self.setToolTip(self._why_not)
         if self._why_not:
-            text = self._why_not
+            text = self.tr("Jogging is not possible now.")
         elif self.hasFocus() and not self._continuous:
             text = self.tr("Hold the space bar; each press of a key is one step.")
         elif self.hasFocus():

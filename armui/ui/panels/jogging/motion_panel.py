@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+from collections.abc import Sequence
 from typing import Final
 
 from PySide6.QtCore import Qt
@@ -12,13 +14,13 @@ from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import ArmState
 from armui.control.arm_controller import ArmController
-from armui.control.events import Event, EventCode
 from armui.ui import format as fmt
 from armui.ui import words
+from armui.ui.actions.keys import keys_of
 from armui.ui.freshness import is_stale
 from armui.ui.panels.jogging.jog_panel import JogPanel
 from armui.ui.panels.jogging.joint_row import JointRow
-from armui.ui.widgets.buttons import caption, push_button
+from armui.ui.widgets.buttons import caption, push_button, show_primary
 from armui.ui.widgets.enable_or_explain import enable_or_explain
 from armui.ui.widgets.layouts import STRETCH, in_column, in_row
 from armui.ui.widgets.text_label import text_label
@@ -29,14 +31,14 @@ _KEYS: Final = tuple(
     (f"J{joint}", plus, minus)
     for joint, plus, minus in zip(JOINTS, "QWERTY", "ASDFGH", strict=True)
 )
-_HOME_KEY, _LOAD_KEY, _SEND_KEY = "Ctrl+Shift+H", "Ctrl+L", "Ctrl+Return"
+_HOME_KEY, _LOAD_KEY, _SEND_KEY = (keys_of(f"motion.{act}") for act in ("home", "load", "send"))
 
 
 class MotionPanel(JogPanel):
     """Targets on the left, measured angles on the right; says why if the arm can't move.
 
-    The fields hold what the arm measured until the operator types something else, so that
-    sending them never moves a joint nobody touched.
+    The fields follow the arm until the operator types something else, so that sending them never
+    moves a joint nobody touched. 发送 is lit while there is something to be sent.
 
     Args:
         controller: Whom to ask for motion.
@@ -52,13 +54,13 @@ class MotionPanel(JogPanel):
             numbers=JOINTS,
             write_step=fmt.short_angle,
         )
-        self._jogged: int | None = None
+        self._heard = False
         self._target_head = text_label(rank="muted")
         self._measured_head = text_label(rank="muted")
         self._rows = [JointRow(j, self._operating_state.limits[j - 1]) for j in JOINTS]
         self._home = push_button("home_button")
         self._load = push_button("load_button")
-        self._send = push_button("send_button", primary=True)
+        self._send = push_button("send_button")
         self._lay_out()
         self._connect()
         self.set_jog_step(jog_step_deg)
@@ -68,7 +70,7 @@ class MotionPanel(JogPanel):
         card = QFrame()
         heads = in_row(_FIELD_INDENT_PX, self._target_head, STRETCH, self._measured_head)
         rows = ((row, 1) for row in self._rows)
-        in_column(heads, *rows, on=card, spacing=4, margins=(16, 10, 16, 12))
+        in_column(heads, *rows, on=card, spacing=2, margins=(16, 6, 16, 6))
         buttons = (self._home, self._load, self._send)
         self._finish(card, buttons, tallest_px=_TALLEST_CARD_PX)
 
@@ -96,6 +98,17 @@ class MotionPanel(JogPanel):
         field.setFocus(Qt.FocusReason.OtherFocusReason)
         field.selectAll()
 
+    def targets_deg(self) -> tuple[float, ...] | None:
+        """The six angles in the fields; None while one of them is no figure."""
+        angles_deg = [row.target_deg for row in self._rows]
+        known = tuple(angle for angle in angles_deg if angle is not None)
+        return known if len(known) == len(angles_deg) else None
+
+    def take_targets(self, angles_deg: tuple[float, ...]) -> None:
+        """Put six angles into the fields, as if they were typed; nothing is sent."""
+        self._fill(angles_deg)
+        self._on_edited()
+
     def _take_step(self, step: float, *, continuous: bool) -> None:
         for row in self._rows:
             row.set_step(step, continuous=continuous)
@@ -109,34 +122,35 @@ class MotionPanel(JogPanel):
 
     def _on_stepped(self, joint: int, direction: int) -> None:
         if self._accepted(self._controller.motion.jog(joint, direction * self.jog_step_deg)):
-            setpoint_deg = self._controller.motion.setpoint_deg
-            if setpoint_deg is not None:
-                self._rows[joint - 1].show_target(setpoint_deg[joint - 1])
-                self._show_message()
+            self._release(joint)
+            self._show_message()
 
     def _on_held(self, joint: int, direction: int) -> None:
-        self._jogged = joint
         from armui.control.motion.jog_path import JointJog  # noqa: PLC0415 - faster start
 
-        self._accepted(self._controller.jogging.start(JointJog(joint, direction)))
+        if self._accepted(self._controller.jogging.start(JointJog(joint, direction))):
+            self._release(joint)
 
     def _on_let_go(self) -> None:
         super()._on_let_go()
-        self._show_jogged()
+        self._follow_arm()
 
-    def _on_noticed(self, event: Event) -> None:
-        super()._on_noticed(event)
-        if event.code == EventCode.JOG_ENDED and self.isVisible():
-            self._show_jogged()
+    def _release(self, *joints: int) -> None:
+        """These joints were sent on: their fields go along, and sending takes none of them back."""
+        for joint in joints:
+            self._rows[joint - 1].own = False
+        self._follow_arm()
 
-    def _show_jogged(self) -> None:
-        """The field of the joint goes along with a jog: sending it must not take it back."""
-        setpoint_deg, joint = self._controller.motion.setpoint_deg, self._jogged
-        if setpoint_deg is not None and joint is not None:
-            self._rows[joint - 1].show_target(setpoint_deg[joint - 1])
+    def _follow_device(self) -> None:
+        """The fields of joints that a gamepad turns go along, too."""
+        jog = self._controller.jogging.steered
+        if jog is not None and not jog.frame:
+            for joint in _moving(jog.rates):
+                self._rows[joint - 1].own = False
 
     def _on_home(self) -> None:
-        self._accepted(self._controller.motion.go_home())
+        if self._accepted(self._controller.motion.go_home()):
+            self._release(*JOINTS)
 
     def _on_load(self) -> None:
         angles_deg = self._controller.state.angles_deg()
@@ -144,6 +158,7 @@ class MotionPanel(JogPanel):
             self._accepted(Refusal(RefusalCode.JOINTS_UNKNOWN))
             return
         self._fill(angles_deg)
+        self._light_send()
         self._accepted(None)
 
     def _on_send(self) -> None:
@@ -153,7 +168,8 @@ class MotionPanel(JogPanel):
                 self._accepted(self._why_no_figure(row))
                 return
             targets_deg.append(row.target_deg)
-        self._accepted(self._controller.motion.send_joints(targets_deg))
+        if self._accepted(self._controller.motion.send_joints(targets_deg)):
+            self._release(*JOINTS)
 
     @staticmethod
     def _why_no_figure(row: JointRow) -> Refusal:
@@ -165,34 +181,48 @@ class MotionPanel(JogPanel):
 
     def _on_edited(self) -> None:
         self._refusal = None
+        self._light_send()
         self._show_message()
 
     # -- what the arm says --------------------------------------------------------------------
 
     def _on_state_changed(self, state: ArmState) -> None:
-        self._fill_once()
+        self._follow_device()
         if self.isVisible():
+            self._follow_arm()
             self._show_measured(state)
-            if self._controller.jogging.active:
-                self._show_jogged()
 
     def _show_measured(self, state: ArmState) -> None:
         for row, heard in zip(self._rows, state.joints_deg, strict=True):
             angle_deg = None if heard is None else heard.value
             row.show_measured(angle_deg, stale=is_stale(heard, state, self._operating_state))
 
-    def _fill_once(self) -> None:
-        """Load the first angles heard from a device, where the operator has not typed one."""
-        device = self._operating_state.device
-        if device is None or device == self._filled_for:
-            return
-        angles_deg = self._controller.state.angles_deg()
+    def _follow_arm(self) -> None:
+        """Fields in which nothing was given show where the arm is sent, else where it is."""
+        angles_deg = self._angles_deg()
         if angles_deg is not None:
-            self._filled_for = device
             for row, angle_deg in zip(self._rows, angles_deg, strict=True):
-                if not row.field.text():
-                    row.show_target(angle_deg)
+                row.follow(angle_deg)
+        if (angles_deg is None) is self._heard:
+            self._heard = angles_deg is not None
             self._show_possible()
+        self._light_send()
+
+    def _angles_deg(self) -> tuple[float, ...] | None:
+        if self._operating_state.device is None:
+            return None
+        return self._controller.motion.setpoint_deg or self._controller.state.angles_deg()
+
+    def _light_send(self) -> None:
+        """Light 发送 while a target was given that the arm is not at."""
+        angles_deg = self._angles_deg() or (math.inf,) * len(JOINTS)
+        show_primary(
+            self._send,
+            wanted=any(
+                row.differs_from(angle_deg)
+                for row, angle_deg in zip(self._rows, angles_deg, strict=True)
+            ),
+        )
 
     def _fill(self, angles_deg: tuple[float, ...] | None) -> None:
         for row, angle_deg in zip(self._rows, angles_deg or (None,) * len(JOINTS), strict=True):
@@ -200,12 +230,14 @@ class MotionPanel(JogPanel):
 
     def _forget_targets(self) -> None:
         self._fill(None)
+        self._follow_arm()
 
     def _show_all(self) -> None:
         for row, limits, read in zip(
             self._rows, self._operating_state.limits, self._operating_state.limits_read, strict=True
         ):
             row.set_limits(limits, read=read)
+        self._follow_arm()
         self._show_possible()
         self._show_message()
         self._show_measured(self._controller.state)
@@ -245,3 +277,7 @@ class MotionPanel(JogPanel):
         caption(self._load, self.tr("Load"), key=_LOAD_KEY)
         caption(self._send, self.tr("Send"), key=_SEND_KEY)
         super().retranslate_ui()
+
+
+def _moving(rates: Sequence[float]) -> frozenset[int]:
+    return frozenset(joint for joint, rate in zip(JOINTS, rates, strict=True) if rate)

@@ -20,6 +20,8 @@ from armui.ui.widgets.value_label import ValueLabel
 
 _WIDEST: Final = "-0000.000 mm"
 _NAME_PX: Final = 34
+_SAME: Final = 0.0006
+"""Two figures that are written alike are the same."""
 
 
 class PoseRow(JogSignals):
@@ -29,12 +31,16 @@ class PoseRow(JogSignals):
         place: 0–5 for X, Y, Z, RX, RY, RZ.
         name: One of them.
         unit: ``mm`` or ``°``.
+
+    Attributes:
+        own: Whether the target was given by the operator; else it follows the arm.
     """
 
     def __init__(self, place: int, name: str, unit: str) -> None:
         super().__init__()
         painting.fill_ground(self)
         self.name = name
+        self.own = False
         self._unit = unit
         self._label = QLabel(name)
         self._label.setFont(scaled_font(self._label, 1.15, bold=True))
@@ -53,13 +59,25 @@ class PoseRow(JogSignals):
         self.retranslate_ui()
 
     def _on_edited(self, place: int) -> None:
+        self.own = bool(self.field.text())
         self.field.show_attention(wanted=self.field.is_nonsense())
         self.edited.emit(place)
 
     def show_target(self, value: float | None) -> None:
-        """Put a target into the field; ``None`` empties it."""
+        """Give a target; ``None`` empties the field."""
+        self.own = value is not None
         self.field.show_value(value)
         self.field.show_attention(wanted=False)
+
+    def follow(self, value: float) -> None:
+        """Have a target that nobody gave be where the arm is."""
+        if not self.own:
+            self.field.follow(value)
+
+    def differs_from(self, value: float) -> bool:
+        """Whether the operator has given a target, and it is another figure than this."""
+        target = self.field.value
+        return self.own and (target is None or abs(target - value) > _SAME)
 
     def show_measured(self, value: float | None, *, stale: bool) -> None:
         """Show the measured value."""

@@ -32,13 +32,8 @@ class PoseRows(Translated, QWidget):
             for place, name in enumerate(AXES)
         ]
         head = in_row(self._point, STRETCH, self._measured_head)
-        in_column(head, *self.rows, on=self, spacing=6, margins=0)
+        in_column(head, *self.rows, on=self, spacing=4, margins=0)
         self.retranslate_ui()
-
-    @property
-    def empty(self) -> bool:
-        """Whether nothing stands in any field."""
-        return not any(row.field.text() for row in self.rows)
 
     def targets(self) -> list[float] | Refusal:
         """The six figures, or why one of them is none."""
@@ -61,6 +56,20 @@ class PoseRows(Translated, QWidget):
         """Put a pose into the fields; ``None`` empties them."""
         for row, value in zip(self.rows, pose or (None,) * len(AXES), strict=True):
             row.show_target(value)
+
+    def follow(self, pose: Sequence[float]) -> None:
+        """Show a pose in the fields in which no target was given."""
+        for row, value in zip(self.rows, pose, strict=True):
+            row.follow(value)
+
+    def release(self) -> None:
+        """No target is the operator's any more."""
+        for row in self.rows:
+            row.own = False
+
+    def differ_from(self, pose: Sequence[float]) -> bool:
+        """Whether a target was given that is not this pose."""
+        return any(row.differs_from(value) for row, value in zip(self.rows, pose, strict=True))
 
     def show_measured(self, pose: Sequence[float] | None, *, stale: bool) -> None:
         """Show what is measured."""

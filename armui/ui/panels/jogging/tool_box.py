@@ -25,7 +25,7 @@ class ToolBox(Translated, QWidget):
         super().__init__()
         self._title = text_label(rank="muted", wraps=True)
         self._fields = [FigureField(fmt.DECIMALS) for _ in AXES]
-        grid = empty_grid(self, gaps=(8, 4), margins=0)
+        grid = empty_grid(self, gaps=(8, 2), margins=0)
         grid.addWidget(self._title, 0, 0, 1, 6)
         for place, (name, field) in enumerate(zip(AXES, self._fields, strict=True)):
             row, column = 1 + place // LINEAR_AXES, 2 * (place % LINEAR_AXES)
@@ -34,6 +34,7 @@ class ToolBox(Translated, QWidget):
             grid.addWidget(field, row, column + 1)
             grid.setColumnStretch(column + 1, 1)
             field.editingFinished.connect(self._on_finished)
+        grid.setRowStretch(grid.rowCount(), 1)
         self.retranslate_ui()
 
     def show_tool(self, tool: Sequence[float]) -> None:

@@ -17,6 +17,7 @@ from armui.control.operating_state import OperatingState
 from armui.protocol.codes import ALL_LAMPS
 from armui.ui import format as fmt
 from armui.ui import words
+from armui.ui.actions.keys import keys_of
 from armui.ui.panels.light.channel_row import FULL, ChannelRow
 from armui.ui.panels.light.color_strip import ColorStrip
 from armui.ui.panels.light.hue_field import HueField
@@ -32,7 +33,7 @@ from armui.ui.widgets.track_slider import TrackSlider
 _CHANNELS: Final = ("red", "green", "blue")
 _TALLEST_CARD_PX: Final = 520
 _FIELD_PX: Final = 74
-_CONFIRM_KEY: Final = "Ctrl+Return"
+_CONFIRM_KEY: Final = keys_of("light.confirm")
 
 
 class LightPanel(Panel):
@@ -210,7 +211,8 @@ class LightPanel(Panel):
         enable_or_explain(self._confirm, why_not, use, key=_CONFIRM_KEY)
 
     def _show_message(self) -> None:
-        self._say(self._refusal or self._operating_state.cannot_set_lamps or self._first_wrong())
+        standing = self._unless_told(self._operating_state.cannot_set_lamps)
+        self._say(self._refusal or standing or self._first_wrong())
 
     def retranslate_ui(self) -> None:
         """Put every word into the operator's language."""

@@ -145,7 +145,7 @@ class MotorPanel(Panel):
         self._show_message()
 
     def _show_message(self) -> None:
-        blocked = self._operating_state.cannot_switch_on
+        blocked = self._unless_told(self._operating_state.cannot_switch_on)
         if blocked is not None and blocked.code == RefusalCode.BUSY:
             blocked = None  # what is under way will say itself how it ends
         self._say(blocked, self._event)

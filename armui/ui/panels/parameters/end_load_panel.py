@@ -147,7 +147,8 @@ class EndLoadPanel(Panel):
         self._show_message()
 
     def _show_message(self) -> None:
-        self._say(self._refusal or self._operating_state.unreachable, self._event)
+        standing = self._unless_told(self._operating_state.unreachable)
+        self._say(self._refusal or standing, self._event)
 
     def retranslate_ui(self) -> None:
         """Put every word into the operator's language."""

@@ -16,7 +16,8 @@ from armui.ui.widgets.text_label import text_label
 if TYPE_CHECKING:
     from armui.arm.refusal import Refusal
     from armui.control.arm_controller import ArmController
-    from armui.settings import MountingName, SettingsStore
+    from armui.setting_checks import MountingName
+    from armui.settings import SettingsStore
 
 _CHOICES: Final[dict[Mounting, MountingName]] = {
     Mounting.LEVEL: "level",

@@ -6,11 +6,13 @@ from typing import Final
 
 from PySide6.QtWidgets import QWidget
 
+from armui.ui.actions.keys import keys_of
 from armui.ui.widgets.buttons import caption, push_button
 from armui.ui.widgets.layouts import in_row
 
-SAVE_KEY: Final = "Ctrl+Return"
+SAVE_KEY: Final = keys_of("parameters.save")
 """Of 【保存】, to be said in its tooltip."""
+CANCEL_KEY: Final = keys_of("parameters.cancel")
 _HEIGHT_PX: Final = 38
 _GAP_PX: Final = 10
 

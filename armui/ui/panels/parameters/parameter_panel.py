@@ -24,7 +24,7 @@ from armui.ui import words
 from armui.ui.dialogs.confirm import confirm
 from armui.ui.panels.panel import Panel
 from armui.ui.panels.parameters import parameter_message
-from armui.ui.panels.parameters.parameter_buttons import SAVE_KEY, ParameterButtons
+from armui.ui.panels.parameters.parameter_buttons import CANCEL_KEY, SAVE_KEY, ParameterButtons
 from armui.ui.panels.parameters.setting_cell import SettingCell
 from armui.ui.widgets.buttons import caption, named
 from armui.ui.widgets.card import scrolled
@@ -100,6 +100,7 @@ class ParameterPanel(Panel):
         self._buttons.save.clicked.connect(self._on_save)
         self._settings.changed.connect(self._on_settings_changed)
         self._controller.operating_state_changed.connect(self._on_operating_state_changed)
+        self._controller.step_changed.connect(self._on_step_changed)
 
     # -- what a panel of its own adds ---------------------------------------------------------
 
@@ -343,7 +344,10 @@ class ParameterPanel(Panel):
         enable_or_explain(buttons.edit, no_way, change)
         give_up = self.tr("Shows what the arm holds again.")
         enable_or_explain(
-            buttons.cancel, answer if self._saving.running else "", give_up, key="Esc"
+            buttons.cancel,
+            answer if self._saving.running else "",
+            give_up,
+            key=CANCEL_KEY,
         )
         send = self.tr("Sends what was changed, reads it back and compares.")
         enable_or_explain(
@@ -353,7 +357,7 @@ class ParameterPanel(Panel):
     def _show_message(self) -> None:
         occupied = self._controller.operating_state.occupied if self._draft.editing else None
         said = parameter_message.message(
-            refusal=self._refusal or self._why_not_here() or occupied,
+            refusal=self._refusal or self._unless_told(self._why_not_here()) or occupied,
             draft=self._draft,
             state=self._controller.state,
             cell=self._settings.cell,

@@ -239,7 +239,7 @@ class TeachingPanel(Panel):
 
     def _show_message(self) -> None:
         controller = self._controller
-        refusal = self._refusal or self._operating_state.unreachable
+        refusal = self._refusal or self._unless_told(self._operating_state.unreachable)
         if refusal is not None:
             self._say(refusal)
         elif controller.teaching.pending is not None:

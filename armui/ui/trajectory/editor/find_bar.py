@@ -15,7 +15,7 @@ from armui.trajectory.points.cells import figure
 from armui.trajectory.points.program import JOINT_NAMES, POSE_NAMES, Waypoint
 from armui.ui import words
 from armui.ui.widgets.buttons import named, push_button
-from armui.ui.widgets.layouts import in_row
+from armui.ui.widgets.flow import in_flow
 from armui.ui.widgets.text_label import text_label
 from armui.ui.widgets.translated import Translated
 
@@ -61,10 +61,9 @@ class FindBar(Translated, QWidget):
         self.retranslate_ui()
 
     def _lay_out(self) -> None:
-        of_finding = (self._field, (self._wanted, 2), self._previous, self._next)
-        of_replacing = ((self._by, 2), self._replace, self._replace_all)
-        shown = (*of_finding, *of_replacing, (self._result, 1), self._close)
-        in_row(*shown, on=self, spacing=6, margins=0)
+        of_finding = (self._field, self._wanted, self._previous, self._next)
+        of_replacing = (self._by, self._replace, self._replace_all)
+        in_flow(*of_finding, *of_replacing, self._result, on=self).push(self._close)
 
     def open(self) -> None:
         """Show it and wait for what to find."""

@@ -16,14 +16,16 @@ from armui.ui.trajectory.editor.point_delegate import PointDelegate
 from armui.ui.trajectory.editor.points_model import PointsModel
 
 _ROW_PX: Final = 32
+_LEAST_ROWS: Final = 3
+"""Fewer are no table; what stands around it scrolls before."""
 _NOTE_PX: Final = 360
 _BAR_PX: Final = 3
 _WIDTHS_PX: Final = {
-    PointColumn.MOVE: 84,
-    **dict.fromkeys((PointColumn(place) for place in VALUES), 78),
+    PointColumn.MOVE: 78,
+    **dict.fromkeys((PointColumn(place) for place in VALUES), 66),
     PointColumn.MIDDLE: 104,
-    PointColumn.SPEED: 66,
-    PointColumn.DWELL: 62,
+    PointColumn.SPEED: 60,
+    PointColumn.DWELL: 60,
     PointColumn.GRIPPER: 128,
     PointColumn.LIGHT: 96,
 }
@@ -81,8 +83,13 @@ class PointsTable(QTableView):
         across = self.horizontalHeader()
         across.setHighlightSections(False)
         across.setStretchLastSection(True)
+        self.setMinimumHeight(_LEAST_ROWS * _ROW_PX + across.sizeHint().height())
         for column, width_px in _WIDTHS_PX.items():
             self.setColumnWidth(column, width_px)
+
+    def show_middle(self, *, wanted: bool) -> None:
+        """Give the poses in the middle of arcs a column, or, where there are none, no room."""
+        self.setColumnHidden(PointColumn.MIDDLE, not wanted)
 
     # Rows -------------------------------------------------------------------------------------
 

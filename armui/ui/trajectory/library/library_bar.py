@@ -12,17 +12,18 @@ from PySide6.QtWidgets import QLineEdit, QMenu, QPushButton, QTableView, QWidget
 
 from armui.trajectory.files import SUFFIXES
 from armui.trajectory.library.store import IndexEntry
+from armui.ui.actions.keys import key_text, keys_of
 from armui.ui.widgets.buttons import named, push_button
-from armui.ui.widgets.layouts import in_row
+from armui.ui.widgets.flow import Flow
 
-_BUTTONS: Final[Mapping[str, tuple[object, str]]] = {
-    "import": (QT_TRANSLATE_NOOP("LibraryBar", "Import files"), "Ctrl+O"),
-    "create": (QT_TRANSLATE_NOOP("LibraryBar", "Create"), "Ctrl+N"),
-    "record": (QT_TRANSLATE_NOOP("LibraryBar", "Record"), "Ctrl+R"),
-    "delete": (QT_TRANSLATE_NOOP("LibraryBar", "Delete"), "Del"),
-    "duplicate": (QT_TRANSLATE_NOOP("LibraryBar", "Duplicate"), "Ctrl+D"),
-    "rename": (QT_TRANSLATE_NOOP("LibraryBar", "Rename"), "F2"),
-    "export": (QT_TRANSLATE_NOOP("LibraryBar", "Export files"), ""),
+_BUTTONS: Final[Mapping[str, object]] = {
+    "import": QT_TRANSLATE_NOOP("LibraryBar", "Import files"),
+    "create": QT_TRANSLATE_NOOP("LibraryBar", "Create"),
+    "record": QT_TRANSLATE_NOOP("LibraryBar", "Record"),
+    "delete": QT_TRANSLATE_NOOP("LibraryBar", "Delete"),
+    "duplicate": QT_TRANSLATE_NOOP("LibraryBar", "Duplicate"),
+    "rename": QT_TRANSLATE_NOOP("LibraryBar", "Rename"),
+    "export": QT_TRANSLATE_NOOP("LibraryBar", "Export files"),
 }
 _OF_TABLE: Final = ("delete", "rename", "duplicate")
 """Their keys count in the list alone: in the search they edit its text."""
@@ -52,7 +53,7 @@ class LibraryBar(QWidget):
         self.search.setMinimumWidth(_SEARCH_PX)
         self.search.setAcceptDrops(False)  # files are for the window, not for the search
         self.search.installEventFilter(self)
-        layout = in_row(on=self, spacing=6, margins=0)
+        layout = Flow(self)
         for name, button in self._buttons.items():
             button.setFocusPolicy(Qt.FocusPolicy.TabFocus)  # a click leaves the keys to the list
             if name != "export":
@@ -62,30 +63,31 @@ class LibraryBar(QWidget):
             action = self._export_menu.addAction(suffix)
             action.triggered.connect(partial(self._on_export, suffix))
         self._buttons["export"].setMenu(self._export_menu)
-        layout.addStretch(1)
-        layout.addWidget(self.search, 2)
-        self._row = layout
+        layout.addWidget(self.search)
+        self._flow = layout
         self.show_chosen(())
 
     def add_button(self, button: QPushButton) -> None:
         """Take one more button, that does its work by itself."""
         button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
-        self._row.insertWidget(len(self._buttons), button)
+        self._flow.insert(len(self._buttons), button)
 
-    def listen(self, window: QWidget, table: QTableView) -> None:
+    def listen(self, page: QWidget, table: QTableView) -> None:
         """Have keys press the buttons.
 
         Args:
-            window: Most of them count everywhere in it.
+            page: Most of them count everywhere in it.
             table: Those of what is chosen count in it alone, as does Enter.
         """
-        for name, (_text, keys) in _BUTTONS.items():
-            if keys:
-                owner = table if name in _OF_TABLE else window
+        for name in _BUTTONS:
+            if key_text(f"library.{name}"):
+                owner = table if name in _OF_TABLE else page
+                keys = keys_of(f"library.{name}")
                 _key(owner, keys, owner is table).triggered.connect(self._buttons[name].click)
         for keys in ("Return", "Enter"):
             _key(table, keys, True).triggered.connect(self.open_wanted)
-        find = QShortcut(QKeySequence(QKeySequence.StandardKey.Find), window)
+        find = QShortcut(QKeySequence(keys_of("library.find")), page)
+        find.setContext(Qt.ShortcutContext.WidgetWithChildrenShortcut)
         find.activated.connect(self._on_find)
         self._table = table
 
@@ -139,15 +141,13 @@ class LibraryBar(QWidget):
             button.setText(_text(name))
         self.search.setPlaceholderText(self.tr("Search"))
         self.search.setAccessibleName(self.tr("Search"))
-        keys = QKeySequence(QKeySequence.StandardKey.Find)
-        shown = keys.toString(QKeySequence.SequenceFormat.NativeText)
+        shown = key_text("library.find")
         self.search.setToolTip(f"{self.tr('Search in names and notes')} ({shown})")
         self._show_tips()
 
     def _show_tips(self) -> None:
         for name, button in self._buttons.items():
-            keys = QKeySequence(_BUTTONS[name][1])
-            shown = keys.toString(QKeySequence.SequenceFormat.NativeText)
+            shown = key_text(f"library.{name}")
             tip = f"{_text(name)} ({shown})" if shown else ""
             button.setToolTip(tip if button.isEnabled() else self._missing())
 
@@ -160,14 +160,16 @@ class LibraryBar(QWidget):
 
 
 def _key(owner: QWidget, keys: str, alone: bool) -> QAction:
-    """An action that a key triggers, in a widget alone or in its whole window."""
+    """An action that a key triggers, in a widget alone or in all that is in it."""
     action = QAction(owner)
     action.setShortcut(QKeySequence(keys))
-    if alone:
-        action.setShortcutContext(Qt.ShortcutContext.WidgetShortcut)
+    context = Qt.ShortcutContext
+    action.setShortcutContext(
+        context.WidgetShortcut if alone else context.WidgetWithChildrenShortcut
+    )
     owner.addAction(action)
     return action
 
 
 def _text(name: str) -> str:
-    return QCoreApplication.translate("LibraryBar", str(_BUTTONS[name][0]))
+    return QCoreApplication.translate("LibraryBar", str(_BUTTONS[name]))

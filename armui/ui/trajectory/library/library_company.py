@@ -11,12 +11,13 @@ from armui.ui.widgets.translated import Translated
 
 
 class LibraryCompany(Translated, MessageLine):
-    """Empty while this program is alone."""
+    """Not there while this program is alone."""
 
     def __init__(self) -> None:
         super().__init__()
         self._others: Sequence[str] = ()
         self.setObjectName("library_company")
+        self.hide()
 
     def show_others(self, others: Sequence[str]) -> None:
         """Name the other programs, each by its computer and process."""
@@ -26,6 +27,7 @@ class LibraryCompany(Translated, MessageLine):
 
     def retranslate_ui(self) -> None:
         """Put every word into the operator's language."""
+        self.setVisible(bool(self._others))
         if not self._others:
             self.show_message("")
             return

@@ -59,7 +59,7 @@ class LibraryExchange(QObject):
         self._work = work
         self._library = work.library
         self._window = window
-        self.by_columns = ColumnsOffer(controller, work, window)
+        self.by_columns = ColumnsOffer(work, window)
         self.report = ReportButton(controller, window)
         self.by_columns.imported.connect(self._on_by_columns)
         self.by_columns.refused.connect(lambda text: self.said.emit(text, Level.FAULT))

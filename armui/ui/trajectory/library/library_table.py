@@ -6,19 +6,22 @@ from collections.abc import Collection
 from typing import Final
 
 from PySide6.QtCore import QItemSelectionModel, QModelIndex, Qt
-from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableView
+from PySide6.QtWidgets import QAbstractItemView, QTableView
 
 from armui.trajectory.library.store import IndexEntry
 from armui.ui.trajectory.library.library_model import ENTRY_ROLE, LibraryColumn, LibraryFilter
 
 _ROW_PX: Final = 34
+_LEAST_ROWS: Final = 3
+"""Fewer are no list; what stands around it scrolls before."""
 _WIDTHS_PX: Final = {
-    LibraryColumn.POINTS: 110,
-    LibraryColumn.LENGTH: 90,
-    LibraryColumn.MODIFIED: 150,
-    LibraryColumn.CHECK: 120,
-    LibraryColumn.NOTE: 200,
+    LibraryColumn.NAME: 142,
+    LibraryColumn.POINTS: 106,
+    LibraryColumn.LENGTH: 62,
+    LibraryColumn.MODIFIED: 124,
+    LibraryColumn.CHECK: 82,
 }
+"""All but the note, which takes the rest."""
 
 
 class LibraryTable(QTableView):
@@ -45,7 +48,8 @@ class LibraryTable(QTableView):
         self.verticalHeader().setDefaultSectionSize(_ROW_PX)
         across = self.horizontalHeader()
         across.setHighlightSections(False)
-        across.setSectionResizeMode(LibraryColumn.NAME, QHeaderView.ResizeMode.Stretch)
+        across.setStretchLastSection(True)
+        self.setMinimumHeight(_LEAST_ROWS * _ROW_PX + across.sizeHint().height())
         for column, width_px in _WIDTHS_PX.items():
             self.setColumnWidth(column, width_px)
 

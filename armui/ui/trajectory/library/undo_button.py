@@ -8,6 +8,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QKeySequence, QShortcut
 from PySide6.QtWidgets import QPushButton, QWidget
 
+from armui.ui.actions.keys import keys_of
 from armui.ui.trajectory.library.library_actions import LibraryActions
 from armui.ui.widgets.translated import Translated
 
@@ -16,19 +17,20 @@ _SIDES_PX: Final = 40
 
 
 class UndoButton(Translated, QPushButton):
-    """There while something can be undone; Ctrl+Z in its window presses it.
+    """There while something can be undone; Ctrl+Z in its page presses it.
 
     Args:
         actions: Undoes.
-        window: Where the key counts.
+        page: Where the key counts.
     """
 
-    def __init__(self, actions: LibraryActions, window: QWidget) -> None:
-        super().__init__(window)
+    def __init__(self, actions: LibraryActions, page: QWidget) -> None:
+        super().__init__(page)
         self._actions = actions
         self.setObjectName("library_undo")
         self.setAutoDefault(False)
-        self._keys = QShortcut(QKeySequence(QKeySequence.StandardKey.Undo), window)
+        self._keys = QShortcut(QKeySequence(keys_of("library.undo")), page)
+        self._keys.setContext(Qt.ShortcutContext.WidgetWithChildrenShortcut)
         self._keys.activated.connect(actions.undo)
         self.clicked.connect(lambda _checked=False: actions.undo())
         actions.undo_changed.connect(self.show_step)

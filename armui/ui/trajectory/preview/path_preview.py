@@ -12,6 +12,7 @@ from armui.viewport.path_picture import NOTHING, PathPicture, Preview
 if TYPE_CHECKING:
     from armui.trajectory.planning.planned_path import PlannedPath
     from armui.ui.trajectory.preview.preview_bar import PreviewBar
+    from armui.viewport.path_picture import FindingMark
 
 
 _MOST_PLACES: Final = 30_000
@@ -23,6 +24,10 @@ class ShowsPreviews(Protocol):
 
     def set_preview(self, preview: Preview) -> None: ...  # noqa: D102 - as in ArmView
 
+    def show_joint_range(  # noqa: D102 - as in ArmView
+        self, number: int | None, limits_deg: tuple[float, float] = ...
+    ) -> None: ...
+
 
 class PathPreview(QObject):
     """Shows one path at a time. It knows no arm: nothing it does can move one.
@@ -33,9 +38,11 @@ class PathPreview(QObject):
 
     Signals:
         closed: The operator has closed the preview.
+        row_shown: Another point is the chosen one, or the chosen one is another.
     """
 
     closed = Signal()
+    row_shown = Signal()
 
     def __init__(self, view: ShowsPreviews, bar: PreviewBar, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -43,12 +50,36 @@ class PathPreview(QObject):
         self._bar = bar
         self._path: PlannedPath | None = None
         self._ends: dict[int, int] = {}
+        self._name = ""
+        self._target_deg: tuple[float, ...] | None = None
         self._shown = NOTHING
         bar.time_changed.connect(self._on_time)
         bar.closed.connect(self._on_closed)
 
-    def show(self, path: PlannedPath | None, bad_rows: frozenset[int] = frozenset()) -> None:
-        """Show a path; ``None`` takes the preview away."""
+    @property
+    def name(self) -> str | None:
+        """Of the trajectory whose path is shown."""
+        return None if self._path is None else self._name
+
+    def show(
+        self,
+        path: PlannedPath | None,
+        bad_rows: frozenset[int] = frozenset(),
+        findings: tuple[FindingMark, ...] = (),
+        name: str = "",
+        *,
+        numbered: bool = True,
+    ) -> None:
+        """Show a path; ``None`` takes the preview away.
+
+        Args:
+            path: As it is planned.
+            bad_rows: Rows in which something forbids a run.
+            findings: What was found, where it would happen.
+            name: The trajectory's.
+            numbered: Whether its rows are points; those of a recording are samples.
+        """
+        self._name = name
         self._path = path
         self._ends = {} if path is None else path.ends()
         if path is None or path.duration_s <= 0.0:
@@ -62,10 +93,35 @@ class PathPreview(QObject):
             path.places_mm[list(self._ends.values())],
             tuple(self._ends),
             bad_rows,
+            findings,
+            numbered,
         )
         self._shown = Preview(picture, self._shown.selected_row, tuple(path.at(0.0)))
         self._bar.open(path.duration_s)
         self._set(self._shown)
+
+    def show_points(
+        self, marks: PathPicture | None, row: int | None, ghost_deg: tuple[float, ...] | None
+    ) -> None:
+        """Show points that were not checked, unless a checked path is shown.
+
+        Args:
+            marks: The points; None: there are none, or too many.
+            row: The chosen one.
+            ghost_deg: Its angles; None: it can't be reached.
+        """
+        if self._path is None:
+            self._set(Preview(marks, row, ghost_deg))
+        self.row_shown.emit()
+
+    def show_joint_range(
+        self, number: int | None, limits_deg: tuple[float, float] = (0.0, 0.0)
+    ) -> None:
+        """Show the range of joint 1–6 while its cell is edited; None: no longer."""
+        if number is None:
+            self._view.show_joint_range(None)
+        else:
+            self._view.show_joint_range(number, limits_deg)
 
     def select_row(self, row: int | None) -> None:
         """Let the mark of a row stand out, and bring the ghost there."""
@@ -74,6 +130,13 @@ class PathPreview(QObject):
         self._set(replace(self._shown, selected_row=row))
         if row in self._ends:
             self._bar.go_to(float(self._path.times_s[self._ends[row]]))
+        self.row_shown.emit()
+
+    def light_row(self, row: int | None) -> None:
+        """Light the point that the arm is on its way to; meanwhile there is no ghost beside it."""
+        if self._path is not None and row != self._shown.current_row:
+            ghost_deg = tuple(self._path.at(self._bar.time_s)) if row is None else None
+            self._set(replace(self._shown, current_row=row, ghost_deg=ghost_deg))
 
     def _on_time(self, time_s: float) -> None:
         if self._path is not None:
@@ -83,6 +146,16 @@ class PathPreview(QObject):
         self.show(None)
         self.closed.emit()
 
+    def show_target(self, angles_deg: tuple[float, ...] | None) -> None:
+        """Let the ghost stand at a target, instead of on the path; None: no longer."""
+        if self._bar.is_playing:
+            angles_deg = None  # the ghost goes through the motion
+        if angles_deg != self._target_deg:
+            self._target_deg = angles_deg
+            self._set(self._shown)
+
     def _set(self, preview: Preview) -> None:
         self._shown = preview
+        if self._target_deg is not None:
+            preview = replace(preview, ghost_deg=self._target_deg)
         self._view.set_preview(preview)

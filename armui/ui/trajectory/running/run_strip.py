@@ -1,269 +1,112 @@
-"""发送 and what follows: how often and how fast, how far it has come, pause, go on, end."""
+"""The run under way, told once for the whole window: what, where, how long still; pause and end."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from dataclasses import replace
-from functools import partial
-from typing import Final
+from typing import TYPE_CHECKING, Final
 
-from PySide6.QtCore import Qt, Signal
-from PySide6.QtGui import QHideEvent, QShowEvent
-from PySide6.QtWidgets import QCheckBox, QComboBox, QLabel, QProgressBar, QSpinBox, QWidget
+from PySide6.QtCore import QSize, Qt
+from PySide6.QtWidgets import QProgressBar, QToolButton, QWidget
 
-from armui.arm.refusal import Refusal
-from armui.arm.refusal_codes import RefusalCode
-from armui.control.arm_controller import ArmController
-from armui.control.operating_state import OperatingState, StopState
-from armui.control.run.progress import ENDLESS, Progress, RunPhase
-from armui.trajectory.files import Content
+from armui.control.run.progress import ENDLESS, OVER, Progress, RunPhase
 from armui.ui import words
-from armui.ui.trajectory.running.preflight import CheckJob, Checks, Preflight
-from armui.ui.trajectory.running.run_options import RunOptions
-from armui.ui.trajectory.running.runner import Runner, can_go_on, can_pause, ended_early
+from armui.ui.theme import colors_of
+from armui.ui.trajectory.running.runner import Runner, can_go_on, can_pause
 from armui.ui.trajectory.text import duration
-from armui.ui.widgets.buttons import named, push_button
+from armui.ui.widgets import icons
+from armui.ui.widgets.buttons import describe, named, push_button
+from armui.ui.widgets.elided_label import ElidedLabel
 from armui.ui.widgets.hold_button import HoldButton
-from armui.ui.widgets.layouts import STRETCH, in_column, in_row
-from armui.ui.widgets.text_label import text_label
+from armui.ui.widgets.layouts import in_row
 from armui.ui.widgets.translated import Translated
 
-_ONCE, _TIMES, _LOOP = range(3)
-_MOST_CYCLES: Final = 9999
-_FASTEST_PERCENT: Final = 200
-_SPIN_PX: Final = 34
+if TYPE_CHECKING:
+    from PySide6.QtGui import QHideEvent, QShowEvent
+
+    from armui.arm.refusal import Refusal
+    from armui.control.arm_controller import ArmController
+
 _STEPS: Final = 1000
 """Of the progress bar."""
-_SURPRISING_S: Final = 2.0
-"""Nobody expects the arm to move so long after the button was pressed."""
+_BAR_PX: Final = 160
+_ICON_PX: Final = 16
 
 
 class RunStrip(Translated, QWidget):
-    """Runs what its window gives it.
+    """There from the moment a run begins until it is over and the operator has seen how it ended.
+
+    It follows whatever runs, whoever began it: points or a recording.
 
     Args:
         controller: Runs it.
-        checks: Checks it before.
-        content: Hands on what would be run now, once it is read; ``None`` if there is nothing,
-            which it says itself.
-
-    Signals:
-        checked: A :class:`Preflight` and, if the operator has to agree to the run, what begins it;
-            else ``None``.
-        refused: A :class:`Refusal`.
-        progressed: A :class:`Progress`.
     """
 
-    checked = Signal(object, object)
-    refused = Signal(object)
-    progressed = Signal(object)
-
-    def __init__(
-        self,
-        controller: ArmController,
-        checks: Checks,
-        content: Callable[[Callable[[Content | None], object]], object],
-    ) -> None:
-        super().__init__()
-        self._controller = controller
-        self._checks = checks
-        self._content = content
-        self._job: CheckJob | None = None
-        self._reading: object | None = None
-        self._recording = False
-        self._about_to_run = False
+    def __init__(self, controller: ArmController, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setObjectName("run_strip")
+        self.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
         self._runner = Runner(controller, self)
-        self._again: RunOptions | None = None
-        self._make_widgets()
-        self._lay_out()
-        self._send.clicked.connect(self._on_send)
-        self._pause.clicked.connect(self._on_pause)
-        self._continue.held.connect(self._on_pause)
-        self._stop.clicked.connect(self._on_stop)
-        self._resume.clicked.connect(self._on_resume)
-        self._cycles.currentIndexChanged.connect(self._show_usable)
-        self._runner.progressed.connect(self._on_progress)
-        controller.operating_state_changed.connect(self._on_operating_state)
-        self.retranslate_ui()
-
-    def _make_widgets(self) -> None:
-        self._send = push_button("run_send", primary=True, on_enter=False)
-        self._pause = push_button("run_pause", on_enter=False)
-        # a motion that was held back is never set going by a slip
-        self._continue = named("run_continue", HoldButton())
-        self._continue.hide()
-        self._stop = push_button("run_stop", on_enter=False)
-        self._resume = push_button("run_resume", on_enter=False)
-        self._cycles = named("run_cycles", QComboBox())
-        self._cycles.addItems(["", "", ""])
-        self._times = _spin("run_times", 1, _MOST_CYCLES, 3)
-        self._speed = _spin("run_speed", 1, _FASTEST_PERCENT, 100)
-        self._speed.setSuffix(" %")
-        self._first = _spin("run_first", 1, 1, 1)
-        self._speed_label, self._first_label = QLabel(), QLabel()
-        self._steps = named("run_steps", QCheckBox())
+        self._refusal: Refusal | None = None
+        self._name = named("run_name", ElidedLabel())
+        self._name.setProperty("rank", "heading")
+        self._text = named("run_text", ElidedLabel())
         self._bar = named("run_bar", QProgressBar())
         self._bar.setRange(0, _STEPS)
         self._bar.setTextVisible(False)
-        self._text = text_label("run_text")
-
-    def _lay_out(self) -> None:
-        options = in_row(
-            *(self._cycles, self._times, self._speed_label, self._speed),
-            *(self._first_label, self._first, self._steps, STRETCH),
-            *(self._resume, self._send, self._pause, self._continue, self._stop),
-            spacing=8,
+        self._bar.setMinimumWidth(_BAR_PX // 2)
+        self._pause = push_button("run_pause", on_enter=False)
+        # a motion that was held back is never set going by a slip
+        self._continue = named("run_continue", HoldButton())
+        self._stop = push_button("run_stop", on_enter=False)
+        self._close = named("run_close", QToolButton())
+        self._close.setIconSize(QSize(_ICON_PX, _ICON_PX))
+        in_row(
+            *((self._name, 2), (self._text, 4), (self._bar, 1)),
+            *(self._pause, self._continue, self._stop, self._close),
+            on=self,
+            spacing=12,
+            margins=(16, 6, 16, 6),
         )
-        state = in_row((self._bar, 1), self._text, spacing=12)
-        in_column(options, state, on=self, spacing=8, margins=0)
-
-    # What the operator wants ------------------------------------------------------------------
-
-    def show_content(self, count: int, *, recording: bool = False) -> None:
-        """Fit the choices to what would be run: how many points it has, or that it has none."""
-        self._recording = recording
-        self._first.setMaximum(max(1, count))
-        for widget in (self._first, self._first_label, self._steps):
-            widget.setVisible(not recording)
-        self._show_usable()
-
-    def check(self) -> None:
-        """Check what would be run; :attr:`checked` tells how it ended."""
-        self._check(self._options(), lambda checked: self.checked.emit(checked, None))
-
-    def drop_check(self, but: str = "") -> None:
-        """What is being checked is so no more, or not wanted: nothing comes of it, no run either.
-
-        Args:
-            but: The name of what may go on being checked.
-        """
-        reading = self._reading is not None and not but
-        if reading or (self._job is not None and self._job.order.content.name != but):
-            if self._job is not None:
-                self._job.drop()
-            self._job = self._reading = None
-            self._about_to_run = False
-            self._show_progress(self._runner.progress)
-
-    def _check(self, options: RunOptions, then: Callable[[Preflight], object]) -> None:
-        self.drop_check()
-        reading = self._reading = object()
-        self._content(partial(self._on_content, reading, options, then))
-        self._show_progress(self._runner.progress)
-
-    def _on_content(
-        self,
-        reading: object,
-        options: RunOptions,
-        then: Callable[[Preflight], object],
-        content: Content | None,
-    ) -> None:
-        """What shall be checked was read; unless it is not wanted any more, check it."""
-        if reading is not self._reading:
-            return
-        self._reading = None
-        if content is None:
-            self._about_to_run = False
-            self._show_progress(self._runner.progress)
-            return
-        self._job = self._checks.prepare(content, options, partial(self._on_checked, then))
-        self._checks.begin(self._job)
-        self._show_progress(self._runner.progress)
-
-    @property
-    def _checking(self) -> bool:
-        """Whether something is being read or checked."""
-        return self._job is not None or self._reading is not None
-
-    def _on_checked(
-        self, then: Callable[[Preflight], object], checked: Preflight | Refusal
-    ) -> None:
-        self._job = None
-        self._about_to_run = False
-        self._show_progress(self._runner.progress)
-        if isinstance(checked, Refusal):
-            self.refused.emit(checked)
-        else:
-            then(checked)
-
-    def _options(self) -> RunOptions:
-        recording = self._recording
-        cycles = {_ONCE: 1, _TIMES: self._times.value(), _LOOP: ENDLESS}
-        return RunOptions(
-            cycles[self._cycles.currentIndex()],
-            self._speed.value() / 100.0,
-            0 if recording else self._first.value() - 1,
-            not recording and self._steps.isChecked(),
-        )
-
-    def _on_send(self) -> None:
-        self._run(self._options())
-
-    def _on_resume(self) -> None:
-        """Take a run up where it ended, for as many cycles as are left."""
-        if self._again is not None:
-            self._run(self._again)
-
-    def _run(self, options: RunOptions) -> None:
-        refusal = self._controller.operating_state.cannot_run
-        if refusal is not None:
-            self.refused.emit(refusal)
-            return
-        self._check(options, partial(self._run_checked, options))
-        self._about_to_run = self._checking
-
-    def _run_checked(self, options: RunOptions, checked: Preflight) -> None:
-        if checked.errors:
-            self.checked.emit(checked, None)
-            self.refused.emit(Refusal(RefusalCode.FINDINGS_AGAINST, {"count": checked.errors}))
-        elif checked.findings or checked.took_s > _SURPRISING_S:
-            self.checked.emit(checked, lambda: self._start(checked, options))
-        else:
-            self.checked.emit(checked, None)
-            self._start(checked, options)
-
-    def _start(self, checked: Preflight, options: RunOptions) -> None:
-        refusal = checked.why_outdated(self._controller)
-        if refusal is None:
-            self._again = options
-            refusal = self._runner.start(checked, options)
-        if refusal is not None:
-            self.refused.emit(refusal)
-
-    def _on_stop(self) -> None:
-        self.drop_check()
-        self._runner.stop()
+        self._pause.clicked.connect(self._on_pause)
+        self._continue.held.connect(self._on_pause)
+        self._stop.clicked.connect(self._runner.stop)
+        self._close.clicked.connect(self.hide)
+        self._runner.progressed.connect(self._on_progress)
+        self.retranslate_ui()
+        self._recolor()
+        self.hide()
 
     def _on_pause(self) -> None:
         go_on = can_go_on(self._runner.progress)
-        refusal = self._runner.go_on() if go_on else self._runner.pause()
-        if refusal is not None:
-            self.refused.emit(refusal)
-
-    # How far it has come ----------------------------------------------------------------------
+        self._refusal = self._runner.go_on() if go_on else self._runner.pause()
+        self._show(self._runner.progress)
 
     def _on_progress(self, progress: Progress) -> None:
-        if ended_early(progress) and self._again is not None:
-            left = ENDLESS if progress.cycles == ENDLESS else progress.cycles - progress.cycle + 1
-            self._again = replace(self._again, first=progress.index, cycles=left)
-        if self.isVisible():
-            self._show_progress(progress)
-        self.progressed.emit(progress)
+        if self.isHidden() and self._runner.running:
+            self._refusal = None
+            self.show()
+        elif self.isVisible():
+            self._show(progress)
 
-    def _show_progress(self, progress: Progress) -> None:
+    def _show(self, progress: Progress) -> None:
+        running = self._runner.running
         self._bar.setValue(round(progress.done * _STEPS))
-        self._text.setText(self._describe(progress))
-        self._show_usable()
+        self._name.show_text(progress.name)
+        self._text.show_text(self._describe(progress))
+        paused = progress.phase is RunPhase.PAUSED
+        self._pause.setVisible(running and not paused)
+        self._pause.setEnabled(can_pause(progress) or can_go_on(progress))
+        waiting = progress.phase is RunPhase.WAITING
+        self._pause.setText(self.tr("Next step") if waiting else self.tr("Pause"))
+        self._continue.setVisible(running and paused)
+        self._stop.setVisible(running)
+        self._close.setVisible(not running)
 
     def _describe(self, progress: Progress) -> str:
-        if self._checking:
-            return self.tr("Checking…")
         if progress.phase is RunPhase.IDLE:
             return ""
-        row = self.tr("{name}: point {row} of {count}").format(
-            name=progress.name, row=progress.index + 1, count=progress.count
-        )
-        parts = [row]
+        parts = [
+            self.tr("point {row} of {count}").format(row=progress.index + 1, count=progress.count)
+        ]
         if progress.cycles != 1:
             total = "∞" if progress.cycles == ENDLESS else progress.cycles
             text = self.tr("cycle {cycle} of {cycles}")
@@ -272,6 +115,8 @@ class RunStrip(Translated, QWidget):
             left = duration(progress.remaining_s)
             parts.append(self.tr("{time} left").format(time=left))
         parts.append(self._phase_word(progress.phase))
+        if self._refusal is not None and progress.phase not in OVER:
+            parts.append(words.refusal(self._refusal))
         return " · ".join(parts)
 
     def _phase_word(self, phase: RunPhase) -> str:
@@ -287,64 +132,23 @@ class RunStrip(Translated, QWidget):
             RunPhase.FAILED: self.tr("ended by a fault"),
         }[phase]
 
-    def _on_operating_state(self, operating_state: OperatingState) -> None:
-        if self._about_to_run and operating_state.stop is not StopState.RUNNING:
-            self.drop_check()  # the stop was meant for what was about to begin, too
-        if self.isVisible():
-            self._show_usable()
-
-    def _show_usable(self, *_: object) -> None:
-        progress, running = self._runner.progress, self._runner.running
-        reason = self._controller.operating_state.cannot_run
-        self._times.setVisible(self._cycles.currentIndex() == _TIMES)
-        checking = self._checking
-        self._send.setEnabled(not running and not checking and reason is None)
-        self._send.setToolTip(words.why_not(reason))
-        paused = progress.phase is RunPhase.PAUSED
-        self._pause.setVisible(not paused)
-        self._pause.setEnabled(can_pause(progress) or can_go_on(progress))
-        self._continue.setVisible(paused)
-        self._continue.setText(self.tr("Continue"))
-        self._stop.setEnabled(running or checking)
-        again = not (running or checking) and self._again is not None and ended_early(progress)
-        self._resume.setVisible(again)
-        self._resume.setEnabled(again and reason is None)
-        self._resume.setToolTip(words.why_not(reason))
-        self._resume.setText(self.tr("Go on from row {row}").format(row=progress.index + 1))
-        waiting = progress.phase is RunPhase.WAITING
-        self._pause.setText(self.tr("Next step") if waiting else self.tr("Pause"))
-
-    # Words ------------------------------------------------------------------------------------
-
     def retranslate_ui(self) -> None:
         """Put every word into the operator's language."""
-        self._send.setText(self.tr("Send"))
         self._stop.setText(self.tr("End run"))
-        for place, text in enumerate((self.tr("Once"), self.tr("Times"), self.tr("In a loop"))):
-            self._cycles.setItemText(place, text)
-        self._cycles.setAccessibleName(self.tr("How often"))
-        self._times.setAccessibleName(self.tr("How often"))
-        self._speed_label.setText(self.tr("Speed"))
-        self._speed.setToolTip(self.tr("Of each point's own speed"))
-        self._first_label.setText(self.tr("From row"))
-        self._steps.setText(self.tr("Step by step"))
-        self._show_progress(self._runner.progress)
+        self._continue.setText(self.tr("Continue"))
+        self._bar.setAccessibleName(self.tr("Progress of the run"))
+        describe(self._close, self.tr("Close"), self.tr("Puts this line away; the run is over."))
+        self._show(self._runner.progress)
+
+    def _recolor(self) -> None:
+        self._close.setIcon(icons.icon("close", colors_of(self).muted))
 
     def showEvent(self, event: QShowEvent) -> None:
         """Catch up with what went by while the window was hidden."""
-        self._show_progress(self._runner.progress)
         super().showEvent(event)
+        self._show(self._runner.progress)
 
     def hideEvent(self, event: QHideEvent) -> None:
-        """Nothing begins from a window that was closed."""
-        self.drop_check()
+        """What was refused once is not said of the next run."""
         super().hideEvent(event)
-
-
-def _spin(name: str, least: int, most: int, value: int) -> QSpinBox:
-    spin = named(name, QSpinBox())
-    spin.setRange(least, most)
-    spin.setValue(value)
-    spin.setAlignment(Qt.AlignmentFlag.AlignCenter)
-    spin.setFixedHeight(_SPIN_PX)
-    return spin
+        self._refusal = None

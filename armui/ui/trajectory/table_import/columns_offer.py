@@ -9,37 +9,35 @@ from pathlib import Path
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QPushButton, QWidget
 
-from armui.control.arm_controller import ArmController
 from armui.trajectory import columns
 from armui.ui.trajectory.library.library_work import LibraryWork
-from armui.ui.trajectory.table_import.columns_dialog import ColumnsDialog
+from armui.ui.trajectory.table_import.columns_page import ColumnsPage
 from armui.ui.widgets.translated import Translated
 
 
 class ColumnsOffer(Translated, QPushButton):
-    """Opens the dialog for one file after the other.
+    """Opens the page for one file after the other.
 
     Args:
-        controller: Whom the emergency stop in the dialog tells.
         work: Reads the files; its library takes what is imported.
-        window: The dialog belongs to it.
+        owner: The page that holds it.
 
     Signals:
+        page_made: A :class:`ColumnsPage`, before it wants to be shown.
         imported: The name of what was taken over.
         refused: Why a file cannot be opened any more, as a text.
     """
 
+    page_made = Signal(object)
     imported = Signal(str)
     refused = Signal(str)
 
-    def __init__(self, controller: ArmController, work: LibraryWork, window: QWidget) -> None:
-        super().__init__(window)
-        self._controller = controller
+    def __init__(self, work: LibraryWork, owner: QWidget) -> None:
+        super().__init__(owner)
         self._work = work
         self._opening = False
-        self._window = window
         self._paths: list[Path] = []
-        self._dialog: ColumnsDialog | None = None
+        self._page: ColumnsPage | None = None
         self.setObjectName("library_by_columns")
         self.setAutoDefault(False)
         self.hide()
@@ -58,8 +56,8 @@ class ColumnsOffer(Translated, QPushButton):
         self.retranslate_ui()
 
     def _open(self) -> None:
-        if self._dialog is not None:
-            self._dialog.open()
+        if self._page is not None:
+            self._page.open()
             return
         if self._opening:
             return
@@ -75,19 +73,20 @@ class ColumnsOffer(Translated, QPushButton):
 
     def _show(self, path: Path, table: columns.TableFile) -> None:
         self._opening = False
-        self._dialog = ColumnsDialog(self._controller, self._work.library, table, self._window)
-        self._dialog.imported.connect(partial(self._on_imported, path))
-        self._dialog.finished.connect(self._on_closed)
-        self._dialog.open()
+        page = self._page = ColumnsPage(self._work.library, table)
+        page.imported.connect(partial(self._on_imported, path))
+        page.closed.connect(self._on_closed)
+        self.page_made.emit(page)
+        page.open()
 
     def _on_imported(self, path: Path, name: str) -> None:
         self._paths = [other for other in self._paths if other != path]
         self.imported.emit(name)
 
     def _on_closed(self) -> None:
-        if self._dialog is not None:
-            self._dialog.deleteLater()
-            self._dialog = None
+        if self._page is not None:
+            self._page.deleteLater()
+            self._page = None
 
     def retranslate_ui(self) -> None:
         """Put every word into the operator's language."""

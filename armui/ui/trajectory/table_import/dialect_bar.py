@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QComboBox, QLabel, QSpinBox, QWidget
 from armui.trajectory.columns import LABELS, Dialect, Encoding, TableFile
 from armui.trajectory.columns.model import DECIMALS, DELIMITERS, SPACES
 from armui.ui.widgets.buttons import named
-from armui.ui.widgets.layouts import fill, in_row
+from armui.ui.widgets.flow import in_flow, pair
 from armui.ui.widgets.translated import Translated
 
 _FIELD_PX: Final = 34
@@ -40,11 +40,9 @@ class DialectBar(Translated, QWidget):
         self._fields = (self._encoding, self._delimiter, self._decimal, self._line)
         self._labels = tuple(QLabel() for _ in self._fields)
         self._said: set[QWidget] = set()
-        layout = in_row(on=self, spacing=8, margins=0)
         for label, field in zip(self._labels, self._fields, strict=True):
             label.setBuddy(field)
-            fill(layout, label, field, 8)
-        layout.addStretch(1)
+        in_flow(*map(pair, self._labels, self._fields), on=self, spacing_px=10)
         for box in (self._encoding, self._delimiter, self._decimal):
             box.activated.connect(lambda _place, box=box: self._on_said(box))
         self._line.valueChanged.connect(lambda _line: self._on_said(self._line))

@@ -19,6 +19,7 @@ from PySide6.QtWidgets import (
 )
 
 from armui.telemetry.bus_senders import Sender
+from armui.ui.actions.keys import keys_of
 from armui.ui.watch.bus.frame_filter import FrameFilter, IdFilter, parse_ids
 from armui.ui.widgets.translated import Translated
 from armui.ui.words import frames
@@ -161,7 +162,7 @@ class FilterBar(Translated, QWidget):
     def _name_pause(self) -> None:
         going = not self.pause.isChecked()
         self.pause.setText(self.tr("Pause") if going else self.tr("Go on"))
-        self.pause.setShortcut(QKeySequence("Ctrl+P"))  # other text takes it away
+        self.pause.setShortcut(QKeySequence(keys_of("bus.pause")))  # other text takes it away
 
     def retranslate_ui(self) -> None:
         """Put every word into the operator's language."""

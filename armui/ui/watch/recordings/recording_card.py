@@ -5,7 +5,8 @@ from __future__ import annotations
 from pathlib import Path
 from typing import TYPE_CHECKING, Final
 
-from PySide6.QtCore import QSize
+from PySide6.QtCore import QSize, Qt
+from PySide6.QtGui import QStandardItemModel
 from PySide6.QtWidgets import (
     QComboBox,
     QFrame,
@@ -18,10 +19,15 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from armui.settings import ROTATE_MAX_MB, ROTATE_MIN_MB
+from armui.arm.refusal import Refusal
+from armui.arm.refusal_codes import RefusalCode
+from armui.session.recording.kinds import MF4_SUFFIX
+from armui.setting_checks import ROTATE_MAX_MB, ROTATE_MIN_MB
+from armui.ui import words
+from armui.ui.background import Job
 from armui.ui.dialogs.files import choose_folder
 from armui.ui.theme import colors_of
-from armui.ui.watch.recordings import figures
+from armui.ui.watch.recordings import figures, recording_files
 from armui.ui.widgets import icons
 from armui.ui.widgets.elided_label import ElidedLabel
 from armui.ui.widgets.text_label import text_label
@@ -31,12 +37,15 @@ if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
     from armui.control.sessions.progress import RecordingProgress
     from armui.control.sessions.session_recorder import SessionRecorder
-    from armui.settings import SessionFormat, SettingsStore
+    from armui.setting_checks import SessionFormat
+    from armui.settings import SettingsStore
+    from armui.ui.background import Background
 
 _FORMATS: Final[tuple[tuple[SessionFormat, str], ...]] = (
     (".blf", "BLF"),
     (".asc", "ASC"),
     (".log", "candump"),
+    (".mf4", "MF4"),
 )
 _ICON_PX: Final = 18
 
@@ -46,11 +55,16 @@ class RecordingCard(Translated, QFrame):
 
     Args:
         controller: For the file chooser's emergency stop.
+        background: Where it is found out what can be written here.
         store: Keeps format, folder and size.
     """
 
     def __init__(
-        self, controller: ArmController, store: SettingsStore, parent: QWidget | None = None
+        self,
+        controller: ArmController,
+        background: Background,
+        store: SettingsStore,
+        parent: QWidget | None = None,
     ) -> None:
         super().__init__(parent)
         self._controller = controller
@@ -58,6 +72,7 @@ class RecordingCard(Translated, QFrame):
         self._store = store
         self._before: tuple[float, int] | None = None
         self._rate = 0.0
+        self._can_write_mf4 = True
         self.setProperty("card", True)
         self._make_widgets()
         self._lay_out()
@@ -66,6 +81,8 @@ class RecordingCard(Translated, QFrame):
         self.size_box.valueChanged.connect(self._on_size)
         self.folder_button.clicked.connect(self._on_folder)
         self.retranslate_ui()
+        job: Job[bool] = Job(self._on_mf4_known)
+        background.begin_here(job, recording_files.can_write_mf4)
 
     def _make_widgets(self) -> None:
         self._title = text_label(rank="heading")
@@ -80,6 +97,8 @@ class RecordingCard(Translated, QFrame):
         self.format_box.setObjectName("session_format")
         for suffix, name in _FORMATS:
             self.format_box.addItem(f"{name} ({suffix})", suffix)
+        self.format_note = text_label("session_format_note", rank="muted", wraps=True, plain=True)
+        self.format_note.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
         self.size_box = QSpinBox(minimum=ROTATE_MIN_MB, maximum=ROTATE_MAX_MB, suffix=" MB")
         self.size_box.setObjectName("session_rotate_size")
         self.size_box.setKeyboardTracking(False)
@@ -108,9 +127,10 @@ class RecordingCard(Translated, QFrame):
         grid.addWidget(self._size_label, 0, 3)
         grid.addWidget(self.size_box, 0, 4)
         grid.setColumnStretch(2, 1)
-        grid.addWidget(self._folder_label, 1, 0)
-        grid.addWidget(self.folder_name, 1, 1, 1, 3)
-        grid.addWidget(self.folder_button, 1, 4)
+        grid.addWidget(self.format_note, 1, 1, 1, 4)
+        grid.addWidget(self._folder_label, 2, 0)
+        grid.addWidget(self.folder_name, 2, 1, 1, 3)
+        grid.addWidget(self.folder_button, 2, 4)
         layout = QVBoxLayout(self)
         layout.setContentsMargins(16, 12, 16, 14)
         layout.setSpacing(12)
@@ -131,6 +151,7 @@ class RecordingCard(Translated, QFrame):
         self.size_box.setToolTip(
             self.tr("A file that has grown to this size is followed by another.")
         )
+        self._show_mf4()
         self.refresh()
 
     def _recolor(self) -> None:
@@ -150,10 +171,32 @@ class RecordingCard(Translated, QFrame):
         if progress is None:
             self._before, self._rate = None, 0.0
             self.state_label.show_text(self.tr("Not recording"))
-            self.figures_label.setText(self.tr("The last minutes are kept in memory all the same."))
+            text = self.tr("The last minutes are kept in memory all the same.")
+            if self._sessions.making_mf4:
+                names = ", ".join(sorted(self._sessions.making_mf4))
+                text = self.tr("Making the .mf4 file of {name}…").format(name=names)
+            self.figures_label.setText(text)
             return
         self.state_label.show_text(progress.name or self.tr("Opening the file…"))
         self.figures_label.setText(self._figures(progress))
+
+    def _on_mf4_known(self, can_write: bool | Refusal) -> None:
+        self._can_write_mf4 = can_write is True
+        self._show_mf4()
+
+    def _show_mf4(self) -> None:
+        """Offer the format, or say what it needs; where it is chosen, say what it is."""
+        reason = words.refusal(Refusal(RefusalCode.SESSION_NO_MF4))
+        model, row = self.format_box.model(), self.format_box.findData(MF4_SUFFIX)
+        if isinstance(model, QStandardItemModel):
+            model.item(row).setEnabled(self._can_write_mf4)
+            model.item(row).setToolTip("" if self._can_write_mf4 else reason)
+        chosen = self._store.settings.session_format == MF4_SUFFIX
+        text = "" if self._can_write_mf4 else reason
+        if chosen and self._can_write_mf4:
+            text = self.tr("Recorded as .blf; the .mf4 file is made of it at the end.")
+        self.format_note.setText(text)
+        self.format_note.setVisible(bool(text))
 
     def _figures(self, progress: RecordingProgress) -> str:
         if self._before is not None and progress.elapsed_s - self._before[0] >= 1.0:
@@ -176,7 +219,7 @@ class RecordingCard(Translated, QFrame):
         text = self.tr("Stop recording") if recording else self.tr("Record")
         self.record_button.setText(f" {text}")
         name = "stop_recording" if recording else "record"
-        color = colors.text if recording else colors.stop
+        color = colors.text if recording else colors.stop_ink
         self.record_button.setIcon(icons.icon(name, color, _ICON_PX))
 
     # What the operator does -------------------------------------------------------------------
@@ -190,6 +233,7 @@ class RecordingCard(Translated, QFrame):
 
     def _on_format(self) -> None:
         self._store.change(session_format=self.format_box.currentData())
+        self._show_mf4()
 
     def _on_size(self, megabytes: int) -> None:
         self._store.change(session_rotate_mb=megabytes)

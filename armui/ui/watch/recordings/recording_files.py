@@ -24,6 +24,13 @@ def listing(folder: Path) -> list[RecordingEntry] | Refusal:
         return Refusal(RefusalCode.SESSION_FAILED, params)
 
 
+def can_write_mf4() -> bool:
+    """Whether the package for that format is installed."""
+    from armui.session.recording.mf4 import can_write  # noqa: PLC0415 - python-can
+
+    return can_write()
+
+
 def renamed(folder: Path, name: str, new_name: str) -> str | Refusal:
     """The new name of a recording, or why it keeps its own."""
     from armui.session.recording.folder import rename  # noqa: PLC0415 - numpy

@@ -59,6 +59,8 @@ _SAID_HERE: Final = frozenset(
         EventCode.SESSION_ENDED,
         EventCode.SESSION_FAILED,
         EventCode.SESSION_FRAMES_LOST,
+        EventCode.MF4_SAVED,
+        EventCode.MF4_NOT_SAVED,
         EventCode.RING_SAVED,
         EventCode.RING_NOT_SAVED,
     }
@@ -98,7 +100,7 @@ class SessionsWindow(ArmDialog):
         self._background = background
         self._listing: Job[list[RecordingEntry] | Refusal] | None = None
         self._choose_next: str | None = None
-        self.recording = RecordingCard(controller, store)
+        self.recording = RecordingCard(controller, background, store)
         self.ring = RingCard(controller.sessions, store)
         self._model = SessionsModel(self)
         self._shown = QSortFilterProxyModel(self)
@@ -160,6 +162,7 @@ class SessionsWindow(ArmDialog):
     def retranslate_ui(self) -> None:
         """Put every word into the operator's language."""
         self.set_title(self.tr("Session recordings"))
+        self.table.setAccessibleName(self.tr("Session recordings"))
         self.open_button.setText(self.tr("Replay"))
         self.other_button.setText(self.tr("Replay another log…"))
         self.other_button.setToolTip(

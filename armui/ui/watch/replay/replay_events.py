@@ -9,6 +9,7 @@ from PySide6.QtGui import QKeySequence, QShortcut
 from PySide6.QtWidgets import QAbstractItemView, QVBoxLayout, QWidget
 
 from armui.telemetry.events import EventLog
+from armui.ui.actions.keys import keys_of
 from armui.ui.theme import colors_of
 from armui.ui.watch.events.event_bar import EventBar
 from armui.ui.watch.events.event_cells import details
@@ -95,7 +96,7 @@ class ReplayEvents(Translated, QWidget):
         self.table.verticalScrollBar().actionTriggered.connect(self._on_scrolled)
         self.model.modelReset.connect(self._on_reset)
         self.model.dataChanged.connect(self._show_detail)
-        copy = QShortcut(QKeySequence(QKeySequence.StandardKey.Copy), self.table)
+        copy = QShortcut(QKeySequence(keys_of("replay.copy")), self.table)
         copy.setContext(Qt.ShortcutContext.WidgetShortcut)
         copy.activated.connect(self.copy_chosen)
 

@@ -9,8 +9,10 @@ from PySide6.QtWidgets import QComboBox, QHBoxLayout, QSplitter, QTabWidget, QVB
 
 from armui.protocol.generation import Generation
 from armui.ui.shell.arm_in_view import show_in_view
+from armui.ui.shell.robot_in_view import RobotInView
 from armui.ui.shell.status_bar import StatusBar
 from armui.ui.theme import DARK, colors_of
+from armui.ui.watch.curves_item import Missing
 from armui.ui.watch.plot_layout import SETS
 from armui.ui.watch.plots_area import PlotsArea
 from armui.ui.watch.replay.joint_table import JointTable
@@ -25,10 +27,14 @@ from armui.ui.widgets.translated import Translated
 from armui.viewport import palette as scene_palette
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from armui.control.arm_controller import ArmController
     from armui.control.log_replay import LogReplay
     from armui.session.frames import Channel
+    from armui.session.session import SessionMark
     from armui.session.survey import ChannelSurvey
+    from armui.telemetry.events import EventLog
     from armui.ui.background import Background
     from armui.viewport.view import ArmView
 
@@ -45,6 +51,7 @@ class ReplayView(Translated, QWidget):
         live: The controller of the arm that is connected, for the stop in file choosers.
         background: Where files are written.
         name: The file.
+        urdf_path: The operator's own robot description.
 
     Signals:
         other_wanted: Another channel, or protocol: a :data:`Channel` and a :class:`Generation`.
@@ -60,10 +67,12 @@ class ReplayView(Translated, QWidget):
         background: Background,
         *,
         name: str,
+        urdf_path: str | None = None,
     ) -> None:
         super().__init__()
         self.replay = replay
         self.view = view
+        self.robot = RobotInView(view, replay.controller, urdf_path, self)
         self._controller = controller = replay.controller
         controller.telemetry.wall_time = wall_time
         session = replay.session
@@ -193,6 +202,14 @@ class ReplayView(Translated, QWidget):
 
     # What is shown ----------------------------------------------------------------------------
 
+    def show_events(self, log: EventLog, marks: Sequence[SessionMark]) -> None:
+        """Show what happened, and its moments on the time line."""
+        self.events.show_log(log)
+        if marks is not self.replay.session.marks:
+            self._search = MarkSearch(marks, self.replay.channel)
+            self.time_line.show_marks(self._search.marks)
+        self._look()
+
     def _look(self) -> None:
         if not self.isVisible():
             return
@@ -211,7 +228,22 @@ class ReplayView(Translated, QWidget):
         speed = min(SPEEDS, key=lambda each: abs(each - replay.speed))
         if self.transport.speeds.currentIndex() != SPEEDS.index(speed):
             self.transport.speeds.setCurrentIndex(SPEEDS.index(speed))
+        self._see_to_curves(at_s)
         self._show_frame()
+
+    def _see_to_curves(self, at_s: float) -> None:
+        """Have read what they show, and say what is not there yet."""
+        board = self.curves.board
+        seen = board.isVisible()
+        shown_s = board.edge_s() + board.frame.shown.begin_s
+        self.replay.want_curves(at_s - shown_s if seen else 0.0)
+        loading = self.replay.loading
+        if loading is None or not seen:
+            board.show_missing(None)
+            return
+        begin_s, end_s, share = loading
+        text = self.tr("Loading: {percent} %").format(percent=round(100.0 * share))
+        board.show_missing(Missing(begin_s, end_s, text))
 
     def _show_frame(self) -> None:
         """The frame that was taken in last: what stepping goes by."""

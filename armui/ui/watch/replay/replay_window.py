@@ -32,12 +32,12 @@ if TYPE_CHECKING:
     from PySide6.QtGui import QKeyEvent
 
     from armui.control.arm_controller import ArmController
+    from armui.control.event_log.log_events import LoggedEvents
     from armui.protocol.generation import Generation
     from armui.session.foreign.columns import ReadingProgress
     from armui.session.frames import Channel
     from armui.session.session import Session
     from armui.session.survey import ChannelSurvey
-    from armui.telemetry.events import EventLog
     from armui.ui.background import Background
     from armui.ui.watch.replay.log_opening import OpenOwn
     from armui.ui.watch.replay.replay_view import ReplayView
@@ -59,6 +59,7 @@ class ReplayWindow(ArmDialog):
         parent: The main window.
         make_helper: Makes what reads a log: a process of its own by default.
         open_own: Opens recordings of this program, which need not be read first.
+        urdf_path: The operator's own robot description; by default that of the log's model.
 
     Attributes:
         view: What is shown of the log that is open; ``None``: none is.
@@ -73,6 +74,7 @@ class ReplayWindow(ArmDialog):
         *,
         make_helper: Callable[[], Executor] | None = None,
         open_own: OpenOwn | None = None,
+        urdf_path: str | None = None,
     ) -> None:
         super().__init__(controller, parent)
         self.setObjectName("replay_window")
@@ -82,11 +84,12 @@ class ReplayWindow(ArmDialog):
         self._make_view = make_view
         self._make_helper = make_helper or HelperProcess
         self._open_own = open_own
+        self._urdf_path = urdf_path
         self._opening: LogOpening | None = None
         self._path: Path | None = None
         self._session: Session | None = None
         self._surveys: tuple[ChannelSurvey, ...] = ()
-        self._events: Job[EventLog] | None = None
+        self._events: Job[LoggedEvents] | None = None
         self.view: ReplayView | None = None
         self.live_strip = LiveStrip(controller)
         self.body.addWidget(self.live_strip)
@@ -205,11 +208,16 @@ class ReplayWindow(ArmDialog):
         if self._session is None or self._path is None:
             return
         own = next(each for each in self._surveys if each.channel == channel)
-        arm = RecordedArm(int(generation), own.feedback_offset, own.firmware)
+        arm = RecordedArm(int(generation), own.feedback_offset, own.firmware, own.model)
         replay = LogReplay(self._session, channel, arm, self._path.name, self)
         replay.failed.connect(self._on_failed)
         self.view = ReplayView(
-            replay, self._make_view(), self._controller, self._background, name=self._path.name
+            replay,
+            self._make_view(),
+            self._controller,
+            self._background,
+            name=self._path.name,
+            urdf_path=self._urdf_path,
         )
         self.view.offer(self._surveys, generation)
         self.view.other_wanted.connect(self._on_other)
@@ -225,17 +233,19 @@ class ReplayWindow(ArmDialog):
         """Have the events of what is shown read, or found in its frames."""
         from armui.control.event_log.log_events import log_events  # noqa: PLC0415 - with a log
 
-        def show(found: EventLog | Refusal) -> None:
+        def show(found: LoggedEvents | Refusal) -> None:
             self._events = None
             if isinstance(found, Refusal):
                 self._say(words.refusal(found), Level.FAULT)
             else:
-                view.events.show_log(found)
+                view.show_events(found.log, found.marks)
 
-        self._events = Job(show)
+        job = self._events = Job(show)
         replay = view.replay
-        work = partial(log_events, replay.session, replay.channel, arm, wall_time)
-        self._background.begin_here(self._events, work)
+        work = partial(
+            log_events, replay.session, replay.channel, arm, wall_time, lambda: job.wanted
+        )
+        self._background.begin_here(job, work)
 
     def _on_other(self, channel: Channel, generation: Generation) -> None:
         at_s = 0.0 if self.view is None else self.view.replay.position_s
@@ -321,6 +331,7 @@ class ReplayWindow(ArmDialog):
         view.hide()
         view.view.shutdown()
         view.replay.close()
+        view.replay.deleteLater()
         view.deleteLater()
 
     def done(self, result: int) -> None:

@@ -66,6 +66,11 @@ class TimeLine(Translated, QWidget):
         self._marks = marks
         self.update()
 
+    def show_marks(self, marks: Sequence[SessionMark]) -> None:
+        """Show other marks of the same log."""
+        self._marks = marks
+        self.update()
+
     def show_position(self, at_s: float) -> None:
         """The replay is here; a time line that is zoomed in follows."""
         if at_s == self._at_s:

@@ -8,6 +8,7 @@ from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtGui import QKeySequence, QShortcut
 from PySide6.QtWidgets import QComboBox, QHBoxLayout, QPushButton, QWidget
 
+from armui.ui.actions.keys import key_text, keys_of
 from armui.ui.theme import colors_of
 from armui.ui.widgets import icons
 from armui.ui.widgets.text_label import text_label
@@ -18,13 +19,6 @@ if TYPE_CHECKING:
 
 SPEEDS: Final = (0.1, 0.25, 0.5, 1.0, 2.0, 4.0, 10.0, 20.0)
 _ICON_PX: Final = 18
-_KEYS: Final = {
-    "play": "Space",
-    "step_back": ",",
-    "step": ".",
-    "previous_fault": "Shift+N",
-    "next_fault": "N",
-}
 
 
 class Transport(Translated, QWidget):
@@ -85,7 +79,7 @@ class Transport(Translated, QWidget):
         # the window keeps the keys: one that is held plays on in no other control
         button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
         button.clicked.connect(lambda _on=False: act())
-        shortcut = QShortcut(QKeySequence(_KEYS[name]), self)
+        shortcut = QShortcut(QKeySequence(keys_of(f"replay.{name}")), self)
         shortcut.setContext(Qt.ShortcutContext.WindowShortcut)
         shortcut.activated.connect(act)
         return button
@@ -131,7 +125,7 @@ class Transport(Translated, QWidget):
     def _tell(self, name: str, tip: str) -> None:
         button = self.buttons[name]
         button.setAccessibleName(button.text() or tip)
-        button.setToolTip(f"{tip} ({_KEYS[name]})")
+        button.setToolTip(f"{tip} ({key_text(f'replay.{name}')})")
 
     def _recolor(self) -> None:
         self._draw("step_back", "step_back")

@@ -1,0 +1,1 @@
+"""Jogging by gamepad and SpaceMouse."""

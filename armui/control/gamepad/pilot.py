@@ -1,0 +1,350 @@
+"""From a gamepad or SpaceMouse in the operator's hand to the arm: under the rules of a held button.
+
+The devices are read in a thread of their own; here, in the window's thread, each look goes through
+the dead-man logic of :mod:`armui.gamepad.dead_man`, and what comes of it is a steered jog. Whatever
+takes the hold away ends the jog, and only a new press of the dead-man button begins another.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Final
+
+from PySide6.QtCore import QObject, Qt, QTimer, Signal
+
+from armui.arm.refusal import Refusal
+from armui.arm.refusal_codes import RefusalCode
+from armui.control.motion.jogging import axes_text
+from armui.control.motion.steered_path import SteeredJog
+from armui.gamepad.dead_man import UNATTENDED_S, DeadMan, HoldPhase, Loss
+from armui.gamepad.device_reader import OnButtons, Reader, read_devices
+from armui.gamepad.device_state import DeviceInfo, DeviceSnapshot, DeviceState
+from armui.gamepad.layout import Assignment, JogMode, assignment
+from armui.kinematics.axes import JogFrame
+
+if TYPE_CHECKING:
+    from armui.control.controller_parts import ControllerParts
+    from armui.settings import Settings
+
+_TICK_MS: Final = 10
+SILENT_S: Final = 0.08
+"""Devices that were last read so long ago say nothing of the present."""
+
+_FRAMES: Final = {
+    JogMode.JOINT: None,
+    JogMode.BASE: JogFrame.BASE,
+    JogMode.TOOL: JogFrame.TOOL,
+}
+
+MakeReader = Callable[[OnButtons, Callable[[], float]], Reader]
+
+
+@dataclass(frozen=True, slots=True)
+class PilotView:
+    """What the window shows.
+
+    Attributes:
+        on: Whether devices are read.
+        devices: Those that were found.
+        mode: What the axes move.
+        phase: How far the hold has come.
+        device: The one whose dead-man button is held; None: none.
+        axes: What moves, as J1+ J3−.
+        reason: Why the last hold was taken away, while the button is still held.
+        unusable: Names of what was found and cannot be used.
+        missing: The packages that are not installed.
+        problems: What a library says of what does not work.
+    """
+
+    on: bool = False
+    devices: tuple[DeviceInfo, ...] = ()
+    mode: JogMode = JogMode.JOINT
+    phase: HoldPhase = HoldPhase.UP
+    device: DeviceInfo | None = None
+    axes: str = ""
+    reason: Refusal | None = None
+    unusable: tuple[str, ...] = ()
+    missing: tuple[str, ...] = ()
+    problems: tuple[str, ...] = ()
+
+
+class GamepadPilot(QObject):
+    """Reads devices while it is switched on, and jogs.
+
+    Args:
+        controller: Whom to ask for jogs and stops.
+        clock: Monotonic time in seconds.
+
+    Attributes:
+        attended: Answers why nothing may be jogged from the window now; without a window nothing
+            may.
+        make_reader: Begins to read the devices.
+
+    Signals:
+        changed: A :class:`PilotView`, when it differs.
+    """
+
+    changed = Signal(object)
+    _buttons = Signal(object, object, object)
+
+    def __init__(self, controller: ControllerParts, clock: Callable[[], float]) -> None:
+        super().__init__()
+        self.attended: Callable[[], Refusal | None] = _nobody
+        self.make_reader: MakeReader = read_devices
+        self._controller = controller
+        self._clock = clock
+        self._reader: Reader | None = None
+        self._leaving: Reader | None = None
+        self._settings: Settings | None = None
+        self._mode = JogMode.JOINT
+        self._hands: dict[str, DeadMan] = {}
+        self._infos: dict[str, DeviceInfo] = {}
+        self._holder: str | None = None
+        self._driving = False
+        self._reason: Refusal | None = None
+        self._view = PilotView()
+        self._buttons.connect(self._on_buttons, Qt.ConnectionType.QueuedConnection)
+        self._timer = QTimer(self, interval=_TICK_MS, timerType=Qt.TimerType.PreciseTimer)
+        self._timer.timeout.connect(self.tick)
+
+    @property
+    def view(self) -> PilotView:
+        """What the window shows now."""
+        return self._view
+
+    @property
+    def snapshot(self) -> DeviceSnapshot | None:
+        """The devices as last read, for whoever shows their axes."""
+        return None if self._reader is None else self._reader.latest
+
+    def choose(self, settings: Settings) -> None:
+        """Take over what the operator has chosen; what is held ends."""
+        before, self._settings = self._settings, settings
+        if before is not None and _concerns(before) == _concerns(settings):
+            return
+        self._take_away(None)
+        if before is None or before.gamepad_mode != settings.gamepad_mode:
+            self._mode = JogMode(settings.gamepad_mode)
+        if settings.gamepad:
+            self._timer.start()
+            self._begin()
+        else:
+            self._stop_reading()
+        self._show()
+
+    def _begin(self) -> None:
+        """Read, unless the last reader still lets its libraries go: each can be used once."""
+        if self._leaving is not None and not self._leaving.running:
+            self._leaving = None
+        if self._reader is None and self._leaving is None:
+            self._reader = self.make_reader(self._buttons.emit, self._clock)
+
+    def _stop_reading(self) -> None:
+        self._take_away(None)
+        self._timer.stop()
+        if self._reader is not None:
+            self._reader.stop()
+            self._reader, self._leaving = None, self._reader
+        self._hands.clear()
+        self._infos.clear()
+        self._holder = None
+
+    def end(self) -> bool:
+        """Read no more; whether the thread has ended."""
+        self._stop_reading()
+        self._show()
+        return self._leaving is None or self._leaving.end()
+
+    def buttons_of(self, info: DeviceInfo) -> Assignment:
+        """What the buttons of a device do."""
+        kept = None if self._settings is None else self._settings.gamepad_buttons.get(info.name)
+        return assignment(info.kind, kept)
+
+    def set_mode(self, mode: JogMode) -> None:
+        """What the axes move from now on; what is held ends."""
+        if mode is not self._mode:
+            self._take_away(None)
+            self._mode = mode
+            self._show()
+
+    def lose(self, reason: Refusal) -> None:
+        """Take away what is held, and say why; nothing held: nothing."""
+        if any(hand.hold.phase not in _WITHOUT for hand in self._hands.values()):
+            self._take_away(reason)
+            self._show()
+
+    # Looking ----------------------------------------------------------------------------------
+
+    def tick(self) -> None:
+        """Look at the devices; its own timer calls it."""
+        settings = self._settings
+        if settings is None or not settings.gamepad:
+            return
+        self._begin()
+        reader = self._reader
+        if reader is None:
+            return
+        snapshot, now_s = reader.latest, self._clock()
+        if now_s - snapshot.at_s > SILENT_S:
+            self._lose_holder(RefusalCode.GAMEPAD_SILENT)
+        else:
+            self._forget_gone(snapshot)
+            for state in snapshot.devices:
+                self._look_at(state, now_s, settings)
+            self._drive()
+        self._show(snapshot)
+
+    def _look_at(self, state: DeviceState, now_s: float, settings: Settings) -> None:
+        key = state.info.key
+        hand = self._hands.setdefault(key, DeadMan())
+        self._infos[key] = state.info
+        before = hand.hold.phase
+        buttons = self.buttons_of(state.info)
+        hold = hand.update(state, buttons, self._mode, now_s, one_axis=settings.gamepad_one_axis)
+        if hold.phase is HoldPhase.UP:
+            if self._holder == key:
+                self._let_go()
+            return
+        if before is HoldPhase.UP:
+            self._on_pressed(key)
+        if hold.lost is Loss.SILENT:
+            self._lose_holder(RefusalCode.GAMEPAD_SILENT)
+        elif hold.lost is Loss.UNATTENDED:
+            self._take_away(
+                Refusal(RefusalCode.GAMEPAD_UNATTENDED, {"seconds": round(UNATTENDED_S)})
+            )
+        elif hold.phase is not HoldPhase.SPENT and (reason := self.attended()) is not None:
+            self._take_away(reason)
+
+    def _on_pressed(self, key: str) -> None:
+        """A dead-man button goes down; a second one beside another takes both away."""
+        if self._holder is None:
+            self._holder, self._reason = key, None
+        elif self._holder != key:
+            self._take_away(None)
+
+    def _forget_gone(self, snapshot: DeviceSnapshot) -> None:
+        there = {each.info.key for each in snapshot.devices}
+        for key in [key for key in self._hands if key not in there]:
+            if key == self._holder:
+                self._lose_holder(RefusalCode.GAMEPAD_LOST)
+                self._holder = None
+            del self._hands[key], self._infos[key]
+
+    def _drive(self) -> None:
+        key = self._holder
+        hand = self._hands.get(key) if key is not None else None
+        if key is None or hand is None or hand.hold.phase is not HoldPhase.MOVING:
+            if self._driving:
+                self._driving = False
+                self._stop_ours()
+            return
+        jog = SteeredJog(hand.hold.rates, _FRAMES[self._mode], self._infos[key].name)
+        jogging = self._controller.jogging
+        if self._driving:
+            if not jogging.steer(jog):  # it has ended, and whoever ended it has said why
+                self._take_away(None)
+        elif jogging.active:
+            self._take_away(Refusal(RefusalCode.JOG_UNDER_WAY))
+        else:
+            refusal = jogging.start(jog)
+            if refusal is None:
+                self._driving = True
+            else:
+                self._take_away(refusal)
+
+    # Ends -------------------------------------------------------------------------------------
+
+    def _lose_holder(self, code: RefusalCode) -> None:
+        if self._holder is None:
+            return
+        hand = self._hands.get(self._holder)
+        held = hand is not None and hand.hold.phase not in _WITHOUT
+        if held or self._driving:
+            self._take_away(Refusal(code, {"name": self._infos[self._holder].name}))
+
+    def _take_away(self, reason: Refusal | None) -> None:
+        """Nothing is held any more, whatever fingers are still down."""
+        for hand in self._hands.values():
+            hand.spend()
+        self._reason = reason
+        if self._driving:
+            self._driving = False
+            if reason is not None and self._controller.jogging.steered is not None:
+                self._controller.jogging.end(reason)
+            else:
+                self._stop_ours()
+
+    def _let_go(self) -> None:
+        self._holder, self._reason = None, None
+        if self._driving:
+            self._driving = False
+            self._stop_ours()
+
+    def _stop_ours(self) -> None:
+        """End the jog that a device steers; what a button on the screen holds goes on."""
+        if self._controller.jogging.steered is not None:
+            self._controller.jogging.stop()
+
+    # Buttons ----------------------------------------------------------------------------------
+
+    def _on_buttons(self, info: DeviceInfo, down: frozenset[str], up: frozenset[str]) -> None:
+        """The reader has seen buttons go down or come up: none is missed, however short."""
+        if self._reader is None:
+            return
+        buttons = self.buttons_of(info)
+        if buttons.stop in down:
+            self._controller.emergency_stop()
+            self._take_away(None)
+        elif buttons.halt and buttons.halt in down:
+            self._controller.halt_and_hold()
+            self._take_away(None)
+        hand = self._hands.get(info.key)
+        if buttons.dead_man in up and hand is not None:
+            hand.let_go()
+            if self._holder == info.key:
+                self._let_go()
+        if buttons.mode and buttons.mode in down and not self._driving:
+            modes = tuple(JogMode)
+            self.set_mode(modes[(modes.index(self._mode) + 1) % len(modes)])
+        self._show()
+
+    # What is shown ----------------------------------------------------------------------------
+
+    def _show(self, snapshot: DeviceSnapshot | None = None) -> None:
+        snapshot = snapshot or self.snapshot or DeviceSnapshot(0.0)
+        hand = self._hands.get(self._holder) if self._holder is not None else None
+        steered = self._controller.jogging.steered if self._driving else None
+        view = PilotView(
+            on=self._reader is not None,
+            devices=tuple(each.info for each in snapshot.devices),
+            mode=self._mode,
+            phase=HoldPhase.UP if hand is None else hand.hold.phase,
+            device=self._infos.get(self._holder) if self._holder is not None else None,
+            axes="" if steered is None else axes_text(steered),
+            reason=self._reason,
+            unusable=snapshot.unusable,
+            missing=snapshot.missing,
+            problems=snapshot.problems,
+        )
+        if view != self._view:
+            self._view = view
+            self.changed.emit(view)
+
+
+_WITHOUT: Final = frozenset({HoldPhase.UP, HoldPhase.SPENT})
+"""Nothing is held that could be taken away."""
+
+
+def _nobody() -> Refusal:
+    return Refusal(RefusalCode.GAMEPAD_NOT_IN_FRONT)
+
+
+def _concerns(settings: Settings) -> tuple[object, ...]:
+    return (
+        settings.gamepad,
+        settings.gamepad_mode,
+        settings.gamepad_one_axis,
+        settings.gamepad_buttons,
+    )

@@ -1,0 +1,97 @@
+"""Compares the chosen model with what the arm tells, and warns; it changes nothing by itself."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Final
+
+from armui.arm.model_check import ModelFit, Models, fitting_models
+from armui.arm.models import model_data
+from armui.control.events import EventCode
+
+if TYPE_CHECKING:
+    from armui.arm.state import ArmState
+    from armui.control.context import Context
+    from armui.protocol.piper_model import PiperModel
+
+_EVERY_S: Final = 0.5
+_LOOKS: Final = 2
+"""So often in a row the arm must say the same before it is believed."""
+
+
+class ModelWatch:
+    """Looks at a standing arm twice a second.
+
+    A single pose that fits more than one model decides nothing; together with the poses before it
+    may.
+
+    Args:
+        context: What the parts share.
+
+    Attributes:
+        fitting: The models that fit what the arm tells; ``None``: not compared yet.
+    """
+
+    def __init__(self, context: Context) -> None:
+        self._context = context
+        self.fitting: Models | None = None
+        self._seen: Models | None = None
+        self._looks = 0
+        self._looked_s = -_EVERY_S
+        self._warned: Models | None = None
+
+    def fit(self) -> ModelFit:
+        """What is known of the model that was chosen."""
+        return ModelFit(self._context.connection.model, self.fitting)
+
+    def assume(self, model: PiperModel) -> None:
+        """Plan for a model while no device is open."""
+        if self._context.connection.device is None:
+            self._context.connection.model = model
+            self._context.refresh()
+
+    def advance(self) -> None:
+        """Look at the arm, if it stands."""
+        now_s = self._context.clock()
+        if now_s - self._looked_s < _EVERY_S or not self._context.authority.at_rest:
+            return
+        joints_deg, pose = _told(self._context.state(), now_s)
+        if joints_deg is None or pose is None:
+            return
+        self._looked_s = now_s
+        self._take(fitting_models(joints_deg, pose, self._context.state().firmware))
+
+    def halt(self) -> None:
+        """A stop changes no model."""
+
+    def forget(self) -> None:
+        """Another arm may be another model."""
+        self.fitting = self._seen = self._warned = None
+        self._looks = 0
+
+    def _take(self, found: Models) -> None:
+        before = self.fitting
+        if before is not None and len(found) > 1 and found & before:
+            found &= before
+        self._looks = self._looks + 1 if found == self._seen else 1
+        self._seen = found
+        if self._looks < _LOOKS:
+            return
+        self.fitting = found
+        fit = self.fit()
+        if fit.wrong is None:
+            self._warned = None
+        elif self._warned != found:
+            self._warned = found
+            chosen = model_data(fit.chosen).name
+            if found:
+                self._context.tell(EventCode.MODEL_OTHER, **fit.wrong.params)
+            else:
+                self._context.tell(EventCode.MODEL_NONE, chosen=chosen)
+
+
+def _told(
+    state: ArmState, now_s: float
+) -> tuple[tuple[float, ...] | None, tuple[float, ...] | None]:
+    """Angles and pose of late, each whole or ``None``."""
+    fresh = all(each is not None and each.fresh(now_s) for each in (*state.joints_deg, *state.pose))
+    return (state.angles_deg(), state.end_pose()) if fresh else (None, None)

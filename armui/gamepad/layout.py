@@ -1,0 +1,155 @@
+"""Which axis moves what, and which button does what; pure.
+
+A gamepad has the layout that SDL gives every gamepad it knows: two sticks, two triggers, the four
+buttons a, b, x, y, shoulders, and a cross. Of a stick, right and down are positive. The six axes of
+a SpaceMouse are named as the arm's, X away from the operator, Y to the left, Z upwards.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import asdict, dataclass, fields
+from enum import StrEnum
+from typing import Final, NamedTuple
+
+from armui.gamepad.device_state import DeviceKind, DeviceState
+
+SPEED_AXIS: Final = "right_trigger"
+"""The trigger that makes a gamepad faster."""
+
+
+class JogMode(StrEnum):
+    """What the axes move: the joints, or the tool along the axes of the base or of the tool."""
+
+    JOINT = "joint"
+    BASE = "base"
+    TOOL = "tool"
+
+
+class AxisSource(NamedTuple):
+    """What moves one axis of the arm: an axis of the device, or two of its buttons.
+
+    Attributes:
+        axis: Of the device; empty: buttons.
+        sign: −1: the arm goes the other way.
+        plus, minus: The buttons for + and −.
+    """
+
+    axis: str = ""
+    sign: int = 1
+    plus: str = ""
+    minus: str = ""
+
+
+_CROSS_UP: Final = AxisSource(plus="dpad_up", minus="dpad_down")
+_CROSS_SIDE: Final = AxisSource(plus="dpad_right", minus="dpad_left")
+_PAD_TOOL: Final = (
+    AxisSource("left_y", -1),
+    AxisSource("left_x", -1),
+    AxisSource("right_y", -1),
+    _CROSS_SIDE,
+    _CROSS_UP,
+    AxisSource("right_x", -1),
+)
+_PAD_JOINTS: Final = (
+    AxisSource("left_x", -1),
+    AxisSource("left_y", -1),
+    AxisSource("right_y", -1),
+    AxisSource("right_x", -1),
+    _CROSS_UP,
+    _CROSS_SIDE,
+)
+_MOUSE: Final = tuple(AxisSource(axis) for axis in ("x", "y", "z", "rx", "ry", "rz"))
+
+SOURCES: Final[Mapping[DeviceKind, Mapping[JogMode, tuple[AxisSource, ...]]]] = {
+    DeviceKind.GAMEPAD: {
+        JogMode.JOINT: _PAD_JOINTS,
+        JogMode.BASE: _PAD_TOOL,
+        JogMode.TOOL: _PAD_TOOL,
+    },
+    DeviceKind.SPACE_MOUSE: dict.fromkeys(JogMode, _MOUSE),
+}
+"""Of each axis of the arm (J1–J6, or X, Y, Z, RX, RY, RZ) what moves it."""
+
+_PAD_BUTTONS: Final = (
+    *("a", "b", "x", "y", "left_shoulder", "right_shoulder"),
+    *("back", "start", "left_stick", "right_stick"),
+)
+_MOUSE_BUTTONS: Final = tuple(str(number) for number in range(1, 33))
+
+BUTTONS: Final[Mapping[DeviceKind, tuple[str, ...]]] = {
+    DeviceKind.GAMEPAD: _PAD_BUTTONS,
+    DeviceKind.SPACE_MOUSE: _MOUSE_BUTTONS,
+}
+"""What a button can be chosen from; the cross moves the arm."""
+
+
+@dataclass(frozen=True, slots=True)
+class Assignment:
+    """Which button does what.
+
+    Attributes:
+        dead_man: Must be held while anything moves.
+        stop: The emergency stop; works at any time.
+        halt: Halt and hold; works at any time. Empty: no button.
+        mode: The next mode. Empty: no button.
+    """
+
+    dead_man: str
+    stop: str
+    halt: str = ""
+    mode: str = ""
+
+
+ACTIONS: Final = tuple(field.name for field in fields(Assignment))
+"""What a button can do, by the names of the fields."""
+
+_OPTIONAL: Final = frozenset({"halt", "mode"})
+
+DEFAULTS: Final[Mapping[DeviceKind, Assignment]] = {
+    DeviceKind.GAMEPAD: Assignment("left_shoulder", "b", "x", "y"),
+    DeviceKind.SPACE_MOUSE: Assignment("1", "2"),
+}
+
+
+def assignment(kind: DeviceKind, kept: Mapping[str, str] | None) -> Assignment:
+    """What was kept for a device, or the first assignment if that is none that can be used."""
+    first = DEFAULTS[kind]
+    if kept is None:
+        return first
+    wanted = Assignment(**(asdict(first) | {name: kept[name] for name in ACTIONS if name in kept}))
+    return first if wrong_in(kind, wanted) else wanted
+
+
+def wrong_in(kind: DeviceKind, wanted: Assignment) -> str:
+    """The first action whose button is missing, unknown or given twice; empty: none."""
+    taken: set[str] = set()
+    for action, button in asdict(wanted).items():
+        if not button and action in _OPTIONAL:
+            continue
+        if button not in BUTTONS[kind] or button in taken:
+            return action
+        taken.add(button)
+    return ""
+
+
+def swapped(now: Assignment, action: str, button: str) -> Assignment:
+    """The assignment with another button for an action; who had that button gets the old one."""
+    figures = asdict(now)
+    old = figures[action]
+    for other, has in figures.items():
+        if button and has == button and other != action:
+            figures[other] = old
+    figures[action] = button
+    return Assignment(**figures)
+
+
+def deflections(state: DeviceState, mode: JogMode) -> tuple[float, ...]:
+    """How far each axis of the arm is asked to move, −1 to 1, before dead zone and curve."""
+    return tuple(_deflection(state, source) for source in SOURCES[state.info.kind][mode])
+
+
+def _deflection(state: DeviceState, source: AxisSource) -> float:
+    if source.axis:
+        return source.sign * state.axes.get(source.axis, 0.0)
+    return float((source.plus in state.buttons) - (source.minus in state.buttons))

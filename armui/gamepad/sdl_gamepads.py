@@ -1,0 +1,111 @@
+"""Gamepads through SDL 2: it knows the layout of some thousand models, wired and wireless."""
+
+from __future__ import annotations
+
+import warnings
+from typing import Any, Final
+
+from armui.gamepad.device_state import DeviceInfo, DeviceKind, DeviceState
+
+_AXES: Final = ("left_x", "left_y", "right_x", "right_y", "left_trigger", "right_trigger")
+"""In SDL's order."""
+_BUTTONS: Final = (
+    *("a", "b", "x", "y", "back", "guide", "start", "left_stick", "right_stick"),
+    *("left_shoulder", "right_shoulder", "dpad_up", "dpad_down", "dpad_left", "dpad_right"),
+)
+"""In SDL's order."""
+_FULL: Final = 32767.0
+_SPACE_MOUSE_VENDOR: Final = 0x256F
+_HINTS: Final = {
+    b"SDL_NO_SIGNAL_HANDLERS": b"1",
+    # the windows are Qt's: SDL has none that could have the focus
+    b"SDL_JOYSTICK_ALLOW_BACKGROUND_EVENTS": b"1",
+    b"SDL_JOYSTICK_THREAD": b"1",
+}
+
+
+class SdlGamepads:
+    """See :class:`armui.gamepad.backend.DeviceBackend`."""
+
+    package = "pysdl2"
+
+    def __init__(self) -> None:
+        self.unusable: tuple[str, ...] = ()
+        self._sdl: Any = None
+        self._open: dict[int, tuple[DeviceInfo, Any]] = {}
+
+    def open(self) -> None:
+        """Load SDL and start its gamepads."""
+        # it says where its binaries are from, as a warning
+        warnings.filterwarnings("ignore", message="Using SDL2 binaries")
+        import sdl2  # noqa: PLC0415 - an extra, loaded when it is wanted
+
+        for name, value in _HINTS.items():
+            sdl2.SDL_SetHint(name, value)
+        if sdl2.SDL_Init(sdl2.SDL_INIT_GAMECONTROLLER) != 0:
+            raise OSError(sdl2.SDL_GetError().decode("utf-8", "replace"))
+        self._sdl = sdl2
+
+    def look(self) -> None:
+        """SDL notices by itself what comes and goes; what came is opened in :meth:`read`."""
+
+    def read(self, now_s: float) -> tuple[DeviceState, ...]:  # noqa: ARG002 - SDL says what goes
+        """The gamepads now."""
+        sdl = self._sdl
+        sdl.SDL_GameControllerUpdate()
+        # nobody takes the events that tell of devices: they must not pile up
+        sdl.SDL_FlushEvents(sdl.SDL_FIRSTEVENT, sdl.SDL_LASTEVENT)
+        self._open_new()
+        states = []
+        for number, (info, pad) in list(self._open.items()):
+            if sdl.SDL_GameControllerGetAttached(pad):
+                states.append(self._state(info, pad))
+            else:
+                sdl.SDL_GameControllerClose(pad)
+                del self._open[number]
+        return tuple(states)
+
+    def close(self) -> None:
+        """Let the gamepads and SDL go."""
+        if self._sdl is None:
+            return
+        for _info, pad in self._open.values():
+            self._sdl.SDL_GameControllerClose(pad)
+        self._open.clear()
+        self._sdl.SDL_Quit()
+        self._sdl = None
+
+    def _open_new(self) -> None:
+        sdl = self._sdl
+        unusable = []
+        for place in range(sdl.SDL_NumJoysticks()):
+            if not sdl.SDL_IsGameController(place):
+                if sdl.SDL_JoystickGetDeviceVendor(place) != _SPACE_MOUSE_VENDOR:
+                    unusable.append(_text(sdl.SDL_JoystickNameForIndex(place)))
+                continue
+            number = sdl.SDL_JoystickGetDeviceInstanceID(place)
+            if number < 0 or number in self._open:
+                continue
+            pad = sdl.SDL_GameControllerOpen(place)
+            if pad:
+                name = _text(sdl.SDL_GameControllerName(pad))
+                info = DeviceInfo(f"sdl-{number}", name, DeviceKind.GAMEPAD)
+                self._open[number] = (info, pad)
+        self.unusable = tuple(unusable)
+
+    def _state(self, info: DeviceInfo, pad: Any) -> DeviceState:
+        sdl = self._sdl
+        axes = {
+            name: max(-1.0, sdl.SDL_GameControllerGetAxis(pad, place) / _FULL)
+            for place, name in enumerate(_AXES)
+        }
+        down = frozenset(
+            name
+            for place, name in enumerate(_BUTTONS)
+            if sdl.SDL_GameControllerGetButton(pad, place)
+        )
+        return DeviceState(info, axes, down)
+
+
+def _text(name: bytes | None) -> str:
+    return name.decode("utf-8", "replace").strip() if name else "?"

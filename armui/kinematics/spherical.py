@@ -1,0 +1,94 @@
+"""The ways of an arm with a spherical wrist to bring its flange to a pose.
+
+Joints 1–3 are two bars in a plane that joint 1 turns; they bring the wrist's centre to its place in
+up to four ways. Joints 4–6 then turn the hand, in two ways each.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Final
+
+import numpy as np
+import numpy.typing as npt
+
+from armui.kinematics.bars import bar_angles, wrist_centres
+from armui.kinematics.forward import forearm_axes
+from armui.kinematics.geometry import MIDDLES_DEG, Geometry
+from armui.kinematics.poses import Matrix, wrapped_deg
+from armui.kinematics.spherical_wrist import (
+    STRETCHED_DEG,
+    bend_deg,
+    bent_wrist,
+    stretched_wrist,
+)
+
+WAYS: Final = 4
+"""Ways to bring the wrist's centre to a place: reaching ahead or back, the elbow up or down."""
+
+_ARM: Final = np.array(MIDDLES_DEG[:3])
+
+
+def arm_joints(
+    geometry: Geometry, targets: Matrix, way: npt.NDArray[np.int64] | int | None = None
+) -> Matrix:
+    """Joints 1–3 of ways to bring the wrist's centre where each target wants it.
+
+    Args:
+        geometry: Of the arm.
+        targets: (…, 4, 4) transforms of the flange.
+        way: Which, 0–3: 2·(reaching back) + (elbow the other way round); (…), or one for all.
+
+    Returns:
+        (…, 3) angles in degrees within half a turn of the middles of the joints' ranges, NaN
+        where the way does not exist; (…, 4, 3) of all ways if none is named. A way keeps its
+        number along a continuous path.
+    """
+    if way is None:
+        targets, way = targets[..., None, :, :], np.arange(WAYS)
+    back, elbow = np.divmod(way, 2)
+    out, height, turn = wrist_centres(geometry, targets)
+    out = out * np.where(back, -1.0, 1.0)
+    upper, fore = bar_angles(geometry, out, height, elbow == back)
+    shoulder_zero, elbow_zero, _ = geometry.plane_zeros_deg
+    lean = math.atan2(geometry.forearm_mm, geometry.elbow_mm)
+    angles = np.empty((*upper.shape, 3))
+    angles[..., 0] = np.degrees(turn) + 180.0 * back
+    angles[..., 1] = np.degrees(-upper) - shoulder_zero
+    angles[..., 2] = np.degrees(lean - fore + upper) - elbow_zero
+    angles[np.isnan(upper)] = math.nan
+    wrapped: Matrix = wrapped_deg(angles - _ARM) + _ARM
+    return wrapped
+
+
+def hand_orientations(geometry: Geometry, arms_deg: Matrix, targets: Matrix) -> Matrix:
+    """(…, 3, 3) how the hand must lie in the forearm, for the wrist's joints.
+
+    Args:
+        geometry: Of the arm.
+        arms_deg: (…, 3) joints 1–3.
+        targets: (…, 4, 4) transforms of the flange.
+    """
+    hands: Matrix = forearm_axes(geometry, arms_deg) @ targets[..., :3, :3]
+    return hands
+
+
+def solutions(
+    geometry: Geometry, targets: Matrix, joint_4_deg: float | None = None
+) -> tuple[Matrix, Matrix]:
+    """See `inverse.solutions`; places are 2·way + (wrist bent down)."""
+    arms = arm_joints(geometry, targets)
+    hands = hand_orientations(geometry, arms, targets[..., None, :, :])
+    bends = bend_deg(hands)
+    wrists = wrapped_deg(bent_wrist(hands))
+    if joint_4_deg is not None:
+        stretched = bends < STRETCHED_DEG
+    if joint_4_deg is not None and stretched.any():
+        wrists[stretched, 0] = stretched_wrist(hands[stretched], joint_4_deg)
+        wrists[stretched, 0, 2] = wrapped_deg(wrists[stretched, 0, 2])
+        wrists[stretched, 1] = math.nan
+    joints = np.empty((*wrists.shape[:-1], 6))
+    joints[..., :3] = np.where(np.isnan(wrists[..., :1]), math.nan, arms[..., None, :])
+    joints[..., 3:] = wrists
+    least = np.nan_to_num(bends, nan=180.0).min(axis=-1)
+    return joints.reshape(*targets.shape[:-2], 2 * WAYS, 6), least

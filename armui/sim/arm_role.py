@@ -1,0 +1,119 @@
+"""The role beside another arm: when a kept setting (0x470) takes effect, and what a leader does."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Final, Protocol
+
+from armui.protocol.codes import ControlMode, LeaderZero, LinkageRole
+from armui.protocol.frame import Frame
+from armui.protocol.generation import Generation
+from armui.sim.condition import Condition
+from armui.sim.feedback.linkage import LinkedInput
+from armui.sim.mechanics.gripper import SimulatedGripper
+from armui.sim.mechanics.hand_guiding import HandGuiding
+from armui.sim.mechanics.mechanics import Mechanics
+from armui.sim.mechanics.powered_joints import STANDSTILL
+from armui.sim.parameters.flash import Flash
+from armui.sim.parameters.settings import ArmSettingsRecord, LinkageSettings
+
+_TO_ZERO_SHARE: Final = 0.2
+"""Share of the joints' highest speeds with which a leader goes to its zero."""
+
+
+class _Arm(Protocol):
+    """The parts of the arm that a role touches."""
+
+    generation: Generation
+    mechanics: Mechanics
+    condition: Condition
+    settings: ArmSettingsRecord
+    hand_guiding: HandGuiding
+    flash: Flash
+
+
+class ArmRole:
+    """Makes an arm a teaching input or a motion output.
+
+    Attributes:
+        leader: What a teaching input sends; None while it is none.
+    """
+
+    def __init__(self, arm: _Arm, *, forget: Callable[[], None], speak: Callable[[], None]) -> None:
+        """Looks after one arm's role.
+
+        Args:
+            arm: Has the role.
+            forget: Drops the targets it has.
+            speak: Takes over the identifiers that the settings ask for.
+        """
+        self._generation = arm.generation
+        self._body = arm.mechanics
+        self._condition = arm.condition
+        self._settings = arm.settings
+        self._hand = arm.hand_guiding
+        self._flash = arm.flash
+        self._forget = forget
+        self._speak = speak
+        self._waits = False
+        self._is_quiet = False
+        self.leader: LinkedInput | None = None
+
+    def take_effect(self) -> None:
+        """Lets the kept setting take effect: the identifiers and the role."""
+        linkage = self._settings.linkage
+        self._waits = self._is_quiet = False
+        self._speak()
+        if linkage.role is LinkageRole.TEACHING_INPUT:
+            self._forget()
+            self.leader = LinkedInput(self._generation, linkage.target_offset)
+            self._condition.control_mode = ControlMode.LINKED_TEACHING_INPUT
+            self._body.give_way(self._hand)
+        elif self.leader is not None:
+            self.leader = None
+            self._condition.control_mode = ControlMode.STANDBY
+            self._body.hold()
+
+    def set(self, linkage: LinkageSettings) -> None:
+        """Keeps a setting.
+
+        It takes effect at once in standby or as a teaching input, else as soon as in standby.
+        """
+        self._settings.linkage = linkage
+        self._flash.save(self._settings)
+        self._waits = True
+        standby = self._condition.control_mode is ControlMode.STANDBY
+        if self.leader is not None or (standby and not self._condition.stopped):
+            self.take_effect()
+
+    def mode_entered(self) -> None:
+        """Notices that the arm has entered a control mode."""
+        if self._waits and self._condition.control_mode is ControlMode.STANDBY:
+            self.take_effect()
+
+    def zero(self, command: LeaderZero) -> None:
+        """Obeys 0x191 as a leader.
+
+        It goes to its zero by itself, with the follower or without, or gives way to the hand again.
+        How fast it goes is assumed; no answer is known.
+        """
+        if self.leader is None:
+            return
+        if command is LeaderZero.LEADER_AND_FOLLOWER:
+            self._is_quiet = False
+            self._body.give_way(self._hand)
+            return
+        self._is_quiet = command is LeaderZero.LEADER_TO_ZERO
+        settings = self._settings
+        self._body.hold()
+        self._body.move_to(
+            STANDSTILL,
+            [_TO_ZERO_SHARE * limits.max_speed_deg_s for limits in settings.limits],
+            settings.accelerations_deg_s2,
+        )
+
+    def told(self, gripper: SimulatedGripper) -> list[Frame]:
+        """What a leader sends to its follower now."""
+        if self.leader is None or self._is_quiet:
+            return []
+        return self.leader.frames(self._body.positions_deg, gripper)

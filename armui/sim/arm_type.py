@@ -1,0 +1,84 @@
+"""Which arm a simulated arm is: the model and the firmware version, and what follows from both."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from armui.arm.models import ModelData, model_data
+from armui.kinematics.geometry import Geometry
+from armui.protocol.firmware_version import (
+    RECOMMENDED,
+    FirmwareQuirks,
+    FirmwareVersion,
+    quirks_of,
+)
+from armui.protocol.piper_model import PiperModel
+from armui.sim.mechanics.links import rigid_links
+from armui.sim.mechanics.rigid_body import RigidLink
+
+SixFactors = tuple[float, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class ArmType:
+    """A model with a firmware version.
+
+    Attributes:
+        model: The model's data.
+        version: What the arm answers to 0x4AF.
+        quirks: What its firmware does.
+    """
+
+    model: ModelData
+    version: str
+    quirks: FirmwareQuirks
+
+    @classmethod
+    def of(cls, model: PiperModel, version: str) -> ArmType:
+        """A model with a version as ``S-V1.8-9``; one that cannot be read counts as today's."""
+        parsed = FirmwareVersion.parse(version) or RECOMMENDED
+        return cls(model_data(model), version, quirks_of(parsed, model))
+
+    @property
+    def geometry(self) -> Geometry:
+        """Its dimensions, with the zeros this firmware counts from."""
+        return self.model.geometry_of(self.version)
+
+    @property
+    def links(self) -> tuple[RigidLink, ...]:
+        """Its links and their masses."""
+        return rigid_links(self.model, self.geometry)
+
+    @property
+    def nm_per_ampere(self) -> SixFactors:
+        """Torque at the output for a motor current, joint 1 first: k·b·c.
+
+        A calibration c that is not known counts as 1.
+        """
+        torque = self.model.torque
+        calibration = torque.c or (1.0,) * 6
+        return tuple(
+            k * b * c for k, b, c in zip(torque.k_nm_per_a, torque.b, calibration, strict=True)
+        )
+
+    @property
+    def mit_torque_scale(self) -> SixFactors:
+        """Torque at the output for 1 N·m in a MIT frame, joint 1 first.
+
+        What the firmware multiplies with, then the calibration c; and whatever the model, the
+        firmware turns torque into current with the PiPER's k·b.
+        """
+        torque, piper = self.model.torque, model_data().torque
+        calibration = torque.c or (1.0,) * 6
+        ratios = (
+            k * b / (piper_k * piper_b)
+            for k, b, piper_k, piper_b in zip(
+                torque.k_nm_per_a, torque.b, piper.k_nm_per_a, piper.b, strict=True
+            )
+        )
+        return tuple(
+            factor * c * ratio
+            for factor, c, ratio in zip(
+                self.quirks.mit_torque_factors, calibration, ratios, strict=True
+            )
+        )

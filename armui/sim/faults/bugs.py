@@ -1,0 +1,152 @@
+"""Known bugs of firmware versions, as users reported them, so that a host's answers can be tried.
+
+The reports say what was seen, seldom what brings it about; when each bug shows here is assumed.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+from typing import Final, Protocol
+
+from armui.arm.limits import JOINTS
+from armui.protocol.codes import LinkageRole
+from armui.protocol.firmware_version import FirmwareBug
+from armui.protocol.frame import Frame
+from armui.sim.condition import Condition
+from armui.sim.mechanics.mechanics import Mechanics
+from armui.sim.parameters.settings import ArmSettingsRecord, LinkageSettings
+from armui.sim.parameters.settings_applier import SettingsApplier
+
+PURPOSES: Final = {
+    FirmwareBug.CORRUPTED_LIMITS: (
+        "all limits read -0.1°/-0.1° and 0xFFFF as acceleration until they are reset"
+    ),
+    FirmwareBug.FEEDBACK_PARTS: (
+        "10 s after all motors are on, joint 3 goes on at 2°/s for 30° and its feedback does not "
+        "show it; 0x150 resume mends it"
+    ),
+    FirmwareBug.MIT_MOVES_ZERO: (
+        "a mode word that leaves MIT or high-follow is not followed by any motion until a reset, "
+        "and moves the zero of joint 1 by 12°"
+    ),
+    FirmwareBug.ZERO_FEEDBACK: (
+        "angles and pose read 0 until the teaching handle is set with 0x47D"
+    ),
+    FirmwareBug.SILENT_LEADER: (
+        "made a teaching input with 0x470, the arm says nothing more until a power cycle"
+    ),
+    FirmwareBug.FALLS_BACK_TO_LEADER: (
+        "30 s after it was switched on the arm makes itself a teaching input"
+    ),
+    FirmwareBug.TEACHING_EXIT_DROPS: (
+        "leaving drag teaching drops the arm; the simulated arm does so with every version"
+    ),
+}
+"""What each does here, in words."""
+
+NAMES: Final = {bug.value.replace("_", "-"): bug for bug in FirmwareBug}
+"""By the names of the command line."""
+
+_SLIPPING: Final = 2
+_SLIPS_AFTER_S: Final = 10.0
+_SLIP_DEG_S: Final = 2.0
+_MOST_SLIP_DEG: Final = 30.0
+_ZERO_MOVES_DEG: Final = 12.0
+_LEADS_AFTER_S: Final = 30.0
+_BAD_DEG: Final = -0.1
+_TOLD_ZERO: Final = ("JointFeedback", "EndPose", "DriverFast")
+
+
+class _Arm(Protocol):
+    """The parts of the arm that have the bugs."""
+
+    mechanics: Mechanics
+    condition: Condition
+    settings: ArmSettingsRecord
+    settings_applier: SettingsApplier
+
+    def corrupt_limits(self, joint: int) -> None: ...
+
+
+class FirmwareBugs:
+    """The bugs that one arm has.
+
+    Attributes:
+        present: Which.
+        silent: Whether the arm says nothing because of one.
+    """
+
+    def __init__(
+        self, present: frozenset[FirmwareBug], arm: _Arm, lead: Callable[[LinkageSettings], None]
+    ) -> None:
+        """Lets the bugs of an arm be; `lead` gives it another role."""
+        self.present = present
+        self.silent = False
+        self._arm = arm
+        self._lead = lead
+        self._powered_s = 0.0
+        self._on_s = 0.0
+        self._handle_set = False
+        if FirmwareBug.CORRUPTED_LIMITS in present:
+            self._corrupt()
+
+    def switched_on(self) -> None:
+        """Begins anew after a power cycle."""
+        self.silent = self._handle_set = False
+        self._on_s = 0.0
+        self.reset()
+
+    def reset(self) -> None:
+        """Mends what 0x150 resume mends: the joint that had lost its place tells it again."""
+        self._powered_s = 0.0
+        self._arm.settings_applier.find_place()
+
+    def setting_taken(self, name: str) -> None:
+        """Notices a setting: 0x47D mends what the teaching handle's level had spoiled."""
+        self._handle_set = self._handle_set or name == "TeachingSetting"
+
+    def time_passed(self, dt_s: float) -> None:
+        """Lets time pass."""
+        if not self.present:
+            return
+        arm = self._arm
+        self._on_s += dt_s
+        self._powered_s = self._powered_s + dt_s if all(arm.mechanics.powered) else 0.0
+        if FirmwareBug.FEEDBACK_PARTS in self.present and self._powered_s > _SLIPS_AFTER_S:
+            arm.settings_applier.slip(_SLIPPING, -_SLIP_DEG_S * dt_s, most_deg=_MOST_SLIP_DEG)
+        role = arm.settings.linkage.role
+        if (
+            FirmwareBug.FALLS_BACK_TO_LEADER in self.present
+            and self._on_s > _LEADS_AFTER_S
+            and role is not LinkageRole.TEACHING_INPUT
+        ):
+            self._on_s = 0.0
+            self._lead(arm.settings.linkage._replace(role=LinkageRole.TEACHING_INPUT))
+
+    def mode_word(self, *, was_direct: bool) -> None:
+        """Notices a mode word the arm has taken."""
+        condition = self._arm.condition
+        if FirmwareBug.MIT_MOVES_ZERO in self.present and was_direct and not condition.direct:
+            condition.needs_reset = True
+            self._arm.settings_applier.move_zero(0, _ZERO_MOVES_DEG)
+
+    def role_set(self, role: LinkageRole) -> None:
+        """Notices a 0x470."""
+        if FirmwareBug.SILENT_LEADER in self.present and role is LinkageRole.TEACHING_INPUT:
+            self.silent = True
+
+    def told(self, names: list[str], frames: list[Frame]) -> list[Frame]:
+        """What the arm tells instead of these frames of feedback."""
+        if FirmwareBug.ZERO_FEEDBACK not in self.present or self._handle_set:
+            return frames
+        return [
+            each._replace(data=bytes(len(each.data))) if name.startswith(_TOLD_ZERO) else each
+            for name, each in zip(names, frames, strict=True)
+        ]
+
+    def _corrupt(self) -> None:
+        for joint in JOINTS:
+            self._arm.corrupt_limits(joint)
+        limits = self._arm.settings.limits
+        limits[:] = [replace(each, min_deg=_BAD_DEG, max_deg=_BAD_DEG) for each in limits]

@@ -1,0 +1,291 @@
+"""CPV control (MOVE CPV, from S-V1.8-1): each joint for itself, by position or speed.
+
+Frames 0x181–0x186 write and read a joint's target and parameters; a read is answered under the
+same identifier. What the maker does not publish is assumed: the
+values from the factory, that joint limits bound what a joint is told, that the loop gains change
+nothing (the profile is followed exactly), and that zero learning leaves the zero where it is.
+"""
+
+from __future__ import annotations
+
+import math
+from collections import Counter
+from collections.abc import Sequence
+from typing import Final
+
+from armui.arm.limits import JOINTS, JointLimits
+from armui.protocol.codec import Codec
+from armui.protocol.codes import ControlMode, CpvAction, CpvKind, MoveMode
+from armui.protocol.firmware_version import FirmwareQuirks
+from armui.protocol.frame import Frame
+from armui.sim.condition import Condition
+from armui.sim.mechanics.mechanics import Mechanics
+from armui.sim.mechanics.powered_joints import JOINT_COUNT, SixValues
+from armui.sim.parameters.settings import ArmSettingsRecord
+
+NAMES: Final = (*(f"CpvControl{joint}" for joint in JOINTS), "CpvGripper")
+"""The frames 0x181–0x187."""
+
+_SIGNALS: Final = {
+    CpvKind.POSITION_TARGET: "PositionTarget",
+    CpvKind.SPEED_TARGET: "SpeedTarget",
+    CpvKind.ACCELERATION: "Acceleration",
+    CpvKind.DECELERATION: "Deceleration",
+    CpvKind.PROFILE_SPEED: "ProfileSpeed",
+    CpvKind.POSITION_KP: "PositionKp",
+    CpvKind.SPEED_KP: "SpeedKp",
+    CpvKind.SPEED_KI: "SpeedKi",
+    CpvKind.ZERO_LEARNING: "ZeroLearning",
+}
+_FACTORY: Final = {
+    CpvKind.POSITION_TARGET: 0.0,
+    CpvKind.SPEED_TARGET: 0.0,
+    CpvKind.ACCELERATION: 5.0,
+    CpvKind.DECELERATION: 5.0,
+    CpvKind.PROFILE_SPEED: 3.0,
+    CpvKind.POSITION_KP: 10.0,
+    CpvKind.SPEED_KP: 1.0,
+    CpvKind.SPEED_KI: 0.1,
+}
+"""Assumed; speed and acceleration are the joints' rated ones. In the units of the frames."""
+_POSITIVE: Final = (CpvKind.ACCELERATION, CpvKind.DECELERATION, CpvKind.PROFILE_SPEED)
+_LEAST: Final = 0.01
+
+
+class JointProfile:
+    """One joint's way to a position, or at a speed; angles in degrees.
+
+    Attributes:
+        angle: Where it is.
+        speed: How fast it turns, per second.
+        acceleration: How its speed changes, per second.
+    """
+
+    def __init__(self, angle: float) -> None:
+        self.angle = angle
+        self.speed = 0.0
+        self.acceleration = 0.0
+        self._goal: float | None = None
+        self._wanted_speed = 0.0
+
+    @property
+    def moving(self) -> bool:
+        """Whether it turns or is about to."""
+        if self._goal is not None:
+            return self.speed != 0.0 or self.angle != self._goal
+        return self.speed != 0.0 or self._wanted_speed != 0.0
+
+    def go_to(self, goal: float) -> None:
+        """Goes to a position."""
+        self._goal = goal
+
+    def turn(self, speed: float) -> None:
+        """Turns at a speed, 0 to halt."""
+        self._goal, self._wanted_speed = None, speed
+
+    def advance(
+        self, dt_s: float, top: float, speeding_up: float, slowing: float, limits: JointLimits
+    ) -> None:
+        """Lets time pass.
+
+        Args:
+            dt_s: How much.
+            top: Highest speed on the way to a position.
+            speeding_up: Highest acceleration.
+            slowing: Highest deceleration.
+            limits: A speed ends in time before them; a joint beyond one may come back.
+        """
+        low, high = min(limits.min_deg, self.angle), max(limits.max_deg, self.angle)
+        if self._goal is not None:
+            wanted = self._approach(self._goal, top, slowing, dt_s)
+        else:
+            end = high if self._wanted_speed > 0.0 else low
+            most = abs(self._approach(end, abs(self._wanted_speed), slowing, dt_s))
+            wanted = math.copysign(min(abs(self._wanted_speed), most), self._wanted_speed)
+        faster = abs(wanted) > abs(self.speed) and wanted * self.speed >= 0.0
+        change = (speeding_up if faster else slowing) * dt_s
+        before = self.speed
+        self.speed += min(max(wanted - self.speed, -change), change)
+        there = self.angle + (before + self.speed) / 2.0 * dt_s
+        goal = self._goal
+        if goal is not None and abs(goal - there) < 1e-3 and abs(self.speed) <= change:
+            there, self.speed = goal, 0.0
+        elif not low <= there <= high:
+            there, self.speed = min(max(there, low), high), 0.0
+            self._wanted_speed = 0.0
+        self.acceleration = (self.speed - before) / dt_s
+        self.angle = there
+
+    def _approach(self, goal: float, top: float, slowing: float, dt_s: float) -> float:
+        """The speed at the end of this step with which it can still stand at the goal."""
+        way = goal - self.angle
+        # what is left after this step, at the mean of both speeds, has to be enough to brake in
+        left = max(abs(way) - math.copysign(self.speed, self.speed * way) * dt_s / 2.0, 0.0)
+        reach = slowing * dt_s / 2.0
+        speed = math.sqrt(reach * reach + 2.0 * slowing * left) - reach
+        return math.copysign(min(speed, top), way)
+
+
+class CpvMotion:
+    """All six joints as CPV moves them; `Mechanics` runs it like any other path."""
+
+    def __init__(self, settings: ArmSettingsRecord) -> None:
+        self._settings = settings
+        self.values = [dict(_FACTORY) for _ in JOINTS]
+        self._joints = [JointProfile(0.0) for _ in JOINTS]
+
+    @property
+    def positions_deg(self) -> SixValues:
+        """Where the joints are."""
+        return tuple(each.angle for each in self._joints)
+
+    @property
+    def speeds_deg_s(self) -> SixValues:
+        """How fast they turn."""
+        return tuple(each.speed for each in self._joints)
+
+    @property
+    def accelerations_deg_s2(self) -> SixValues:
+        """How their speeds change."""
+        return tuple(each.acceleration for each in self._joints)
+
+    @property
+    def moving(self) -> bool:
+        """Whether a joint turns or is about to."""
+        return any(each.moving for each in self._joints)
+
+    def start_from(self, positions_deg: Sequence[float]) -> None:
+        """Stands where something else has brought the joints."""
+        self._joints = [JointProfile(angle) for angle in positions_deg]
+
+    def go_to(self, index: int, angle_deg: float) -> None:
+        """Sends one joint (0–5) to an angle."""
+        limits = self._settings.limits[index]
+        self._joints[index].go_to(min(max(angle_deg, limits.min_deg), limits.max_deg))
+
+    def turn(self, index: int, speed_rad_s: float) -> None:
+        """Turns one joint (0–5) at a speed."""
+        self._joints[index].turn(math.degrees(speed_rad_s))
+
+    def run(self, share: float) -> None:
+        """Brakes all joints with 0; anything else changes nothing."""
+        if share == 0.0:
+            for each in self._joints:
+                each.turn(0.0)
+
+    def advance(self, dt_s: float) -> None:
+        """Lets time pass."""
+        for joint, values, limits in zip(
+            self._joints, self.values, self._settings.limits, strict=True
+        ):
+            top, speeding_up, slowing = (
+                math.degrees(max(values[kind], _LEAST))
+                for kind in (
+                    CpvKind.PROFILE_SPEED,
+                    CpvKind.ACCELERATION,
+                    CpvKind.DECELERATION,
+                )
+            )
+            if joint.moving and dt_s > 0.0:
+                joint.advance(dt_s, top, speeding_up, slowing, limits)
+            else:
+                joint.acceleration = 0.0
+
+
+class CpvControl:
+    """Takes the frames of CPV and has them carried out.
+
+    The first position written to a joint after CPV was entered does nothing: it takes effect when
+    it comes a second time. The signs of the targets are those of the firmware and the model, also
+    where they are wrong.
+    """
+
+    def __init__(
+        self,
+        mechanics: Mechanics,
+        condition: Condition,
+        settings: ArmSettingsRecord,
+        quirks: FirmwareQuirks,
+        unsupported: Counter[str],
+    ) -> None:
+        """Controls one arm.
+
+        Args:
+            mechanics: Its joints.
+            condition: Its modes.
+            settings: What it keeps.
+            quirks: What its firmware does.
+            unsupported: Counts what the arm understands but does not do.
+        """
+        self._body = mechanics
+        self._condition = condition
+        self._quirks = quirks
+        self._motion = CpvMotion(settings)
+        self._primed = [False] * JOINT_COUNT
+        self._in_cpv = False
+        self._unsupported = unsupported
+        self._asked: list[tuple[int, CpvKind]] = []
+
+    def mode_changed(self) -> None:
+        """Takes a mode word whose modes are in the condition already."""
+        condition = self._condition
+        was_in_cpv, self._in_cpv = self._in_cpv, condition.obeys(MoveMode.MOVE_CPV)
+        if self._in_cpv and not was_in_cpv:
+            self._primed = [False] * JOINT_COUNT
+        elif was_in_cpv and not self._in_cpv and self._body.follows(self._motion):
+            self._motion.run(0.0)
+
+    def take(self, name: str, signals: dict[str, float]) -> bool:
+        """Takes a frame of CPV; whether it was one that this firmware knows."""
+        if name not in NAMES or not self._quirks.has_cpv:
+            return False
+        action, kind = signals["Action"], CpvKind(int(signals["Kind"]))
+        if kind is CpvKind.ZERO_LEARNING:
+            self._unsupported["zero learning"] += 1
+        elif action == CpvAction.WRITE:
+            self._write(NAMES.index(name), kind, signals[_SIGNALS[kind]])
+        elif action == CpvAction.READ:
+            self._asked.append((NAMES.index(name), kind))
+        return True
+
+    def answers(self, codec: Codec) -> list[Frame]:
+        """The answers to what has been read."""
+        asked, self._asked = self._asked, []
+        return [
+            codec.encode(
+                NAMES[index],
+                Action=CpvAction.ANSWER,
+                Kind=kind,
+                **{_SIGNALS[kind]: self._motion.values[index][kind]},
+            )
+            for index, kind in asked
+        ]
+
+    def _write(self, index: int, kind: CpvKind, value: float) -> None:
+        if kind in _POSITIVE and value <= 0.0:
+            return
+        self._motion.values[index][kind] = value
+        if kind not in (CpvKind.POSITION_TARGET, CpvKind.SPEED_TARGET) or not self._may_move:
+            return
+        if kind is CpvKind.POSITION_TARGET and not self._primed[index]:
+            self._primed[index] = True
+            return
+        motion = self._motion
+        if not self._body.follows(motion):
+            motion.start_from(self._body.setpoints_deg)
+        if kind is CpvKind.POSITION_TARGET:
+            motion.go_to(index, self._quirks.cpv_position_signs[index] * value)
+        else:
+            motion.turn(index, self._quirks.cpv_speed_signs[index] * value)
+        self._body.follow(motion)
+
+    @property
+    def _may_move(self) -> bool:
+        condition = self._condition
+        able = not (condition.stopped or condition.hindered or condition.needs_reset)
+        return (
+            able
+            and all(self._body.powered)
+            and condition.control_mode is ControlMode.CAN_CONTROL
+            and condition.move_mode is MoveMode.MOVE_CPV
+        )

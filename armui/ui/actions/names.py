@@ -1,0 +1,84 @@
+"""What the program's texts are called in the other language, and how the Chinese ones are spelled.
+
+The file is made by ``python -m tests.translations``, so that no dictionary of pinyin is needed by
+the program. Pure.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterable, Mapping
+from pathlib import Path
+from typing import Final
+
+from armui.system import paths
+from armui.ui.actions.search import SearchText
+
+FILE: Final = paths.RESOURCES / "i18n" / "names.json"
+
+
+class Names:
+    """Looks texts up.
+
+    Args:
+        rows: Chinese, English, and the pinyin of the Chinese with a space between two syllables.
+    """
+
+    def __init__(self, rows: Iterable[tuple[str, str, str]] = ()) -> None:
+        self._pinyin: dict[str, tuple[str, ...]] = {}
+        self._others: dict[str, set[str]] = {}
+        for chinese, english, pinyin in rows:
+            self._pinyin[chinese] = tuple(pinyin.split())
+            self._others.setdefault(chinese, set()).add(english)
+            self._others.setdefault(english, set()).add(chinese)
+
+    @property
+    def known(self) -> bool:
+        """Whether there are any."""
+        return bool(self._pinyin)
+
+    def search_text(self, title: str, place: str) -> SearchText:
+        """All that something can be found by.
+
+        Args:
+            title: What it is called, in the language that is shown.
+            place: Where it is done, likewise.
+        """
+        names, more = self._called(title), self._called(place)
+        return SearchText(
+            names=tuple(name.lower() for name in names),
+            more=tuple(name.lower() for name in more),
+            pinyin=self._spelled(names),
+            more_pinyin=self._spelled(more),
+        )
+
+    def _called(self, text: str) -> list[str]:
+        """The text, and what it is in the other language; a suffix like J3 stays with it."""
+        if text in self._others or not text:
+            return [text, *sorted(self._others.get(text, ()))] if text else []
+        stem, _, suffix = text.rpartition(" ")
+        return [text, *(f"{other} {suffix}" for other in sorted(self._others.get(stem, ())))]
+
+    def _spelled(self, names: Iterable[str]) -> tuple[tuple[str, ...], ...]:
+        found = []
+        for name in names:
+            stem, _, suffix = name.rpartition(" ")
+            if name in self._pinyin:
+                found.append(self._pinyin[name])
+            elif stem in self._pinyin:
+                found.append((*self._pinyin[stem], suffix.lower()))
+        return tuple(found)
+
+
+def read_names(file: Path = FILE) -> Names:
+    """Read them from the file; not in the GUI thread.
+
+    Raises:
+        OSError: It cannot be read.
+    """
+    known: Mapping[str, tuple[str, list[str]]] = json.loads(file.read_text(encoding="utf-8"))
+    return Names(
+        (chinese, english, pinyin)
+        for chinese, (pinyin, sources) in known.items()
+        for english in sources
+    )

@@ -1,0 +1,182 @@
+"""What the command palette offers now: the catalogue, and whatever else stands on the screen."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Final
+
+from PySide6.QtGui import QAction
+from PySide6.QtWidgets import QAbstractButton, QApplication, QDialog, QWidget
+
+from armui.ui.actions.catalogue import Command, actions
+from armui.ui.actions.places import PANELS, PLACES
+from armui.ui.actions.reasons import why_not
+from armui.ui.widgets.page import Page
+from armui.ui.widgets.press_button import PressButton
+
+if TYPE_CHECKING:
+    from armui.control.arm_controller import ArmController
+
+Doing = Callable[[], object]
+Doings = Mapping[str, tuple[Doing, Callable[[], str]]]
+"""By the names of actions without a button: what does it, and why that is not possible now."""
+
+_HIDDEN: Final = frozenset({"qt_toolbar_ext_button", "qt_spinbox_lineedit"})
+
+
+@dataclass(frozen=True, slots=True)
+class Offer:
+    """One row of the palette.
+
+    Attributes:
+        title, place: In the language of now.
+        keys: The shortcut; empty: none.
+        reason: Why it cannot be done now; empty: it can.
+        do: Does it.
+    """
+
+    title: str
+    place: str
+    keys: str
+    reason: str
+    do: Doing
+
+
+class Offers:
+    """Gathers them.
+
+    Args:
+        window: The main window: buttons are looked for in it and in its dialogs.
+        controller: Who knows why not.
+        doings: What has no button.
+    """
+
+    def __init__(self, window: QWidget, controller: ArmController, doings: Doings) -> None:
+        self._window = window
+        self._controller = controller
+        self._doings = doings
+
+    def now(self, apart_from: QWidget) -> list[Offer]:
+        """All of them, as things stand.
+
+        Args:
+            apart_from: The palette, whose own buttons are none of them.
+        """
+        known = {action.target for action in actions()}
+        offers = [self._of(action) for action in actions()]
+        return [*offers, *self._of_windows(known, apart_from)]
+
+    # -- the catalogue ------------------------------------------------------------------------
+
+    def _of(self, action: Command) -> Offer:
+        title, place = action.title.text(), PLACES[action.place].text()
+        place = "" if place == title else place
+        if not action.target:
+            do, reason = self._doings[action.name]
+            return Offer(title, place, action.keys, reason(), do)
+        widget = self._seen(action.target)
+        reason_text = why_not(action, self._controller) if widget is None else _why_not(widget)
+        return Offer(title, place, action.keys, reason_text, lambda: self.do(action))
+
+    def do(self, action: Command) -> None:
+        """Do what an action does, by its button: what that asks first is asked."""
+        if action.target not in {f"menu_{panel}" for panel in PANELS}:
+            self._show_place(action.place)
+        widget = self._seen(action.target)
+        if widget is not None:
+            use(widget)
+
+    def _show_place(self, place: str) -> None:
+        """Go to a panel; what is not saved in the present one asks first, and then nothing else."""
+        menu = self._seen(f"menu_{place}")
+        if isinstance(menu, QAbstractButton) and not menu.isChecked():
+            menu.click()
+
+    def _seen(self, name: str) -> QWidget | None:
+        """The widget of a name that is shown, be it that one has to scroll to it."""
+        shown = (each for each in self._window.findChildren(QWidget, name) if each.isVisible())
+        return next(shown, None)
+
+    # -- what else is on the screen -----------------------------------------------------------
+
+    def _of_windows(self, known: set[str], apart_from: QWidget) -> Iterator[Offer]:
+        for window in QApplication.topLevelWidgets():
+            if window is apart_from or not window.isVisible() or not self._is_ours(window):
+                continue
+            told: set[tuple[str, str]] = set()
+            for button in window.findChildren(QAbstractButton):
+                title = button.text().strip() or button.accessibleName()
+                unwanted = isinstance(button, PressButton) or button.objectName() in known
+                if unwanted or not _is_worth_telling(button, title):
+                    continue
+                place = _place_of(button)
+                if (title, place) in told:
+                    continue
+                told.add((title, place))
+                keys = button.shortcut().toString(button.shortcut().SequenceFormat.NativeText)
+                yield Offer(title, place, keys, _why_not(button), _using(button))
+            yield from _of_menus(window, told)
+
+    def _is_ours(self, window: QWidget) -> bool:
+        parent: QWidget | None = window
+        while parent is not None and parent is not self._window:
+            parent = parent.parentWidget()
+        return parent is not None
+
+
+def _is_worth_telling(button: QAbstractButton, title: str) -> bool:
+    said = any(letter.isalpha() for letter in title)
+    return said and button.isVisible() and button.objectName() not in _HIDDEN
+
+
+def _place_of(widget: QWidget) -> str:
+    """The page or the dialog that something stands in; empty: the main window itself."""
+    each: QWidget | None = widget
+    while each is not None:
+        if isinstance(each, Page):
+            return each.title
+        if isinstance(each, QDialog):
+            return each.windowTitle()
+        each = each.parentWidget()
+    return ""
+
+
+def _of_menus(window: QWidget, told: set[tuple[str, str]]) -> Iterator[Offer]:
+    """The actions of tables and lists, which have a menu and keys, but maybe no button."""
+    for action in window.findChildren(QAction):
+        owner = action.parent()
+        title = action.text()
+        named = action.objectName().startswith("action_")
+        if not (named and isinstance(owner, QWidget) and owner.isVisible()):
+            continue
+        place = _place_of(owner)
+        if (title, place) not in told:
+            told.add((title, place))
+            keys = action.shortcut().toString(action.shortcut().SequenceFormat.NativeText)
+            reason = "" if action.isEnabled() else action.toolTip()
+            yield Offer(title, place, keys, reason, action.trigger)
+
+
+def _using(widget: QWidget) -> Doing:
+    return lambda: use(widget) if widget.isVisible() else None
+
+
+def _why_not(widget: QWidget) -> str:
+    if widget.isEnabled():
+        return ""
+    return widget.toolTip() or widget.accessibleName()
+
+
+def use(widget: QWidget) -> None:
+    """Press a button, or bring the operator to what cannot be pressed by a key alone."""
+    from armui.ui.widgets.hold_button import HoldButton  # noqa: PLC0415 - faster start
+
+    widget.window().activateWindow()
+    if isinstance(widget, QAbstractButton) and not isinstance(widget, HoldButton):
+        widget.click()
+        return
+    widget.setFocus()
+    select = getattr(widget, "selectAll", None)
+    if select is not None:
+        select()

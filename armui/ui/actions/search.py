@@ -1,0 +1,88 @@
+"""Finding something by a piece of its Chinese, English or pinyin name. Pure."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Final
+
+_EXACT, _INITIALS, _START, _WORD, _WITHIN = range(5)
+"""How good: the whole name, the initials of its pinyin, its start, that of a word, anywhere."""
+
+_NONE: Final = 99
+
+
+@dataclass(frozen=True, slots=True)
+class SearchText:
+    """One thing's names.
+
+    Attributes:
+        names: Its own, in whatever languages they are known; lower case.
+        more: Where it is done, likewise: found as well, behind the names.
+        pinyin: Of each Chinese name of its own its syllables, without tones.
+        more_pinyin: Of the names of its place.
+    """
+
+    names: tuple[str, ...]
+    more: tuple[str, ...] = ()
+    pinyin: tuple[tuple[str, ...], ...] = ()
+    more_pinyin: tuple[tuple[str, ...], ...] = ()
+
+
+def rank(query: str, text: SearchText) -> tuple[int, ...] | None:
+    """How well a query fits; the lower, the better. ``None``: it does not.
+
+    Every word of the query must be found: in a name, or in that of the place where it is done. A
+    word may be Chinese, English, pinyin in full, its initials, or the two mixed: «ydkz», «yundkz».
+    """
+    words = query.lower().split()
+    ranks = []
+    for word in words:
+        own = min(_in_names(word, text.names), _in_pinyin(word, text.pinyin))
+        place = min(_in_names(word, text.more), _in_pinyin(word, text.more_pinyin))
+        best = min(own, _WITHIN + 1 + place)
+        if best >= _NONE:
+            return None
+        ranks.append(best)
+    shortest = min((len(name) for name in text.names), default=0)
+    return (max(ranks, default=0), sum(ranks), shortest) if ranks else (0, 0, 0)
+
+
+def _in_names(word: str, names: Sequence[str]) -> int:
+    best = _NONE
+    for name in names:
+        if word == name:
+            return _EXACT
+        at = name.find(word)
+        if at == 0:
+            best = min(best, _START)
+        elif at > 0:
+            begins = not name[at - 1].isalnum() and name[at].isascii()
+            best = min(best, _WORD if begins else _WITHIN)
+    return best
+
+
+def _in_pinyin(word: str, names: Sequence[tuple[str, ...]]) -> int:
+    best = _NONE
+    if not word.isascii() or not word.isalnum():
+        return best
+    for syllables in names:
+        for first in range(len(syllables)):
+            if _spells(word, syllables[first:]):
+                whole = first == 0 and len(word) >= len(syllables)
+                best = min(best, _INITIALS if whole else _START if first == 0 else _WORD)
+                break
+    return best
+
+
+def _spells(word: str, syllables: Sequence[str]) -> bool:
+    """Whether a word is made of beginnings of the syllables, one after another."""
+    if not word:
+        return True
+    if not syllables:
+        return False
+    syllable, *rest = syllables
+    most = 0
+    while most < min(len(syllable), len(word)) and syllable[most] == word[most]:
+        most += 1
+    return any(_spells(word[length:], rest) for length in range(most, 0, -1))

@@ -1,0 +1,179 @@
+"""Of the main window: the keys that count in every window, and what they open."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Final
+
+from PySide6.QtCore import QObject, Qt
+from PySide6.QtGui import QKeySequence, QShortcut
+from PySide6.QtWidgets import QAbstractButton, QApplication, QDialog, QWidget
+
+from armui.control.operating_state import StopState
+from armui.ui.actions.commands_button import CommandsButton
+from armui.ui.actions.keys import keys_of
+from armui.ui.shell.first_steps import FirstSteps
+
+if TYPE_CHECKING:
+    from armui.control.arm_controller import ArmController
+    from armui.settings import SettingsStore
+    from armui.ui.actions.offer import Doing, Doings
+    from armui.ui.background import Background
+    from armui.ui.main_window import MainWindow
+    from armui.ui.picture.picture_work import PictureWork
+    from armui.ui.shell.diagnosis_dialogs import DiagnosisDialogs
+    from armui.ui.shell.watch_windows import WatchWindows
+
+_EVERYWHERE: Final = ("palette", "guide", "shortcuts")
+
+
+class WindowActions(QObject):
+    """Opens the command palette, the list of shortcuts and the guide, from every window.
+
+    Args:
+        window: The main window.
+        controller: Who stops, and knows why something cannot be done.
+        store: The operator's settings.
+        background: Where files are read.
+    """
+
+    def __init__(
+        self,
+        window: MainWindow,
+        controller: ArmController,
+        store: SettingsStore,
+        background: Background,
+    ) -> None:
+        super().__init__(window)
+        self._window = window
+        self._controller = controller
+        self._store = store
+        self._background = background
+        self._doings: dict[str, Doing] = {}
+        self._opened: dict[str, QDialog] = {}
+        FirstSteps(window, controller, store)
+        self._button = CommandsButton()
+        self._button.clicked.connect(self.open_palette)
+        openers: dict[str, Doing] = {
+            "palette": self.open_palette,
+            "guide": self.open_guide,
+            "shortcuts": self.open_shortcuts,
+        }
+        for name in _EVERYWHERE:
+            shortcut = QShortcut(QKeySequence(keys_of(f"everywhere.{name}")), window)
+            shortcut.setContext(Qt.ShortcutContext.ApplicationShortcut)
+            shortcut.setAutoRepeat(False)
+            shortcut.activated.connect(openers[name])
+
+    def offer(
+        self, diagnosis: DiagnosisDialogs, watch: WatchWindows, picture: PictureWork
+    ) -> CommandsButton:
+        """Offer what these windows do and no button in the main window; the palette's button."""
+        self._doings |= {
+            "window.diagnosis": diagnosis.open_doctor,
+            "window.about_arm": diagnosis.open_about_arm,
+            "window.export": watch.open_export,
+            "replay.open": watch.open_replay,
+            **picture.doings(),
+        }
+        return self._button
+
+    # -- windows ------------------------------------------------------------------------------
+
+    def open_palette(self) -> None:
+        """Show the command palette."""
+
+        def make() -> QDialog:
+            from armui.ui.actions.offer import Offers  # noqa: PLC0415 - faster start
+            from armui.ui.actions.palette import CommandPalette  # noqa: PLC0415 - as above
+
+            offers = Offers(self._window, self._controller, self._all_doings())
+            return CommandPalette(self._controller, offers, self._background, self._window)
+
+        self._open("palette", make)
+
+    def open_shortcuts(self) -> None:
+        """Show the list of all shortcuts."""
+
+        def make() -> QDialog:
+            from armui.ui.actions.shortcut_list import ShortcutList  # noqa: PLC0415 - faster start
+
+            return ShortcutList(self._controller, self._window)
+
+        self._open("shortcuts", make)
+
+    def open_guide(self) -> None:
+        """Show the user guide at the place where the operator is."""
+        from armui.ui.guide.guide_window import GuideWindow  # noqa: PLC0415 - faster start
+        from armui.ui.guide.place import section_of  # noqa: PLC0415 - as above
+
+        if isinstance(QApplication.activeWindow(), GuideWindow):
+            return
+        section = section_of(self._window)
+        window = self._open(
+            "guide", lambda: GuideWindow(self._controller, self._background, self._window)
+        )
+        if isinstance(window, GuideWindow):
+            window.show_section(section)
+
+    def _open(self, name: str, make: Callable[[], QDialog]) -> QDialog:
+        if name not in self._opened:
+            self._opened[name] = make()
+        self._opened[name].open()
+        return self._opened[name]
+
+    # -- what has no button -------------------------------------------------------------------
+
+    def _all_doings(self) -> Doings:
+        """By name: what does it, and why that is not possible now."""
+        own: dict[str, tuple[Doing, Callable[[], str]]] = {
+            "everywhere.stop": (self._controller.emergency_stop, _always),
+            "everywhere.halt": (self._controller.halt_and_hold, _always),
+            "everywhere.guide": (self.open_guide, _always),
+            "everywhere.shortcuts": (self.open_shortcuts, _always),
+            "window.resume": (self._resume, self._why_no_resume),
+            "window.next_step": (self._take_step, self._why_no_step),
+            "window.language": (self._switch_language, _always),
+            "window.theme": (self._switch_theme, _always),
+            "window.close": (self._window.close, _always),
+            "window.backup": (self._window.open_backup_dialog, _always),
+        }
+        return {**{name: (do, _always) for name, do in self._doings.items()}, **own}
+
+    def _resume(self) -> None:
+        """Press the stop button of an arm that is stopped: it asks first."""
+        button = self._window.findChild(QAbstractButton, "stop_button")
+        if button is not None and not self._why_no_resume():
+            button.click()
+
+    def _why_no_resume(self) -> str:
+        stopped = self._controller.operating_state.stop is StopState.STOPPED
+        return "" if stopped else self.tr("The arm is not stopped.")
+
+    def _step_button(self) -> QWidget | None:
+        names = ("recovery_button", "recovery_hold_button")
+        buttons = (self._window.findChild(QWidget, name) for name in names)
+        return next((each for each in buttons if each is not None and each.isVisible()), None)
+
+    def _take_step(self) -> None:
+        from armui.ui.actions.offer import use  # noqa: PLC0415 - faster start
+
+        button = self._step_button()
+        if button is not None:
+            use(button)
+
+    def _why_no_step(self) -> str:
+        button = self._step_button()
+        if button is None:
+            return self.tr("There is no next step now.")
+        return "" if button.isEnabled() else button.toolTip()
+
+    def _switch_language(self) -> None:
+        self._store.change(language="en" if self._store.settings.language == "zh" else "zh")
+
+    def _switch_theme(self) -> None:
+        self._store.change(theme="light" if self._store.settings.theme == "dark" else "dark")
+
+
+def _always() -> str:
+    return ""

@@ -1,0 +1,201 @@
+"""The sign in the main window: what a gamepad does now, or what it waits for."""
+
+from __future__ import annotations
+
+from functools import partial
+from typing import TYPE_CHECKING, Final
+
+from PySide6.QtCore import QRectF, QSize, QTimer
+from PySide6.QtGui import QPaintEvent
+from PySide6.QtWidgets import QApplication, QLabel, QSizePolicy, QWidget
+
+from armui.arm.refusal import Refusal
+from armui.arm.refusal_codes import RefusalCode
+from armui.ui import words
+from armui.ui.theme import Colors, colors_of
+from armui.ui.widgets import icons, painting
+from armui.ui.widgets.elided_label import ElidedLabel
+from armui.ui.widgets.hold_guard import HoldGuard
+from armui.ui.widgets.layouts import in_row
+from armui.ui.widgets.translated import Translated
+
+if TYPE_CHECKING:
+    from armui.control.arm_controller import ArmController
+    from armui.control.gamepad.pilot import PilotView
+    from armui.settings import Settings, SettingsStore
+
+_ICON_PX: Final = 20
+_SIDE_PX: Final = 26
+_GROUND_SIDE_PX: Final = 16
+_PADDING_PX: Final = 6
+_A_DAY_S: Final = 86_400.0
+"""The device's own movements are watched elsewhere; those of the mouse do not count here."""
+
+_WAITS, _HELD, _MOVES, _WRONG = "waits", "held", "moves", "wrong"
+
+
+class GamepadStrip(Translated, QWidget):
+    """One line, only while a gamepad is switched on; it keeps its room then.
+
+    It also says to the controller when the window is no place to jog from: not in front, covered by
+    a menu, minimised, hidden.
+
+    Args:
+        controller: Whose gamepads they are.
+        store: Says whether they are switched on.
+    """
+
+    def __init__(
+        self, controller: ArmController, store: SettingsStore, parent: QWidget | None = None
+    ) -> None:
+        super().__init__(parent)
+        self.setObjectName("gamepad_strip")
+        self._controller = controller
+        self._view: PilotView | None = None
+        self._state = _WAITS
+        self._watching = False
+        self._guard = HoldGuard(self, _A_DAY_S)
+        self._guard.lost.connect(self._on_lost)
+        self._icon = QLabel()
+        self._icon.setFixedWidth(_ICON_PX)
+        self._text = ElidedLabel()
+        self._text.setObjectName("gamepad_text")
+        margins = (_SIDE_PX, _PADDING_PX, _SIDE_PX, _PADDING_PX)
+        in_row(self._icon, (self._text, 1), on=self, spacing=10, margins=margins)
+        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
+        self.hide()
+        unsubscribe = store.subscribe(self._choose)
+        self.destroyed.connect(lambda: unsubscribe())  # noqa: PLW0108 - it comes with an argument
+        if store.settings.gamepad:
+            QTimer.singleShot(0, self, partial(self._choose, store.settings))
+
+    @property
+    def text(self) -> str:
+        """What it says now."""
+        return self._text.text()
+
+    def _choose(self, settings: Settings) -> None:
+        """Switch the gamepads on or off; nothing of theirs is loaded before they are."""
+        if self._view is None:
+            if not settings.gamepad:
+                return
+            pilot = self._controller.gamepad
+            pilot.attended = self._why_not_attended
+            pilot.changed.connect(self._on_changed)
+        self._controller.gamepad.choose(settings)
+        self._on_changed(self._controller.gamepad.view)
+
+    # Whether the operator attends to this window --------------------------------------------------
+
+    def _why_not_attended(self) -> Refusal | None:
+        window = self.window()
+        in_front = window.isVisible() and window.isActiveWindow() and not window.isMinimized()
+        covered = QApplication.activePopupWidget() or QApplication.activeModalWidget()
+        if in_front and covered is None:
+            return None
+        return Refusal(RefusalCode.GAMEPAD_NOT_IN_FRONT)
+
+    def _on_lost(self) -> None:
+        self._controller.gamepad.lose(Refusal(RefusalCode.GAMEPAD_NOT_IN_FRONT))
+
+    # Appearance -------------------------------------------------------------------------------
+
+    def _on_changed(self, view: PilotView) -> None:
+        from armui.gamepad.dead_man import HoldPhase  # noqa: PLC0415 - faster start
+
+        self._view = view
+        self.setVisible(view.on)
+        held = view.phase not in {HoldPhase.UP, HoldPhase.SPENT}
+        if held != self._watching:
+            self._watching = held
+            if held:
+                self._guard.watch()
+            else:
+                self._guard.release()
+        self._state = {
+            HoldPhase.UP: _WAITS,
+            HoldPhase.READY: _HELD,
+            HoldPhase.MOVING: _MOVES,
+            HoldPhase.OFF_CENTRE: _WRONG,
+            HoldPhase.SPENT: _WRONG,
+        }[view.phase]
+        if not view.devices and (view.missing or view.problems):
+            self._state = _WRONG
+        self.retranslate_ui()
+
+    def retranslate_ui(self) -> None:
+        """Say it in the operator's language."""
+        if self._view is None:
+            return
+        text = self._sentence(self._view)
+        self._text.show_text(text)
+        self.setAccessibleName(text)
+        self._recolor()
+
+    def _sentence(self, view: PilotView) -> str:
+        from armui.gamepad.dead_man import HoldPhase  # noqa: PLC0415 - faster start
+        from armui.ui.words.gamepad import gamepad_button, gamepad_mode  # noqa: PLC0415 - as above
+
+        device = view.device or next(iter(view.devices), None)
+        if device is None:
+            return self._nothing_found(view)
+        button = gamepad_button(device.kind, self._controller.gamepad.buttons_of(device).dead_man)
+        figures = {
+            "device": device.name,
+            "mode": gamepad_mode(view.mode),
+            "button": button,
+            "axes": view.axes,
+        }
+        text = {
+            HoldPhase.UP: self.tr("{device} · {mode} · hold {button} and push an axis to jog"),
+            HoldPhase.READY: self.tr("{device} · {mode} · dead man held, ready"),
+            HoldPhase.MOVING: self.tr("{device} · {mode} · jogging {axes}"),
+            HoldPhase.OFF_CENTRE: self.tr("{device} · {mode} · let every axis back to its centre"),
+            HoldPhase.SPENT: self.tr("{device} · let go of {button}, then press it anew"),
+        }[view.phase].format(**figures)
+        return text if view.reason is None else f"{text} · {words.refusal(view.reason)}"
+
+    def _nothing_found(self, view: PilotView) -> str:
+        if view.missing:
+            return self.tr(
+                "Gamepad: {packages} not installed. Install with pip: armui[gamepad]"
+            ).format(packages=", ".join(view.missing))
+        if view.problems:
+            return self.tr("Gamepad: {problem}").format(problem="; ".join(view.problems))
+        return self.tr("Gamepad: none found. Plug one in or switch it on.")
+
+    def _recolor(self) -> None:
+        _fill, ink = self._paint_colors(colors_of(self))
+        palette = self._text.palette()
+        palette.setColor(self._text.foregroundRole(), ink)
+        self._text.setPalette(palette)
+        name = "warning" if self._state == _WRONG else "gamepad"
+        self._icon.setPixmap(icons.pixmap(name, ink, _ICON_PX, self.devicePixelRatioF()))
+        self.update()
+
+    def _paint_colors(self, colors: Colors) -> tuple[str, str]:
+        """Ground and ink."""
+        return {
+            _WAITS: (colors.window, colors.muted),
+            _HELD: (colors.accent_pale, colors.text),
+            _MOVES: (colors.accent, colors.on_accent),
+            _WRONG: (colors.warn_pale, colors.text),
+        }[self._state]
+
+    def sizeHint(self) -> QSize:
+        """One line."""
+        return QSize(300, max(self.fontMetrics().height(), _ICON_PX) + 2 * _PADDING_PX)
+
+    def minimumSizeHint(self) -> QSize:
+        """No lower, and as narrow as may be."""
+        return QSize(0, self.sizeHint().height())
+
+    def paintEvent(self, _event: QPaintEvent) -> None:
+        """Draw the ground of what matters now."""
+        if self._state == _WAITS:
+            return
+        fill, _ink = self._paint_colors(colors_of(self))
+        painter = painting.begin(self)
+        ground = QRectF(self.rect()).adjusted(_GROUND_SIDE_PX, 1, -_GROUND_SIDE_PX, -1)
+        painting.panel(painter, ground, fill, fill)
+        painter.end()

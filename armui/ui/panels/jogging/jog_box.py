@@ -1,0 +1,225 @@
+"""运动控制 and 末端控制 in the room of a hand: jogging beside the points that are being made."""
+
+from __future__ import annotations
+
+import enum
+from collections.abc import Sequence
+from functools import partial
+from typing import TYPE_CHECKING, Final
+
+from PySide6.QtCore import Signal
+from PySide6.QtWidgets import QButtonGroup, QFrame, QWidget
+
+from armui.arm.refusal import Refusal
+from armui.arm.refusal_codes import RefusalCode
+from armui.control.events import Event, EventCode
+from armui.control.motion.jog_path import JointJog, ToolJog
+from armui.kinematics.axes import AXES, LINEAR_AXES, JogFrame
+from armui.ui import format as fmt
+from armui.ui import words
+from armui.ui.freshness import is_stale
+from armui.ui.panels.jogging.jog_cell import JogCell
+from armui.ui.panels.jogging.step_box import StepBox
+from armui.ui.widgets.buttons import caption, choice_button, named
+from armui.ui.widgets.flow import Flow
+from armui.ui.widgets.hold_guard import UNATTENDED_S
+from armui.ui.widgets.layouts import empty_grid, in_column
+from armui.ui.widgets.translated import Translated
+
+if TYPE_CHECKING:
+    from PySide6.QtGui import QHideEvent, QShowEvent
+
+    from armui.arm.state import ArmState
+    from armui.control.arm_controller import ArmController
+    from armui.control.operating_state import OperatingState
+
+_ACROSS: Final = 3
+_JOINTS: Final = tuple(f"J{joint}" for joint in range(1, 7))
+
+
+class JogKind(enum.Enum):
+    """What − and + move."""
+
+    JOINTS = "joints"
+    BASE = "base"
+    TOOL = "tool"
+
+
+_FRAMES: Final = {JogKind.BASE: JogFrame.BASE, JogKind.TOOL: JogFrame.TOOL}
+
+
+class JogBox(Translated, QFrame):
+    """Jogs as the panels do, by the same parts of the controller; it holds no targets.
+
+    Args:
+        controller: Whom to ask for motion.
+        more: What else is to be in reach while jogging, at the end of its first line.
+
+    Signals:
+        refused: A :class:`Refusal`, or ``None`` when something was done.
+    """
+
+    refused = Signal(object)
+
+    def __init__(self, controller: ArmController, *more: QWidget) -> None:
+        super().__init__()
+        self.setObjectName("jog_box")
+        self.setProperty("card", True)
+        self._controller = controller
+        self._kinds = QButtonGroup(self)
+        self._choices = {kind: choice_button(f"box_{kind.value}") for kind in JogKind}
+        for kind, button in self._choices.items():
+            self._kinds.addButton(button, tuple(JogKind).index(kind))
+        self._choices[JogKind.JOINTS].setChecked(True)
+        self._degrees = named("box_step_deg", StepBox(fmt.short_angle))
+        self._lengths = named("box_step_mm", StepBox(lambda step: f"{step:g} mm / {step:g}°"))
+        self._cells = [JogCell(place) for place in range(len(AXES))]
+        self._lay_out(more)
+        self._held = False
+        self._connect()
+        self._show_kind()
+        self.retranslate_ui()
+
+    def _lay_out(self, more: Sequence[QWidget]) -> None:
+        head = Flow()
+        for widget in (*self._choices.values(), self._degrees, self._lengths):
+            head.addWidget(widget)
+        for widget in more:
+            head.push(widget)
+        grid = empty_grid(gaps=(16, 4))
+        for place, cell in enumerate(self._cells):
+            grid.addWidget(cell, place // _ACROSS, place % _ACROSS)
+            grid.setColumnStretch(place % _ACROSS, 1)
+        in_column(head, grid, on=self, spacing=6, margins=(10, 8, 10, 8))
+
+    def _connect(self) -> None:
+        self._kinds.idClicked.connect(self._on_kind)
+        for cell in self._cells:
+            cell.stepped.connect(self._on_stepped)
+            cell.repeated.connect(self._on_repeated)
+            cell.held.connect(self._on_held)
+            cell.let_go.connect(self._on_let_go)
+            cell.unattended.connect(self._on_unattended)
+        for box in (self._degrees, self._lengths):
+            box.chosen.connect(self._on_step)
+        self._controller.state_changed.connect(self._on_state)
+        self._controller.operating_state_changed.connect(self._on_operating_state)
+        self._controller.noticed.connect(self._on_noticed)
+
+    @property
+    def kind(self) -> JogKind:
+        """What − and + move now."""
+        return tuple(JogKind)[self._kinds.checkedId()]
+
+    @property
+    def _steps(self) -> StepBox:
+        return self._degrees if self.kind is JogKind.JOINTS else self._lengths
+
+    def _on_kind(self, _number: int) -> None:
+        self._on_let_go()
+        self._show_kind()
+
+    def _show_kind(self) -> None:
+        joints = self.kind is JogKind.JOINTS
+        self._degrees.setVisible(joints)
+        self._lengths.setVisible(not joints)
+        for place, cell in enumerate(self._cells):
+            if joints:
+                cell.stand_for(_JOINTS[place], "°")
+            else:
+                cell.stand_for(AXES[place], "mm" if place < LINEAR_AXES else "°")
+        self._on_step()
+        self._show_measured()
+
+    def _on_step(self) -> None:
+        for cell in self._cells:
+            cell.set_continuous(self._steps.continuous)
+
+    # Jogging ----------------------------------------------------------------------------------
+
+    def _on_stepped(self, place: int, direction: int) -> None:
+        amount, kind = direction * self._steps.step, self.kind
+        if kind is JogKind.JOINTS:
+            self.refused.emit(self._controller.motion.jog(place + 1, amount))
+        else:
+            self.refused.emit(self._controller.cartesian.step(place, amount, _FRAMES[kind]))
+
+    def _on_repeated(self, place: int, direction: int) -> None:
+        """A held button waits for an arm that does not keep up: letting go must end the motion."""
+        if self.kind is JogKind.JOINTS:
+            waits = self._controller.motion.jog_lagging(place + 1, self._steps.step)
+        else:
+            waits = self._controller.operating_state.moving
+        if not waits:
+            self._on_stepped(place, direction)
+
+    def _on_held(self, place: int, direction: int) -> None:
+        kind = self.kind
+        if kind is JogKind.JOINTS:
+            refusal = self._controller.jogging.start(JointJog(place + 1, direction))
+        else:
+            refusal = self._controller.jogging.start(ToolJog(place, direction, _FRAMES[kind]))
+        self._held = refusal is None
+        self.refused.emit(refusal)
+
+    def _on_let_go(self) -> None:
+        if self._held:
+            self._held = False
+            self._controller.jogging.stop()
+
+    def _on_unattended(self) -> None:
+        self.refused.emit(Refusal(RefusalCode.HOLD_UNATTENDED, {"seconds": UNATTENDED_S}))
+
+    def _on_noticed(self, event: Event) -> None:
+        reason = event.params.get("reason")
+        if event.code == EventCode.JOG_ENDED and isinstance(reason, Refusal) and self.isVisible():
+            self.refused.emit(reason)
+
+    # What the arm says ------------------------------------------------------------------------
+
+    def _on_state(self, _state: ArmState) -> None:
+        if self.isVisible():
+            self._show_measured()
+
+    def _on_operating_state(self, _operating_state: OperatingState) -> None:
+        if self.isVisible():
+            self._show_all()
+
+    def _show_all(self) -> None:
+        why_not = words.why_not(self._controller.operating_state.cannot_move)
+        for cell in self._cells:
+            cell.allow_jog(why_not)
+        self._show_measured()
+
+    def _show_measured(self) -> None:
+        state, operating_state = self._controller.state, self._controller.operating_state
+        stale = partial(is_stale, state=state, operating_state=operating_state)
+        if self.kind is JogKind.JOINTS:
+            for cell, heard in zip(self._cells, state.joints_deg, strict=True):
+                cell.show_measured(None if heard is None else heard.value, stale=stale(heard))
+            return
+        pose = self._controller.cartesian.tool_pose(state)
+        old = any(stale(heard) for heard in state.pose)
+        for cell, value in zip(self._cells, pose or (None,) * len(AXES), strict=True):
+            cell.show_measured(value, stale=old)
+
+    # Appearance -------------------------------------------------------------------------------
+
+    def showEvent(self, event: QShowEvent) -> None:
+        """Catch up."""
+        super().showEvent(event)
+        self._show_all()
+
+    def hideEvent(self, event: QHideEvent) -> None:
+        """Nothing is jogged by what is not seen; the buttons have let go by now."""
+        super().hideEvent(event)
+        self._on_let_go()
+
+    def retranslate_ui(self) -> None:
+        """Put every word into the operator's language."""
+        texts = (self.tr("Joints"), self.tr("Base axes"), self.tr("Tool axes"))
+        for button, text in zip(self._choices.values(), texts, strict=True):
+            caption(button, text)
+        for box in (self._degrees, self._lengths):
+            box.setAccessibleName(self.tr("Step of − and +"))
+            box.setToolTip(self.tr("How far one press of − or + moves"))

@@ -1,0 +1,1 @@
+"""What stands over and around the 3D picture: views, what is shown in it, dragging."""

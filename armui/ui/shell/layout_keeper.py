@@ -1,0 +1,110 @@
+"""Keeps the arrangement of the window in a small file beside the settings."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+from functools import partial
+from pathlib import Path
+from typing import TYPE_CHECKING, Final
+
+from PySide6.QtCore import QObject, Qt, QTimer
+from PySide6.QtWidgets import QHeaderView
+from shiboken6 import isValid
+
+from armui.ui.background import Job
+from armui.ui.shell.workspace_layout import ColumnLayout, WorkspaceLayout, from_text, to_text
+from armui.ui.watch.layout_file import read_text, write_text
+
+if TYPE_CHECKING:
+    from armui.ui.background import Background
+
+_AFTER_MS: Final = 1000
+"""Nothing is written while a border is still being drawn."""
+
+
+class LayoutKeeper(QObject):
+    """Reads the arrangement once, and writes it a moment after a change.
+
+    A file that cannot be written is not worth a message: the window is then as it was at first.
+
+    Args:
+        settings: The file of the operator's settings.
+        background: Writes.
+        parent: The main window.
+
+    Attributes:
+        layout: As it was read, and changed since.
+    """
+
+    def __init__(self, settings: Path, background: Background, parent: QObject) -> None:
+        super().__init__(parent)
+        self._file = settings.with_name("workspace.json")
+        self._background = background
+        # at the start, as the settings are: a window that changes its size once it is seen startles
+        self.layout: WorkspaceLayout = from_text(read_text(self._file))
+        self._written = self.layout
+        self._collect: Callable[[WorkspaceLayout], WorkspaceLayout] = lambda layout: layout
+        self._timer = QTimer(self, singleShot=True, interval=_AFTER_MS)
+        self._timer.timeout.connect(self.keep)
+
+    def collect_by(self, collect: Callable[[WorkspaceLayout], WorkspaceLayout]) -> None:
+        """Before it is written, have what changes all the time looked up."""
+        self._collect = collect
+
+    def note(self, *_: object) -> None:
+        """Something was moved: keep it soon."""
+        self._timer.start()
+
+    def keep(self) -> None:
+        """Write it now, if it is another."""
+        self._timer.stop()
+        self.layout = self._collect(self.layout)
+        if self.layout == self._written:
+            return
+        self._written = self.layout
+        job: Job[None] = Job(lambda _result: None)
+        self._background.begin_here(job, write_text, self._file, to_text(self.layout))
+
+    def follow(self, name: str, header: QHeaderView) -> None:
+        """Give a table the columns it had, and keep what becomes of them.
+
+        Args:
+            name: Of the table.
+            header: The titles of its columns.
+        """
+        kept = self.layout.columns.get(name)
+        if kept is not None and len(kept.widths_px) == header.count():
+            for place, width_px in enumerate(kept.widths_px):
+                if header.sectionResizeMode(place) == QHeaderView.ResizeMode.Interactive:
+                    header.resizeSection(place, width_px)
+            if kept.sorted_by >= 0 and header.isSortIndicatorShown():
+                order = Qt.SortOrder.AscendingOrder
+                if not kept.ascending:
+                    order = Qt.SortOrder.DescendingOrder
+                header.setSortIndicator(kept.sorted_by, order)
+        changed = partial(self._note_columns, name, header)
+        header.sectionResized.connect(lambda *_: changed())
+        header.sortIndicatorChanged.connect(lambda *_: changed())
+
+    def _note_columns(self, name: str, header: QHeaderView) -> None:
+        if not isValid(header):
+            return  # it tells of its sections while it is taken down
+        kept = self.layout.columns.get(name)
+        known = () if kept is None else kept.widths_px
+        shown = header.isSortIndicatorShown()
+        columns = ColumnLayout(
+            tuple(_width_px(header, place, known) for place in range(header.count())),
+            header.sortIndicatorSection() if shown else -1,
+            header.sortIndicatorOrder() == Qt.SortOrder.AscendingOrder,
+        )
+        if kept != columns:
+            self.layout = replace(self.layout, columns={**self.layout.columns, name: columns})
+            self.note()
+
+
+def _width_px(header: QHeaderView, place: int, known: Sequence[int]) -> int:
+    """Of a column; one that is hidden now keeps what it had."""
+    if not header.isSectionHidden(place):
+        return header.sectionSize(place)
+    return known[place] if place < len(known) else header.defaultSectionSize()

@@ -1,0 +1,93 @@
+"""轨迹库 and the pages it leads to; loaded when the library is first opened."""
+
+from __future__ import annotations
+
+from functools import partial
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QObject
+
+from armui.system.helper_process import FileThread
+from armui.ui.background import Background
+
+if TYPE_CHECKING:
+    from concurrent.futures import Executor
+
+    from armui.control.arm_controller import ArmController
+    from armui.settings import SettingsStore
+    from armui.ui.picture.picture_work import PictureWork
+    from armui.ui.shell.page_area import PageArea
+    from armui.ui.shell.workspace import Workspace
+    from armui.ui.trajectory.library.library_page import LibraryPage
+    from armui.ui.trajectory.preview.path_preview import PathPreview
+
+
+class TrajectoryPages(QObject):
+    """Makes the library, and has every page of it stand where pages stand.
+
+    Args:
+        controller: Runs trajectories, and knows where the arm is.
+        workspace: Takes care of the pages.
+        area: Where they stand in the main window.
+        preferences: Keep the tool.
+        workers: Who does what takes long.
+        files: Who does what waits for a disk; the workers by default.
+        folder: Of the library; the user's own by default.
+        preview: Shows the path that was checked last.
+        picture: What is clicked and dragged in the 3D picture leads to a page.
+        parent: The main window.
+    """
+
+    def __init__(
+        self,
+        controller: ArmController,
+        workspace: Workspace,
+        area: PageArea,
+        *,
+        preferences: SettingsStore,
+        workers: Executor,
+        files: Executor | None,
+        folder: Path | None,
+        preview: PathPreview,
+        picture: PictureWork,
+        parent: QObject,
+    ) -> None:
+        super().__init__(parent)
+        self._controller = controller
+        self._preferences = preferences
+        self._workers, self._files, self._folder = workers, files, folder
+        self._workspace, self._area = workspace, area
+        self._preview, self._picture = preview, picture
+        self._library: LibraryPage | None = None
+
+    def open_library(self) -> None:
+        """Show 轨迹库 (manual 1.0.9)."""
+        if self._library is None:
+            self._library = self._make()
+        self._library.open()
+
+    def keep_work(self) -> None:
+        """The program ends: what is not saved is offered the next time."""
+        if self._library is not None:
+            self._library.keep_work()
+
+    def _make(self) -> LibraryPage:
+        from armui.system import paths  # noqa: PLC0415 - faster start
+        from armui.trajectory.library.store import Library  # noqa: PLC0415 - numpy, faster start
+        from armui.ui.trajectory.library.library_page import LibraryPage  # noqa: PLC0415 - as above
+        from armui.ui.trajectory.preview.preview_link import PreviewLink  # noqa: PLC0415 - as above
+
+        folder = self._folder or paths.trajectories()
+        files = self._files
+        library = (
+            Library(folder, call=files.call) if isinstance(files, FileThread) else Library(folder)
+        )
+        # as 末端控制 takes it: what goes along the tool's axes must not wait for that panel
+        self._controller.cartesian.tool = self._preferences.settings.tool
+        background = Background(self._workers, files, self)
+        page = LibraryPage(self._controller, background, library)
+        self._workspace.add(page, self._area)
+        page.page_made.connect(partial(self._workspace.add, home=self._area))
+        self._picture.link(PreviewLink(page, self._preview, self._controller))
+        return page

@@ -1,0 +1,114 @@
+"""Panels or pages at the left, the 3D picture at the right, and how wide each is."""
+
+from __future__ import annotations
+
+from typing import Final
+
+from PySide6.QtCore import QPoint, QRect, Qt, Signal
+from PySide6.QtGui import QResizeEvent
+from PySide6.QtWidgets import QSplitter, QWidget
+
+from armui.ui.shell.page_area import PageArea
+
+PANEL_PX: Final = 440
+PAGE_SHARE: Final = 0.6
+_LEAST_PANEL_PX: Final = 400
+_LEAST_VIEW_PX: Final = 300
+
+
+class WorkArea(QSplitter):
+    """Keeps two widths: that of the panels, and the share of the pages, which grow with the window.
+
+    A width that the window cannot hold is not used, and not forgotten.
+
+    Args:
+        panels: The panel that is chosen in the menu.
+        pages: Stands in its place while a page is seen.
+        view: The picture; never narrower than what its figures need.
+
+    Attributes:
+        panel_px: How wide the panels are.
+        page_share: How much of the room the pages take, 0–1.
+
+    Signals:
+        turned: Pages are seen now (``True``), or panels.
+        sized: The operator has moved the border.
+    """
+
+    turned = Signal(bool)
+    sized = Signal()
+
+    def __init__(self, panels: QWidget, pages: PageArea, view: QWidget) -> None:
+        super().__init__(Qt.Orientation.Horizontal)
+        self.setObjectName("splitter")
+        self.setHandleWidth(1)
+        self.panel_px = PANEL_PX
+        self.page_share = PAGE_SHARE
+        self._panels, self._pages, self._view = panels, pages, view
+        panels.setMinimumWidth(_LEAST_PANEL_PX)
+        view.setMinimumWidth(_LEAST_VIEW_PX)
+        for widget in (panels, pages, view):
+            self.addWidget(widget)
+        self.setChildrenCollapsible(False)
+        for place, stretch in enumerate((0, 0, 1)):
+            self.setStretchFactor(place, stretch)
+        pages.hide()
+        pages.shown.connect(self.show_pages)
+        pages.emptied.connect(self.show_panels)
+        self.splitterMoved.connect(self._on_moved)
+
+    @property
+    def shows_pages(self) -> bool:
+        """Whether a page stands in the place of the panels."""
+        return not self._pages.isHidden()
+
+    def show_pages(self) -> None:
+        """Show the pages, if one is open."""
+        if self._pages.current is not None:
+            self._turn(pages=True)
+
+    def show_panels(self) -> None:
+        """Show the panels; the pages stay as they are."""
+        self._turn(pages=False)
+
+    def set_widths(self, panel_px: int, page_share: float) -> None:
+        """Take other widths."""
+        self.panel_px, self.page_share = panel_px, page_share
+        self.fit()
+
+    def _turn(self, *, pages: bool) -> None:
+        if pages == self.shows_pages:
+            return
+        self._panels.setVisible(not pages)
+        self._pages.setVisible(pages)
+        self.fit()
+        self.turned.emit(pages)
+
+    def fit(self) -> None:
+        """Give each its width, as far as there is room."""
+        room = self.width() - self.handleWidth()
+        left = self._pages if self.shows_pages else self._panels
+        wanted = round(self.page_share * room) if self.shows_pages else self.panel_px
+        least = max(left.minimumWidth(), left.minimumSizeHint().width())
+        width = max(least, min(wanted, room - self._view.minimumWidth()))
+        of_panels, of_pages = (0, width) if self.shows_pages else (width, 0)
+        self.setSizes([of_panels, of_pages, max(0, room - width)])
+
+    def left_of_picture(self) -> QRect:
+        """The room between the window's left edge and the picture, in pixels of the desktop."""
+        top = self.mapToGlobal(QPoint(0, 0)).y()
+        left = self.window().mapToGlobal(QPoint(0, 0)).x()
+        return QRect(left, top, self._view.mapToGlobal(QPoint(0, 0)).x() - left, self.height())
+
+    def _on_moved(self, *_: int) -> None:
+        left = self._pages if self.shows_pages else self._panels
+        if self.shows_pages:
+            self.page_share = left.width() / max(1, self.width() - self.handleWidth())
+        else:
+            self.panel_px = left.width()
+        self.sized.emit()
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """The picture gets what panels leave it; pages keep their share."""
+        super().resizeEvent(event)
+        self.fit()

@@ -1,0 +1,186 @@
+"""Where each page stands: in the main window, or taken out into a window of its own."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+from functools import partial
+from typing import TYPE_CHECKING, Final, Protocol
+
+from PySide6.QtCore import QMargins, QObject, QRect
+from PySide6.QtGui import QGuiApplication
+from PySide6.QtWidgets import QWidget
+
+from armui.ui.shell.page_window import PageWindow
+from armui.ui.shell.workspace_layout import Place, fitted
+
+if TYPE_CHECKING:
+    from armui.control.arm_controller import ArmController
+    from armui.ui.shell.layout_keeper import LayoutKeeper
+    from armui.ui.widgets.page import Page
+
+_ASIDE_PX: Final = 32
+"""The second window of a kind does not hide the first."""
+_FRAME: Final = QMargins(8, 36, 8, 8)
+"""What window systems draw around a window, its title above all; it must be in reach."""
+
+
+class PageHome(Protocol):
+    """A region of the main window that shows pages."""
+
+    def show_page(self, page: Page) -> None:
+        """Show a page in front of the others."""
+
+    def drop_page(self, page: Page) -> None:
+        """Let go of a page."""
+
+
+class Workspace(QObject):
+    """Knows every page, and brings it to where the operator wants pages of its kind.
+
+    Args:
+        controller: Whom the stops of the windows tell.
+        keeper: Remembers what was taken out, and where to.
+        window: The main window.
+    """
+
+    def __init__(self, controller: ArmController, keeper: LayoutKeeper, window: QWidget) -> None:
+        super().__init__(window)
+        self._controller = controller
+        self._keeper = keeper
+        self._window = window
+        self._homes: dict[Page, PageHome] = {}
+        self._kept: dict[str, Page] = {}
+        self._windows: dict[Page, PageWindow] = {}
+
+    def add(self, page: Page, home: PageHome) -> None:
+        """Take care of a page from now on; nothing is shown before the page wants it.
+
+        Args:
+            page: Made a moment ago.
+            home: Where it stands while it is not taken out.
+        """
+        page.hide()
+        page.setParent(self._window)
+        self._homes[page] = home
+        for name, header in page.headers().items():
+            self._keeper.follow(name, header)
+        page.wanted.connect(partial(self._show, page))
+        page.closed.connect(partial(self._on_closed, page))
+        page.destroyed.connect(partial(self._forget, page))
+
+    def open_kept(self, key: str, make: Callable[[], Page], home: PageHome) -> Page:
+        """Show the one page of a kind, made at the first time.
+
+        Args:
+            key: The kind.
+            make: Makes the page.
+            home: Where it stands while it is not taken out.
+        """
+        if key not in self._kept:
+            self._kept[key] = make()
+            self.add(self._kept[key], home)
+        self._kept[key].open()
+        return self._kept[key]
+
+    def kept(self, key: str) -> Page | None:
+        """The one page of a kind, if it was made."""
+        return self._kept.get(key)
+
+    def is_taken_out(self, page: Page) -> bool:
+        """Whether it stands in a window of its own now."""
+        return page in self._windows
+
+    def take_out(self, page: Page) -> None:
+        """Give a page a window of its own; pages of its kind open in one from now on."""
+        at = self._window.mapToGlobal(page.mapTo(self._window, page.rect().topLeft()))
+        self._homes[page].drop_page(page)
+        window = self._window_of(page)
+        if page.key not in self._keeper.layout.taken_out:
+            window.move(at)
+        self._note(window, page.key)
+        window.open()
+
+    def put_back(self, page: Page) -> None:
+        """Bring a page home; pages of its kind open there from now on."""
+        self._let_go(page)
+        layout = self._keeper.layout
+        left = {key: place for key, place in layout.taken_out.items() if key != page.key}
+        self._keeper.layout = replace(layout, taken_out=left)
+        self._keeper.note()
+        self._homes[page].show_page(page)
+        self._window.raise_()
+        self._window.activateWindow()
+
+    def close_windows(self) -> None:
+        """The program ends: where they stand is remembered, the pages are not left."""
+        for page in list(self._windows):
+            self._let_go(page)
+
+    def _show(self, page: Page) -> None:
+        if page in self._windows:
+            self._windows[page].open()
+        elif page.key in self._keeper.layout.taken_out:
+            self._homes[page].drop_page(page)
+            self._window_of(page).open()
+        else:
+            self._homes[page].show_page(page)
+
+    def _window_of(self, page: Page) -> PageWindow:
+        window = self._windows[page] = PageWindow(self._controller, page, self._window)
+        window.put_back_wanted.connect(partial(self.put_back, page))
+        window.placed.connect(partial(self._on_placed, window, page.key))
+        kept = self._keeper.layout.taken_out.get(page.key)
+        if kept is not None:
+            others = sum(each.key == page.key for each in self._windows) - 1
+            aside = replace(kept, x=kept.x + others * _ASIDE_PX, y=kept.y + others * _ASIDE_PX)
+            window.setGeometry(on_screen(aside))
+        return window
+
+    def _on_placed(self, window: PageWindow, key: str) -> None:
+        if window.isVisible():
+            self._note(window, key)
+
+    def _note(self, window: PageWindow, key: str) -> None:
+        layout = self._keeper.layout
+        kept = {**layout.taken_out, key: place_of(window.geometry())}
+        self._keeper.layout = replace(layout, taken_out=kept)
+        self._keeper.note()
+
+    def _on_closed(self, page: Page) -> None:
+        """A page that was left; the one that led to it is seen again, wherever it stands."""
+        docked = page not in self._windows and page.isVisible()
+        self._let_go(page)
+        self._homes[page].drop_page(page)
+        if docked and page.above is not None:
+            page.above.open()
+
+    def _let_go(self, page: Page) -> None:
+        window = self._windows.pop(page, None)
+        if window is not None:
+            window.release()
+
+    def _forget(self, page: Page) -> None:
+        self._homes.pop(page, None)
+
+
+def screens() -> list[Place]:
+    """What a window can fill of each screen, the main one first."""
+    main = QGuiApplication.primaryScreen()
+    ordered = [main, *(each for each in QGuiApplication.screens() if each is not main)]
+    return [place_of(each.availableGeometry().marginsRemoved(_FRAME)) for each in ordered]
+
+
+def place_of(rect: QRect) -> Place:
+    """A rectangle of Qt as plain figures."""
+    return Place(rect.x(), rect.y(), rect.width(), rect.height())
+
+
+def rect_of(place: Place) -> QRect:
+    """The other way round."""
+    return QRect(place.x, place.y, place.width, place.height)
+
+
+def on_screen(place: Place) -> QRect:
+    """Where a window opens that stood at a place: wholly on a screen there is."""
+    return rect_of(fitted(place, screens()))

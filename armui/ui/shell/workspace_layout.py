@@ -1,0 +1,185 @@
+"""How the operator has arranged the window: plain data, its text in a file, and what fits a screen.
+
+Pure. Whatever the text holds, a layout comes of it: what is not possible is as it is at first.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from typing import Any, Final
+
+from armui.arm.json_fields import finite
+
+_FARTHEST_PX: Final = 100_000
+_LEAST_WINDOW_PX: Final = (320, 240)
+_MOST_ENTRIES: Final = 64
+_MOST_COLUMNS: Final = 64
+_WIDEST_COLUMN_PX: Final = 4000
+_LEAST_COLUMN_PX: Final = 20
+
+
+@dataclass(frozen=True, slots=True)
+class Place:
+    """Where a window stands, in pixels of the desktop."""
+
+    x: int
+    y: int
+    width: int
+    height: int
+
+
+@dataclass(frozen=True, slots=True)
+class ColumnLayout:
+    """The columns of a table.
+
+    Attributes:
+        widths_px: From left to right.
+        sorted_by: The column of the order, −1 for none.
+        ascending: The direction of the order.
+    """
+
+    widths_px: tuple[int, ...]
+    sorted_by: int = -1
+    ascending: bool = True
+
+
+@dataclass(frozen=True, slots=True)
+class WorkspaceLayout:
+    """The arrangement of the window.
+
+    Attributes:
+        window: Where the main window stands; ``None``: as it is at first.
+        maximized: Whether it fills its screen.
+        panel_px: How wide the panels are; 0: as at first.
+        page_share: How much of the room the pages take; 0: as at first.
+        drawer_px: How high the drawer is when it is open; 0: as at first.
+        taken_out: Where the window of each page stands that was taken out, by the page's key.
+        columns: Of each table by its name.
+    """
+
+    window: Place | None = None
+    maximized: bool = False
+    panel_px: int = 0
+    page_share: float = 0.0
+    drawer_px: int = 0
+    taken_out: Mapping[str, Place] = field(default_factory=dict)
+    columns: Mapping[str, ColumnLayout] = field(default_factory=dict)
+
+
+def to_text(layout: WorkspaceLayout) -> str:
+    """As it stands in the file."""
+    entries = {
+        "window": None if layout.window is None else _numbers(layout.window),
+        "maximized": layout.maximized,
+        "panel_px": layout.panel_px,
+        "page_share": round(layout.page_share, 4),
+        "drawer_px": layout.drawer_px,
+        "taken_out": {key: _numbers(place) for key, place in layout.taken_out.items()},
+        "columns": {
+            name: {
+                "widths_px": list(columns.widths_px),
+                "sorted_by": columns.sorted_by,
+                "ascending": columns.ascending,
+            }
+            for name, columns in layout.columns.items()
+        },
+    }
+    return f"{json.dumps(entries, indent=2)}\n"
+
+
+def from_text(text: str) -> WorkspaceLayout:
+    """The layout in a file; what is wrong in it is as at first."""
+    try:
+        found = json.loads(text)
+    except (ValueError, RecursionError):
+        return WorkspaceLayout()
+    if not isinstance(found, dict):
+        return WorkspaceLayout()
+    share = finite(found.get("page_share"))
+    return WorkspaceLayout(
+        window=_place(found.get("window")),
+        maximized=found.get("maximized") is True,
+        panel_px=_pixels(found.get("panel_px")),
+        page_share=share if share is not None and 0.0 < share < 1.0 else 0.0,
+        drawer_px=_pixels(found.get("drawer_px")),
+        taken_out={
+            key: place
+            for key, entry in _entries(found.get("taken_out"))
+            if (place := _place(entry)) is not None
+        },
+        columns={
+            name: columns
+            for name, entry in _entries(found.get("columns"))
+            if (columns := _columns(entry)) is not None
+        },
+    )
+
+
+def fitted(place: Place, screens: Sequence[Place]) -> Place:
+    """A place for a window that is wholly on a screen: the one that shows most of it now.
+
+    Args:
+        place: Where it stood.
+        screens: What can be used of each, the first one the main one; at least one.
+    """
+    screen = max(screens, key=lambda each: _overlap(place, each))
+    width, height = min(place.width, screen.width), min(place.height, screen.height)
+    x = min(max(place.x, screen.x), screen.x + screen.width - width)
+    y = min(max(place.y, screen.y), screen.y + screen.height - height)
+    return replace(place, x=x, y=y, width=width, height=height)
+
+
+def _overlap(one: Place, other: Place) -> int:
+    across = min(one.x + one.width, other.x + other.width) - max(one.x, other.x)
+    down = min(one.y + one.height, other.y + other.height) - max(one.y, other.y)
+    return max(0, across) * max(0, down)
+
+
+def _numbers(place: Place) -> list[int]:
+    return [place.x, place.y, place.width, place.height]
+
+
+def _entries(found: object) -> list[tuple[str, Any]]:
+    entries = list(found.items()) if isinstance(found, dict) else []
+    return [(key, entry) for key, entry in entries if isinstance(key, str)][:_MOST_ENTRIES]
+
+
+def _whole(value: object) -> int | None:
+    """A whole number of pixels that a desktop can have."""
+    if isinstance(value, bool) or not isinstance(value, int) or abs(value) > _FARTHEST_PX:
+        return None
+    return value
+
+
+def _pixels(value: object) -> int:
+    figure = _whole(value)
+    return 0 if figure is None else max(0, figure)
+
+
+def _place(entry: object) -> Place | None:
+    figures = [_whole(each) for each in entry] if isinstance(entry, list) else []
+    whole = [each for each in figures if each is not None]
+    if len(figures) != 4 or len(whole) != 4:
+        return None
+    least_width, least_height = _LEAST_WINDOW_PX
+    if whole[2] < least_width or whole[3] < least_height:
+        return None
+    return Place(*whole)
+
+
+def _columns(entry: object) -> ColumnLayout | None:
+    if not isinstance(entry, dict):
+        return None
+    found = entry.get("widths_px")
+    widths = [_whole(each) for each in found] if isinstance(found, list) else []
+    whole = tuple(each for each in widths if each is not None)
+    if len(whole) != len(widths) or not 0 < len(whole) <= _MOST_COLUMNS:
+        return None
+    by = _whole(entry.get("sorted_by"))
+    return ColumnLayout(
+        tuple(min(_WIDEST_COLUMN_PX, max(_LEAST_COLUMN_PX, width)) for width in whole),
+        by if by is not None and -1 <= by < len(whole) else -1,
+        entry.get("ascending") is not False,
+    )

@@ -1,0 +1,371 @@
+"""The second level of 轨迹库: one trajectory, point by point (manual figure 1-20)."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping
+from functools import partial
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QEvent, Qt, Signal
+from PySide6.QtGui import QKeySequence, QShortcut
+from PySide6.QtWidgets import QHeaderView, QLineEdit, QWidget
+
+from armui.arm.refusal import Refusal
+from armui.arm.refusal_codes import RefusalCode
+from armui.control.events import Level
+from armui.control.run.progress import OVER, Progress
+from armui.protocol.codes import MoveMode
+from armui.trajectory.files.errors import TrajectoryFileError
+from armui.trajectory.planning.findings import Severity
+from armui.trajectory.points.edits import Change
+from armui.trajectory.points.program import Trajectory, Waypoint
+from armui.ui import words
+from armui.ui.trajectory.editor.document import Document
+from armui.ui.trajectory.editor.draft_keeper import DraftKeeper
+from armui.ui.trajectory.editor.editor_actions import EditorActions
+from armui.ui.trajectory.editor.editor_hint import EditorHint
+from armui.ui.trajectory.editor.editor_jog import EditorJog
+from armui.ui.trajectory.editor.find_bar import FindBar
+from armui.ui.trajectory.editor.finder import Finder
+from armui.ui.trajectory.editor.findings_pane import FindingsPane
+from armui.ui.trajectory.editor.leave_question import LeaveQuestion
+from armui.ui.trajectory.editor.point_edits import Outcome, PointEdits
+from armui.ui.trajectory.editor.points_model import PointsModel
+from armui.ui.trajectory.editor.points_table import PointsTable
+from armui.ui.trajectory.running.preflight import Checks, Preflight
+from armui.ui.trajectory.running.run_bar import RunBar
+from armui.ui.widgets.buttons import named
+from armui.ui.widgets.layouts import fill
+from armui.ui.widgets.message_line import MessageLine
+from armui.ui.widgets.page import Page
+
+if TYPE_CHECKING:
+    from armui.control.arm_controller import ArmController
+    from armui.ui.trajectory.library.library_work import LibraryWork
+
+
+class EditorPage(Page):
+    """Edits a trajectory of the library.
+
+    Args:
+        controller: Knows where the arm is, moves it and runs what is edited.
+        checks: Checks what is edited.
+        work: Keeps the trajectory in the library.
+        trajectory: As it is kept.
+        draft: Changes of it that an earlier run of the program could not save.
+        parent: Its owner, before it stands anywhere.
+
+    Signals:
+        saved: The trajectory is in the library as it is shown.
+        used: The operator has turned to this editor.
+        insert_wanted: The key for a point of where the arm is was pressed, in any window.
+        selected_row_changed: The row the operator is in, −1 for none.
+        preview_wanted: A :class:`Preflight` whose path is to be shown in 3D, or ``None``.
+    """
+
+    saved = Signal()
+    used = Signal()
+    insert_wanted = Signal()
+    selected_row_changed = Signal(int)
+    preview_wanted = Signal(object)
+
+    def __init__(
+        self,
+        controller: ArmController,
+        checks: Checks,
+        work: LibraryWork,
+        trajectory: Trajectory,
+        *,
+        draft: Trajectory | None = None,
+        parent: QWidget | None = None,
+    ) -> None:
+        super().__init__("editor", parent)
+        self._controller = controller
+        self._work = work
+        work.setParent(self)
+        self._library = work.library
+        self._saving = False
+        self.document = Document(trajectory, self)
+        self.model = PointsModel(self.document, self._to_move, self)
+        self.table = PointsTable(self.model)
+        self._edits = PointEdits(controller, self.document, self.table)
+        self._drafts = DraftKeeper(self.document, work)
+        self._find_bar = FindBar()
+        self._finder = Finder(self.document, self.table, self._find_bar)
+        self._note = named("trajectory_note", QLineEdit(trajectory.note))
+        self._message = named("editor_message", MessageLine())
+        self._findings = FindingsPane()
+        self._run_bar = RunBar(controller, checks, lambda then: then(self.document.trajectory()))
+        self._actions = EditorActions(self, self.table, self._handlers())
+        EditorHint(self.table, self._actions)
+        everywhere = QShortcut(self._actions.keys("insert_measured"), self)
+        everywhere.setContext(Qt.ShortcutContext.ApplicationShortcut)
+        everywhere.activated.connect(self.insert_wanted)
+        everywhere.activatedAmbiguously.connect(self.insert_wanted)
+        keys = everywhere.key().toString(QKeySequence.SequenceFormat.NativeText)
+        self._jog = EditorJog(controller, keys)
+        self._lay_out()
+        self._connect()
+        self.retranslate_ui()
+        if draft is not None:
+            self._take_draft(draft)
+        self._show_count()
+        self.table.show_middle(wanted=_has_arcs(self.document.points))
+        self.table.select_row(0)
+        if not self.document.points:
+            self._actions["jog"].trigger()
+        self.table.setFocus()
+
+    def _handlers(self) -> dict[str, Callable[[], object]]:
+        rows = self._edits
+        of_rows = (
+            *(rows.insert_before, rows.insert_after, rows.insert_measured),
+            *(rows.replace_by_measured, rows.duplicate, rows.delete, rows.cut, rows.copy),
+            *(rows.paste, rows.move_up, rows.move_down, rows.convert, rows.go_to),
+        )
+        return {
+            **{edit.__name__: partial(self._do, edit) for edit in of_rows},
+            "save": self.save,
+            "undo": partial(self._step, self.document.stack.undo),
+            "redo": partial(self._step, self.document.stack.redo),
+            "find": self._find_bar.open,
+            "check": self._run_bar.check,
+            "jog": lambda: self._jog.unfold(self._actions["jog"].isChecked()),
+        }
+
+    def _lay_out(self) -> None:
+        self._find_bar.hide()
+        fill(self.body, self._actions.bar(self._note), self._find_bar, (self.table, 1), self._jog)
+        fill(self.body, self._findings, self._run_bar, self._message)
+
+    def _connect(self) -> None:
+        stack = self.document.stack
+        stack.canUndoChanged.connect(self._actions["undo"].setEnabled)
+        stack.canRedoChanged.connect(self._actions["redo"].setEnabled)
+        self._actions["undo"].setEnabled(False)
+        self._actions["redo"].setEnabled(False)
+        self.document.saved_changed.connect(self._show_title)
+        self.document.note_changed.connect(lambda: self._note.setText(self.document.note))
+        self._note.editingFinished.connect(self._on_note)
+        self._find_bar.closed.connect(self.table.setFocus)
+        self._drafts.failed.connect(self._show_failure)
+        self.table.row_chosen.connect(self.selected_row_changed)
+        self._run_bar.checked.connect(self._show_check)
+        self._run_bar.refused.connect(
+            lambda reason: self._say(words.refusal(reason), Level.WARNING)
+        )
+        self._run_bar.progressed.connect(self._on_progress)
+        self._jog.insert_wanted.connect(self.insert_current)
+        self._jog.refused.connect(self._on_jogged)
+        self._findings.row_wanted.connect(self.table.select_row)
+        self.document.changed.connect(self._on_points)
+
+    # Editing ----------------------------------------------------------------------------------
+
+    def select_row(self, row: int) -> None:
+        """Show a row and make it the current one."""
+        self.table.select_row(row)
+
+    def insert_current(self) -> None:
+        """Make a point of where the arm is, after the chosen row."""
+        self._do(self._edits.insert_measured)
+
+    def event(self, event: QEvent) -> bool:
+        """The operator turns to this editor."""
+        if event.type() in {QEvent.Type.Show, QEvent.Type.WindowActivate}:
+            self.used.emit()
+        return super().event(event)
+
+    def _on_jogged(self, refusal: Refusal | None) -> None:
+        self._say("" if refusal is None else words.refusal(refusal), Level.WARNING)
+
+    def _to_move(self, row: int, move: MoveMode) -> Waypoint | Refusal:
+        return self._edits.to_move(row, move)
+
+    def _step(self, step: Callable[[], None]) -> None:
+        """Undo or redo, and show the rows in which something has changed."""
+        shown: list[Change] = []
+        connection = self.document.changed.connect(shown.append)
+        step()
+        self.document.changed.disconnect(connection)
+        for change in shown:
+            if change.added:
+                self.table.select_rows(change.first, len(change.added))
+            else:
+                self.table.select_row(min(change.first, len(self.document.points) - 1))
+
+    def _on_note(self) -> None:
+        self.document.set_note(self._note.text(), self.tr("Note"))
+
+    def _take_draft(self, draft: Trajectory) -> None:
+        """Bring back what was not saved, as an edit that can be undone."""
+        self.document.set_note(draft.note, self.tr("Unsaved changes"))
+        self.document.edit(draft.points, self.tr("Unsaved changes"))
+        self._say(
+            self.tr(
+                "These changes were not saved when the program ended. Save them, or undo them."
+            ),
+            Level.WARNING,
+        )
+
+    # Checking and running ---------------------------------------------------------------------
+
+    def _on_points(self, change: Change) -> None:
+        """What was found and planned was of other points."""
+        if _has_arcs(change.added):
+            self.table.show_middle(wanted=True)
+        self._findings.clear()
+        self._run_bar.drop_check()
+        self._show_count()
+        self.preview_wanted.emit(None)
+
+    def _show_count(self) -> None:
+        count = len(self.document.points)
+        empty = Refusal(RefusalCode.RUN_EMPTY, {"name": self.document.name})
+        self._run_bar.show_content(count, nothing=None if count else empty)
+
+    def _show_check(self, checked: Preflight, accept: Callable[[], object] | None) -> None:
+        self._findings.show_check(checked, accept)
+        faults: dict[int, bool] = {}
+        for finding in checked.findings:
+            if finding.row is not None:
+                error = finding.severity is Severity.ERROR
+                faults[finding.row] = faults.get(finding.row, False) or error
+        self.model.show_faults(faults)
+        self._say("")
+        if self.document.saved:
+            self._note_check(checked)
+        self.preview_wanted.emit(checked)
+
+    def _note_check(self, checked: Preflight) -> None:
+        """Have the list show how the check ended."""
+        length_s = sum(checked.outcome.expected_s)
+        name = self.document.name
+        self._work.do(
+            lambda: self._library.mark(name, check=checked.mark, length_s=length_s),
+            lambda _: self.saved.emit(),
+            self._show_failure,
+        )
+
+    def _on_not_run(self, reason: Refusal) -> None:
+        self._say(words.refusal(reason), Level.WARNING)
+
+    def _on_progress(self, progress: Progress) -> None:
+        ours = progress.name == self.document.name
+        under_way = ours and progress.phase not in OVER
+        row = progress.index if under_way else -1
+        self.model.show_current(row)
+        if under_way and self.isVisible():
+            self.table.scrollTo(self.model.index(row, 0))
+        if ours and progress.reason is not None:
+            text = self.tr("Ended at row {row}. {reason}").format(
+                row=progress.index + 1, reason=words.refusal(progress.reason)
+            )
+            self._say(text, Level.FAULT)
+
+    # Saving -----------------------------------------------------------------------------------
+
+    def save(self, then: Callable[[], object] = lambda: None) -> None:
+        """Put it into the library.
+
+        Args:
+            then: Called when it is there.
+        """
+        if self._saving:
+            return
+        self._on_note()
+        trajectory, place = self.document.trajectory(), self.document.stack.index()
+        self._saving = True
+        self._work.do(
+            lambda: self._library.save(trajectory, replacing=trajectory.name),
+            lambda displaced: self._on_saved(trajectory, place, displaced, then),
+            self._on_not_saved,
+        )
+
+    def _on_saved(
+        self, trajectory: Trajectory, place: int, displaced: bool, then: Callable[[], object]
+    ) -> None:
+        self._saving = False
+        if self.document.stack.index() == place:
+            self.document.mark_saved(trajectory)
+        self._drafts.write()
+        if displaced:
+            text = self.tr(
+                "Saved. Another program had changed “{name}” since it was opened here: what it "
+                "saved is in the library under “Recently deleted…”."
+            )
+            self._say(text.format(name=trajectory.name), Level.WARNING)
+        else:
+            self._say(self.tr("Saved."), Level.DONE)
+        self.saved.emit()
+        then()
+
+    def _on_not_saved(self, text: str) -> None:
+        self._saving = False
+        self._show_failure(text)
+
+    def keep_draft(self) -> None:
+        """The program ends: what is not saved is offered when it is started again."""
+        self._drafts.write()
+
+    def leave(self) -> None:
+        """Close; what is not saved asks first."""
+        self._on_note()
+        if self.document.saved:
+            self._leave()
+            return
+        question = LeaveQuestion(self._controller, self, self.document.name)
+        question.accepted.connect(self._leave)
+        question.save_wanted.connect(self._save_and_leave)
+        question.finished.connect(question.deleteLater)
+        question.open()
+
+    def _save_and_leave(self) -> None:
+        self.save(self._leave)
+
+    def _leave(self) -> None:
+        self._drafts.forget()
+        super().leave()
+
+    def take_focus(self) -> None:
+        """The keys are for the table."""
+        self.table.setFocus()
+
+    def headers(self) -> Mapping[str, QHeaderView]:
+        """The columns of the table are kept."""
+        return {"points": self.table.horizontalHeader()}
+
+    # Words ------------------------------------------------------------------------------------
+
+    def _do(self, edit: Callable[[], Outcome]) -> None:
+        outcome = edit()
+        if outcome is None:
+            self._say("")
+        elif isinstance(outcome, TrajectoryFileError):
+            text = self.tr("Not pasted. {reason}").format(reason=words.file_error(outcome))
+            self._say(text, Level.WARNING)
+        else:
+            self._say(words.refusal(outcome), Level.WARNING)
+
+    def _show_failure(self, text: str) -> None:
+        self._say(text, Level.FAULT)
+
+    def _say(self, text: str, level: Level = Level.INFO) -> None:
+        self._message.show_message(text, level)
+
+    def _show_title(self) -> None:
+        star = "" if self.document.saved else " *"
+        self.set_title(f"{self.document.name}{star}")
+        self._actions["save"].setEnabled(not self.document.saved)
+
+    def retranslate_ui(self) -> None:
+        """Put every word into the operator's language."""
+        self._actions.retranslate()
+        self.model.retranslate()
+        self._note.setPlaceholderText(self.tr("What this trajectory is for"))
+        self.table.setAccessibleName(self.tr("Points"))
+        self._show_title()
+
+
+def _has_arcs(points: Iterable[Waypoint]) -> bool:
+    return any(point.move is MoveMode.MOVE_C for point in points)

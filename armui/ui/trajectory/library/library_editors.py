@@ -1,0 +1,177 @@
+"""The pages that the library leads to: an editor for each trajectory, one page for recordings."""
+
+from __future__ import annotations
+
+from functools import partial
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QObject, Signal
+
+from armui.control.events import Level
+from armui.trajectory.points.program import Trajectory
+from armui.ui.trajectory.editor.editor_page import EditorPage
+from armui.ui.trajectory.library.library_work import LibraryWork
+from armui.ui.trajectory.recording.recording_page import RecordingPage
+
+if TYPE_CHECKING:
+    from armui.control.arm_controller import ArmController
+    from armui.trajectory.files import Content
+    from armui.trajectory.samples.recording import Recording
+    from armui.ui.background import Background
+    from armui.ui.trajectory.running.preflight import Checks
+
+
+class LibraryEditors(QObject):
+    """Opens what is in the library, each trajectory once, with what was not saved of it.
+
+    Args:
+        controller: For the pages.
+        background: Where what takes long is done.
+        checks: Checks what is edited.
+        work: Reads and keeps it.
+        parent: The library's page.
+
+    Signals:
+        page_made: A :class:`Page`, before it wants to be shown.
+        editor_opened: An :class:`EditorPage`, before it is shown.
+        recorder_opened: A :class:`RecordingPage` likewise.
+        changed: Something was saved or left; with the names to be chosen, or ``None``.
+        said: A text and its :class:`Level`.
+        refused: What the library said against it, as a text.
+    """
+
+    page_made = Signal(object)
+    editor_opened = Signal(object)
+    recorder_opened = Signal(object)
+    changed = Signal(object)
+    said = Signal(str, object)
+    refused = Signal(str)
+
+    def __init__(
+        self,
+        controller: ArmController,
+        background: Background,
+        checks: Checks,
+        work: LibraryWork,
+        parent: QObject,
+    ) -> None:
+        super().__init__(parent)
+        self._controller = controller
+        self._background = background
+        self._checks = checks
+        self._work = work
+        self._library = work.library
+        self._editors: dict[str, EditorPage] = {}
+        self._used = ""
+        self._recorder: RecordingPage | None = None
+
+    def __contains__(self, name: str) -> bool:
+        """Whether a trajectory is open."""
+        return name in self._editors
+
+    def open(self, name: str, *, unsaved: bool) -> None:
+        """Open a trajectory, or a recording.
+
+        Args:
+            name: In the library.
+            unsaved: Whether nothing of it but unsaved changes is there.
+        """
+        if name in self._editors:
+            self._editors[name].open()
+        elif unsaved:
+            self._open_draft(name)
+        else:
+            self._work.do(
+                lambda: self._library.load(name, to_edit=True),
+                self._open_content,
+                self.refused.emit,
+            )
+
+    def _open_content(self, content: Content) -> None:
+        if isinstance(content, Trajectory):
+            self.open_editor(content)
+        else:
+            self.open_recorder(content)
+
+    def _open_draft(self, name: str) -> None:
+        """What was never saved begins with nothing, and its unsaved changes."""
+
+        def opened(draft: Trajectory | None) -> None:
+            if draft is None:  # another program has saved or discarded it meanwhile
+                self.changed.emit(None)
+            else:
+                self._show_editor(Trajectory(name, modified=draft.modified), draft)
+
+        self._work.do(lambda: self._library.draft(name), opened, self.refused.emit)
+
+    def open_editor(self, trajectory: Trajectory) -> None:
+        """Open a trajectory that was read, with what was not saved of it."""
+
+        def damaged(text: str) -> None:
+            self.said.emit(text, Level.WARNING)
+            self._show_editor(trajectory, None)
+
+        self._work.do(
+            lambda: self._library.draft(trajectory.name),
+            partial(self._show_editor, trajectory),
+            damaged,
+        )
+
+    def _show_editor(self, trajectory: Trajectory, draft: Trajectory | None) -> None:
+        name = trajectory.name
+        if name in self._editors:  # it was opened twice before it was read
+            self._editors[name].open()
+            return
+        work = LibraryWork(self._library, self._background, self)
+        editor = EditorPage(self._controller, self._checks, work, trajectory, draft=draft)
+        self._editors[name] = editor
+        self.page_made.emit(editor)
+        self.editor_opened.emit(editor)
+        editor.saved.connect(lambda: self.changed.emit(None))
+        editor.closed.connect(partial(self._on_left, name))
+        editor.used.connect(partial(self._on_used, name))
+        editor.insert_wanted.connect(self._insert_current)
+        editor.open()
+
+    def _on_used(self, name: str) -> None:
+        self._used = name
+
+    def _insert_current(self) -> None:
+        """Make a point of where the arm is, in the editor that was used last."""
+        if self._used in self._editors:
+            self._editors[self._used].insert_current()
+
+    def _on_left(self, name: str) -> None:
+        self._editors.pop(name).deleteLater()
+        self.changed.emit(None)
+
+    def keep_drafts(self) -> None:
+        """The program ends: what is not saved is offered the next time."""
+        for editor in self._editors.values():
+            editor.keep_draft()
+
+    # Recordings -------------------------------------------------------------------------------
+
+    def open_recorder(self, recording: Recording | None = None) -> None:
+        """Open the page that records, or one that trims and thins what was recorded.
+
+        One that is in use is shown as it is: what it holds is not lost to another recording.
+        """
+        recorder = self._recorder
+        if recorder is not None and recording is not None and not recorder.in_use:
+            recorder.leave()
+            recorder = self._recorder
+        if recorder is None:
+            recorder = self._recorder = RecordingPage(
+                self._controller, self._background, self._library, recording
+            )
+            recorder.saved.connect(lambda name: self.changed.emit([name]))
+            recorder.closed.connect(self._on_recorder_closed)
+            self.page_made.emit(recorder)
+            self.recorder_opened.emit(recorder)
+        recorder.open()
+
+    def _on_recorder_closed(self) -> None:
+        if self._recorder is not None:
+            self._recorder.deleteLater()
+            self._recorder = None

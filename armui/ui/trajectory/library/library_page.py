@@ -1,0 +1,345 @@
+"""The page 轨迹库: all trajectories, and what can be done with them (manual figure 1-19)."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+
+from PySide6.QtCore import QEvent, QModelIndex, Signal
+from PySide6.QtGui import QShowEvent
+from PySide6.QtWidgets import QHeaderView, QWidget
+
+from armui.arm.refusal import Refusal
+from armui.arm.refusal_codes import RefusalCode
+from armui.control.arm_controller import ArmController
+from armui.control.events import Level
+from armui.control.run.progress import Progress
+from armui.trajectory.files import Content
+from armui.trajectory.library.store import IndexEntry, Library, Listing
+from armui.ui import words
+from armui.ui.background import Background
+from armui.ui.trajectory.editor.findings_pane import FindingsPane
+from armui.ui.trajectory.library.bin_button import BinButton
+from armui.ui.trajectory.library.file_drop import FileDrop
+from armui.ui.trajectory.library.library_actions import LibraryActions
+from armui.ui.trajectory.library.library_bar import LibraryBar
+from armui.ui.trajectory.library.library_company import LibraryCompany
+from armui.ui.trajectory.library.library_editors import LibraryEditors
+from armui.ui.trajectory.library.library_exchange import LibraryExchange
+from armui.ui.trajectory.library.library_hint import LibraryHint
+from armui.ui.trajectory.library.library_model import ENTRY_ROLE, LibraryFilter, LibraryModel
+from armui.ui.trajectory.library.library_presence import LibraryPresence
+from armui.ui.trajectory.library.library_table import LibraryTable
+from armui.ui.trajectory.library.library_watch import LibraryWatch
+from armui.ui.trajectory.library.library_work import LibraryWork
+from armui.ui.trajectory.library.undo_button import UndoButton
+from armui.ui.trajectory.recording.recording_page import RecordingPage
+from armui.ui.trajectory.running.preflight import Checks, Preflight
+from armui.ui.trajectory.running.run_bar import RunBar
+from armui.ui.widgets.buttons import named
+from armui.ui.widgets.layouts import fill, in_row
+from armui.ui.widgets.message_line import MessageLine
+from armui.ui.widgets.page import Page
+
+
+class LibraryPage(Page):
+    """The list of the library; a double click opens the second level.
+
+    Args:
+        controller: Runs trajectories, and knows where the arm is.
+        background: Where what takes long is done.
+        library: What is listed.
+
+    Attributes:
+        editors: The pages that are open on what is listed.
+
+    Signals:
+        page_made: A :class:`Page` that it leads to, before that wants to be shown.
+        editor_opened: The :class:`EditorPage` of a trajectory, before it is shown: whoever shows
+            previews follows its ``preview_wanted`` and ``selected_row_changed``.
+        preview_wanted: A :class:`Preflight` whose path is to be shown in 3D.
+    """
+
+    page_made = Signal(object)
+    editor_opened = Signal(object)
+    preview_wanted = Signal(object)
+
+    def __init__(
+        self,
+        controller: ArmController,
+        background: Background,
+        library: Library,
+        parent: QWidget | None = None,
+    ) -> None:
+        super().__init__("library", parent)
+        self._controller = controller
+        self._checks = Checks(controller, background)
+        self._checks.get_ready()
+        self._library = library
+        self._work = LibraryWork(library, background, self)
+        self._work.do(library.tidy)
+        self._presence = LibraryPresence(library.folder)
+        self._company = LibraryCompany()
+        self.editors = LibraryEditors(controller, background, self._checks, self._work, self)
+        self._model = LibraryModel(self)
+        self._shown = LibraryFilter(self._model, self)
+        self._bar = LibraryBar()
+        self._table = LibraryTable(self._shown)
+        self._message = named("library_message", MessageLine())
+        self._actions = LibraryActions(self._work, self.editors.__contains__, self)
+        self._undo_button = UndoButton(self._actions, self)
+        self._bin_button = BinButton(controller, self._work, self._actions, self)
+        self._hint = LibraryHint(self._table)
+        self._watch = LibraryWatch(library.folder, self)
+        self._exchange = LibraryExchange(controller, background, self._work, self)
+        self._findings = FindingsPane()
+        self._run_bar = RunBar(controller, self._checks, self._to_run)
+        self._lay_out()
+        self._connect()
+        self.retranslate_ui()
+        self._table.setFocus()
+
+    # Layout -----------------------------------------------------------------------------------
+
+    def _lay_out(self) -> None:
+        offers = (self._exchange.report, self._exchange.by_columns)
+        below = in_row((self._message, 1), *offers, self._undo_button)
+        self._bar.add_button(self._bin_button)
+        fill(self.body, self._bar, self._company, (self._table, 1))
+        fill(self.body, self._findings, self._run_bar, below)
+
+    def _connect(self) -> None:
+        handlers: dict[str, Callable[[], object]] = {
+            "import": self._exchange.choose_imports,
+            "create": self._create,
+            "record": self.open_recorder,
+            "delete": lambda: self._actions.delete(self._chosen_names()),
+            "duplicate": lambda: self._actions.duplicate(self._chosen_names()[0]),
+            "rename": self._table.edit_name,
+        }
+        self._bar.wanted.connect(lambda name: handlers[name]())
+        self._bar.export_wanted.connect(self._export)
+        self._bar.open_wanted.connect(self._open_chosen)
+        self._bar.listen(self, self._table)
+        self._bar.search.textChanged.connect(self._on_search)
+        self._hint.clear_wanted.connect(self._bar.search.clear)
+        self._table.doubleClicked.connect(self._on_double_click)
+        self._table.selectionModel().selectionChanged.connect(self._show_usable)
+        self._model.modelReset.connect(self._show_usable)
+        self._model.rename_wanted.connect(self._actions.rename)
+        self._actions.said.connect(self._say)
+        self._actions.changed.connect(self._on_action)
+        self._watch.changed.connect(self._on_folder)
+        FileDrop(self).dropped.connect(self._exchange.import_files)
+        self._exchange.said.connect(self._say)
+        self._exchange.imported.connect(self._on_imported)
+        self._exchange.by_columns.page_made.connect(self._lead_to)
+        self.editors.page_made.connect(self._lead_to)
+        self.editors.editor_opened.connect(self.editor_opened)
+        self.editors.recorder_opened.connect(self._on_recorder)
+        self.editors.changed.connect(self.refresh)
+        self.editors.said.connect(self._say)
+        self.editors.refused.connect(self._on_refused)
+        self._run_bar.checked.connect(self._show_check)
+        self._run_bar.refused.connect(
+            lambda reason: self._say(words.refusal(reason), Level.WARNING)
+        )
+        self._run_bar.progressed.connect(self._on_progress)
+
+    # The list ---------------------------------------------------------------------------------
+
+    def showEvent(self, event: QShowEvent) -> None:
+        """Look at the folder anew: files may have come or gone."""
+        self.refresh()
+        super().showEvent(event)
+
+    def event(self, event: QEvent) -> bool:
+        """Look anew when the operator comes back from another program, too."""
+        if event.type() == QEvent.Type.WindowActivate:
+            self._on_folder()
+        return super().event(event)
+
+    def refresh(self, choose: Sequence[str] | None = None) -> None:
+        """List the library as it is now.
+
+        Args:
+            choose: The names to be chosen; those chosen before by default.
+        """
+        self._work.do(
+            lambda: (self._library.listing(), self._presence.others()),
+            lambda seen: self._show_listing(choose, *seen),
+            lambda text: self._say(text, Level.FAULT),
+        )
+
+    def _show_listing(
+        self, choose: Sequence[str] | None, listing: Listing, others: Sequence[str]
+    ) -> None:
+        names = self._chosen_names() if choose is None else list(choose)
+        changed = self._model.show(listing.entries, listing.drafts)
+        self._watch.follow(exists=listing.exists)
+        self._company.show_others(others)
+        self._bin_button.refresh()
+        if choose:
+            self._uncover(names)
+        if changed or choose is not None:
+            self._table.choose(names, show=choose is not None)
+        if not self.chosen():
+            self._run_bar.drop_check()
+        self._show_hint()
+
+    def _uncover(self, names: Sequence[str]) -> None:
+        """What is new is seen, even if it is not what was searched for."""
+        if not set(self._table.names()).issuperset(names):
+            self._bar.search.clear()
+
+    def _on_folder(self) -> None:
+        """Somebody may have changed the folder; a name that is being typed is not disturbed."""
+        if self._table.is_editing:
+            self._watch.later()
+        elif self.isVisible():
+            self.refresh()
+
+    def _on_search(self, text: str) -> None:
+        self._shown.setFilterFixedString(text)
+        self._show_hint()
+
+    def _show_hint(self) -> None:
+        searched = self._bar.search.text() if self._model.rowCount() else ""
+        self._hint.show_state(self._shown.rowCount(), searched)
+
+    def _on_action(self, names: Sequence[str] | None) -> None:
+        """The keys go on in the list: the button that was pressed may be disabled by now."""
+        self.refresh(names)
+        self._table.setFocus()
+
+    def _on_imported(self, names: Sequence[str]) -> None:
+        self._actions.note_made(names)
+        self.refresh(names)
+
+    def chosen(self) -> list[IndexEntry]:
+        """The chosen entries, from top to bottom."""
+        return self._table.chosen()
+
+    def _show_usable(self, *_: object) -> None:
+        chosen = self.chosen()
+        self._bar.show_chosen(chosen)
+        one = chosen[0] if len(chosen) == 1 else None
+        recording = one is not None and one.kind == "recording"
+        nothing = Refusal(RefusalCode.NO_ROWS_CHOSEN) if one is None else None
+        count = 0 if one is None else one.count
+        self._run_bar.show_content(count, recording=recording, nothing=nothing)
+        if chosen:  # while the list is made anew, nothing is chosen for a moment
+            self._run_bar.drop_check(but="" if one is None else one.name)
+        self._findings.clear()
+
+    # Opening ----------------------------------------------------------------------------------
+
+    def _on_double_click(self, index: QModelIndex) -> None:
+        self.open_trajectory(index.data(ENTRY_ROLE).name)
+
+    def _open_chosen(self) -> None:
+        chosen = self._chosen_names()
+        if len(chosen) == 1:
+            self.open_trajectory(chosen[0])
+
+    def open_trajectory(self, name: str) -> None:
+        """Open the second level of a trajectory, with what was not saved of it."""
+        self.editors.open(name, unsaved=self._model.is_unsaved(name))
+
+    def open_recorder(self) -> None:
+        """Open the page that records."""
+        self.editors.open_recorder()
+
+    def _lead_to(self, page: Page) -> None:
+        page.above = self
+        self.page_made.emit(page)
+
+    def _on_recorder(self, recorder: RecordingPage) -> None:
+        recorder.preview_wanted.connect(self.preview_wanted)
+
+    def keep_work(self) -> None:
+        """The program ends: what is not saved in an editor is offered the next time."""
+        self.editors.keep_drafts()
+        self._work.do(self._presence.leave)
+
+    # Running ----------------------------------------------------------------------------------
+
+    def _to_run(self, then: Callable[[Content | None], object]) -> None:
+        """Hand on what is chosen, once it is read; nothing if something else is chosen by then."""
+        chosen = self._chosen_names()
+        if len(chosen) != 1:
+            self._say(words.refusal(Refusal(RefusalCode.NO_ROWS_CHOSEN)), Level.WARNING)
+            then(None)
+        elif self._model.is_unsaved(chosen[0]):
+            text = self.tr("“{name}” is not saved yet. Open it and save it first.")
+            self._say(text.format(name=chosen[0]), Level.WARNING)
+            then(None)
+        else:
+
+            def refused(text: str) -> None:
+                self._on_refused(text)
+                then(None)
+
+            self._work.do(
+                lambda: self._library.load(chosen[0]),
+                lambda content: then(content if self._chosen_names() == chosen else None),
+                refused,
+            )
+
+    def _show_check(self, checked: Preflight, accept: Callable[[], object] | None) -> None:
+        name = checked.content.name
+        length_s = checked.path.duration_s if checked.order.speed_factor == 1.0 else None
+        self._work.do(
+            lambda: self._library.mark(name, check=checked.mark, length_s=length_s),
+            refused=self._on_refused,
+        )
+        self.refresh()
+        self._say("")
+        self._findings.show_check(checked, accept)
+        self._findings.setVisible(bool(checked.findings) or accept is not None)
+        self.preview_wanted.emit(checked)
+
+    def _on_not_run(self, reason: Refusal) -> None:
+        self._say(words.refusal(reason), Level.WARNING)
+
+    def _on_progress(self, progress: Progress) -> None:
+        if progress.reason is not None:
+            text = self.tr("“{name}” ended at row {row}. {reason}").format(
+                name=progress.name, row=progress.index + 1, reason=words.refusal(progress.reason)
+            )
+            self._say(text, Level.FAULT)
+
+    def _create(self) -> None:
+        self._actions.create(self.editors.open_editor)
+
+    def _chosen_names(self) -> list[str]:
+        return [entry.name for entry in self.chosen()]
+
+    def _export(self, suffix: str) -> None:
+        self._exchange.export(self._chosen_names(), suffix)
+
+    def _on_refused(self, text: str) -> None:
+        """The library refused something."""
+        self.refresh()  # it may be refused because somebody else has changed the library
+        self._say(text, Level.FAULT)
+
+    # Words ------------------------------------------------------------------------------------
+
+    def _say(self, text: str, level: Level = Level.INFO) -> None:
+        self._exchange.withdraw_offers()
+        self._message.show_message(text, level)
+
+    def take_focus(self) -> None:
+        """The keys are for the list."""
+        self._table.setFocus()
+
+    def headers(self) -> Mapping[str, QHeaderView]:
+        """The order and the columns of the list are kept."""
+        return {"library": self._table.horizontalHeader()}
+
+    def retranslate_ui(self) -> None:
+        """Put every word into the operator's language."""
+        self.set_title(self.tr("Trajectory library"))
+        self._bar.retranslate()
+        self._table.setAccessibleName(self.tr("Trajectory library"))
+        self._model.retranslate()
+        self._show_usable()

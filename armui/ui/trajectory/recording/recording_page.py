@@ -1,0 +1,394 @@
+"""录制: records where the arm goes; then trims and thins it, and keeps it as samples or points."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+from functools import partial
+from typing import TYPE_CHECKING, Final
+
+from PySide6.QtCore import QTimer, Signal
+from PySide6.QtGui import QShowEvent
+from PySide6.QtWidgets import QLabel, QLineEdit, QWidget
+
+from armui.arm.refusal import Refusal
+from armui.arm.refusal_codes import RefusalCode
+from armui.control.events import Level
+from armui.control.operating_state import OperatingState
+from armui.trajectory.library.store import Library
+from armui.trajectory.samples import thin
+from armui.trajectory.samples.recording import Recording
+from armui.ui import words
+from armui.ui.background import Job
+from armui.ui.trajectory.editor.leave_question import LeaveQuestion
+from armui.ui.trajectory.library.library_work import LibraryWork
+from armui.ui.trajectory.running.preflight import Checks, Preflight
+from armui.ui.trajectory.running.run_options import RunOptions
+from armui.ui.trajectory.text import duration
+from armui.ui.widgets.buttons import named, push_button
+from armui.ui.widgets.figure_field import FigureField
+from armui.ui.widgets.layouts import STRETCH, empty_grid, fill, in_row
+from armui.ui.widgets.message_line import MessageLine
+from armui.ui.widgets.page import Page
+from armui.ui.widgets.text_label import text_label
+
+if TYPE_CHECKING:
+    from armui.control.arm_controller import ArmController
+    from armui.control.run.sample_store import Recorded
+    from armui.trajectory.files import Content
+    from armui.ui.background import Background
+
+_TOLERANCE_DEG: Final = 0.1
+_FIELD_PX: Final = 120
+_AFTER_MS: Final = 250
+"""Half an hour of samples is not thinned anew at each key."""
+
+
+class RecordingPage(Page):
+    """From the first sample to what is kept.
+
+    Args:
+        controller: Records, and knows whether there is an arm.
+        background: Where recordings are thinned.
+        library: Where the recording is kept.
+        recording: One of the library, to be trimmed and thinned; without one a new one is made.
+        parent: Its owner, before it stands anywhere.
+
+    Signals:
+        saved: The name under which something has been put into the library.
+        preview_wanted: A :class:`Preflight` of what would be saved, to be shown in 3D.
+    """
+
+    saved = Signal(str)
+    preview_wanted = Signal(object)
+
+    def __init__(
+        self,
+        controller: ArmController,
+        background: Background,
+        library: Library,
+        recording: Recording | None = None,
+        parent: QWidget | None = None,
+    ) -> None:
+        super().__init__("recording", parent)
+        self._controller = controller
+        self._background = background
+        self._checks = Checks(controller, background)
+        self._job: Job[Recording | None] | None = None
+        self._library = library
+        self._work = LibraryWork(library, background, self)
+        self._joining = self._leaving = False
+        self._recording = self._result = recording
+        self._unsaved = False
+        self._timer = QTimer(self, singleShot=True, interval=_AFTER_MS)
+        self._timer.timeout.connect(self._work_out)
+        self._make_widgets()
+        self._lay_out()
+        self._connect()
+        if recording is not None:
+            self._show_recording(recording)
+        self.retranslate_ui()
+        self._record.setFocus()
+
+    def _make_widgets(self) -> None:
+        self._record = push_button("record", on_enter=False)
+        self._preview = push_button("record_preview", on_enter=False)
+        self._as_samples = push_button("save_recording", on_enter=False)
+        self._as_points = push_button("save_points", on_enter=False)
+        self._state = text_label("record_state")
+        self._name = named("record_name", QLineEdit())
+        self._from = _field("record_from", 3, "s")
+        self._to = _field("record_to", 3, "s")
+        self._tolerance = _field("record_tolerance", 3, "°")
+        self._tolerance.step = 0.1
+        self._kept = text_label("record_kept", rank="muted")
+        self._labels = [QLabel() for _ in range(4)]
+        self._message = named("record_message", MessageLine())
+
+    def _lay_out(self) -> None:
+        head = in_row(self._record, (self._state, 1))
+        grid = empty_grid(gaps=(10, None))
+        fields = (self._name, self._from, self._to, self._tolerance)
+        for row, (label, field) in enumerate(zip(self._labels, fields, strict=True)):
+            grid.addWidget(label, row, 0)
+            grid.addWidget(field, row, 1, 1, 2 if field is self._name else 1)
+            label.setBuddy(field)
+        grid.addWidget(self._kept, 3, 2)
+        grid.setColumnStretch(2, 1)
+        fill(self.body, head, grid, self._message, STRETCH)
+        fill(self.footer, self._preview, STRETCH, self._as_points, self._as_samples)
+
+    def _connect(self) -> None:
+        self._record.clicked.connect(self._on_record)
+        self._preview.clicked.connect(self.preview)
+        self._as_samples.clicked.connect(self.save_samples)
+        self._as_points.clicked.connect(self.save_points)
+        for field in (self._from, self._to, self._tolerance):
+            field.value_edited.connect(self._timer.start)
+        self._controller.recorder.changed.connect(self._on_recorder)
+        self._controller.operating_state_changed.connect(self._on_operating_state)
+
+    @property
+    def in_use(self) -> bool:
+        """Whether it records, or holds what is not saved."""
+        return self._controller.recorder.recording or self._joining or self._unsaved
+
+    # Recording --------------------------------------------------------------------------------
+
+    def _on_record(self) -> None:
+        recorder = self._controller.recorder
+        if recorder.recording:
+            self._take()
+            return
+        refusal = recorder.start()
+        if refusal is not None:
+            self._say(words.refusal(refusal), Level.WARNING)
+        else:
+            self._drop_work()
+            self._recording = self._result = None
+            self._say("")
+        self._show_state()
+
+    def _take(self) -> None:
+        name = self._name.text().strip() or self.tr("Recording")
+        recorded = self._controller.recorder.finish(name)
+        if recorded is None:
+            self._say(self.tr("Nothing was recorded: the arm told no angles."), Level.WARNING)
+            self._show_state()
+            return
+        self._unsaved = self._joining = True
+        self._say(self.tr("Working…"))
+        self._show_state()
+        self._work.do(
+            lambda: recorded.joined(self._library.free_name(name)),
+            self._on_joined,
+            lambda text: self._on_not_joined(recorded, text),
+        )
+
+    def _on_joined(self, recording: Recording) -> None:
+        self._say("")
+        self._show_joined(recording)
+
+    def _on_not_joined(self, recorded: Recorded, text: str) -> None:
+        """The library cannot be read: the recording is kept under the name that was asked for."""
+        self._say(text, Level.FAULT)
+        self._work.do(recorded.joined, self._show_joined)
+
+    def _show_joined(self, recording: Recording) -> None:
+        self._joining = False
+        self._show_recording(recording)
+        if self._leaving:
+            self._leaving = False
+            self.leave()
+
+    def _show_recording(self, recording: Recording) -> None:
+        self._recording = recording
+        self._name.setText(recording.name)
+        self._from.show_value(0.0)
+        self._to.show_value(recording.duration_s)
+        self._tolerance.show_value(_TOLERANCE_DEG)
+        self._work_out()
+        self._show_state()
+
+    def _work_out(self, then: Callable[[Recording], object] | None = None) -> None:
+        """Cut and thin what was recorded as the fields say.
+
+        Args:
+            then: Gets what is left of it.
+        """
+        self._drop_work()
+        whole = self._recording
+        if whole is None:
+            return
+        for field in (self._from, self._to, self._tolerance):
+            field.show_attention(wanted=field.value is None or field.value < 0.0)
+        figures = [field.value for field in (self._from, self._to, self._tolerance)]
+        from_s, to_s, tolerance_deg = (-1.0 if value is None else value for value in figures)
+        self._result = None
+        if min(from_s, to_s, tolerance_deg) >= 0.0:
+            self._job = Job(partial(self._take_result, then))
+            # the field shows milliseconds: the last sample may lie a bit behind it
+            self._background.begin(self._job, thin.cut, whole, from_s, to_s + 0.0005, tolerance_deg)
+        self._show_kept()
+
+    def _drop_work(self) -> None:
+        self._timer.stop()
+        if self._job is not None:
+            self._job.wanted = False
+            self._job = None
+
+    def _take_result(
+        self, then: Callable[[Recording], object] | None, result: Recording | Refusal | None
+    ) -> None:
+        self._job = None
+        if isinstance(result, Refusal):
+            self._say(words.refusal(result), Level.FAULT)
+            result = None
+        self._result = result
+        self._show_kept()
+        if result is not None and then is not None:
+            then(result)
+
+    def _show_kept(self) -> None:
+        whole, result = self._recording, self._result
+        if whole is None:
+            self._kept.clear()
+        elif self._job is not None:
+            self._kept.setText(self.tr("Working…"))
+        elif result is None:
+            self._kept.setText(self.tr("Nothing is left: correct the marked fields."))
+        else:
+            text = self.tr("{kept} of {count} samples, {time}")
+            kept, count = len(result.samples), len(whole.samples)
+            text = text.format(kept=kept, count=count, time=duration(result.duration_s))
+            self._kept.setText(text)
+        for button in (self._preview, self._as_samples, self._as_points):
+            button.setEnabled(result is not None or self._job is not None)
+
+    def preview(self) -> None:
+        """Show in 3D where the tool goes in what would be saved; nothing is sent."""
+        self._work_out(self._plan_preview)
+
+    def _plan_preview(self, recording: Recording) -> None:
+        self._checks.begin(self._checks.prepare(recording, RunOptions(), self._show_preview))
+
+    def _show_preview(self, checked: Preflight | Refusal) -> None:
+        if isinstance(checked, Refusal):
+            self._say(words.refusal(checked), Level.FAULT)
+            return
+        self._say(self.tr("The path is shown in the 3D view."))
+        self.preview_wanted.emit(checked)
+
+    # Keeping ----------------------------------------------------------------------------------
+
+    def save_samples(self) -> None:
+        """Keep it as a recording, to be replayed in its own time."""
+        self._work_out(self._save)
+
+    def save_points(self) -> None:
+        """Keep it as points of MOVE J, to be edited; the arm will come to rest in each."""
+        self._work_out(self._save_as_points)
+
+    def _save_as_points(self, recording: Recording) -> None:
+        limits = self._controller.operating_state.limits
+        self._keep(recording, lambda: thin.to_points(recording, limits))
+
+    def _save(self, recording: Recording) -> None:
+        self._keep(recording, lambda: recording)
+
+    def _keep(self, recording: Recording, make: Callable[[], Content]) -> None:
+        wanted = self._name.text().strip() or recording.name
+        whole = self._recording
+
+        def save() -> str:
+            name = self._library.free_name(wanted)
+            self._library.save(replace(make(), name=name))
+            return name
+
+        self._work.do(
+            save, partial(self._on_saved, whole), lambda text: self._say(text, Level.FAULT)
+        )
+
+    def _on_saved(self, whole: Recording | None, name: str) -> None:
+        if self._recording is whole:
+            self._unsaved = False
+        self._say(self.tr("Saved as “{name}”.").format(name=name), Level.DONE)
+        self.saved.emit(name)
+
+    def leave(self) -> None:
+        """Close; a recording that runs is ended first, one that is not kept asks."""
+        if self._controller.recorder.recording and self._recording is None:
+            self._take()
+        if self._joining:
+            self._leaving = True  # asks as soon as what was recorded is there
+            return
+        if not self._unsaved:
+            super().leave()
+            return
+        question = LeaveQuestion(self._controller, self, self._name.text())
+        question.accepted.connect(self._discard)
+        question.save_wanted.connect(self.save_samples)
+        question.finished.connect(question.deleteLater)
+        question.open()
+
+    def _discard(self) -> None:
+        self._unsaved = False
+        super().leave()
+
+    # Words ------------------------------------------------------------------------------------
+
+    def _show_state(self) -> None:
+        recorder = self._controller.recorder
+        running = recorder.recording
+        self._record.setText(self.tr("Stop recording") if running else self.tr("Record"))
+        if running:
+            text = self.tr("Recording: {time}, {count} samples").format(
+                time=duration(recorder.duration_s), count=recorder.count
+            )
+            if recorder.dropped:
+                text += self.tr(" ({count} lost)").format(count=recorder.dropped)
+        elif self._recording is None:
+            text = self.tr("Lead the arm by hand, or move it by anything, while it records.")
+        else:
+            text = self.tr("Recorded: {time}, {count} samples").format(
+                time=duration(self._recording.duration_s), count=len(self._recording.samples)
+            )
+        self._state.setText(text)
+        for field in (self._from, self._to, self._tolerance):
+            field.setEnabled(self._recording is not None)
+        self._show_kept()
+        self._show_usable(self._controller.operating_state)
+
+    def take_focus(self) -> None:
+        """The keys are for the button that records."""
+        self._record.setFocus()
+
+    def showEvent(self, event: QShowEvent) -> None:
+        """Catch up with what went by while it was hidden."""
+        super().showEvent(event)
+        self._show_state()
+
+    def _on_recorder(self) -> None:
+        if self.isVisible():
+            self._show_state()
+
+    def _on_operating_state(self, operating_state: OperatingState) -> None:
+        if self.isVisible():
+            self._show_usable(operating_state)
+
+    def _show_usable(self, operating_state: OperatingState) -> None:
+        reason = None if self._controller.recorder.recording else operating_state.unreachable
+        if self._joining:
+            reason = Refusal(RefusalCode.BUSY, {"what": "recording"})
+        if reason is None and self._unsaved:
+            self._record.setToolTip(self.tr("Recording anew takes the place of what is not saved"))
+        else:
+            self._record.setToolTip("" if reason is None else words.refusal(reason))
+        self._record.setEnabled(reason is None)
+
+    def _say(self, text: str, level: Level = Level.INFO) -> None:
+        self._message.show_message(text, level)
+
+    def retranslate_ui(self) -> None:
+        """Put every word into the operator's language."""
+        self.set_title(self.tr("Record"))
+        texts = (self.tr("Name"), self.tr("From"), self.tr("To"), self.tr("Tolerance"))
+        for label, text in zip(self._labels, texts, strict=True):
+            label.setText(text)
+        self._tolerance.setToolTip(
+            self.tr("How far a joint may be off where samples are left out, in degrees")
+        )
+        self._preview.setText(self.tr("Preview"))
+        self._preview.setToolTip(
+            self.tr("The path in the 3D view, and a ghost arm; the real arm stays where it is")
+        )
+        self._as_samples.setText(self.tr("Save as recording"))
+        self._as_points.setText(self.tr("Save as points"))
+        self._as_points.setToolTip(self.tr("The arm comes to rest in every point"))
+        self._show_state()
+
+
+def _field(name: str, decimals: int, unit: str) -> FigureField:
+    field = named(name, FigureField(decimals, unit))
+    field.setFixedWidth(_FIELD_PX)
+    return field

@@ -1,0 +1,303 @@
+"""发送: how often, how fast and from where; what is sent is checked first."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+from functools import partial
+from typing import Final
+
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtGui import QHideEvent, QShowEvent
+from PySide6.QtWidgets import QCheckBox, QComboBox, QLabel, QSpinBox, QWidget
+
+from armui.arm.refusal import Refusal
+from armui.arm.refusal_codes import RefusalCode
+from armui.control.arm_controller import ArmController
+from armui.control.operating_state import OperatingState, StopState
+from armui.control.run.progress import ENDLESS, Progress
+from armui.trajectory.files import Content
+from armui.ui import words
+from armui.ui.trajectory.running.preflight import CheckJob, Checks, Preflight
+from armui.ui.trajectory.running.run_options import RunOptions
+from armui.ui.trajectory.running.runner import Runner, ended_early
+from armui.ui.widgets.buttons import named, push_button
+from armui.ui.widgets.enable_or_explain import enable_or_explain
+from armui.ui.widgets.flow import in_flow, pair
+from armui.ui.widgets.text_label import text_label
+from armui.ui.widgets.translated import Translated
+
+_ONCE, _TIMES, _LOOP = range(3)
+_MOST_CYCLES: Final = 9999
+_FASTEST_PERCENT: Final = 200
+_SPIN_PX: Final = 34
+_SURPRISING_S: Final = 2.0
+"""Nobody expects the arm to move so long after the button was pressed."""
+
+
+class RunBar(Translated, QWidget):
+    """Runs what its page gives it; how far that has come is told by the :class:`RunStrip`.
+
+    Args:
+        controller: Runs it.
+        checks: Checks it before.
+        content: Hands on what would be run now, once it is read; ``None`` if there is nothing,
+            which it says itself.
+
+    Signals:
+        checked: A :class:`Preflight` and, if the operator has to agree to the run, what begins it;
+            else ``None``.
+        refused: A :class:`Refusal`.
+        progressed: A :class:`Progress`.
+    """
+
+    checked = Signal(object, object)
+    refused = Signal(object)
+    progressed = Signal(object)
+
+    def __init__(
+        self,
+        controller: ArmController,
+        checks: Checks,
+        content: Callable[[Callable[[Content | None], object]], object],
+    ) -> None:
+        super().__init__()
+        self._controller = controller
+        self._checks = checks
+        self._content = content
+        self._job: CheckJob | None = None
+        self._reading: object | None = None
+        self._recording = False
+        self._nothing: Refusal | None = None
+        self._about_to_run = False
+        self._runner = Runner(controller, self)
+        self._again: RunOptions | None = None
+        self._make_widgets()
+        self._lay_out()
+        self._send.clicked.connect(self._on_send)
+        self._call_off.clicked.connect(lambda _checked=False: self.drop_check())
+        self._resume.clicked.connect(self._on_resume)
+        self._cycles.currentIndexChanged.connect(self._show_usable)
+        self._runner.progressed.connect(self._on_progress)
+        controller.operating_state_changed.connect(self._on_operating_state)
+        self.retranslate_ui()
+
+    def _make_widgets(self) -> None:
+        self._send = push_button("run_send", primary=True, on_enter=False)
+        self._call_off = push_button("run_call_off", on_enter=False)
+        self._state = text_label("run_checking", rank="muted")
+        self._resume = push_button("run_resume", on_enter=False)
+        self._cycles = named("run_cycles", QComboBox())
+        self._cycles.addItems(["", "", ""])
+        self._times = _spin("run_times", 1, _MOST_CYCLES, 3)
+        self._speed = _spin("run_speed", 1, _FASTEST_PERCENT, 100)
+        self._speed.setSuffix(" %")
+        self._first = _spin("run_first", 1, 1, 1)
+        self._speed_label, self._first_label = QLabel(), QLabel()
+        self._steps = named("run_steps", QCheckBox())
+
+    def _lay_out(self) -> None:
+        self._from_row = pair(self._first_label, self._first)
+        flow = in_flow(
+            *(self._cycles, self._times, pair(self._speed_label, self._speed)),
+            *(self._from_row, self._steps),
+            on=self,
+            spacing_px=8,
+        )
+        for widget in (self._state, self._call_off, self._resume, self._send):
+            flow.push(widget)
+
+    # What the operator wants ------------------------------------------------------------------
+
+    def show_content(
+        self, count: int, *, recording: bool = False, nothing: Refusal | None = None
+    ) -> None:
+        """Fit the choices to what would be run.
+
+        Args:
+            count: How many points it has.
+            recording: Whether it has none, because it is a recording.
+            nothing: Why there is nothing to be run.
+        """
+        self._recording, self._nothing = recording, nothing
+        self._first.setMaximum(max(1, count))
+        for widget in (self._from_row, self._steps):
+            widget.setVisible(not recording)
+        self._show_usable()
+
+    def check(self) -> None:
+        """Check what would be run; :attr:`checked` tells how it ended."""
+        self._check(self._options(), lambda checked: self.checked.emit(checked, None))
+
+    def drop_check(self, but: str = "") -> None:
+        """What is being checked is so no more, or not wanted: nothing comes of it, no run either.
+
+        Args:
+            but: The name of what may go on being checked.
+        """
+        reading = self._reading is not None and not but
+        if reading or (self._job is not None and self._job.order.content.name != but):
+            if self._job is not None:
+                self._job.drop()
+            self._job = self._reading = None
+            self._about_to_run = False
+            self._show_usable()
+
+    def _check(self, options: RunOptions, then: Callable[[Preflight], object]) -> None:
+        self.drop_check()
+        reading = self._reading = object()
+        self._content(partial(self._on_content, reading, options, then))
+        self._show_usable()
+
+    def _on_content(
+        self,
+        reading: object,
+        options: RunOptions,
+        then: Callable[[Preflight], object],
+        content: Content | None,
+    ) -> None:
+        """What shall be checked was read; unless it is not wanted any more, check it."""
+        if reading is not self._reading:
+            return
+        self._reading = None
+        if content is None:
+            self._about_to_run = False
+            self._show_usable()
+            return
+        self._job = self._checks.prepare(content, options, partial(self._on_checked, then))
+        self._checks.begin(self._job)
+        self._show_usable()
+
+    @property
+    def _checking(self) -> bool:
+        """Whether something is being read or checked."""
+        return self._job is not None or self._reading is not None
+
+    def _on_checked(
+        self, then: Callable[[Preflight], object], checked: Preflight | Refusal
+    ) -> None:
+        self._job = None
+        self._about_to_run = False
+        self._show_usable()
+        if isinstance(checked, Refusal):
+            self.refused.emit(checked)
+        else:
+            then(checked)
+
+    def _options(self) -> RunOptions:
+        recording = self._recording
+        cycles = {_ONCE: 1, _TIMES: self._times.value(), _LOOP: ENDLESS}
+        return RunOptions(
+            cycles[self._cycles.currentIndex()],
+            self._speed.value() / 100.0,
+            0 if recording else self._first.value() - 1,
+            not recording and self._steps.isChecked(),
+        )
+
+    def _on_send(self) -> None:
+        self._run(self._options())
+
+    def _on_resume(self) -> None:
+        """Take a run up where it ended, for as many cycles as are left."""
+        if self._again is not None:
+            self._run(self._again)
+
+    def _run(self, options: RunOptions) -> None:
+        refusal = self._controller.operating_state.cannot_run
+        if refusal is not None:
+            self.refused.emit(refusal)
+            return
+        self._check(options, partial(self._run_checked, options))
+        self._about_to_run = self._checking
+
+    def _run_checked(self, options: RunOptions, checked: Preflight) -> None:
+        if checked.errors:
+            self.checked.emit(checked, None)
+            self.refused.emit(Refusal(RefusalCode.FINDINGS_AGAINST, {"count": checked.errors}))
+        elif checked.findings or checked.took_s > _SURPRISING_S:
+            self.checked.emit(checked, lambda: self._start(checked, options))
+        else:
+            self.checked.emit(checked, None)
+            self._start(checked, options)
+
+    def _start(self, checked: Preflight, options: RunOptions) -> None:
+        refusal = checked.why_outdated(self._controller)
+        if refusal is None:
+            self._again = options
+            refusal = self._runner.start(checked, options)
+        if refusal is not None:
+            self.refused.emit(refusal)
+
+    # How far it has come ----------------------------------------------------------------------
+
+    def _on_progress(self, progress: Progress) -> None:
+        if ended_early(progress) and self._again is not None:
+            left = ENDLESS if progress.cycles == ENDLESS else progress.cycles - progress.cycle + 1
+            self._again = replace(self._again, first=progress.index, cycles=left)
+        if self.isVisible():
+            self._show_usable()
+        self.progressed.emit(progress)
+
+    def _on_operating_state(self, operating_state: OperatingState) -> None:
+        if self._about_to_run and operating_state.stop is not StopState.RUNNING:
+            self.drop_check()  # the stop was meant for what was about to begin, too
+        if self.isVisible():
+            self._show_usable()
+
+    def _why_not(self) -> str:
+        """Why nothing can be sent now; "" if it can."""
+        if self._nothing is not None:
+            return words.refusal(self._nothing)
+        if self._runner.running:
+            return self.tr("A run is under way.")
+        return words.why_not(self._controller.operating_state.cannot_run)
+
+    def _show_usable(self, *_: object) -> None:
+        progress, checking = self._runner.progress, self._checking
+        why_not = self._why_not()
+        self._times.setVisible(self._cycles.currentIndex() == _TIMES)
+        enable_or_explain(self._send, self.tr("Checking…") if checking else why_not)
+        self._state.setText(self.tr("Checking…") if checking else "")
+        self._state.setVisible(checking)
+        self._call_off.setVisible(checking)
+        again = not (self._runner.running or checking) and self._again is not None
+        self._resume.setVisible(again and ended_early(progress))
+        enable_or_explain(self._resume, why_not)
+        self._resume.setText(self.tr("Go on from row {row}").format(row=progress.index + 1))
+
+    # Words ------------------------------------------------------------------------------------
+
+    def retranslate_ui(self) -> None:
+        """Put every word into the operator's language."""
+        self._send.setText(self.tr("Send"))
+        self._call_off.setText(self.tr("Call off"))
+        for place, text in enumerate((self.tr("Once"), self.tr("Times"), self.tr("In a loop"))):
+            self._cycles.setItemText(place, text)
+        self._cycles.setAccessibleName(self.tr("How often"))
+        self._times.setAccessibleName(self.tr("How often"))
+        self._speed_label.setText(self.tr("Speed"))
+        self._speed.setAccessibleName(self._speed_label.text())
+        self._speed.setToolTip(self.tr("Of each point's own speed"))
+        self._first_label.setText(self.tr("From row"))
+        self._first.setAccessibleName(self._first_label.text())
+        self._steps.setText(self.tr("Step by step"))
+        self._show_usable()
+
+    def showEvent(self, event: QShowEvent) -> None:
+        """Catch up with what went by while the page was hidden."""
+        self._show_usable()
+        super().showEvent(event)
+
+    def hideEvent(self, event: QHideEvent) -> None:
+        """Nothing begins from a page that is not seen."""
+        self.drop_check()
+        super().hideEvent(event)
+
+
+def _spin(name: str, least: int, most: int, value: int) -> QSpinBox:
+    spin = named(name, QSpinBox())
+    spin.setRange(least, most)
+    spin.setValue(value)
+    spin.setAlignment(Qt.AlignmentFlag.AlignCenter)
+    spin.setFixedHeight(_SPIN_PX)
+    return spin

@@ -1,0 +1,254 @@
+"""Import of an unknown table: the operator says which column is what and in which unit."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import PurePath
+from typing import TYPE_CHECKING, Final
+
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtWidgets import QComboBox, QLabel, QLineEdit, QSpinBox, QWidget
+
+from armui.control.events import Level
+from armui.protocol.codes import MoveMode
+from armui.trajectory import columns
+from armui.trajectory.columns import ColumnMapping
+from armui.trajectory.files import TrajectoryFileError
+from armui.trajectory.library.store import Library, LibraryError
+from armui.trajectory.points.program import check_name
+from armui.ui import words
+from armui.ui.trajectory.table_import.columns_table import ColumnsTable
+from armui.ui.trajectory.table_import.dialect_bar import DialectBar
+from armui.ui.trajectory.table_import.table_import import TableImport
+from armui.ui.widgets.buttons import named, push_button
+from armui.ui.widgets.flow import in_flow, pair
+from armui.ui.widgets.layouts import STRETCH, fill
+from armui.ui.widgets.message_line import MessageLine
+from armui.ui.widgets.page import Page
+from armui.ui.widgets.text_label import text_label
+
+if TYPE_CHECKING:
+    from armui.trajectory.columns import TableFile
+
+_FIELD_PX: Final = 34
+_MOVES: Final = (None, MoveMode.MOVE_J, MoveMode.MOVE_P, MoveMode.MOVE_L)
+"""What the rows can become: a recording, or points of a motion."""
+_SPEED_PERCENT: Final = 30
+
+
+class ColumnsPage(Page):
+    """From a table of figures to a recording or a trajectory of the library.
+
+    Args:
+        library: Takes what is imported; nothing of it changes before the button is pressed.
+        table: The file.
+        parent: Its owner, before it stands anywhere.
+
+    Signals:
+        imported: The name under which it has been put into the library.
+    """
+
+    imported = Signal(str)
+
+    def __init__(self, library: Library, table: TableFile, parent: QWidget | None = None) -> None:
+        super().__init__("columns", parent)
+        self._library = library
+        self._file = table
+        self._table = ColumnsTable(table.sheet)
+        self._dialect_bar = DialectBar()
+        self._misread = ""
+        self._move_said = False
+        self._work: TableImport | None = None
+        self._make_widgets()
+        self._lay_out()
+        self._dialect_bar.show_table(table)
+        self._name.setText(PurePath(table.file_name).stem)
+        self._moves.setCurrentIndex(_MOVES.index(self._likely_move()))
+        self._connect()
+        self.retranslate_ui()
+        self._name.setFocus()
+
+    def _make_widgets(self) -> None:
+        self._source = text_label("columns_source", rank="muted", wraps=True, plain=True)
+        self._moves = named("columns_move", QComboBox())
+        self._moves.addItems([""] * len(_MOVES))
+        self._speed = named("columns_speed", QSpinBox())
+        self._speed.setRange(1, 100)
+        self._speed.setValue(_SPEED_PERCENT)
+        self._speed.setSuffix(" %")
+        self._speed.setAlignment(Qt.AlignmentFlag.AlignCenter)
+        self._speed.setFixedHeight(_FIELD_PX)
+        self._name = named("columns_name", QLineEdit())
+        self._move_label, self._speed_label, self._name_label = (QLabel() for _ in range(3))
+        self._message = named("columns_message", MessageLine())
+        self.import_button = push_button("columns_import", primary=True, on_enter=True)
+        self._cancel = push_button("columns_cancel", on_enter=False)
+
+    def _lay_out(self) -> None:
+        pairs = (
+            (self._name_label, self._name),
+            (self._move_label, self._moves),
+            (self._speed_label, self._speed),
+        )
+        for label, field in pairs:
+            label.setBuddy(field)
+        choices = in_flow(*(pair(label, field) for label, field in pairs), spacing_px=10)
+        fill(self.body, self._source, self._dialect_bar, choices, (self._table, 1), self._message)
+        fill(self.footer, STRETCH, self._cancel, self.import_button)
+
+    def _connect(self) -> None:
+        self._table.changed.connect(self._show_usable)
+        self._dialect_bar.changed.connect(self._read_anew)
+        self._moves.currentIndexChanged.connect(self._show_usable)
+        self._moves.activated.connect(self._on_move)
+        self._name.textChanged.connect(self._show_usable)
+        self.import_button.clicked.connect(self._import)
+        self._cancel.clicked.connect(self.leave)
+
+    # The mapping ------------------------------------------------------------------------------
+
+    @property
+    def mapping(self) -> ColumnMapping:
+        """Which column is what, as the operator says it now."""
+        move = _MOVES[self._moves.currentIndex()]
+        return ColumnMapping(self._table.columns, move, self._speed.value())
+
+    def _likely_move(self) -> MoveMode | None:
+        """The first that the guessed columns suffice for; else a recording, which says what lacks.
+
+        Joint angles without time become points, poses points of MOVE P.
+        """
+        mapping = self.mapping
+        fitting = (one for one in _MOVES if not columns.check_mapping(replace(mapping, move=one)))
+        return next(fitting, None)
+
+    def _on_move(self) -> None:
+        """From now on it is not guessed any more."""
+        self._move_said = True
+
+    def _read_anew(self) -> None:
+        """Read the file as the operator says; where that is not possible, say why."""
+        bar = self._dialect_bar
+        try:
+            self._file = self._file.read_anew(bar.encoding, bar.dialect)
+        except TrajectoryFileError as error:
+            self._misread = words.file_error(error)
+        else:
+            self._misread = ""
+            self._show_file()
+        self._show_usable()
+
+    def _show_file(self) -> None:
+        """What the operator has said of the columns stays, as long as they are the same."""
+        sheet, old = self._file.sheet, self._table
+        said = old.said if len(old.columns) == sheet.width else {}
+        self._table = ColumnsTable(sheet, said)
+        self._table.changed.connect(self._show_usable)
+        self.body.replaceWidget(old, self._table)
+        old.setParent(None)
+        old.deleteLater()
+        self._dialect_bar.show_table(self._file)
+        if not self._move_said:
+            self._moves.setCurrentIndex(_MOVES.index(self._likely_move()))
+        self._source.setText(self._describe())
+
+    def _reason_against(self) -> str:
+        """Why it cannot be imported as it is now; "" if it can."""
+        if self._misread:
+            return self._misread
+        reason = columns.check_mapping(self.mapping) or check_name(self._name.text().strip())
+        return "" if reason is None else words.refusal(reason)
+
+    def _show_usable(self) -> None:
+        """Say at once what is wrong with what is chosen; an older message has had its time."""
+        text = self._reason_against()
+        self._message.show_message(text, Level.WARNING)
+        self.import_button.setEnabled(not text)
+        self.import_button.setToolTip(text)
+        for widget in (self._speed_label, self._speed):
+            widget.setEnabled(self.mapping.move is not None)
+
+    # Import -----------------------------------------------------------------------------------
+
+    @property
+    def busy(self) -> bool:
+        """Whether the table is being imported."""
+        return self._work is not None
+
+    def _import(self) -> None:
+        name = self._name.text().strip()
+        self._work = TableImport(self._file, self.mapping, name, self._library.folder, self)
+        self._work.finished.connect(self._on_finished)
+        self._let_choose(False)
+        text = self.tr("Importing {count} rows…").format(count=f"{self._file.sheet.count:,}")
+        self._message.show_message(text)
+        self._work.start()
+
+    def _on_finished(self) -> None:
+        work, self._work = self._work, None
+        if work is None:
+            return
+        work.wait()  # the signal comes a moment before the thread has ended
+        work.deleteLater()
+        self._let_choose(True)
+        if work.error is not None:
+            self._refuse(work.error)
+        else:
+            if work.done:
+                self.imported.emit(work.name)
+            super().leave()
+
+    def _refuse(self, error: TrajectoryFileError | LibraryError) -> None:
+        if isinstance(error, LibraryError):
+            reason = words.refusal(error.refusal)
+        else:
+            reason = words.file_error(error)
+        said = self.tr("Not imported. {reason}").format(reason=reason)
+        self._message.show_message(said, Level.FAULT)
+
+    def _let_choose(self, can: bool) -> None:
+        """While it is imported, nothing of it can be chosen; the emergency stop always works."""
+        for widget in (self._dialect_bar, self._table, self._name, self._moves, self.import_button):
+            widget.setEnabled(can)
+        self._speed.setEnabled(can and self.mapping.move is not None)
+
+    def take_focus(self) -> None:
+        """The keys are for the name."""
+        self._name.setFocus()
+
+    def leave(self) -> None:
+        """Close; an import under way is given up first, and nothing is left half done."""
+        if self._work is None:
+            super().leave()
+        else:
+            self._work.requestInterruption()
+            self._message.show_message(self.tr("Giving up the import…"))
+
+    # Words ------------------------------------------------------------------------------------
+
+    def retranslate_ui(self) -> None:
+        """Put every word into the operator's language."""
+        self.set_title(self.tr("Import by columns"))
+        self._source.setText(self._describe())
+        self._name_label.setText(self.tr("Name"))
+        self._move_label.setText(self.tr("Becomes"))
+        texts = (self.tr("Recording"), *(f"MOVE {move}" for move in "JPL"))
+        for place, text in enumerate(texts):
+            points = self.tr("Points, {move}").format(move=text)
+            self._moves.setItemText(place, points if _MOVES[place] is not None else text)
+        self._speed_label.setText(self.tr("Speed"))
+        self._speed.setToolTip(self.tr("Of points for which no column says it"))
+        self.import_button.setText(self.tr("Import"))
+        self._cancel.setText(self.tr("Cancel"))
+        self._show_usable()
+
+    def _describe(self) -> str:
+        """How large the table is, and how much of it is shown."""
+        sheet = self._file.sheet
+        text = self.tr("{file}: {count} columns, {rows} rows; the first rows are shown")
+        text = text.format(file=self._file.file_name, count=sheet.width, rows=f"{sheet.count:,}")
+        hidden = self._table.hidden_count
+        if hidden:
+            more = self.tr("; {count} further columns are left out").format(count=f"{hidden:,}")
+            text += more
+        return text

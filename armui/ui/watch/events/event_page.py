@@ -1,0 +1,236 @@
+"""The page 事件: everything that happened, the newest last."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Final
+
+from PySide6.QtCore import QItemSelectionModel, QModelIndex, QPoint, Qt, QTimer, Signal
+from PySide6.QtGui import QKeySequence, QShortcut
+from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QMenu, QWidget
+
+from armui.ui.actions.keys import keys_of
+from armui.ui.theme import colors_of
+from armui.ui.watch.events.event_bar import EventBar
+from armui.ui.watch.events.event_cells import details
+from armui.ui.watch.events.event_export import EventExport
+from armui.ui.watch.events.event_model import EventModel
+from armui.ui.watch.events.event_table import EventTable
+from armui.ui.widgets.message_line import MessageLine
+from armui.ui.widgets.page import Page
+from armui.ui.widgets.text_label import text_label
+
+if TYPE_CHECKING:
+    from PySide6.QtGui import QHideEvent, QShowEvent
+
+    from armui.control.arm_controller import ArmController
+    from armui.control.events import Level
+    from armui.ui.background import Background
+    from armui.ui.watch.events.event_filter import EventFilter
+
+_LOOK_MS: Final = 200
+_LEAST_PX: Final = 130
+"""Of the table: its titles and three rows."""
+
+
+class EventPage(Page):
+    """A table that follows the log while it is seen, and costs nothing while it is not.
+
+    Args:
+        controller: Knows what has happened.
+        background: Where files are written.
+        parent: Its owner, before it stands anywhere.
+
+    Signals:
+        moment_chosen: The monotonic time of an event that was clicked.
+        moment_wanted: The same of one that is to be seen in the curves, even if they are closed.
+    """
+
+    moment_chosen = Signal(float)
+    moment_wanted = Signal(float)
+
+    def __init__(
+        self, controller: ArmController, background: Background, parent: QWidget | None = None
+    ) -> None:
+        super().__init__("events", parent)
+        self.setObjectName("event_page")
+        self.model = EventModel(controller.events, colors_of(self))
+        self.bar = EventBar()
+        self.export = EventExport(controller, background, self)
+        self.table = EventTable(self.model)
+        self.table.setContextMenuPolicy(Qt.ContextMenuPolicy.CustomContextMenu)
+        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        self.table.setMinimumHeight(_LEAST_PX)
+        self.detail = text_label("event_detail", wraps=True, plain=True)
+        self.detail.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
+        self.detail.setAlignment(Qt.AlignmentFlag.AlignTop | Qt.AlignmentFlag.AlignLeft)
+        self._message = MessageLine()
+        self._message.setObjectName("event_message")
+        self._message.hide()
+        for widget, stretch in ((self.bar, 0), (self.table, 1), (self.detail, 0)):
+            self.body.addWidget(widget, stretch)
+        self.body.addWidget(self._message)
+        self._timer = QTimer(self)
+        self._timer.setInterval(_LOOK_MS)
+        self._connect()
+        self.retranslate_ui()
+
+    def _connect(self) -> None:
+        self.bar.filter_changed.connect(self._on_filter)
+        self.bar.follow_changed.connect(self._on_follow)
+        self.bar.save_wanted.connect(self._on_save)
+        self.export.said.connect(self._say)
+        self.table.clicked.connect(self._on_clicked)
+        self.table.activated.connect(self._on_activated)
+        self.table.customContextMenuRequested.connect(self._open_menu)
+        self.table.selectionModel().currentRowChanged.connect(self._show_detail)
+        self.model.modelReset.connect(self._on_reset)
+        self.model.dataChanged.connect(self._show_detail)
+        self.table.verticalScrollBar().actionTriggered.connect(self._on_scrolled)
+        self._timer.timeout.connect(self.refresh)
+        copy = QShortcut(QKeySequence(keys_of("events.copy")), self.table)
+        copy.setContext(Qt.ShortcutContext.WidgetShortcut)
+        copy.activated.connect(self.copy_chosen)
+
+    # What is shown ----------------------------------------------------------------------------
+
+    def refresh(self) -> None:
+        """Take in what has happened since."""
+        if self.model.follow():
+            self._show_newest()
+        self._show_count()
+
+    def _show_count(self) -> None:
+        self.bar.show_count(self.model.rowCount(), self.model.kept)
+
+    def _show_newest(self) -> None:
+        if self.bar.follow.isChecked():
+            self.table.scrollToBottom()
+
+    def show_entry(self, number: int) -> None:
+        """Bring an entry into sight and choose it; what hides it is not wanted any more."""
+        self.model.follow()
+        if self.model.row_of(number) is None:
+            self.bar.show_all()
+        row = self.model.row_of(number)
+        if row is None:
+            return
+        self.bar.follow.setChecked(False)
+        index = self.model.index(row, 0)
+        flags = QItemSelectionModel.SelectionFlag
+        self.table.selectionModel().setCurrentIndex(index, flags.ClearAndSelect | flags.Rows)
+        self.table.scrollTo(index, QAbstractItemView.ScrollHint.PositionAtCenter)
+
+    def _show_detail(self) -> None:
+        entry = self.table.current()
+        text = "" if entry is None else "\n".join(details(entry))
+        if self.detail.text() != text:
+            self.detail.setText(text)
+        self.detail.setVisible(entry is not None)
+
+    def _on_reset(self) -> None:
+        self._show_newest()
+        self._show_count()
+        self._show_detail()
+
+    # What the operator does -------------------------------------------------------------------
+
+    def _on_filter(self, wanted: EventFilter) -> None:
+        current = self.table.current()
+        self.model.set_filter(wanted)
+        row = None if current is None else self.model.row_of(current.number)
+        if row is not None:
+            self.table.selectRow(row)
+
+    def _on_follow(self, on: bool) -> None:
+        if on:
+            self.table.scrollToBottom()
+
+    def _on_scrolled(self) -> None:
+        """The operator looks at something older; at the end of the list it is followed again."""
+        QTimer.singleShot(0, self, self._follow_where_it_ends)
+
+    def _follow_where_it_ends(self) -> None:
+        bar = self.table.verticalScrollBar()
+        self.bar.follow.setChecked(bar.value() >= bar.maximum())
+
+    def _on_clicked(self, index: QModelIndex) -> None:
+        self.bar.follow.setChecked(False)
+        self.moment_chosen.emit(self.model.entry(index.row()).at_s)
+
+    def _on_activated(self, index: QModelIndex) -> None:
+        self.moment_wanted.emit(self.model.entry(index.row()).at_s)
+
+    def copy_chosen(self) -> None:
+        """Put the selected rows into the clipboard."""
+        entries = self.table.chosen()
+        if entries:
+            self.export.copy(entries)
+
+    def _on_save(self, kind: str) -> None:
+        if kind == "copy":
+            self.export.copy(self.model.entries())
+        else:
+            self.export.save(kind, self.model.entries())
+
+    def _open_menu(self, at: QPoint) -> None:
+        index = self.table.indexAt(at)
+        if not index.isValid():
+            return
+        entry = self.model.entry(index.row())
+        menu = QMenu(self)
+        menu.setObjectName("event_menu")
+        menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        menu.addAction(self.tr("Show in the curves"), lambda: self.moment_wanted.emit(entry.at_s))
+        if entry.ended_s is not None:
+            end_s = entry.ended_s
+            menu.addAction(
+                self.tr("Show its end in the curves"), lambda: self.moment_wanted.emit(end_s)
+            )
+        menu.addSeparator()
+        menu.addAction(self.tr("Copy"), self.copy_chosen)
+        menu.addSeparator()
+        menu.addAction(self.tr("Only this kind"), lambda: self.bar.show_only(kind=entry.kind))
+        menu.addAction(self.tr("Only from here"), lambda: self.bar.show_only(who=entry.who))
+        menu.addAction(self.tr("Show all"), self.bar.show_all)
+        menu.popup(self.table.viewport().mapToGlobal(at))
+
+    def _say(self, text: str, level: Level) -> None:
+        self._message.show_message(text, level)
+        self._message.show()
+
+    def headers(self) -> Mapping[str, QHeaderView]:
+        """The columns of the table are kept."""
+        return {"events": self.table.horizontalHeader()}
+
+    def take_focus(self) -> None:
+        """The keys are for the page: in the table they would choose its first row."""
+        self.setFocus()
+
+    # Appearance -------------------------------------------------------------------------------
+
+    def retranslate_ui(self) -> None:
+        """Put every word into the operator's language."""
+        self.set_title(self.tr("Events"))
+        self.table.setAccessibleName(self.tr("Events"))
+        self.table.setToolTip(self.tr("Double-click: show the moment in the curves"))
+        self.model.retranslate()
+        self.table.fit_columns()
+        self.detail.setMinimumHeight(4 * self.detail.fontMetrics().lineSpacing() + 8)
+        self._show_count()
+        self._show_detail()
+
+    def _recolor(self) -> None:
+        self.model.recolor(colors_of(self))
+
+    def showEvent(self, event: QShowEvent) -> None:
+        """Catch up."""
+        super().showEvent(event)
+        self.refresh()
+        self._show_newest()
+        self._timer.start()
+
+    def hideEvent(self, event: QHideEvent) -> None:
+        """Look no more."""
+        super().hideEvent(event)
+        self._timer.stop()

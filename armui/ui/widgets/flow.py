@@ -1,0 +1,168 @@
+"""A row of controls that goes on in another line where there is no room."""
+
+from __future__ import annotations
+
+from typing import Final
+
+from PySide6.QtCore import QMargins, QRect, QSize, Qt
+from PySide6.QtWidgets import QLayout, QLayoutItem, QSizePolicy, QWidget
+
+from armui.ui.widgets.layouts import in_row
+
+_SPACING_PX: Final = 6
+
+
+class Flow(QLayout):
+    """Lays its widgets out from left to right, as lines of text.
+
+    A widget that wants to grow (its size policy says so) takes the room that is left in its line;
+    one that was marked by :meth:`push` stands at the right end of it.
+
+    Args:
+        owner: The widget whose layout it becomes.
+        spacing_px: Between two widgets, and between two lines.
+    """
+
+    def __init__(self, owner: QWidget | None = None, spacing_px: int = _SPACING_PX) -> None:
+        super().__init__(owner)
+        self._items: list[QLayoutItem] = []
+        self._pushed: set[QWidget] = set()
+        self.setSpacing(spacing_px)
+        self.setContentsMargins(0, 0, 0, 0)
+
+    def push(self, widget: QWidget) -> None:
+        """Add a widget that stands at the right end of its line."""
+        self._pushed.add(widget)
+        self.addWidget(widget)
+
+    def insert(self, place: int, widget: QWidget) -> None:
+        """Add a widget before another."""
+        self.addWidget(widget)
+        self._items.insert(place, self._items.pop())
+        self.invalidate()
+
+    # What Qt asks of a layout -----------------------------------------------------------------
+
+    def addItem(self, item: QLayoutItem) -> None:  # noqa: N802 - Qt's
+        """Take an item; called by Qt."""
+        self._items.append(item)
+
+    def count(self) -> int:
+        """How many items there are."""
+        return len(self._items)
+
+    def itemAt(self, index: int) -> QLayoutItem | None:  # noqa: N802 - Qt's
+        """The item at a place."""
+        return self._items[index] if 0 <= index < len(self._items) else None
+
+    def takeAt(self, index: int) -> QLayoutItem | None:  # noqa: N802 - Qt's
+        """Take the item at a place away."""
+        return self._items.pop(index) if 0 <= index < len(self._items) else None
+
+    def expandingDirections(self) -> Qt.Orientation:  # noqa: N802 - Qt's
+        """It is as high as its lines are."""
+        return Qt.Orientation.Horizontal
+
+    def hasHeightForWidth(self) -> bool:  # noqa: N802 - Qt's
+        """The narrower, the higher."""
+        return True
+
+    def heightForWidth(self, width: int) -> int:  # noqa: N802 - Qt's
+        """How high all lines are."""
+        return self._arrange(QRect(0, 0, width, 0), place=False)
+
+    def sizeHint(self) -> QSize:
+        """All in one line."""
+        hints = [item.sizeHint() for item in self._shown()]
+        width = sum(hint.width() for hint in hints) + self.spacing() * max(0, len(hints) - 1)
+        height = max((hint.height() for hint in hints), default=0)
+        return self._with_margins(QSize(width, height))
+
+    def minimumSize(self) -> QSize:  # noqa: N802 - Qt's
+        """The widest of them alone; as high as one line, more is asked by the width."""
+        width = max((item.minimumSize().width() for item in self._shown()), default=0)
+        height = max((item.sizeHint().height() for item in self._shown()), default=0)
+        return self._with_margins(QSize(width, height))
+
+    def setGeometry(self, rect: QRect) -> None:  # noqa: N802 - Qt's
+        """Place them."""
+        super().setGeometry(rect)
+        self._arrange(rect, place=True)
+
+    # The lines --------------------------------------------------------------------------------
+
+    def _shown(self) -> list[QLayoutItem]:
+        return [item for item in self._items if not item.isEmpty()]
+
+    def _with_margins(self, size: QSize) -> QSize:
+        margins: QMargins = self.contentsMargins()
+        return size.grownBy(margins)
+
+    def _arrange(self, rect: QRect, *, place: bool) -> int:
+        room = rect.marginsRemoved(self.contentsMargins())
+        y = room.y()
+        for line in self._lines(room.width()):
+            height = max(item.sizeHint().height() for item in line)
+            if place:
+                self._place(line, QRect(room.x(), y, room.width(), height))
+            y += height + self.spacing()
+        margins = self.contentsMargins()
+        return max(0, y - self.spacing() - room.y()) + margins.top() + margins.bottom()
+
+    def _lines(self, width: int) -> list[list[QLayoutItem]]:
+        lines: list[list[QLayoutItem]] = []
+        used = 0
+        for item in self._shown():
+            wanted = item.sizeHint().width()
+            if lines and used + self.spacing() + wanted <= width:
+                lines[-1].append(item)
+                used += self.spacing() + wanted
+            else:
+                lines.append([item])
+                used = wanted
+        return lines
+
+    def _place(self, line: list[QLayoutItem], room: QRect) -> None:
+        gaps = self.spacing() * (len(line) - 1)
+        left = max(0, room.width() - gaps - sum(item.sizeHint().width() for item in line))
+        growing = [item for item in line if _grows(item)]
+        pushed = next((item for item in line if item.widget() in self._pushed), None)
+        x = room.x()
+        for item in line:
+            hint = item.sizeHint()
+            width = min(hint.width(), room.width())
+            if item in growing:
+                width += left // len(growing)
+            elif item is pushed and not growing:
+                x += left
+            item.setGeometry(
+                QRect(x, room.y() + (room.height() - hint.height()) // 2, width, hint.height())
+            )
+            x += width + self.spacing()
+
+
+def _grows(item: QLayoutItem) -> bool:
+    widget = item.widget()
+    policy = QSizePolicy.Policy.Fixed if widget is None else widget.sizePolicy().horizontalPolicy()
+    return policy == QSizePolicy.Policy.Expanding
+
+
+def in_flow(*widgets: QWidget, on: QWidget | None = None, spacing_px: int = _SPACING_PX) -> Flow:
+    """Put widgets beside one another, and below where there is no room.
+
+    Args:
+        widgets: From left to right.
+        on: The widget whose layout it becomes.
+        spacing_px: Between two, and between two lines.
+    """
+    flow = Flow(on, spacing_px)
+    for widget in widgets:
+        flow.addWidget(widget)
+    return flow
+
+
+def pair(label: QWidget, field: QWidget) -> QWidget:
+    """A label and its field as one widget, which no line of a flow takes apart."""
+    both = QWidget()
+    in_row(label, field, on=both, spacing=_SPACING_PX, margins=0)
+    return both

@@ -1,0 +1,109 @@
+"""A page: work with a title of its own that stands beside the 3D picture, or in its own window."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Final
+
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtGui import QCloseEvent, QContextMenuEvent, QKeyEvent
+from PySide6.QtWidgets import QHBoxLayout, QHeaderView, QVBoxLayout, QWidget
+
+from armui.ui.widgets.curve_menu import offer_curves
+from armui.ui.widgets.layouts import in_column, in_row
+from armui.ui.widgets.translated import Translated
+
+_GAP_PX: Final = 12
+
+
+class Page(Translated, QWidget):
+    """Content without a frame: whoever holds it shows its title, the way back, and the stops.
+
+    A page is left, never just closed: :meth:`leave` may ask first. It works while it is seen and
+    costs nothing while it is not.
+
+    Args:
+        key: Its name in the settings; pages of one kind share it.
+
+    Attributes:
+        above: The page that leads to it, and to which the way back leads.
+
+    Signals:
+        titled: Its title is another.
+        wanted: It is to be seen, in front.
+        closed: It was left for good; whoever holds it takes it away.
+    """
+
+    titled = Signal()
+    wanted = Signal()
+    closed = Signal()
+
+    def __init__(self, key: str, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.key: Final = key
+        self.above: Page | None = None
+        self._title = ""
+        self._body = in_column(spacing=_GAP_PX)
+        self._footer = in_row(spacing=_GAP_PX // 2)
+        in_column((self._body, 1), self._footer, on=self, spacing=_GAP_PX, margins=0)
+
+    @property
+    def body(self) -> QVBoxLayout:
+        """Where its content goes."""
+        return self._body
+
+    @property
+    def footer(self) -> QHBoxLayout:
+        """Where its last buttons go, from left to right."""
+        return self._footer
+
+    @property
+    def title(self) -> str:
+        """What it is called now."""
+        return self._title
+
+    def set_title(self, title: str) -> None:
+        """Call it something else."""
+        if title != self._title:
+            self._title = title
+            self.setAccessibleName(title)
+            self.titled.emit()
+
+    def headers(self) -> Mapping[str, QHeaderView]:
+        """The heads of its tables by name: how wide the columns are, and the order, is kept."""
+        return {}
+
+    # Coming and going -------------------------------------------------------------------------
+
+    def open(self) -> None:
+        """Have it shown in front, wherever it stands."""
+        self.wanted.emit()
+
+    def leave(self) -> None:
+        """Leave it for good; a page in which something is not saved asks first."""
+        self.closed.emit()
+
+    def take_focus(self) -> None:
+        """The operator has come here: the keys go to what is worked with."""
+        inside = self.focusWidget()
+        (self if inside is None else inside).setFocus(Qt.FocusReason.OtherFocusReason)
+
+    def closeEvent(self, event: QCloseEvent) -> None:
+        """To close it is to leave it."""
+        event.ignore()
+        self.leave()
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        """Escape leads back, unless a field or a table has taken it for itself."""
+        if event.key() == Qt.Key.Key_Escape:
+            event.accept()
+            self.leave()
+        else:
+            super().keyPressEvent(event)
+
+    def contextMenuEvent(self, event: QContextMenuEvent) -> None:
+        """A figure can be shown as a curve."""
+        offer_curves(self, event)
+
+    def retranslate_ui(self) -> None:
+        """Put every word into the operator's language; called anew when that changes."""

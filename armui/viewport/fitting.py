@@ -1,0 +1,210 @@
+"""Where the camera must stand for the arm to fill the room it has, and no more. Pure."""
+
+from __future__ import annotations
+
+import itertools
+import math
+from collections.abc import Iterable, Sequence
+from dataclasses import replace
+from typing import Final, NamedTuple
+
+from armui.viewport.camera import OrbitCamera, Vector
+from armui.viewport.projection import Projection, dot
+
+Groups = Sequence[Sequence[Vector]]
+"""Places that belong together, in metres: those of one link."""
+
+MARGIN_PX: Final = 16.0
+_AIR_PX: Final = 10.0
+_NEAREST_M: Final = 0.2
+_NARROWEST_PX: Final = 60.0
+
+
+class Box(NamedTuple):
+    """A rectangle in pixels from the top left corner."""
+
+    left: float
+    top: float
+    right: float
+    bottom: float
+
+    def overlaps(self, other: Box) -> bool:
+        """Whether the two share any place."""
+        beside = self.right <= other.left or other.right <= self.left
+        return not (beside or self.bottom <= other.top or other.bottom <= self.top)
+
+
+class Room(NamedTuple):
+    """What of a picture is free for the arm.
+
+    Attributes:
+        width_px, height_px: Of the whole picture.
+        figures: What the figures at the top left cover.
+        corner: What the buttons at the bottom right cover.
+        strip_px: How wide the buttons along the right edge are.
+    """
+
+    width_px: float
+    height_px: float
+    figures: Box = Box(0.0, 0.0, 0.0, 0.0)
+    corner: Box = Box(0.0, 0.0, 0.0, 0.0)
+    strip_px: float = 0.0
+
+    def with_air(self) -> Room:
+        """The same with some pixels around figures and buttons: the arm may move a little."""
+        figures, corner = self.figures, self.corner
+        if figures.right > 0.0:
+            figures = Box(0.0, 0.0, figures.right + _AIR_PX, figures.bottom + _AIR_PX)
+        if corner.top > 0.0:
+            corner = corner._replace(left=corner.left - _AIR_PX, top=corner.top - _AIR_PX)
+        return self._replace(figures=figures, corner=corner)
+
+    @property
+    def inside(self) -> Box:
+        """The picture without its rim."""
+        return Box(
+            MARGIN_PX,
+            MARGIN_PX,
+            self.width_px - self.strip_px - MARGIN_PX,
+            self.height_px - MARGIN_PX,
+        )
+
+
+def is_clear(camera: OrbitCamera, groups: Groups, room: Room, slack_px: float = 0.0) -> bool:
+    """Whether everything is in the picture, and nothing behind figures or buttons.
+
+    Args:
+        camera: Takes the picture.
+        groups: What shall be seen.
+        room: Where.
+        slack_px: So far it may reach into the margin.
+    """
+    projection = Projection(camera, room.width_px, room.height_px)
+    inside = room.inside
+    for group in groups:
+        box = _box(projection, group)
+        if box is None:
+            return False
+        if (
+            box.left < inside.left - slack_px
+            or box.top < inside.top - slack_px
+            or box.right > inside.right + slack_px
+            or box.bottom > inside.bottom + slack_px
+            or box.overlaps(room.figures)
+            or box.overlaps(room.corner)
+        ):
+            return False
+    return True
+
+
+def fitted(camera: OrbitCamera, groups: Groups, room: Room, grown: float = 1.0) -> OrbitCamera:
+    """The camera as near as it can be, looking from where it does.
+
+    Args:
+        camera: From where to look.
+        groups: What shall be seen.
+        room: Where.
+        grown: So many times as much room as is needed is left around it.
+
+    Returns:
+        The camera; the same where there is nothing to be seen.
+    """
+    if not any(groups):
+        return camera
+    # turned about by the operator, it turns about the middle of the arm
+    camera = replace(camera, focus_m=_middle(groups))
+    seen = _seen(camera, groups, room)
+    roomy = room.with_air()
+    cameras = [_within(camera, seen, box, room) for box in _free_boxes(roomy)]
+    cameras.sort(key=lambda each: each.distance_m)
+    best = next((each for each in cameras if is_clear(each, groups, roomy, 1.0)), cameras[-1])
+    return replace(best, distance_m=best.distance_m * grown)
+
+
+def outermost(camera: OrbitCamera, groups: Groups) -> list[Sequence[Vector]]:
+    """Of many places those that decide where the camera must stand, each by itself."""
+    _, right, up = camera.axes()
+    places = [place for group in groups for place in group]
+    ways = [
+        (across, upwards)
+        for across, upwards in itertools.product((-1.0, 0.0, 1.0), repeat=2)
+        if across or upwards
+    ]
+    chosen = {
+        max(places, key=lambda each: across * dot(each, right) + upwards * dot(each, up))
+        for across, upwards in ways
+        if places
+    }
+    return [(place,) for place in sorted(chosen)]
+
+
+def _free_boxes(room: Room) -> Iterable[Box]:
+    """Rectangles that the arm might be fitted into, from the whole picture down."""
+    inside = room.inside
+    shares = (0.0, 0.5, 1.0)
+    lefts = [max(inside.left, room.figures.right * share) for share in shares]
+    tops = [max(inside.top, room.figures.bottom * share) for share in shares]
+    raised = inside.bottom if room.corner.top <= 0.0 else min(inside.bottom, room.corner.top)
+    for left, top, bottom in itertools.product(lefts, tops, (inside.bottom, raised)):
+        if inside.right - left >= _NARROWEST_PX and bottom - top >= _NARROWEST_PX:
+            yield Box(left, top, inside.right, bottom)
+    yield Box(inside.left, inside.top, max(inside.right, inside.left + 1.0), inside.bottom + 1.0)
+
+
+def _middle(groups: Groups) -> Vector:
+    """The middle of the box around everything."""
+    axes = zip(*(place for group in groups for place in group), strict=True)
+    x, y, z = ((min(axis) + max(axis)) / 2.0 for axis in axes)
+    return x, y, z
+
+
+def _seen(camera: OrbitCamera, groups: Groups, room: Room) -> list[Vector]:
+    """How far each place is to the right of the focus, above it, and nearer to the eye."""
+    projection = Projection(camera, room.width_px, room.height_px)
+    seen = [projection.relative(place) for group in groups for place in group]
+    return [(across, up, 0.0) for across, up, _ in seen] if camera.orthographic else seen
+
+
+def _within(camera: OrbitCamera, seen: Sequence[Vector], box: Box, room: Room) -> OrbitCamera:
+    """The nearest camera that shows everything in a rectangle.
+
+    What is seen at the edge of the rectangle is a plane through the eye; each of the four gives a
+    condition that is linear in the place and the distance of the camera.
+    """
+    unit = Projection(replace(camera, distance_m=1.0), room.width_px, room.height_px)
+    size_px = unit.pixels_a_metre(camera.focus_m)
+    middle_x, middle_y = room.width_px / 2.0, room.height_px / 2.0
+    left, right = (box.left - middle_x) / size_px, (box.right - middle_x) / size_px
+    low, high = (middle_y - box.bottom) / size_px, (middle_y - box.top) / size_px
+    rightmost = max(across + right * towards for across, _, towards in seen)
+    leftmost = min(across + left * towards for across, _, towards in seen)
+    highest = max(up + high * towards for _, up, towards in seen)
+    lowest = min(up + low * towards for _, up, towards in seen)
+    wide = max(right - left, 1e-6)
+    tall = max(high - low, 1e-6)
+    nearest = max(towards for _, _, towards in seen) + _NEAREST_M
+    distance = max((rightmost - leftmost) / wide, (highest - lowest) / tall, _NEAREST_M)
+    if not camera.orthographic:
+        distance = max(distance, nearest)
+    across = ((rightmost - right * distance) + (leftmost - left * distance)) / 2.0
+    up = ((highest - high * distance) + (lowest - low * distance)) / 2.0
+    _, right_axis, up_axis = camera.axes()
+    x, y, z = (
+        focus + across * r + up * u
+        for focus, r, u in zip(camera.focus_m, right_axis, up_axis, strict=True)
+    )
+    return replace(camera, focus_m=(x, y, z), distance_m=distance)
+
+
+def _box(projection: Projection, group: Sequence[Vector]) -> Box | None:
+    """What a group covers; ``None`` if some of it is behind the eye."""
+    left = top = math.inf
+    right = bottom = -math.inf
+    for place in group:
+        pixel = projection.pixel(place)
+        if pixel is None:
+            return None
+        x, y = pixel
+        left, right = min(left, x), max(right, x)
+        top, bottom = min(top, y), max(bottom, y)
+    return Box(left, top, right, bottom)

@@ -1,0 +1,96 @@
+"""Lines that are drawn over the picture: the tool's frame, the range of a joint. Pure.
+
+They are places in the base frame, in metres; `armui.viewport.stroke_painter` brings them to the
+screen by the camera of the picture that they are drawn over.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import Final, NamedTuple
+
+from armui.viewport.camera import Vector
+from armui.viewport.palette import ScenePalette
+from armui.viewport.robot_shape import RobotShape, Rows, moved, rotation, turned
+
+FRAME_M: Final = 0.07
+ARC_M: Final = 0.13
+_ARC_STEP_DEG: Final = 4.0
+_TICK_SHARE: Final = 0.12
+
+
+class Stroke(NamedTuple):
+    """A line through places, or a surface.
+
+    Attributes:
+        places: In the base frame, metres.
+        color: "#rrggbb".
+        width_px: Of the line.
+        filled: Whether the places are the rim of a surface that shines through.
+        label: What stands at its last place.
+    """
+
+    places: tuple[Vector, ...]
+    color: str
+    width_px: float = 2.0
+    filled: bool = False
+    label: str = ""
+
+
+def tool_frame(rows: Rows, palette: ScenePalette, length_m: float = FRAME_M) -> list[Stroke]:
+    """The axes of the tool centre point."""
+    start = (rows[3], rows[7], rows[11])
+    ends = ((length_m, 0.0, 0.0), (0.0, length_m, 0.0), (0.0, 0.0, length_m))
+    return [
+        Stroke((start, moved(rows, end)), color, 2.5, label=name)
+        for end, color, name in zip(ends, palette.axes, "xyz", strict=True)
+    ]
+
+
+def joint_range(
+    shape: RobotShape,
+    angles_deg: Sequence[float],
+    number: int,
+    limits_deg: tuple[float, float],
+    palette: ScenePalette,
+) -> list[Stroke]:
+    """The range of a joint as an arc about its axis, with a hand at where it stands.
+
+    Args:
+        shape: The robot.
+        angles_deg: Six joint angles as on the bus.
+        number: Of the joint, 1–6.
+        limits_deg: The lowest and the highest angle.
+        palette: The theme's colours.
+    """
+    links = shape.links(angles_deg)
+    place, axis = shape.joint_frame(number, links)
+    pointer = shape.joint_pointer(number, links)
+    angle_deg = angles_deg[number - 1]
+    low_deg, high_deg = limits_deg
+
+    def at(degrees: float, radius_m: float = ARC_M) -> Vector:
+        x, y, z = turned(rotation(axis, math.radians(degrees - angle_deg)), pointer)
+        return (
+            place[0] + radius_m * x,
+            place[1] + radius_m * y,
+            place[2] + radius_m * z,
+        )
+
+    steps = max(2, math.ceil((high_deg - low_deg) / _ARC_STEP_DEG))
+    arc = tuple(at(low_deg + (high_deg - low_deg) * step / steps) for step in range(steps + 1))
+    beyond = not low_deg <= angle_deg <= high_deg
+    hand = palette.fault if beyond else palette.text
+    inner, outer = ARC_M * (1.0 - _TICK_SHARE), ARC_M * (1.0 + _TICK_SHARE)
+    return [
+        Stroke((place, *arc), palette.accent, 0.0, filled=True),
+        Stroke(arc, palette.accent, 2.5),
+        Stroke(
+            (at(low_deg, inner), at(low_deg, outer)), palette.accent, 2.5, label=f"{low_deg:g}°"
+        ),
+        Stroke(
+            (at(high_deg, inner), at(high_deg, outer)), palette.accent, 2.5, label=f"{high_deg:g}°"
+        ),
+        Stroke((place, at(angle_deg, outer)), hand, 2.5),
+    ]

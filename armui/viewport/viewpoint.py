@@ -1,0 +1,234 @@
+"""From where the arm is seen: the operator's hand, a view that fits, or one that follows. Pure."""
+
+from __future__ import annotations
+
+import enum
+import itertools
+import math
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+from typing import Final
+
+from armui.viewport.camera import HOME_CAMERA, OrbitCamera, Vector, ViewDirection
+from armui.viewport.fitting import Room, fitted, is_clear, outermost
+from armui.viewport.look_alike import look_alike
+from armui.viewport.path_picture import Reach
+from armui.viewport.robot_shape import RobotShape, moved
+
+_GROWN: Final = 1.12
+"""An arm that leaves the picture gets more room than it needs: it is on its way."""
+_SHRUNK: Final = 0.86
+"""An arm that has come to rest in less of the picture than this is brought nearer."""
+_FOLLOWED_AT_M: Final = 0.75
+
+
+_TRIED: Final = 8
+"""Steps in the range of a joint, where its reach is looked for."""
+
+
+class ViewMode(enum.Enum):
+    """Who moves the camera."""
+
+    FIT = enum.auto()
+    """The arm fills the room it has; when it leaves it, the camera steps back."""
+    FREE = enum.auto()
+    """The operator has moved the picture or its scale."""
+    FOLLOW = enum.auto()
+    """The tool stays in the middle."""
+
+
+class Viewpoint:
+    """Keeps the camera.
+
+    Attributes:
+        camera: Where the picture is taken from.
+        mode: Who moves it.
+        is_carried: Whether a handle is held: the camera rests, whatever the wheel says.
+    """
+
+    def __init__(self) -> None:
+        self.camera = HOME_CAMERA
+        self.mode = ViewMode.FIT
+        self._shape: RobotShape | None = None
+        self._room = Room(1.0, 1.0)
+        self._poses: list[tuple[tuple[float, ...], float]] = [((0.0,) * 6, 0.0)]
+        self._places: tuple[Vector, ...] = ()
+        self._tool_m: Vector = (0.0, 0.0, 0.0)
+        self._reach: Reach | None = None
+        self._reached: tuple[Vector, ...] = ()
+        self._been: list[Sequence[Vector]] = []
+        self._is_held = False
+        self.is_carried = False
+
+    # what there is to see ---------------------------------------------------------------------
+
+    def take_shape(self, shape: RobotShape) -> None:
+        """The robot in the picture is known."""
+        if shape != self._shape:
+            self._shape = shape
+            self._reached = self._reached_places()
+            self._look_again(exactly=True)
+
+    def take_room(self, room: Room) -> None:
+        """The picture has another size, or something else lies over it."""
+        if room != self._room:
+            self._room = room
+            self._look_again(exactly=True)
+
+    def take_arm(
+        self,
+        angles_deg: Sequence[float] | None,
+        gripper_mm: float,
+        ghost_deg: Sequence[float] | None,
+    ) -> None:
+        """The arm stands elsewhere, or its ghost does."""
+        poses = [(tuple(angles_deg or (0.0,) * 6), gripper_mm)]
+        if ghost_deg is not None:
+            poses.append((tuple(ghost_deg), 0.0))
+        if len(poses) == len(self._poses) and all(
+            look_alike(one[0], other[0]) and one[1] == other[1]
+            for one, other in zip(poses, self._poses, strict=True)
+        ):
+            return
+        self._poses = poses
+        self._look_again(exactly=False)
+
+    def take_places(self, places: tuple[Vector, ...]) -> None:
+        """What else shall be in the picture: the outermost places of a path."""
+        if places != self._places:
+            self._places = places
+            self._look_again(exactly=False)
+
+    def take_reach(self, reach: Reach | None) -> None:
+        """Whether all of what the tool can reach shall be in the picture."""
+        if reach != self._reach:
+            self._reach = reach
+            self._reached = self._reached_places()
+            self._look_again(exactly=True)
+
+    def take_tool(self, tool_m: Vector) -> None:
+        """The tool centre point in the flange, metres."""
+        self._tool_m = tool_m
+        if self.mode is ViewMode.FOLLOW:
+            self._look_again(exactly=False)
+
+    # what the operator wants ------------------------------------------------------------------
+
+    def look_from(self, direction: ViewDirection) -> None:
+        """Look from a direction, at all of the arm."""
+        self.camera = self.camera.turned_to(direction)
+        if self.mode is ViewMode.FREE:
+            self.mode = ViewMode.FIT
+        self._look_again(exactly=True)
+
+    def fit(self) -> None:
+        """Look at all of the arm from where the camera stands."""
+        self.mode = ViewMode.FIT
+        self._look_again(exactly=True)
+
+    def reset(self) -> None:
+        """The first view again."""
+        self.camera = replace(HOME_CAMERA, orthographic=self.camera.orthographic)
+        self.fit()
+
+    def follow(self, *, wanted: bool) -> None:
+        """Keep the tool in the middle, or show all of the arm again."""
+        if not wanted:
+            if self.mode is ViewMode.FOLLOW:
+                self.fit()
+            return
+        self.mode = ViewMode.FOLLOW
+        nearer_m = min(self.camera.distance_m, _FOLLOWED_AT_M)
+        self.camera = replace(self.camera, distance_m=nearer_m)
+        self._look_again(exactly=False)
+
+    def set_orthographic(self, *, wanted: bool) -> None:
+        """Show parallel lines as such, or with perspective."""
+        self.camera = replace(self.camera, orthographic=wanted)
+        self._look_again(exactly=True)
+
+    def move_by_hand(self, camera: OrbitCamera, *, only_turned: bool) -> None:
+        """The operator has moved the camera; one that was only turned goes on to fit the arm."""
+        if not only_turned and self.mode is ViewMode.FIT:
+            self.mode = ViewMode.FREE
+        if self.mode is ViewMode.FOLLOW and camera.focus_m != self.camera.focus_m:
+            self.mode = ViewMode.FREE
+        self.camera = camera
+
+    def hold(self, *, held: bool) -> None:
+        """While the operator drags, the camera is moved by nobody else."""
+        self._is_held = held
+        if not held:
+            self._look_again(exactly=False)
+
+    def come_to_rest(self) -> None:
+        """The arm has stood still for a moment: one that has become small is brought nearer."""
+        if self.mode is not ViewMode.FIT or self._is_held:
+            return
+        best = fitted(self.camera, self._groups(), self._room)
+        if best.distance_m < _SHRUNK * self.camera.distance_m:
+            self._been.clear()
+            self.camera = best
+            self._been = outermost(best, self._groups())
+
+    # ------------------------------------------------------------------------------------------
+
+    def _look_again(self, *, exactly: bool) -> None:
+        shape = self._shape
+        if shape is None or self._is_held:
+            return
+        if self.mode is ViewMode.FOLLOW:
+            rows = shape.flange(shape.links(*self._poses[0]))
+            self.camera = replace(self.camera, focus_m=moved(rows, self._tool_m))
+        elif self.mode is ViewMode.FIT and (
+            exactly or not is_clear(self.camera, self._groups(), self._room, _SLACK_PX)
+        ):
+            if exactly:
+                self._been.clear()
+            # where the arm has been it may go again: the picture is not to swing to and fro
+            self.camera = self._fitted(1.0 if exactly else _GROWN)
+            self._been = outermost(self.camera, [*self._groups(), *self._been])
+
+    def _fitted(self, grown: float) -> OrbitCamera:
+        return fitted(self.camera, [*self._groups(), *self._been], self._room, grown)
+
+    def _groups(self) -> list[Sequence[Vector]]:
+        shape = self._shape
+        if shape is None:
+            return []
+        groups: list[Sequence[Vector]] = []
+        for pose in self._poses:
+            groups += shape.outline(shape.links(*pose))
+        groups += [(place,) for place in self._places]
+        groups += [(place,) for place in self._reached]
+        return groups
+
+    def _reached_places(self) -> tuple[Vector, ...]:
+        if self._shape is None or self._reach is None:
+            return ()
+        return tuple(_reached(self._shape, self._reach))
+
+
+def _reached(shape: RobotShape, reach: Reach) -> Iterator[Vector]:
+    """Places all around, as far from the shoulder as the tool can come."""
+    middles = [(low + high) / 2.0 for low, high in reach.limits_deg]
+    tried = [
+        [low + (high - low) * share / _TRIED for share in range(_TRIED + 1)]
+        for low, high in reach.limits_deg
+    ]
+    shoulder, _ = shape.joint_frame(2, shape.links((0.0,) * len(middles)))
+    furthest_m = 0.0
+    for lift, bend in itertools.product(tried[1], tried[2]):
+        flange = shape.flange(shape.links((0.0, lift, bend, *middles[3:])))
+        furthest_m = max(furthest_m, math.dist(moved(flange, reach.tool_m), shoulder))
+    for turn, height in itertools.product(tried[0], range(-90, 91, 30)):
+        out_m = furthest_m * math.cos(math.radians(height))
+        yield (
+            shoulder[0] + out_m * math.cos(math.radians(turn)),
+            shoulder[1] + out_m * math.sin(math.radians(turn)),
+            shoulder[2] + furthest_m * math.sin(math.radians(height)),
+        )
+
+
+_SLACK_PX: Final = 10.0
+"""So far the arm may come into the margin before the camera steps back."""

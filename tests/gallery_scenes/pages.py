@@ -1,0 +1,107 @@
+"""The pages beside the 3D picture, on one screen."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from PySide6.QtWidgets import QWidget
+
+from armui.ui.trajectory.editor.editor_page import EditorPage
+from tests.app_driver import AppDriver
+from tests.gallery_scenes import library, trajectories
+from tests.gallery_scenes.scene import Scene
+
+_SIZES = ((1280, 800), (1440, 900))
+
+
+def _online(play: Callable[[AppDriver], object]) -> Callable[[AppDriver], None]:
+    """The same with an arm, its motors off."""
+
+    def play_online(app_driver: AppDriver) -> None:
+        app_driver.connect()
+        play(app_driver)
+
+    return play_online
+
+
+def _jogging(app_driver: AppDriver) -> None:
+    """Making points with the arm: jog controls and the table at once."""
+    app_driver.ready()
+    page = trajectories.editor(app_driver)
+    app_driver.click(page.findChild(QWidget, "editor_jog"))
+
+
+def _jogging_tool(app_driver: AppDriver) -> None:
+    """The same along the axes of the tool."""
+    _jogging(app_driver)
+    app_driver.click(app_driver.find("box_tool"))
+
+
+def _first_point(app_driver: AppDriver) -> None:
+    """A trajectory that was made a moment ago."""
+    app_driver.ready()
+    app_driver.click(trajectories.library(app_driver).findChild(QWidget, "library_create"))
+
+
+def _run(app_driver: AppDriver) -> None:
+    """Under way, and watched from a panel."""
+    app_driver.ready()
+    page = trajectories.editor(app_driver)
+    app_driver.click(page.findChild(QWidget, "run_send"))
+    accept = page.findChild(QWidget, "accept_warnings")
+    if accept.isVisible():
+        app_driver.click(accept)
+    app_driver.run_until(lambda: app_driver.controller.player.progress.index == 1)
+
+
+def _run_from_a_panel(app_driver: AppDriver) -> None:
+    """The same, and then the gripper's panel."""
+    _run(app_driver)
+    app_driver.click("menu_gripper")
+
+
+def _drawer(name: str) -> Callable[[AppDriver], None]:
+    """The drawer open at one of its pages, below a panel."""
+
+    def play(app_driver: AppDriver) -> None:
+        app_driver.ready()
+        app_driver.click(f"{name}_button")
+        app_driver.run(1.0)
+
+    return play
+
+
+def _all_at_once(app_driver: AppDriver) -> None:
+    """A page, a run and the drawer."""
+    _run(app_driver)
+    app_driver.click("events_button")
+
+
+def taken_out(app_driver: AppDriver) -> QWidget:
+    """The editor in a window of its own, with both stops."""
+    trajectories.editor(app_driver)
+    return app_driver.taken_out(EditorPage).window()
+
+
+SCENES = (
+    Scene("drawer-curves", _drawer("plots"), sizes=_SIZES),
+    Scene("drawer-events", _drawer("events"), sizes=_SIZES),
+    Scene("drawer-bus", _drawer("bus"), sizes=_SIZES),
+    Scene("running-drawer", _all_at_once, sizes=_SIZES),
+    Scene("editor-jogging", _jogging, sizes=_SIZES),
+    Scene("editor-jogging-tool", _jogging_tool, sizes=_SIZES),
+    Scene("editor-empty", _first_point, sizes=_SIZES),
+    Scene("running", _run, sizes=_SIZES),
+    Scene("running-panel", _run_from_a_panel, sizes=_SIZES),
+    Scene("library-empty", library.empty, sizes=_SIZES),
+    Scene("library", _online(trajectories.library), sizes=_SIZES),
+    Scene("library-not-found", _online(library.not_found), sizes=_SIZES),
+    Scene("library-deleted", _online(library.deleted), sizes=_SIZES),
+    Scene("library-imported", _online(library.imported), sizes=_SIZES),
+    Scene("editor", _online(trajectories.editor), sizes=_SIZES),
+    Scene("editor-find", _online(trajectories.editor_find), sizes=_SIZES),
+    Scene("editor-check-failed", _online(trajectories.failed_check), sizes=_SIZES),
+    Scene("recording", _online(trajectories.recording), sizes=_SIZES),
+    Scene("columns-offered", _online(trajectories.columns_offered), sizes=_SIZES),
+    Scene("columns", _online(trajectories.columns), sizes=_SIZES),
+)

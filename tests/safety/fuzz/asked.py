@@ -1,0 +1,62 @@
+"""What the operator of the fuzz has asked for, and what must not be."""
+
+from __future__ import annotations
+
+import enum
+from dataclasses import dataclass, field
+
+from armui.sim.mechanics.powered_joints import SixValues
+
+
+class Kind(enum.Enum):
+    """What the operator asked for."""
+
+    NOTHING = "nothing"
+    STEP = "a joint step"
+    TOOL_STEP = "a tool step"
+    JOINTS = "six angles"
+    POSE = "a pose"
+    JOG = "a held jog"
+    RUN = "a run"
+    CONTINUE = "继续"
+    TEACHING = "drag teaching"
+
+
+@dataclass(slots=True)
+class Asked:
+    """The last thing the operator asked for that may move the arm.
+
+    Attributes:
+        kind: What it was.
+        at_s: When.
+        goal_deg, pose: Where it leads, as far as it says.
+        joint, delta: Of a step: what is to turn, and by how much.
+        bases: Where a step may start from: the arm, and our own target while it stands.
+        cancelled: What has ended it.
+        over_jog: Whether a jog was still held when it was asked for.
+    """
+
+    kind: Kind
+    at_s: float
+    goal_deg: SixValues | None = None
+    pose: SixValues | None = None
+    joint: int | None = None
+    delta: float = 0.0
+    bases: list[SixValues] = field(default_factory=list)
+    cancelled: str | None = None
+    over_jog: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Violation:
+    """Something that must not be.
+
+    Attributes:
+        promise: Its number in safety.md, or «exception».
+        key: What tells it from other violations: the same in each shrunk run.
+        text: What was seen, with its figures.
+    """
+
+    promise: str
+    key: str
+    text: str

@@ -1,0 +1,149 @@
+"""The arm fills the room it has, and stands neither outside nor behind the figures."""
+
+import pytest
+
+from armui.system.paths import URDF
+from armui.viewport.camera import HOME_CAMERA, OrbitCamera, ViewDirection
+from armui.viewport.fitting import MARGIN_PX, Box, Room, fitted, is_clear
+from armui.viewport.process.outline import shape_of
+from armui.viewport.process.urdf_file import load_robot
+from armui.viewport.projection import Projection
+from armui.viewport.viewpoint import ViewMode, Viewpoint
+
+FIGURES = Box(0.0, 0.0, 260.0, 160.0)
+REST, UPRIGHT = (0.0,) * 6, (0.0, 90.0, -88.0, 0.0, -70.0, 0.0)
+STRETCHED = (0.0, 95.0, -95.0, 0.0, 0.0, 0.0)
+SIZES = [(840, 660), (420, 760), (1300, 500), (560, 560), (300, 420)]
+
+
+@pytest.fixture(scope="module")
+def shape():
+    return shape_of(load_robot(URDF / "piper" / "piper.urdf"))
+
+
+def room_of(size):
+    width, height = size
+    corner = Box(width - 300.0, height - 60.0, width, height) if width > 600 else Box(0, 0, 0, 0)
+    return Room(width, height, FIGURES, corner, 44.0)
+
+
+def extent(camera, groups, room):
+    """The box of everything, in pixels."""
+    projection = Projection(camera, room.width_px, room.height_px)
+    xs, ys = zip(*(projection.pixel(place) for group in groups for place in group), strict=True)
+    return Box(min(xs), min(ys), max(xs), max(ys))
+
+
+@pytest.mark.parametrize("size", SIZES)
+@pytest.mark.parametrize("pose", [REST, UPRIGHT, STRETCHED])
+@pytest.mark.parametrize("direction", ViewDirection)
+@pytest.mark.parametrize("orthographic", [False, True])
+def test_the_whole_arm_is_in_the_room_and_touches_its_edge(
+    shape, size, pose, direction, orthographic
+):
+    room = room_of(size)
+    groups = shape.outline(shape.links(pose))
+    looking = OrbitCamera((0.0, 0.0, 0.0), 1.0, orthographic=orthographic).turned_to(direction)
+    camera = fitted(looking, groups, room)
+    assert is_clear(camera, groups, room, slack_px=1.5)
+    box, inside = extent(camera, groups, room), room.inside
+    # as near as it can be: in one direction nothing is left, of the room or of what is beside
+    # the figures
+    left_over = (
+        min(inside.right - inside.left, inside.right - FIGURES.right) - (box.right - box.left),
+        min(inside.bottom - inside.top, inside.bottom - FIGURES.bottom) - (box.bottom - box.top),
+    )
+    assert min(left_over) < 82.0  # the height of the buttons at the lower right, and some air
+
+
+def test_half_of_the_picture_and_more_is_the_arm_s(shape):
+    """It was a third of the height."""
+    room = room_of((840, 660))
+    groups = shape.outline(shape.links(STRETCHED))
+    box = extent(fitted(HOME_CAMERA, groups, room), groups, room)
+    assert box.bottom - box.top > 0.55 * room.height_px or box.right - box.left > 0.55 * 840
+
+
+def test_something_that_is_nowhere_moves_no_camera():
+    assert fitted(HOME_CAMERA, [], room_of((800, 600))) == HOME_CAMERA
+
+
+class Looking:
+    """A viewpoint before the program's arm."""
+
+    def __init__(self, shape):
+        self.viewpoint = Viewpoint()
+        self.viewpoint.take_shape(shape)
+        self.room = room_of((840, 660))
+        self.viewpoint.take_room(self.room)
+        self.shape = shape
+
+    def move(self, pose):
+        self.viewpoint.take_arm(pose, 0.0, None)
+        return self.viewpoint.camera
+
+    def sees(self, pose):
+        groups = self.shape.outline(self.shape.links(pose))
+        return is_clear(self.viewpoint.camera, groups, self.room, MARGIN_PX)
+
+
+@pytest.fixture
+def looking(shape):
+    return Looking(shape)
+
+
+def test_the_camera_rests_while_the_arm_is_in_the_picture_and_steps_back_when_it_leaves(looking):
+    at_rest = looking.move(REST)
+    assert looking.move((1.0, *REST[1:])) == at_rest
+    looking.move(STRETCHED)
+    assert looking.viewpoint.camera != at_rest
+    assert looking.sees(STRETCHED)
+    back = looking.viewpoint.camera
+    assert looking.move(REST) == back  # not to and fro with each motion
+    looking.viewpoint.come_to_rest()
+    assert looking.viewpoint.camera.distance_m < back.distance_m
+    assert looking.sees(REST)
+
+
+def test_what_the_operator_has_moved_stays_until_a_view_is_chosen(looking):
+    moved = looking.viewpoint.camera.zoom(3.0)
+    looking.viewpoint.move_by_hand(moved, only_turned=False)
+    assert looking.move(STRETCHED) == moved
+    looking.viewpoint.come_to_rest()
+    looking.viewpoint.take_room(room_of((500, 500)))
+    assert looking.viewpoint.camera == moved
+    looking.viewpoint.look_from(ViewDirection.SIDE)
+    looking.room = room_of((500, 500))
+    assert looking.sees(STRETCHED)
+
+
+def test_nothing_moves_the_camera_under_the_operator_s_hand(looking):
+    held = looking.viewpoint.camera
+    looking.viewpoint.hold(held=True)
+    assert looking.move(STRETCHED) == held
+    looking.viewpoint.hold(held=False)
+    assert looking.sees(STRETCHED)
+
+
+def test_a_ghost_and_a_path_are_shown_with_the_arm(looking):
+    looking.viewpoint.take_arm(REST, 0.0, STRETCHED)
+    assert looking.sees(STRETCHED)
+    looking.viewpoint.take_places(((0.0, 0.9, 0.1),))
+    pixel = Projection(looking.viewpoint.camera, 840, 660).pixel((0.0, 0.9, 0.1))
+    assert pixel is not None
+    assert 0.0 < pixel[0] < 840.0
+    assert 0.0 < pixel[1] < 660.0
+
+
+def test_following_keeps_the_tool_in_the_middle(looking, shape):
+    looking.viewpoint.follow(wanted=True)
+    for pose in (REST, STRETCHED):
+        looking.move(pose)
+        rows = shape.flange(shape.links(pose))
+        assert looking.viewpoint.camera.focus_m == pytest.approx((rows[3], rows[7], rows[11]))
+    looking.viewpoint.move_by_hand(looking.viewpoint.camera.orbit(30.0, 0.0), only_turned=True)
+    modes = [looking.viewpoint.mode]
+    panned = looking.viewpoint.camera.pan(30.0, 0.0, 500.0)
+    looking.viewpoint.move_by_hand(panned, only_turned=False)
+    modes.append(looking.viewpoint.mode)
+    assert modes == [ViewMode.FOLLOW, ViewMode.FREE]

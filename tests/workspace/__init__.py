@@ -1,0 +1,1 @@
+"""Pages beside the 3D picture, taken out and put back; what is kept of how they stand."""

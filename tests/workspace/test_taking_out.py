@@ -1,0 +1,105 @@
+"""A page in a window of its own, and back; the stops go with it."""
+
+from PySide6.QtCore import Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QWidget
+
+from armui.control.operating_state import StopState
+from armui.ui.shell.operation_area import OperationArea
+from armui.ui.trajectory.editor.editor_page import EditorPage
+from armui.ui.trajectory.editor.leave_question import LeaveQuestion
+from armui.ui.trajectory.library.library_page import LibraryPage
+
+
+def test_a_page_is_taken_out_and_the_panel_is_seen_again(pages):
+    page = pages.open_library()
+    window = pages.take_out()
+    assert page.window() is window
+    assert page.isVisible()
+    assert window.windowTitle() == "Trajectory library"
+    assert pages.driver.window.findChild(OperationArea, "operation_area").isVisible()
+    assert not pages.driver.find("page_area").isVisible()
+
+
+def test_it_is_put_back(pages):
+    editor = pages.open_editor()
+    pages.change(editor)
+    window = pages.take_out()
+    assert pages.driver.page(LibraryPage).window() is pages.driver.window
+    pages.driver.click(window.findChild(QWidget, "page_put_back"))
+    assert not pages.windows()
+    assert pages.driver.page(EditorPage) is editor
+    assert editor.window() is pages.driver.window
+    assert pages.path() == "Trajectory library › one *"
+    assert not editor.document.saved
+
+
+def test_closing_the_window_asks_as_the_way_back_does(pages):
+    editor = pages.open_editor()
+    pages.change(editor)
+    window = pages.take_out()
+    window.close()
+    pages.driver.click(pages.driver.dialog(LeaveQuestion).cancel_button)
+    assert window.isVisible()
+    assert editor.isVisible()
+    window.close()
+    pages.driver.click(pages.driver.dialog(LeaveQuestion).action_button)
+    assert not pages.windows()
+
+
+def test_the_window_has_both_stops(pages):
+    pages.driver.ready()
+    pages.open_library()
+    window = pages.take_out()
+    assert window.halt_button.isVisible()
+    pages.driver.click(window.stop_button)
+    pages.driver.run_until(
+        lambda: pages.driver.controller.operating_state.stop is StopState.STOPPED
+    )
+
+
+def test_what_was_taken_out_opens_in_a_window_the_next_time(pages):
+    pages.open_editor()
+    pages.take_out().close()
+    editor = pages.open_editor("two")
+    (window,) = pages.windows()
+    assert editor.window() is window
+    assert pages.driver.page(LibraryPage).window() is pages.driver.window
+
+
+def test_a_library_that_was_taken_out_is_raised_by_its_button(pages):
+    page = pages.open_library()
+    window = pages.take_out()
+    window.close()
+    assert not page.isVisible()
+    pages.driver.click("library_button")
+    assert page.isVisible()
+    assert page.window() is not pages.driver.window
+    assert not pages.driver.find("library_button").isChecked()
+
+
+def test_from_a_library_that_was_taken_out_an_editor_opens_beside_the_picture(pages):
+    page = pages.open_library()
+    pages.take_out()
+    page.open_trajectory("one")
+    editor = pages.driver.page(EditorPage)
+    assert editor.window() is pages.driver.window
+    assert pages.path() == "Trajectory library › one"
+
+
+def test_escape_leaves_a_page_that_was_taken_out(pages):
+    editor = pages.open_editor()
+    window = pages.take_out()
+    pages.driver.wait(window.isActiveWindow)
+    QTest.keyClick(editor.table, Qt.Key.Key_Escape)
+    assert not pages.windows()
+
+
+def test_all_words_follow_the_language(pages):
+    pages.open_editor()
+    window = pages.take_out()
+    pages.driver.store.change(language="zh")
+    put_back = window.findChild(QWidget, "page_put_back")
+    pages.driver.wait(lambda: put_back.text() == "放回")
+    pages.driver.click("library_button")
+    assert pages.path() == "轨迹库"
