@@ -42,7 +42,6 @@ def test_a_change_is_there_in_the_next_run(path: Path) -> None:
         "jog_step_deg": 0.25,
         "urdf_path": None,
         "tool": [0.0] * 6,
-        "mounting": "",
         "stop_again": False,
         "session_folder": None,
         "session_format": ".blf",
