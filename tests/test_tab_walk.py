@@ -16,6 +16,7 @@ from PySide6.QtWidgets import (
     QLineEdit,
     QScrollBar,
     QTabBar,
+    QWidget,
 )
 
 from armui.ui.actions.places import PANELS
@@ -51,7 +52,7 @@ def walk(app_driver, window):
     """Every widget that gets the keyboard by Tab, until the first one has it again."""
     window.activateWindow()
     app_driver.wait(window.isActiveWindow)
-    reached = []
+    reached: list[QWidget] = []
     for _ in range(MOST):
         focus = QApplication.focusWidget() or window
         QTest.keyClick(focus, Qt.Key.Key_Tab)

@@ -37,16 +37,16 @@ class KeepsFocus(_Base):
         return self._go_on_from(left, forward)
 
     def _go_on_from(self, left: QWidget, forward: bool) -> bool:
-        each: QWidget | None = left
-        while True:
-            each = each.nextInFocusChain() if forward else each.previousInFocusChain()
-            if each is None or each is left:
-                return False
+        step = QWidget.nextInFocusChain if forward else QWidget.previousInFocusChain
+        each = step(left)
+        while each is not None and each is not left:
             by_tab = bool(each.focusPolicy() & Qt.FocusPolicy.TabFocus)
             if by_tab and each.window() is self and _takes_keys(each):
                 reason = Qt.FocusReason
                 each.setFocus(reason.TabFocusReason if forward else reason.BacktabFocusReason)
                 return True
+            each = step(each)
+        return False
 
 
 def _takes_keys(widget: QWidget) -> bool:
