@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Final
 
 from PySide6.QtCore import Qt
-from PySide6.QtGui import QContextMenuEvent
+from PySide6.QtGui import QContextMenuEvent, QShowEvent
 from PySide6.QtWidgets import QDialog, QHBoxLayout, QVBoxLayout, QWidget
 
 from armui.control.arm_controller import ArmController
@@ -71,6 +71,12 @@ class ArmDialog(Translated, KeepsFocus, QDialog):
         self.show()
         self.raise_()
         self.activateWindow()
+
+    def showEvent(self, event: QShowEvent) -> None:
+        """The keyboard goes to the first control of the content, never to halt or stop."""
+        super().showEvent(event)
+        if not event.spontaneous() and self.focusWidget() in {None, self.halt_button}:
+            self.go_on_from(self.stop_button, forward=True)
 
     def retranslate_ui(self) -> None:
         """Put every word into the operator's language; called anew when that changes."""
