@@ -23,10 +23,10 @@ from armui.ui.trajectory.editor.editor_page import EditorPage
 from armui.ui.trajectory.library.bin_dialog import BinDialog
 from armui.ui.trajectory.library.library_page import LibraryPage
 from armui.ui.trajectory.recording.recording_page import RecordingPage
-from armui.ui.watch.bus.bus_window import BusWindow
-from armui.ui.watch.events.event_window import EventWindow
+from armui.ui.watch.bus.bus_page import BusPage
+from armui.ui.watch.events.event_page import EventPage
 from armui.ui.watch.plot_layout import SETS
-from armui.ui.watch.plot_window import PlotWindow
+from armui.ui.watch.plot_page import PlotPage
 from armui.ui.watch.recordings.sessions_window import SessionsWindow
 from tests.app_driver import AppDriver
 from tests.operator_library.actions import POINT, LibraryDriver
@@ -206,7 +206,7 @@ def test_the_curves(live_driver, monkeypatch, tmp_path):
     app_driver.ready()
     with watched(monkeypatch) as seen:
         app_driver.click("plots_button")
-        window = app_driver.dialog(PlotWindow)
+        window = app_driver.page(PlotPage)
         app_driver.wait(lambda: window.board.built and window._known)
         app_driver.run(1.0)
         window.board.show_plots(SETS["hot"])
@@ -231,7 +231,7 @@ def test_the_events(live_driver, monkeypatch, tmp_path):
     )
     with watched(monkeypatch) as seen:
         app_driver.click("events_button")
-        window = app_driver.dialog(EventWindow)
+        window = app_driver.page(EventPage)
         app_driver.run(0.5)
         keeper.keep()
         window.bar.search.setText("enable")
@@ -370,7 +370,7 @@ def test_the_bus_monitor(app_driver, monkeypatch):
     app_driver.ready()
     with watched(monkeypatch) as seen:
         app_driver.click("bus_button")
-        window = app_driver.dialog(BusWindow)
+        window = app_driver.page(BusPage)
         app_driver.run(0.3)
         window.look()
         window.tree.expandAll()

@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from armui.ui.actions.offer import Doing, Doings
     from armui.ui.background import Background
     from armui.ui.main_window import MainWindow
+    from armui.ui.picture.picture_work import PictureWork
     from armui.ui.shell.diagnosis_dialogs import DiagnosisDialogs
     from armui.ui.shell.watch_windows import WatchWindows
 
@@ -64,13 +65,16 @@ class WindowActions(QObject):
             shortcut.setAutoRepeat(False)
             shortcut.activated.connect(openers[name])
 
-    def offer(self, diagnosis: DiagnosisDialogs, watch: WatchWindows) -> CommandsButton:
+    def offer(
+        self, diagnosis: DiagnosisDialogs, watch: WatchWindows, picture: PictureWork
+    ) -> CommandsButton:
         """Offer what these windows do and no button in the main window; the palette's button."""
         self._doings |= {
             "window.diagnosis": diagnosis.open_doctor,
             "window.about_arm": diagnosis.open_about_arm,
             "window.export": watch.open_export,
             "replay.open": watch.open_replay,
+            **picture.doings(),
         }
         return self._button
 

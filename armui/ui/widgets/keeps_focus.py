@@ -34,9 +34,10 @@ class KeepsFocus(_Base):
         left, self._left = self._left, None
         if left is None or not isValid(left) or now not in {None, self}:
             return bool(super().focusNextPrevChild(forward))
-        return self._go_on_from(left, forward)
+        return self.go_on_from(left, forward=forward)
 
-    def _go_on_from(self, left: QWidget, forward: bool) -> bool:
+    def go_on_from(self, left: QWidget, *, forward: bool) -> bool:
+        """Give the keyboard to the next control after one, as Tab would; whether there is one."""
         step = QWidget.nextInFocusChain if forward else QWidget.previousInFocusChain
         each = step(left)
         while each is not None and each is not left:
