@@ -274,8 +274,8 @@ def test_a_replay(live_driver, monkeypatch, tmp_path):
 
 
 @pytest.mark.parametrize("name", ["settings", "backup", "joint_status", "help", "connect"])
-def test_the_dialogs(app_driver, monkeypatch, name):
-    preload()
+def test_the_dialogs(live_driver, monkeypatch, name):
+    app_driver = live_driver
     app_driver.ready()
     opening = {"settings": "open_settings_dialog", "help": "open_help_dialog"}
     with watched(monkeypatch) as seen:
@@ -288,9 +288,9 @@ def test_the_dialogs(app_driver, monkeypatch, name):
 
 
 @pytest.mark.parametrize("name", ["palette", "guide", "shortcuts"])
-def test_what_opens_by_a_key_in_every_window(app_driver, monkeypatch, name):
+def test_what_opens_by_a_key_in_every_window(live_driver, monkeypatch, name):
     """Names and the guide, its pictures too, are read by another thread."""
-    preload()
+    app_driver = live_driver
     app_driver.ready()
     with watched(monkeypatch) as seen:
         getattr(app_driver.window.findChild(WindowActions), f"open_{name}")()

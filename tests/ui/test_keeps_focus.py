@@ -3,7 +3,7 @@
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QPushButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QDialog, QPushButton, QVBoxLayout, QWidget
 
 from armui.ui.widgets.keeps_focus import KeepsFocus
 from armui.ui.widgets.press_button import PressButton
@@ -66,3 +66,13 @@ def test_in_the_program_a_stop_gives_the_stop_no_keyboard(app_driver):
     for name in ("stop_button", "halt_button", "jog_plus_1"):
         assert not app_driver.find(name).hasFocus()
     assert app_driver.window.focusWidget() in {None, app_driver.window}
+
+
+def test_a_dialog_that_opens_gives_halt_and_stop_no_keyboard(app_driver):
+    for open_it in ("open_connect_dialog", "open_help_dialog", "open_backup_dialog"):
+        getattr(app_driver.window, open_it)()
+        dialog = app_driver.dialog(QDialog)
+        dialog.activateWindow()
+        app_driver.wait(dialog.isActiveWindow)
+        assert not isinstance(dialog.focusWidget(), PressButton), open_it
+        dialog.close()

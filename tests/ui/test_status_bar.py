@@ -63,7 +63,7 @@ def test_unknown_codes_keep_their_number(bar, controller):
 
 @pytest.mark.parametrize(
     ("code", "color"),
-    [(0x01, "stop"), (0x07, "stop"), (0x03, "warn"), (0x04, "warn"), (0x0B, "text")],
+    [(0x01, "stop_ink"), (0x07, "stop_ink"), (0x03, "warn"), (0x04, "warn"), (0x0B, "text")],
 )
 def test_alarms_have_colour_and_sign(bar, controller, code, color):
     controller.be(operating_state())

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Final
 
 from PySide6.QtCore import Qt
-from PySide6.QtGui import QContextMenuEvent, QMoveEvent
+from PySide6.QtGui import QContextMenuEvent, QMoveEvent, QShowEvent
 from PySide6.QtWidgets import QDialog, QHBoxLayout, QVBoxLayout, QWidget
 
 from armui.control.arm_controller import ArmController
@@ -75,6 +75,12 @@ class ArmDialog(Translated, KeepsFocus, QDialog):
         self.show()
         self.raise_()
         self.activateWindow()
+
+    def showEvent(self, event: QShowEvent) -> None:
+        """The keyboard goes to the first control of the content, never to halt or stop."""
+        super().showEvent(event)
+        if not event.spontaneous() and self.focusWidget() in {None, self.halt_button}:
+            self.go_on_from(self.stop_button, forward=True)
 
     def moveEvent(self, event: QMoveEvent) -> None:
         """Where the operator has put it, it opens again."""

@@ -46,7 +46,7 @@ if TYPE_CHECKING:
 _BITRATES: Final = (DEFAULT_BITRATE, 500_000)
 """Today's hardware, and what generation 1's protocol text says."""
 
-_SIZE_PX: Final = (820, 560)
+_SIZE_PX: Final = (820, 640)
 
 Leaving = Callable[[QWidget, Callable[[], object]], object]
 """Given the window that asks and what to go on with, now or once the operator agrees."""

@@ -34,20 +34,20 @@ class KeepsFocus(_Base):
         left, self._left = self._left, None
         if left is None or not isValid(left) or now not in {None, self}:
             return bool(super().focusNextPrevChild(forward))
-        return self._go_on_from(left, forward)
+        return self.go_on_from(left, forward=forward)
 
-    def _go_on_from(self, left: QWidget, forward: bool) -> bool:
-        each: QWidget = left
-        while True:
-            following = each.nextInFocusChain() if forward else each.previousInFocusChain()
-            if following is None or following is left:
-                return False
-            each = following
+    def go_on_from(self, left: QWidget, *, forward: bool) -> bool:
+        """Give the keyboard to the next control after one, as Tab would; whether there is one."""
+        step = QWidget.nextInFocusChain if forward else QWidget.previousInFocusChain
+        each = step(left)
+        while each is not None and each is not left:
             by_tab = bool(each.focusPolicy() & Qt.FocusPolicy.TabFocus)
             if by_tab and each.window() is self and _takes_keys(each):
                 reason = Qt.FocusReason
                 each.setFocus(reason.TabFocusReason if forward else reason.BacktabFocusReason)
                 return True
+            each = step(each)
+        return False
 
 
 def _takes_keys(widget: QWidget) -> bool:
