@@ -1,6 +1,7 @@
 """The window as a whole: wiring, settings, language, closing."""
 
 from pathlib import Path
+from typing import Any
 
 import pytest
 from PySide6.QtCore import Qt
@@ -15,9 +16,11 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from armui.arm.models import robot_description
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.control.operating_state import LinkState
+from armui.protocol.piper_model import PiperModel
 from armui.settings import SettingsStore
 from armui.ui.dialogs.confirm_dialog import ConfirmDialog
 from armui.ui.dialogs.settings import SettingsDialog
@@ -180,7 +183,7 @@ def test_a_hidden_window_does_no_work_and_catches_up(controller, view, window):
 
 def test_the_view_chosen_last_is_the_first_one(qtbot, controller, store):
     store.change(picture_direction="side", picture_orthographic=True, picture_tool_frame=False)
-    view = FakeView()
+    view: Any = FakeView()
     window = MainWindow(controller, view, store, AtOnce())
     qtbot.addWidget(window, before_close_func=lambda window: setattr(window, "_may_close", True))
     assert view.looked_from == [ViewDirection.SIDE]
@@ -266,7 +269,7 @@ def test_settings_reach_the_window(window, store, view, controller, qtbot):
     store.change(urdf_path="/robots/other.urdf")
     assert view.robot == Path("/robots/other.urdf")
     store.change(urdf_path=None)
-    assert view.robot is None
+    assert view.robot == robot_description(PiperModel.PIPER)
 
 
 def test_the_view_takes_the_theme(qapp, window, view):

@@ -7,11 +7,12 @@ from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QObject, Qt
 from PySide6.QtGui import QKeySequence, QShortcut
-from PySide6.QtWidgets import QAbstractButton, QDialog, QWidget
+from PySide6.QtWidgets import QAbstractButton, QApplication, QDialog, QWidget
 
 from armui.control.operating_state import StopState
 from armui.ui.actions.commands_button import CommandsButton
 from armui.ui.actions.keys import keys_of
+from armui.ui.shell.first_steps import FirstSteps
 
 if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
@@ -50,6 +51,7 @@ class WindowActions(QObject):
         self._background = background
         self._doings: dict[str, Doing] = {}
         self._opened: dict[str, QDialog] = {}
+        FirstSteps(window, controller, store)
         self._button = CommandsButton()
         self._button.clicked.connect(self.open_palette)
         openers: dict[str, Doing] = {
@@ -102,6 +104,17 @@ class WindowActions(QObject):
 
     def open_guide(self) -> None:
         """Show the user guide at the place where the operator is."""
+        from armui.ui.guide.guide_window import GuideWindow  # noqa: PLC0415 - faster start
+        from armui.ui.guide.place import section_of  # noqa: PLC0415 - as above
+
+        if isinstance(QApplication.activeWindow(), GuideWindow):
+            return
+        section = section_of(self._window)
+        window = self._open(
+            "guide", lambda: GuideWindow(self._controller, self._background, self._window)
+        )
+        if isinstance(window, GuideWindow):
+            window.show_section(section)
 
     def _open(self, name: str, make: Callable[[], QDialog]) -> QDialog:
         if name not in self._opened:

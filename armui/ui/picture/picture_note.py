@@ -64,7 +64,7 @@ class PictureNote(QLabel):
         colors = colors_of(self)
         ground, line = {
             Level.WARNING: (colors.warn_pale, colors.warn),
-            Level.FAULT: (colors.stop_pale, colors.stop),
+            Level.FAULT: (colors.stop_pale, colors.stop_ink),
         }.get(level, (colors.surface, colors.border))
         self.setStyleSheet(
             f"#picture_note {{ background: {ground}; border: 1px solid {line}; "
