@@ -1,6 +1,7 @@
 """The window as a whole: wiring, settings, language, closing."""
 
 from pathlib import Path
+from typing import Any
 
 import pytest
 from PySide6.QtCore import Qt
@@ -182,7 +183,7 @@ def test_a_hidden_window_does_no_work_and_catches_up(controller, view, window):
 
 def test_the_view_chosen_last_is_the_first_one(qtbot, controller, store):
     store.change(picture_direction="side", picture_orthographic=True, picture_tool_frame=False)
-    view = FakeView()
+    view: Any = FakeView()
     window = MainWindow(controller, view, store, AtOnce())
     qtbot.addWidget(window, before_close_func=lambda window: setattr(window, "_may_close", True))
     assert view.looked_from == [ViewDirection.SIDE]
