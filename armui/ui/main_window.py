@@ -28,10 +28,12 @@ from armui.ui.shell.joint_status_button import JointStatusButton
 from armui.ui.shell.layout_keeper import LayoutKeeper
 from armui.ui.shell.leaving import end_motion_then
 from armui.ui.shell.library_button import LibraryButton
+from armui.ui.shell.model_mark import ModelMark
 from armui.ui.shell.operation_area import OperationArea
 from armui.ui.shell.page_area import PageArea
 from armui.ui.shell.panel_menu import menu_entries
 from armui.ui.shell.recovery_line import RecoveryLine
+from armui.ui.shell.robot_in_view import RobotInView
 from armui.ui.shell.run_place import RunPlace
 from armui.ui.shell.side_menu import SideMenu
 from armui.ui.shell.status_bar import StatusBar
@@ -98,9 +100,10 @@ class MainWindow(Translated, KeepsFocus, QWidget):
         self._dialogs: dict[str, QDialog] = {}
         self._may_close = False
         self._entries = menu_entries(controller, preferences, self.open_backup_dialog)
+        self._robot = RobotInView(view, controller, self._settings.urdf_path, self)
         self._joint_monitor = JointMonitor(controller, parent=self)
         self._diagnosis = DiagnosisDialogs(controller, files or workers, self)
-        background = Background(workers, files, self)
+        background = self._background = Background(workers, files, self)
         self._keeper = LayoutKeeper(preferences.path, background, self)
         self._workspace = Workspace(controller, self._keeper, self)
         self._watch = WatchWindows(
@@ -111,7 +114,7 @@ class MainWindow(Translated, KeepsFocus, QWidget):
             open_window=self._open,
             open_page=self._open_in_drawer,
             store=preferences,
-            robot=self._robot_path,
+            robot=lambda: self._settings.urdf_path,
         )
         self._joint_status_button = JointStatusButton(self._joint_monitor)
         self._preview_bar = PreviewBar()
@@ -133,13 +136,14 @@ class MainWindow(Translated, KeepsFocus, QWidget):
             files=files,
             folder=trajectories,
             preview=self._preview,
-            view=view,
+            picture=self._picture,
             parent=self,
         )
         self._status_bar = StatusBar(controller)
         self._watch.show_marks_in(self._status_bar)
         self._actions = WindowActions(self, controller, preferences, background)
-        self._status_bar.add_mark(self._actions.offer(self._diagnosis, self._watch))
+        self._status_bar.add_mark(ModelMark(controller, self.open_connect_dialog))
+        self._status_bar.add_mark(self._actions.offer(self._diagnosis, self._watch, self._picture))
         self._lay_out()
         self._connect()
         WindowLayout(self._keeper, self, self._work_column, _FIRST_SIZE)
@@ -189,6 +193,7 @@ class MainWindow(Translated, KeepsFocus, QWidget):
         self._view_region.help_wanted.connect(self.open_help_dialog)
         self._view_region.reset_wanted.connect(self._view.reset_view)
         self._view_region.settings_wanted.connect(self.open_settings_dialog)
+        self._picture.follow_panels(self._panels.currentWidget)
         self._view.joint_picked.connect(self._panels.focus_joint)
         self._view.load_failed.connect(self._status_bar.show_problem)
         self._status_bar.event_wanted.connect(self._watch.show_events)
@@ -246,18 +251,19 @@ class MainWindow(Translated, KeepsFocus, QWidget):
                 if isinstance(panel, MotionPanel):
                     panel.set_jog_step(settings.jog_step_deg)
         if old.urdf_path != settings.urdf_path:
-            self._view.set_robot(self._robot_path())
-
-    def _robot_path(self) -> Path | None:
-        return Path(self._settings.urdf_path) if self._settings.urdf_path else None
+            self._robot.choose(settings.urdf_path)
 
     def open_connect_dialog(self) -> None:
         """Show the window 连接机械臂 (manual 1.0.1)."""
 
         def make() -> QDialog:
             from armui.ui.dialogs.connect import ConnectDialog  # noqa: PLC0415 - faster start
+            from armui.ui.dialogs.kept_models import KeptModels  # noqa: PLC0415 - as above
 
-            dialog = ConnectDialog(self._controller, self, before_leaving=self._leave_arm_then)
+            kept = KeptModels(self._preferences)
+            dialog = ConnectDialog(
+                self._controller, self, self._leave_arm_then, kept, self._background
+            )
             dialog.diagnosis_wanted.connect(self._diagnosis.open_doctor)
             return dialog
 

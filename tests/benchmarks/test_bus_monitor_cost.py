@@ -15,7 +15,7 @@ from armui.protocol.generation import Generation
 from armui.telemetry.bus_statistics import BusStatistics
 from armui.ui.watch.bus.bus_page import BusPage
 from tests.app_driver import AppDriver
-from tests.benchmarks.test_telemetry_cost import BATCH, FRAMES_PER_S, ROUNDS, recorded
+from tests.benchmarks.bus_thread import BATCH, FRAMES_PER_S, ROUNDS, recorded
 
 LOOKS = 60
 SIGNALS_OF = ("0x2A1", "0x2A5", "0x251", "0x261")

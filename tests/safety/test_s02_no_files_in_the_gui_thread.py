@@ -15,7 +15,10 @@ from armui.trajectory.files import to_bytes
 from armui.trajectory.library.store import Library
 from armui.trajectory.planning.preflight import warm_up
 from armui.trajectory.points.program import Trajectory
+from armui.ui.actions.palette import CommandPalette
+from armui.ui.actions.window_actions import WindowActions
 from armui.ui.dialogs.files import FileDialog
+from armui.ui.guide.guide_window import GuideWindow
 from armui.ui.trajectory.editor.editor_page import EditorPage
 from armui.ui.trajectory.library.bin_dialog import BinDialog
 from armui.ui.trajectory.library.library_page import LibraryPage
@@ -279,6 +282,28 @@ def test_the_dialogs(app_driver, monkeypatch, name):
         getattr(app_driver.window, opening.get(name, f"open_{name}_dialog"))()
         app_driver.run(0.2)
         dialog = app_driver.dialog(QDialog)
+        dialog.close()
+        app_driver.run(0.1)
+    assert forbidden(seen) == []
+
+
+@pytest.mark.parametrize("name", ["palette", "guide", "shortcuts"])
+def test_what_opens_by_a_key_in_every_window(app_driver, monkeypatch, name):
+    """Names and the guide, its pictures too, are read by another thread."""
+    preload()
+    app_driver.ready()
+    with watched(monkeypatch) as seen:
+        getattr(app_driver.window.findChild(WindowActions), f"open_{name}")()
+        dialog = app_driver.dialog(QDialog)
+        if isinstance(dialog, CommandPalette):
+            app_driver.wait(lambda: dialog.knows_names)
+            dialog.search.setText("ydkz")
+        elif isinstance(dialog, GuideWindow):
+            app_driver.wait(lambda: dialog.shown != "")
+            dialog.show_section("motion")
+            picture = "pictures/motion-en.png"
+            app_driver.wait(lambda: dialog.browser.picture_width(picture) > 0)
+        app_driver.run(0.2)
         dialog.close()
         app_driver.run(0.1)
     assert forbidden(seen) == []

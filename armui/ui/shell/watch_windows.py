@@ -68,7 +68,7 @@ class WatchWindows(QObject):
         open_window: How it shows a dialog.
         open_page: How it shows a page of the drawer.
         store: The operator's settings.
-        robot: The robot description that is shown; ``None``: the program's own.
+        robot: The operator's own robot description; ``None``: the program's.
     """
 
     def __init__(
@@ -81,7 +81,7 @@ class WatchWindows(QObject):
         open_window: Opener,
         open_page: PageOpener,
         store: SettingsStore,
-        robot: Callable[[], Path | None] = lambda: None,
+        robot: Callable[[], str | None] = lambda: None,
     ) -> None:
         super().__init__(window)
         self._controller = controller
@@ -202,7 +202,8 @@ class WatchWindows(QObject):
         from armui.viewport.view import ArmView  # noqa: PLC0415 - with the first log
 
         def make_view() -> ArmView:
-            return ArmView(self._robot())
+            own = self._robot()
+            return ArmView(Path(own) if own else None)
 
         def make() -> QDialog:
             from armui.session.recording.recorded_session import RecordedSession  # noqa: PLC0415 - as above
@@ -213,6 +214,7 @@ class WatchWindows(QObject):
                 make_view,
                 self._window,
                 open_own=RecordedSession,
+                urdf_path=self._robot(),
             )
 
         window = self._open("replay", make)

@@ -5,10 +5,10 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QT_TRANSLATE_NOOP, QCoreApplication, QEvent, Signal
-from PySide6.QtGui import QAction
-from PySide6.QtWidgets import QComboBox, QHBoxLayout, QMenu, QPushButton, QToolButton, QWidget
+from PySide6.QtWidgets import QComboBox, QHBoxLayout, QPushButton, QWidget
 
 from armui.ui.watch.plot_layout import SETS
+from armui.ui.watch.save_button import SaveButton
 from armui.ui.watch.time_frame import SPANS_S
 
 if TYPE_CHECKING:
@@ -48,16 +48,9 @@ class PlotBar(QWidget):
         self.pause = self._button("plot_pause", checkable=True)
         self.undo = self._button("plot_undo")
         self.cursors = self._button("plot_cursors", checkable=True)
-        self.save = QToolButton()
-        self.save.setObjectName("plot_save")
-        self.save.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
-        menu = QMenu(self.save)
-        self.saves = {name: QAction(menu) for name in SAVES}
-        for name, action in self.saves.items():
-            action.setObjectName(f"plot_{name}")
-            action.triggered.connect(lambda _on=False, name=name: self.save_wanted.emit(name))
-            menu.addAction(action)
-        self.save.setMenu(menu)
+        self.save = SaveButton("plot", SAVES)
+        self.save.wanted.connect(self.save_wanted)
+        self.saves = self.save.saves
         row = QHBoxLayout(self)
         row.setContentsMargins(0, 0, 0, 0)
         row.setSpacing(8)

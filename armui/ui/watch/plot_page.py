@@ -54,7 +54,7 @@ class PlotPage(Page):
         self._file = layout_file.path_beside(settings)
         self._known = False
         telemetry = controller.telemetry
-        self.area = PlotsArea(telemetry, controller, background)
+        self.area = PlotsArea(telemetry, controller, background, self)
         self.board, self.bar = self.area.board, self.area.bar
         self.quantities, self.cursor_table = self.area.quantities, self.area.cursor_table
         self.export = self.area.export

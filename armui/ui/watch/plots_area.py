@@ -49,11 +49,11 @@ class PlotsArea(QWidget):
         parent: QWidget | None = None,
     ) -> None:
         super().__init__(parent)
-        self.board = PlotBoard(telemetry)
-        self.bar = PlotBar(self.board)
-        self.quantities = QuantityList(telemetry)
-        self.cursor_table = CursorTable(self.board, telemetry)
-        self.message = MessageLine()
+        self.board = PlotBoard(telemetry, self)
+        self.bar = PlotBar(self.board, self)
+        self.quantities = QuantityList(telemetry, self)
+        self.cursor_table = CursorTable(self.board, telemetry, self)
+        self.message = MessageLine(self)
         self.message.setObjectName("plot_message")
         self.message.hide()
         self.export = PlotExport(controller, self.board, background, self)
@@ -69,17 +69,18 @@ class PlotsArea(QWidget):
         undo.activated.connect(self.bar.undo.click)
 
     def _lay_out(self) -> None:
-        right = QVBoxLayout()
-        right.setSpacing(6)
-        right.addWidget(self.bar)
-        right.addWidget(self.board, 1)
-        right.addWidget(self.cursor_table)
-        right.addWidget(self.message)
+        # a widget that changes its parent is styled anew, with all that is in it
         row = QHBoxLayout(self)
         row.setContentsMargins(0, 0, 0, 0)
         row.setSpacing(12)
         row.addWidget(self.quantities)
+        right = QVBoxLayout()
+        right.setSpacing(6)
         row.addLayout(right, 1)
+        right.addWidget(self.bar)
+        right.addWidget(self.board, 1)
+        right.addWidget(self.cursor_table)
+        right.addWidget(self.message)
 
     # Menus ------------------------------------------------------------------------------------
 

@@ -126,7 +126,7 @@ class FindingsPane(Translated, QWidget):
         item = QListWidgetItem(f"{kind} · {text}")
         item.setData(Qt.ItemDataRole.UserRole, finding.row)
         colors = colors_of(self)
-        item.setForeground(QColor(colors.stop if error else colors.warn))
+        item.setForeground(QColor(colors.stop_ink if error else colors.warn))
         return item
 
     def _on_current(self, item: QListWidgetItem | None, *_: object) -> None:
