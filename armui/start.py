@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import NamedTuple
 
-from armui.settings import Language
+from armui.setting_checks import Language
 
 
 class StartOptions(NamedTuple):

@@ -1,4 +1,4 @@
-"""What is found in a recording while it is shown: its events, and half an hour of curves."""
+"""What is found in a recording while it is shown: its events, half an hour of curves."""
 
 from __future__ import annotations
 
@@ -70,7 +70,7 @@ def test_zoomed_out_curves_are_loaded_and_say_so_meanwhile(replay, log, monkeypa
 
     board.set_span(1800.0)
     replay.driver.wait(lambda: board._missing is not None)
-    missing: Missing = board._missing
+    missing: Missing = replay.view.curves.board._missing
     assert missing.text == "Loading: 0 %"
     assert missing.begin_s == pytest.approx(START_S, abs=0.1)
     assert missing.end_s == pytest.approx(START_S + 2.5, abs=0.1)

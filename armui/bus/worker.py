@@ -207,6 +207,7 @@ class BusWorker(QThread):
                     raise sender.failure
                 self._look_after_bus()
         finally:
+            self._line.flush(self._intake.codec, self._clock())
             self._outbox.detach()
             sender.end()
             self._queue.detach()
@@ -233,9 +234,10 @@ class BusWorker(QThread):
             message = bus.recv(0)
         else:
             self._received.emptied()
-        self._line.flush(self._intake.codec, now_s)
         if now_s - self._pictured_s >= _PICTURE_S or taken == 0:
+            # on a real bus frames come one by one: taps are told of some together
             self._pictured_s = now_s
+            self._line.flush(self._intake.codec, now_s)
             self._intake.show()
             self._queue.look(now_s)
 

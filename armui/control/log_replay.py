@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import weakref
 from datetime import datetime
 from typing import TYPE_CHECKING, Final
 
@@ -25,6 +26,7 @@ if TYPE_CHECKING:
     from armui.session.frames import Channel
     from armui.session.session import Session
 
+_FORGOTTEN_MS: Final = 10_000
 _FILL_AFTER_MS: Final = 120
 """Curves are filled when the operator has come to rest somewhere."""
 
@@ -74,6 +76,7 @@ class LogReplay(QObject):
             model=arm.model or PiperModel.PIPER,
         )
         self._worker: LogWorker | None = None
+        self._forgotten: weakref.finalize[..., LogReplay] | None = None
         self._going_to: float | None = None
         self._number = 0
         self.controller = ArmController(
@@ -96,6 +99,8 @@ class LogReplay(QObject):
         worker.moved.connect(self._on_moved)
         worker.failed.connect(self.failed)
         self._worker = worker
+        # a window that is destroyed, a program that ends: whoever forgets to close it
+        self._forgotten = weakref.finalize(self, worker.close, _FORGOTTEN_MS)
         return worker
 
     def open(self) -> None:
@@ -107,7 +112,10 @@ class LogReplay(QObject):
         """End the thread that plays; whether it has ended within two seconds."""
         self._fill_timer.stop()
         self._worker = None
-        return self.controller.shutdown()
+        ended = self.controller.shutdown()
+        if ended and self._forgotten is not None:
+            self._forgotten.detach()
+        return ended
 
     # Where it stands --------------------------------------------------------------------------
 

@@ -181,6 +181,7 @@ class ArmFacts:
         generation: Of its protocol.
         reason: What speaks for it, for people.
         firmware: Its version, None if it was not heard.
+        identity: Hardware, node type and date of the firmware, as far as they were heard.
         feedback_offset: Of its identifiers (0x470).
         frames_per_s: Of this arm and everybody else.
         status_code: 0x2A1 byte 1, None if 0x2A1 was not heard.
@@ -201,6 +202,7 @@ class ArmFacts:
     generation: int
     reason: str
     firmware: str | None = None
+    identity: tuple[str, ...] = ()
     feedback_offset: int = 0
     frames_per_s: float = 0.0
     status_code: int | None = None

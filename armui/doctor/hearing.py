@@ -118,6 +118,7 @@ def arm_facts(
         generation=int(codec.generation),
         reason=reason,
         firmware=firmware,
+        identity=_identity(state),
         feedback_offset=codec.addressing.feedback_offset,
         frames_per_s=frames_per_s,
         status_code=None if status is None else status.arm_status,
@@ -152,6 +153,13 @@ def arm_facts(
             if limits is not None or acceleration is not None
         ),
     )
+
+
+def _identity(state: ArmState) -> tuple[str, ...]:
+    told = state.identity
+    if told is None:
+        return ()
+    return tuple(each for each in (told.hardware, told.node_type, told.iso_date) if each)
 
 
 def _arm(frames: Sequence[TimedFrame], offset: int, seconds: float) -> ArmFacts:

@@ -47,7 +47,8 @@ _TELL_EVERY_S: Final = 0.1
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Declares the command's arguments; `run` takes what the parser makes of them."""
     parser.description = (
-        "Export a recorded CAN log: MCAP with ROS 2 messages, or a table as CSV or Parquet."
+        "Export a recorded CAN log: MCAP with ROS 2 messages, a table as CSV or Parquet, or "
+        "every frame as a CSV file for each message."
     )
     parser.epilog = (
         "Exit code: 0 all exported, 1 exported but for places of the log that cannot be read "
@@ -62,7 +63,8 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--to",
         choices=[str(each) for each in ExportFormat],
-        help="format (default: what the target's name says, else mcap); parquet needs pyarrow",
+        help="format (default: what the target's name says, else mcap); csv-messages makes a "
+        "folder with a file for each message; parquet needs pyarrow",
     )
     parser.add_argument(
         "-o", "--output", type=Path, help="target (default: the log's name with another ending)"

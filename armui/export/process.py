@@ -7,11 +7,10 @@ from __future__ import annotations
 
 import contextlib
 import json
-import os
+import shutil
 import subprocess
-import sys
 import threading
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Final
@@ -22,6 +21,7 @@ from armui.session.exports.request import (
     ExportProgress,
     ExportRequest,
 )
+from armui.system.command_process import CommandProcess
 
 _LAST_WORDS: Final = 300
 _END_S: Final = 10.0
@@ -58,40 +58,23 @@ class ExportProcess:
 
     def __init__(self, request: ExportRequest, tell: Tell) -> None:
         self._tell = tell
-        self._process: subprocess.Popen[str] | None = None
-        self._lock = threading.Lock()
-        self._cancelled = False
         self._unfinished: Path | None = None
-        self._thread = threading.Thread(
-            target=self._run, args=(_command(request),), name="armui-export", daemon=True
-        )
-        self._thread.start()
+        self._process = CommandProcess(_arguments(request), self._listen, nicer_by=_NICER_BY)
+        self._process.begin()
 
     def cancel(self) -> None:
         """End it, whatever it is doing; nothing remains of it."""
-        with self._lock:
-            self._cancelled = True
-            if self._process is not None and self._process.poll() is None:
-                self._process.kill()
+        self._process.end()
 
     def wait(self, within_s: float = _END_S) -> bool:
         """Whether it has ended, after a time at most."""
-        self._thread.join(within_s)
-        return not self._thread.is_alive()
+        return self._process.wait(within_s)
 
-    def _run(self, command: Sequence[str]) -> None:
-        try:
-            process = self._start(command)
-        except OSError as error:
-            self._answer(ExportDone(None, error.strerror or str(error)))
-            return
-        if process is None:
-            return
-        with process:  # closes the pipes at the end
-            self._listen(process)
-
-    def _listen(self, process: subprocess.Popen[str]) -> None:
+    def _listen(self, process: subprocess.Popen[str] | OSError) -> None:
         """Pass on what it tells, until it has ended."""
+        if isinstance(process, OSError):
+            self._answer(ExportDone(None, process.strerror or str(process)))
+            return
         last: ExportDone | None = None
         complaints: list[str] = []
         listener = threading.Thread(
@@ -112,24 +95,6 @@ class ExportProcess:
             last = ExportDone(None, text or f"ended with code {process.returncode}")
         self._answer(last)
 
-    def _start(self, command: Sequence[str]) -> subprocess.Popen[str] | None:
-        with self._lock:
-            if self._cancelled:
-                return None
-            self._process = subprocess.Popen(  # noqa: S603 - this program itself
-                command,
-                stdin=subprocess.DEVNULL,
-                stdout=subprocess.PIPE,
-                stderr=subprocess.PIPE,
-                env=dict(os.environ, PYTHONIOENCODING="utf-8"),
-                encoding="utf-8",
-                errors="replace",
-            )
-            if hasattr(os, "setpriority"):
-                with contextlib.suppress(OSError):
-                    os.setpriority(os.PRIO_PROCESS, self._process.pid, _NICER_BY)
-            return self._process
-
     def _understood(self, line: str) -> ExportProgress | ExportDone | None:
         try:
             said = json.loads(line)
@@ -149,19 +114,18 @@ class ExportProcess:
         """It was killed, by us or by the system: nobody else removes what it left."""
         if self._unfinished is not None:
             with contextlib.suppress(OSError):
-                self._unfinished.unlink(missing_ok=True)
+                if self._unfinished.is_dir():
+                    shutil.rmtree(self._unfinished)
+                else:
+                    self._unfinished.unlink(missing_ok=True)
 
     def _answer(self, answer: ExportProgress | ExportDone) -> None:
-        with self._lock:
-            if self._cancelled:
-                return
-        self._tell(answer)
+        if not self._process.is_ended:
+            self._tell(answer)
 
 
-def _command(request: ExportRequest) -> list[str]:
-    # a packaged program is its own interpreter
-    start = [sys.executable] if getattr(sys, "frozen", False) else [sys.executable, "-m", "armui"]
-    command = [*start, "export", "--json", "--to", str(ExportFormat(request.format))]
+def _arguments(request: ExportRequest) -> list[str]:
+    command = ["export", "--json", "--to", str(ExportFormat(request.format))]
     command += ["--output", str(request.target), "--from", repr(request.begin_s)]
     if request.end_s != float("inf"):
         command += ["--to-time", repr(request.end_s)]

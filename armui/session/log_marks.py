@@ -169,25 +169,19 @@ class _Finder:
             return
         times_s, words, layout = found
         stops = signal_column(words, layout.signals["EmergencyStop"])
-        for value, code in (
-            (StopCommand.EMERGENCY_STOP, "stop_sent"),
-            (StopCommand.RESUME, "resume_sent"),
-        ):
-            for place in _bursts(times_s, np.flatnonzero(stops == value)):
-                yield self._mark(times_s, place, None, MarkKind.STOP, code=code)
-        others = np.flatnonzero((stops == StopCommand.NO_ACTION) & (words != 0))
-        for place in _bursts(times_s, others):
-            yield self._mark(times_s, place, None, MarkKind.COMMAND, code="motion_command")
+        stop, command = MarkKind.STOP, MarkKind.COMMAND
+        yield from self._sent(times_s, stops == StopCommand.EMERGENCY_STOP, stop, code="stop_sent")
+        yield from self._sent(times_s, stops == StopCommand.RESUME, stop, code="resume_sent")
+        others = (stops == StopCommand.NO_ACTION) & (words != 0)
+        yield from self._sent(times_s, others, command, code="motion_command")
 
     def of_targets(self) -> Iterator[SessionMark]:
         for message in _TARGETS:
             found = self.words(message)
             if found is not None:
-                times_s = found[0]
-                for place in _bursts(times_s, np.arange(times_s.size)):
-                    yield self._mark(
-                        times_s, place, None, MarkKind.COMMAND, code="target", message=message
-                    )
+                every = np.ones(found[0].size, np.bool_)
+                command = MarkKind.COMMAND
+                yield from self._sent(found[0], every, command, code="target", message=message)
 
     def of_motors(self) -> Iterator[SessionMark]:
         found = self.words("MotorEnable")
@@ -195,12 +189,9 @@ class _Finder:
             return
         times_s, words, layout = found
         actions = signal_column(words, layout.signals["Action"])
-        for action, code in (
-            (MotorAction.ENABLE, "enable_sent"),
-            (MotorAction.DISABLE, "disable_sent"),
-        ):
-            for place in _bursts(times_s, np.flatnonzero(actions == action)):
-                yield self._mark(times_s, place, None, MarkKind.COMMAND, code=code)
+        command = MarkKind.COMMAND
+        yield from self._sent(times_s, actions == MotorAction.ENABLE, command, code="enable_sent")
+        yield from self._sent(times_s, actions == MotorAction.DISABLE, command, code="disable_sent")
 
     def of_silence(self) -> Iterator[SessionMark]:
         """Where nothing of the arm is heard for long, whatever offset its identifiers have."""
@@ -214,6 +205,17 @@ class _Finder:
         for place in np.flatnonzero(np.diff(times_s) > SILENT_S)[:MOST_MARKS].tolist():
             entry = {"code": "silent", "ended_s": float(times_s[place + 1])}
             yield SessionMark(float(times_s[place]), MarkKind.FAULT, entry | self._where())
+
+    def _sent(
+        self,
+        times_s: NDArray[np.float64],
+        which: NDArray[np.bool_],
+        kind: MarkKind,
+        **entry: object,
+    ) -> Iterator[SessionMark]:
+        """Where streams of commands begin."""
+        for place in _bursts(times_s, np.flatnonzero(which)):
+            yield self._mark(times_s, place, None, kind, **entry)
 
     def _flagged(
         self, times_s: NDArray[np.float64], flags: NDArray[Any], **entry: object

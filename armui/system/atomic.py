@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import contextlib
 import os
+import shutil
 import time
 from pathlib import Path
 from typing import Final
@@ -71,4 +72,7 @@ def remove_abandoned(folder: Path) -> None:
     for path in folder.glob(f".*{UNFINISHED}"):
         with contextlib.suppress(OSError):
             if path.stat().st_mtime < oldest:
-                path.unlink()
+                if path.is_dir():
+                    shutil.rmtree(path)
+                else:
+                    path.unlink()

@@ -166,15 +166,15 @@ class Telemetry:
     def on_heard(self, batch: Sequence[Taken]) -> None:
         """Frames that somebody else sent, in order."""
         self._frames += len(batch)
-        find = self._from_others.get
-        for heard, at_s, frame, _flags in batch:
-            self._bits += _FRAME_BITS + 8 * len(frame.data)
+        find, data_bytes = self._from_others.get, 0
+        for heard, at_s, (_id, data), _flags in batch:
+            data_bytes += len(data)
             message = heard if isinstance(heard, Message) else heard.message
-            if message is None:
-                continue
-            writer = find(message.name)
-            if writer is not None:
-                writer(message.signals, at_s)
+            if message is not None:
+                writer = find(message.name)
+                if writer is not None:
+                    writer(message.signals, at_s)
+        self._bits += _FRAME_BITS * len(batch) + 8 * data_bytes
 
     def on_columns(self, frames: FrameColumns, *, own: NDArray[np.bool_]) -> None:
         """Many frames of a log, in order: the same as `on_heard`, `on_sent` and `on_look`.

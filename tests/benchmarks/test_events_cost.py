@@ -10,59 +10,27 @@ import statistics
 import time
 from datetime import UTC, datetime
 
-from armui.arm.tracker import Tracker
 from armui.control.event_log.heard import StatusTap
 from armui.protocol.codec import Codec
 from armui.protocol.generation import Generation
-from armui.sim.firmware import Firmware
 from armui.telemetry.events import Asker, EventKind, EventLog, Level
 from armui.ui.theme import LIGHT
 from armui.ui.watch.events.event_filter import EventFilter
 from armui.ui.watch.events.event_model import EventModel
 from tests.arm_rig import ArmRig
+from tests.benchmarks.bus_thread import without_and_with
 
-ROUNDS = 9
-BATCH = 16
-FRAMES_PER_S = 3040
 TICKS = 400
 ENDS_DEG = ((30, 60, -40, 20, 15, 30), (-30, 30, -60, -20, -15, -30))
 MOST_SHARE = 1 / 3
 MOST_PIECE_MS = 10.0
 
 
-def recorded():
-    """What a moving arm says in two seconds."""
-    arm = Firmware(Generation.TWO)
-    return [frame for _ in range(400) for frame in arm.step(0.005)]
-
-
-def take_in(codec, frames, tap, begin_s):
-    """As the bus thread does; the processor time of one frame in µs."""
-    tracker, batch, at_s = Tracker(codec), [], begin_s
-    began_s = time.thread_time()
-    for frame in frames:
-        at_s += 1 / FRAMES_PER_S
-        heard = codec.decode(frame)
-        tracker.update(heard, at_s)
-        if tap is not None:
-            batch.append((heard, at_s, frame, 0))
-            if len(batch) == BATCH:
-                tap.on_heard(batch)
-                tap.on_look(at_s)
-                batch = []
-    return 1e6 * (time.thread_time() - began_s) / len(frames)
-
-
 def test_a_frame(capsys, benchmark):
-    codec, frames, tap = Codec(Generation.TWO), recorded(), StatusTap()
+    codec, tap = Codec(Generation.TWO), StatusTap()
     tap.on_codec(codec)
     tap.know_generation(Generation.TWO)
-    bare, watched = [], []
-    for number in range(ROUNDS):
-        bare.append(take_in(codec, frames, None, 10.0 * number))
-        watched.append(take_in(codec, frames, tap, 10.0 * number))
-        tap.take()
-    without, with_it = min(bare), min(watched)
+    without, with_it = without_and_with(codec, tap, tap.take)
     benchmark.extra_info.update(without_us=without, with_us=with_it)
     benchmark.pedantic(lambda: None, rounds=1)
     with capsys.disabled():

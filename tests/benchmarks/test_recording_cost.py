@@ -21,7 +21,7 @@ from armui.session.recording.ring import MOST_BYTES, FrameRing
 from armui.session.recording.rows import rows_of
 from armui.session.recording.writer import RecordingPlan, RecordingWriter, TimeBase
 from tests.benchmarks import rig
-from tests.benchmarks.test_telemetry_cost import recorded
+from tests.benchmarks.bus_thread import recorded
 
 ROUNDS = 9
 BATCH = 16

@@ -4,55 +4,23 @@ The frames of two seconds of a moving arm, as the bus thread takes them in: deco
 the picture of the arm, without and with telemetry. Then half an hour of them, and its memory.
 """
 
-import time
-
-from armui.arm.tracker import Tracker
 from armui.protocol.codec import Codec
 from armui.protocol.generation import Generation
-from armui.sim.firmware import Firmware
 from armui.telemetry.store import Telemetry
 from tests.benchmarks import rig
-from tests.telemetry.motions import EIGHT_BYTES, Clock, feed, telemetry_at
+from tests.benchmarks.bus_thread import without_and_with
+from tests.telemetry.motions import Clock, feed, telemetry_at
 
-ROUNDS = 9
-BATCH = 16
-FRAMES_PER_S = 3040
 MOST_SHARE = 1 / 3
 MOST_MB = 140.0
 
 
-def recorded():
-    """What an arm says in two seconds."""
-    arm = Firmware(Generation.TWO)
-    return [frame for _ in range(400) for frame in arm.step(0.005)]
-
-
-def take_in(codec, frames, telemetry, begin_s):
-    """As the bus thread does; the processor time of one frame in µs."""
-    tracker, batch, at_s = Tracker(codec), [], begin_s
-    began_s = time.thread_time()
-    for frame in frames:
-        at_s += 1 / FRAMES_PER_S
-        heard = codec.decode(frame)
-        tracker.update(heard, at_s)
-        if telemetry is not None:
-            batch.append((heard, at_s, EIGHT_BYTES, 0))
-            if len(batch) == BATCH:
-                telemetry.on_heard(batch)
-                batch = []
-    return 1e6 * (time.thread_time() - began_s) / len(frames)
-
-
 def test_telemetry_cost(capsys, benchmark):
-    codec, frames = Codec(Generation.TWO), recorded()
+    codec = Codec(Generation.TWO)
     telemetry = Telemetry()
     telemetry.on_codec(codec)
     telemetry.know_generation(Generation.TWO)
-    bare, watched = [], []
-    for number in range(ROUNDS):
-        bare.append(take_in(codec, frames, None, 10.0 * number))
-        watched.append(take_in(codec, frames, telemetry, 10.0 * number))
-    without, with_it = min(bare), min(watched)
+    without, with_it = without_and_with(codec, telemetry)
     clock = Clock()
     before_mb = rig.memory_mb("self")
     filled = telemetry_at(clock)

@@ -22,6 +22,7 @@ from armui.session.exports.request import (
     ExportRequest,
 )
 from armui.ui.dialogs.confirm_dialog import ConfirmDialog
+from armui.ui.watch import export_form
 from armui.ui.watch.export_dialog import ExportDialog
 from tests.ui.dialog_reading import message, shown
 from tests.ui.fake_controller import FakeController
@@ -215,3 +216,25 @@ def test_another_recording_does_not_disturb_an_export(dialog, exports):
     dialog.show_log(Path("/records/other.blf"))
     assert dialog.findChild(QLabel, "export_log").text() == str(LOG)
     assert exports.cancelled == 0
+
+
+def test_a_folder_of_messages_is_asked_for(dialog, exports, monkeypatch, tmp_path):
+    dialog.show_log(LOG)
+    choose(dialog, "format_csv-messages")
+    assert dialog.form.request().target == Path("/records/run-messages")
+    asked = []
+    monkeypatch.setattr(export_form, "choose_folder", lambda *_, **more: asked.append(more))
+    QTest.mouseClick(dialog.form.target_button, LEFT)
+    asked[0]["on_chosen"](tmp_path)
+    press_export(dialog)
+    assert exports.requests == [
+        ExportRequest(LOG, tmp_path / "run-messages", ExportFormat.CSV_MESSAGES)
+    ]
+
+
+def test_another_format_has_another_ending(dialog, tmp_path):
+    dialog.show_log(LOG)
+    choose(dialog, "format_csv-messages")
+    dialog.form.show_target(tmp_path / "run-messages")
+    choose(dialog, "format_parquet")
+    assert dialog.form.request().target == tmp_path / "run.parquet"

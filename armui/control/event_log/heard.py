@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any, Final, NamedTuple
 
 from armui.arm.limits import JOINTS
 from armui.arm.state import FRESH_FOR_S
+from armui.protocol.codec import Message
 
 if TYPE_CHECKING:
     from armui.protocol.codec import Codec
@@ -126,12 +127,13 @@ class StatusTap:
         """Look for changes."""
         latest = self._latest
         for heard, at_s, frame, _flags in batch:
-            message: Any = heard
-            if hasattr(message, "kind"):
-                self._note_invalid(message.kind.name, frame.arbitration_id, at_s)
-                message = message.message
-                if message is None:
+            if isinstance(heard, Message):
+                message = heard
+            else:
+                self._note_invalid(heard.kind.name, frame.arbitration_id, at_s)
+                if heard.message is None:
                     continue
+                message = heard.message
             name = message.name
             if name not in WATCHED:
                 continue

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from armui.session.exports.history import History, Samples
     from armui.session.exports.sink import ExportFacts, TimeSpan
 
-_BOM: Final = b"\xef\xbb\xbf"
+BOM: Final = b"\xef\xbb\xbf"
 """The mark of the encoding: spreadsheets take it for something else otherwise."""
 TIME_TITLES: Final = ("time [s]", "since_start [s]")
 
@@ -37,7 +37,7 @@ class CsvTable:
         self._templates = {each.message: _template(each) for each in self._records}
         self.items = 0
         titles = [column.title for record in self._records for column in record.columns]
-        self._stream.write(_BOM + ",".join((*TIME_TITLES, *titles)).encode() + b"\r\n")
+        self._stream.write(BOM + ",".join((*TIME_TITLES, *titles)).encode() + b"\r\n")
 
     def take(self, history: History, span: TimeSpan) -> None:
         """Write what a piece of the log adds, see `Sink`."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from contextlib import closing
-from typing import TYPE_CHECKING, BinaryIO, Final
+from typing import TYPE_CHECKING, Final
 
 from armui import __version__
 from armui.session.exports.exported_arm import NoSuchChannelError, look_at
@@ -20,7 +20,7 @@ from armui.session.exports.request import (
 )
 from armui.session.exports.sink import ExportFacts, TimeSpan
 from armui.session.exports.source import open_source
-from armui.session.exports.target import WholeFile
+from armui.session.exports.target import WholeFile, WholeFolder
 from armui.session.frames import NotALogError
 
 if TYPE_CHECKING:
@@ -93,12 +93,12 @@ class _Export:
 
     def run(self) -> ExportReport:
         request = self._request
-        with WholeFile(request.target, replace=request.replace) as target:
+        with _whole(request) as target:
             self._begun(target.unfinished)
             arm, batches = look_at(self._source.batches(), request.wishes)
             if arm is None:
                 raise ExportError(ExportProblem.NO_FRAMES)
-            sink = _sink(request.format, target.stream, _facts(request, arm))
+            sink = _sink(request.format, target, _facts(request, arm))
             reader, history = ArmFrameReader(arm.channel), History(arm.codec)
             try:
                 self._write(arm, batches, sink, reader, history)
@@ -168,8 +168,19 @@ def _facts(request: ExportRequest, arm: ExportedArm) -> ExportFacts:
     return ExportFacts(arm.codec, arm.geometry, arm.model.gripper.turned_deg, arm.start_s, notes)
 
 
-def _sink(export_format: ExportFormat, stream: BinaryIO, facts: ExportFacts) -> Sink:
+def _whole(request: ExportRequest) -> WholeFile | WholeFolder:
+    if request.format.is_folder:
+        return WholeFolder(request.target, ".csv", replace=request.replace)
+    return WholeFile(request.target, replace=request.replace)
+
+
+def _sink(export_format: ExportFormat, target: WholeFile | WholeFolder, facts: ExportFacts) -> Sink:
     # imported only when asked for: each has packages of its own
+    if isinstance(target, WholeFolder):
+        from armui.session.exports.csv_messages import CsvMessages  # noqa: PLC0415 - see above
+
+        return CsvMessages(target.unfinished, facts)
+    stream = target.stream
     if export_format is ExportFormat.CSV:
         from armui.session.exports.csv_table import CsvTable  # noqa: PLC0415 - see above
 
@@ -191,7 +202,7 @@ def _why_nothing(request: ExportRequest, reader: ArmFrameReader, history: Histor
         return ExportProblem.NO_ARM
     if request.begin_s > 0.0 or request.end_s < math.inf:
         return ExportProblem.NOTHING_THEN
-    return ExportProblem.NO_ANGLES
+    return ExportProblem.NO_ARM if request.format.is_folder else ExportProblem.NO_ANGLES
 
 
 def _name(channel: Channel) -> str:

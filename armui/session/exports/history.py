@@ -18,6 +18,8 @@ from armui.session.exports.frames import ArmFrames, no_frames
 from armui.telemetry.store import ENDS
 
 if TYPE_CHECKING:
+    from collections.abc import Collection
+
     from numpy.typing import NDArray
 
     from armui.protocol.codec import Codec
@@ -144,6 +146,10 @@ class History:
     def samples(self, message: str) -> Samples | None:
         """The frames of a message; ``None`` while none was heard."""
         return self._samples.get(message)
+
+    def heard(self) -> Collection[Samples]:
+        """The frames of every message that was heard so far."""
+        return self._samples.values()
 
     def ended_at(
         self, rows: NDArray[np.int64], by: tuple[str, ...], *, by_stops: bool

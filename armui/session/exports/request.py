@@ -6,7 +6,7 @@ import enum
 import math
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import NamedTuple
+from typing import Final, NamedTuple
 
 from armui.protocol.generation import Generation
 from armui.protocol.piper_model import PiperModel
@@ -30,11 +30,29 @@ class ArmWishes(NamedTuple):
 
 
 class ExportFormat(enum.StrEnum):
-    """What can be written; the value is also the ending of the file's name."""
+    """What can be written; of a file the value is also the ending of its name."""
 
     MCAP = "mcap"
     CSV = "csv"
     PARQUET = "parquet"
+    CSV_MESSAGES = "csv-messages"
+    """A folder with a file for each message."""
+
+    @property
+    def is_folder(self) -> bool:
+        """Whether several files are written."""
+        return self is ExportFormat.CSV_MESSAGES
+
+    def named(self, path: Path) -> Path:
+        """A file's or folder's name as this format has it."""
+        if self.is_folder:
+            return path.with_name(f"{path.stem}{_MESSAGES}")
+        stem = path.name.removesuffix(_MESSAGES) if path.name.endswith(_MESSAGES) else path.stem
+        return path.with_name(f"{stem}.{self}")
+
+
+_MESSAGES: Final = "-messages"
+"""What the name of such a folder ends with."""
 
 
 class ExportProblem(enum.StrEnum):
@@ -76,7 +94,7 @@ class ExportRequest:
 
     Attributes:
         log: The file, of any format that `LogFile` reads.
-        target: The file to write.
+        target: The file to write, or the folder.
         format: In which format.
         begin_s: From there on, in seconds from the log's first frame.
         end_s: Up to there.
@@ -149,5 +167,5 @@ class ExportProgress:
 def default_target(log: Path, export_format: ExportFormat) -> Path:
     """Beside the log, with its name and the format's ending."""
     name = log.with_suffix("") if log.suffix.lower() == ".gz" else log
-    target = name.with_suffix(f".{export_format}")
+    target = export_format.named(name)
     return target if target != log else log.with_name(f"{name.stem}-export.{export_format}")

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import contextlib
+import errno
 import os
 import secrets
+import shutil
 from typing import TYPE_CHECKING, BinaryIO
 
 from armui.system.atomic import UNFINISHED, remove_abandoned, sync_folder
@@ -71,3 +73,71 @@ class WholeFile:
             self.stream.close()
         with contextlib.suppress(OSError):
             self.unfinished.unlink(missing_ok=True)
+
+
+class WholeFolder:
+    """The same for a folder with nothing but files of one ending.
+
+    Args:
+        path: The name it shall have; the folder around it must exist.
+        ending: Of its files.
+        replace: Whether a folder of this name may be replaced, if it holds no other files.
+
+    Attributes:
+        unfinished: The folder until then.
+
+    Raises:
+        FileExistsError: There is one, and it may not be replaced.
+        OSError: There is one with other files in it; or no folder can be made there.
+    """
+
+    def __init__(self, path: Path, ending: str, *, replace: bool) -> None:
+        self._path = path
+        self._ending = ending
+        self._replace = replace
+        self._check()
+        remove_abandoned(path.parent)
+        self.unfinished = path.with_name(f".{secrets.token_hex(8)}{UNFINISHED}")
+        self.unfinished.mkdir()
+
+    def _check(self) -> None:
+        if not os.path.lexists(self._path):
+            return
+        if not self._replace:
+            raise FileExistsError(str(self._path))
+        others = [each.name for each in self._path.iterdir() if each.suffix != self._ending]
+        if others:
+            raise OSError(errno.ENOTEMPTY, f"it holds other files: {others[0]}")
+
+    def finish(self) -> None:
+        """Everything is written: give it its name.
+
+        Raises:
+            FileExistsError: A folder of this name has come meanwhile.
+            OSError: The disk does not allow it.
+        """
+        self._check()
+        sync_folder(self.unfinished)
+        if self._path.is_dir():
+            before = self._path.with_name(f".{secrets.token_hex(8)}{UNFINISHED}")
+            self._path.replace(before)
+            try:
+                self.unfinished.replace(self._path)
+            except OSError:
+                before.replace(self._path)
+                raise
+            shutil.rmtree(before, ignore_errors=True)
+        else:
+            self.unfinished.replace(self._path)
+        sync_folder(self._path.parent)
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        traceback: TracebackType | None,
+    ) -> None:
+        shutil.rmtree(self.unfinished, ignore_errors=True)

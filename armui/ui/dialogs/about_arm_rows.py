@@ -25,6 +25,9 @@ _COMMANDS: Final = (0x150, 0x15F)
 _LABELS: Final[Mapping[str, object]] = {
     "model": QT_TRANSLATE_NOOP("AboutArm", "Model"),
     "firmware": QT_TRANSLATE_NOOP("AboutArm", "Firmware"),
+    "date": QT_TRANSLATE_NOOP("AboutArm", "Date of the firmware"),
+    "hardware": QT_TRANSLATE_NOOP("AboutArm", "Hardware"),
+    "node": QT_TRANSLATE_NOOP("AboutArm", "Node on the bus"),
     "generation": QT_TRANSLATE_NOOP("AboutArm", "Protocol"),
     "device": QT_TRANSLATE_NOOP("AboutArm", "Adapter"),
     "serial": QT_TRANSLATE_NOOP("AboutArm", "Serial number of the adapter"),
@@ -77,6 +80,9 @@ def about_rows(
     values = {
         "model": _model(now),
         "firmware": _firmware(state, now),
+        "date": _told(state, now, "iso_date"),
+        "hardware": _told(state, now, "hardware"),
+        "node": _node(state, now),
         "generation": _generation(now),
         "device": _device(now.device),
         "serial": _serial(now.device, links),
@@ -117,8 +123,25 @@ def _model(now: OperatingState) -> str:
 
 
 def _firmware(state: ArmState, now: OperatingState) -> str:
-    if state.firmware is not None:
-        return state.firmware
+    return state.firmware if state.firmware is not None else _untold(now)
+
+
+def _told(state: ArmState, now: OperatingState, field: str) -> str:
+    """What stands in the arm's answer beside its version, where it does."""
+    found = "" if state.identity is None else str(getattr(state.identity, field))
+    return found or _untold(now)
+
+
+def _node(state: ArmState, now: OperatingState) -> str:
+    node_type = "" if state.identity is None else state.identity.node_type
+    number = "" if state.identity is None else state.identity.node_number
+    if node_type and number:
+        text = translate("AboutArm", "{type}, number {number}")
+        return text.format(type=node_type, number=number)
+    return node_type or number or _untold(now)
+
+
+def _untold(now: OperatingState) -> str:
     if now.generation is Generation.ONE:
         return translate("AboutArm", "unknown: generation 1 does not tell it")
     return _unknown()

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import replace
-from typing import TYPE_CHECKING, Final
+from typing import Final
 
 from PySide6.QtCore import QItemSelection, QItemSelectionModel, Signal
 from PySide6.QtGui import QShowEvent
@@ -24,6 +24,8 @@ from armui.control.arm_controller import ArmController
 from armui.control.events import Level
 from armui.control.operating_state import LinkState, OperatingState
 from armui.ui import words
+from armui.ui.background import Background
+from armui.ui.dialogs.adapter_trouble import AdapterTrouble
 from armui.ui.dialogs.base import ArmDialog
 from armui.ui.dialogs.confirm import confirm
 from armui.ui.dialogs.device_model import CHANNEL, STATE, DeviceModel, bitrate_text, same_device
@@ -37,9 +39,6 @@ from armui.ui.widgets.message_line import MessageLine
 from armui.ui.widgets.plain_table import list_rows
 from armui.ui.widgets.progress import quiet_progress
 from armui.ui.widgets.text_label import text_label
-
-if TYPE_CHECKING:
-    from armui.settings import SettingsStore
 
 _BITRATES: Final = (DEFAULT_BITRATE, 500_000)
 """Today's hardware, and what generation 1's protocol text says."""
@@ -57,7 +56,8 @@ class ConnectDialog(ArmDialog):
         controller: Searches and connects.
         parent: The main window.
         before_leaving: Asks about what is not saved, before the arm is left for another or none.
-        preferences: Keeps which model was chosen for which arm.
+        kept_models: Which model was chosen for which arm.
+        background: Where it is looked for what is wrong with an adapter; nothing is by default.
 
     Signals:
         diagnosis_wanted: The operator wants to know why a device, or no arm, answers.
@@ -70,15 +70,18 @@ class ConnectDialog(ArmDialog):
         controller: ArmController,
         parent: QWidget | None = None,
         before_leaving: Leaving | None = None,
-        preferences: SettingsStore | None = None,
+        kept_models: KeptModels | None = None,
+        background: Background | None = None,
     ) -> None:
         super().__init__(controller, parent)
+        self._trouble = None if background is None else AdapterTrouble(background)
+        self._wanted: Device | None = None
         self._before_leaving = before_leaving
         self._controller = controller
         self._operating_state = controller.operating_state
         self._model = DeviceModel()
         self._searching = False
-        self._build(KeptModels(preferences))
+        self._build(kept_models or KeptModels())
         self.resize(*_SIZE_PX)
 
         self._model.modelAboutToBeReset.connect(self._keep_selection)
@@ -87,7 +90,7 @@ class ConnectDialog(ArmDialog):
         self._table.doubleClicked.connect(self._on_connect)
         self.connect_button.clicked.connect(self._on_connect)
         self.disconnect_button.clicked.connect(self._on_disconnect)
-        self.refresh_button.clicked.connect(controller.search_devices)
+        self.refresh_button.clicked.connect(self._search)
         self.diagnosis_button.clicked.connect(self._on_diagnosis)
         self.close_button.clicked.connect(self.close)
         self._manual.entered.connect(self._on_entered)
@@ -115,7 +118,10 @@ class ConnectDialog(ArmDialog):
         self.diagnosis_button = push_button("connect_diagnosis", on_enter=False)
         said = in_row((self._message, 1), self.diagnosis_button, spacing=8)
         self.model_choice = ModelChoice(kept_models)
-        fill(self.body, said, (self._table, 1), self._progress)
+        fill(self.body, said)
+        if self._trouble is not None:
+            fill(self.body, self._trouble)
+        fill(self.body, (self._table, 1), self._progress)
         fill(self.body, self.model_choice, self._build_bitrate())
         self._manual = ManualEntry(self._controller.interfaces())
         self._manual_label = text_label(rank="muted")
@@ -173,7 +179,13 @@ class ConnectDialog(ArmDialog):
         super().showEvent(event)
         if not event.spontaneous():
             self._table.setFocus()
-            self._controller.search_devices()
+            self._wanted = None
+            self._search()
+
+    def _search(self) -> None:
+        self._controller.search_devices()
+        if self._trouble is not None:
+            self._trouble.examine()
 
     def _on_connect(self) -> None:
         device = self._selected()
@@ -188,6 +200,7 @@ class ConnectDialog(ArmDialog):
 
     def _connect_as(self, device: Device) -> None:
         self.model_choice.keep(device)
+        self._wanted = device
         self._controller.connect_device(device)
 
     def _on_diagnosis(self) -> None:
@@ -247,6 +260,9 @@ class ConnectDialog(ArmDialog):
         self._model.show_connected(operating_state.device, operating_state.link)
         self.model_choice.show_fit(self._selected(), operating_state)
         self._refresh()
+        online = operating_state.link is LinkState.ONLINE
+        if online and self._wanted is not None and self._is_connected(self._wanted):
+            self.close()  # nothing is left to be done here: the arm is in sight again
 
     # How it looks -----------------------------------------------------------------------------
 

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Final
 
-from PySide6.QtCore import Signal
+from PySide6.QtCore import QT_TRANSLATE_NOOP, Signal
 from PySide6.QtWidgets import (
     QButtonGroup,
     QGridLayout,
@@ -27,7 +27,7 @@ from armui.session.exports.request import (
     ExportRequest,
     default_target,
 )
-from armui.ui.dialogs.files import choose_file
+from armui.ui.dialogs.files import choose_file, choose_folder
 from armui.ui.watch import export_text
 from armui.ui.widgets.elided_label import ElidedLabel
 from armui.ui.widgets.figure_field import FigureField
@@ -42,6 +42,7 @@ _FORMATS: Final = {
     ExportFormat.MCAP: "MCAP",
     ExportFormat.CSV: "CSV",
     ExportFormat.PARQUET: "Parquet",
+    ExportFormat.CSV_MESSAGES: QT_TRANSLATE_NOOP("ExportForm", "CSV per message"),
 }
 _LOGS: Final = "*.blf *.log *.asc *.trc *.csv *.db *.mf4 *.txt *.gz"
 _GENERATIONS: Final = (None, Generation.ONE, Generation.TWO)
@@ -136,7 +137,7 @@ class ExportForm(Translated, QWidget):
         self.log_button.setAccessibleName(self.tr("Choose the recording"))
         self.target_button.setAccessibleName(self.tr("Choose the target"))
         for place, each in enumerate(ExportFormat):
-            self.formats.button(place).setText(_FORMATS[each])
+            self.formats.button(place).setText(self.tr(str(_FORMATS[each])))
         names = (self.tr("As the log tells"), self.tr("Generation 1"), self.tr("Generation 2"))
         for place, name in enumerate(names):
             self.generations.button(place).setText(name)
@@ -209,7 +210,16 @@ class ExportForm(Translated, QWidget):
         )
 
     def _on_choose_target(self) -> None:
-        proposed = self._target or Path.home() / f"recording.{self.format}"
+        proposed = self._target or self.format.named(Path.home() / "recording")
+        if self.format.is_folder:
+            choose_folder(
+                self._controller,
+                self.window(),
+                title=self.tr("Choose where the folder of the export shall be"),
+                start=proposed.parent,
+                on_chosen=lambda folder: self.show_target(folder / proposed.name),
+            )
+            return
         choose_file(
             self,
             self._controller,
@@ -222,7 +232,7 @@ class ExportForm(Translated, QWidget):
 
     def _on_format(self) -> None:
         if self._target is not None and self._target_chosen:
-            self._target = self._target.with_suffix(f".{self.format}")
+            self._target = self.format.named(self._target)
             self._show_paths()
             self.changed.emit()
         else:

@@ -25,6 +25,12 @@ def about(export_format: ExportFormat) -> str:
             "A table as text: a row for each set of joint angles, all else as last heard then. "
             "For spreadsheets and scripts.",
         )
+    if export_format is ExportFormat.CSV_MESSAGES:
+        return QCoreApplication.translate(
+            "ExportDialog",
+            "A folder with a file for each message: every frame with its time, decoded into "
+            "signals with their units.",
+        )
     return QCoreApplication.translate(
         "ExportDialog",
         "The same table with types and units, small and quick to open. For pandas and the like; "

@@ -82,20 +82,19 @@ class PlotBoard(QWidget):
         self._dirty = True
         self._missing: Missing | None = None
         self._waiting: list[PlotPane] = []
-        self._column = QWidget()
+        self._area = area = QScrollArea(self)
+        self._column = QWidget(area)
         self._column.setObjectName("plot_column")
         self._stack = QVBoxLayout(self._column)
         self._stack.setContentsMargins(0, 0, 0, 0)
         self._stack.setSpacing(4)
-        self.times = TimeStrip()
-        self._strip = DropStrip()
+        self.times = TimeStrip(self)
+        self._strip = DropStrip(self)
         self._strip.dropped.connect(lambda keys, plot: self.take(keys, plot, None))
-        area = QScrollArea()
         area.setWidgetResizable(True)
         area.setFrameShape(QFrame.Shape.NoFrame)
         area.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         area.setWidget(self._column)
-        self._area = area
         whole = QVBoxLayout(self)
         whole.setContentsMargins(0, 0, 0, 0)
         whole.setSpacing(4)
@@ -189,7 +188,7 @@ class PlotBoard(QWidget):
         self.draw_soon()
 
     def _new_pane(self, place: int, keys: tuple[str, ...]) -> PlotPane:
-        pane = PlotPane(self.telemetry, self._book, place, keys)
+        pane = PlotPane(self.telemetry, self._book, place, keys, self._column)
         box = pane.graph.box
         pane.dropped.connect(lambda what, source: self.take(what, source, place))
         pane.menu_wanted.connect(partial(self.menu_wanted.emit, place))

@@ -89,8 +89,8 @@ class PlotPane(QWidget):
         self._shown: Shown | None = None
         self._chosen = False
         self.heights: Range = (0.0, 1.0)
-        self.legend = Legend(place)
-        self.graph = Graph()
+        self.legend = Legend(place, self)
+        self.graph = Graph(self)
         self.graph.setMinimumHeight(LEAST_PX)
         self.setAcceptDrops(True)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)

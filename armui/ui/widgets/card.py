@@ -5,9 +5,31 @@ from __future__ import annotations
 from typing import Final
 
 from PySide6.QtCore import Qt
+from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QFrame, QScrollArea
 
 _LOWEST_PX: Final = 120
+
+
+class CardArea(QScrollArea):
+    """Takes its card when it is first shown.
+
+    A scroll area asks at once how large its widget is, which styles everything in it; Qt would do
+    that again for each parent that the area is given later.
+
+    Args:
+        card: What scrolls.
+    """
+
+    def __init__(self, card: QFrame) -> None:
+        super().__init__()
+        self._card = card
+
+    def showEvent(self, event: QShowEvent) -> None:
+        """Show it where it stays."""
+        if self.widget() is None:
+            self.setWidget(self._card)
+        super().showEvent(event)
 
 
 def scrolled(card: QFrame, tallest_px: int) -> QScrollArea:
@@ -18,10 +40,9 @@ def scrolled(card: QFrame, tallest_px: int) -> QScrollArea:
         tallest_px: It grows no higher.
     """
     card.setProperty("card", True)
-    area = QScrollArea()
+    area = CardArea(card)
     area.setWidgetResizable(True)
     area.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-    area.setWidget(card)
     area.setMinimumHeight(_LOWEST_PX)
     area.setMaximumHeight(tallest_px)
     return area

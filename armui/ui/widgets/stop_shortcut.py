@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Final
 
 from PySide6.QtCore import QCoreApplication, QEvent, QObject, QPoint, Qt, QTimer
-from PySide6.QtGui import QKeyEvent, QMouseEvent
+from PySide6.QtGui import QDragEnterEvent, QKeyEvent, QMouseEvent
 from PySide6.QtWidgets import QApplication
 
 from armui.control.arm_controller import ArmController
@@ -17,6 +17,7 @@ HALT_KEY: Final = Qt.Key.Key_F9
 """In the same group of keys as F12, and not beside it: the one must not be hit for the other."""
 HALT_KEY_NAME: Final = "F9"
 
+_LISTENED_TO: Final = (QKeyEvent, QMouseEvent, QDragEnterEvent)
 _PRESSES: Final = frozenset({QEvent.Type.MouseButtonPress, QEvent.Type.MouseButtonDblClick})
 
 
@@ -39,6 +40,9 @@ class StopShortcut(QObject):
 
     def eventFilter(self, _watched: QObject, event: QEvent) -> bool:
         """Take the keys, whichever window they were meant for, and presses behind a popup."""
+        # Most events are none of these; to ask them for their type takes Python ten times as long.
+        if not isinstance(event, _LISTENED_TO):
+            return False
         # A key press passes its window first and its widgets after; the first one is taken.
         kind = event.type()
         if kind == QEvent.Type.KeyPress and isinstance(event, QKeyEvent):

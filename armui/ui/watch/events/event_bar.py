@@ -5,21 +5,20 @@ from __future__ import annotations
 from typing import Final
 
 from PySide6.QtCore import Signal
-from PySide6.QtGui import QAction, QFont, QFontMetrics
+from PySide6.QtGui import QFont, QFontMetrics
 from PySide6.QtWidgets import (
     QComboBox,
     QHBoxLayout,
     QLabel,
     QLineEdit,
-    QMenu,
     QPushButton,
-    QToolButton,
     QVBoxLayout,
     QWidget,
 )
 
 from armui.telemetry.events import Asker, EventKind, Level
 from armui.ui.watch.events.event_filter import EventFilter
+from armui.ui.watch.save_button import SaveButton
 from armui.ui.widgets.translated import Translated
 from armui.ui.words import event_log as words
 
@@ -56,7 +55,9 @@ class EventBar(Translated, QWidget):
         self.count = QLabel()
         self.count.setObjectName("event_count")
         self.count.setProperty("rank", "muted")
-        self._make_save()
+        self.save = SaveButton("event", SAVES)
+        self.save.wanted.connect(self.save_wanted)
+        self.saves = self.save.saves
         self._lay_out()
         for button in self.kinds.values():
             button.setChecked(True)
@@ -76,18 +77,6 @@ class EventBar(Translated, QWidget):
         button.setProperty("toggle", True)
         button.setAutoDefault(False)
         return button
-
-    def _make_save(self) -> None:
-        self.save = QToolButton()
-        self.save.setObjectName("event_save")
-        self.save.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
-        menu = QMenu(self.save)
-        self.saves = {name: QAction(menu) for name in SAVES}
-        for name, action in self.saves.items():
-            action.setObjectName(f"event_{name}")
-            action.triggered.connect(lambda _on=False, name=name: self.save_wanted.emit(name))
-            menu.addAction(action)
-        self.save.setMenu(menu)
 
     def _lay_out(self) -> None:
         first = QHBoxLayout()
@@ -159,6 +148,7 @@ class EventBar(Translated, QWidget):
         """Put every word into the operator's language."""
         level, who = self.levels.currentIndex(), self.askers.currentIndex()
         self.search.setPlaceholderText(self.tr("Search"))
+        self.search.setAccessibleName(self.tr("Search"))
         self.levels.clear()
         texts = (
             self.tr("Every level"),

@@ -331,6 +331,7 @@ class ReplayWindow(ArmDialog):
         view.hide()
         view.view.shutdown()
         view.replay.close()
+        view.replay.deleteLater()
         view.deleteLater()
 
     def done(self, result: int) -> None:

@@ -1,0 +1,89 @@
+"""A command of this program in a process of its own, for the window."""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import subprocess
+import sys
+import threading
+from collections.abc import Callable, Sequence
+from typing import Final
+
+_END_S: Final = 10.0
+
+
+class CommandProcess:
+    """Begins with `begin`; a thread of its own listens to it.
+
+    Args:
+        arguments: Of the program: the name of the command first.
+        listen: Called in the thread with the process once it runs, or with the error that kept it
+            from running.
+        nicer_by: The window and the bus go before it where there are too few cores for all.
+
+    Attributes:
+        is_ended: Whether nobody wants it any more.
+    """
+
+    def __init__(
+        self,
+        arguments: Sequence[str],
+        listen: Callable[[subprocess.Popen[str] | OSError], object],
+        *,
+        nicer_by: int = 0,
+    ) -> None:
+        # a packaged program is its own interpreter
+        frozen = getattr(sys, "frozen", False)
+        start = [sys.executable] if frozen else [sys.executable, "-m", "armui"]
+        self._command = [*start, *arguments]
+        self._listen = listen
+        self._nicer_by = nicer_by
+        self._process: subprocess.Popen[str] | None = None
+        self._lock = threading.Lock()
+        self.is_ended = False
+        self._thread = threading.Thread(target=self._run, name=f"armui-{arguments[0]}", daemon=True)
+
+    def begin(self) -> None:
+        """Start it; nobody waits for that."""
+        self._thread.start()
+
+    def end(self) -> None:
+        """End it, whatever it is doing."""
+        with self._lock:
+            self.is_ended = True
+            if self._process is not None and self._process.poll() is None:
+                self._process.kill()
+
+    def wait(self, within_s: float = _END_S) -> bool:
+        """Whether it has ended and was listened to, after a time at most."""
+        self._thread.join(within_s)
+        return not self._thread.is_alive()
+
+    def _run(self) -> None:
+        try:
+            process = self._start()
+        except OSError as error:
+            self._listen(error)
+            return
+        if process is not None:
+            with process:  # closes the pipes at the end
+                self._listen(process)
+
+    def _start(self) -> subprocess.Popen[str] | None:
+        with self._lock:
+            if self.is_ended:
+                return None
+            self._process = subprocess.Popen(  # noqa: S603 - this program itself
+                self._command,
+                stdin=subprocess.DEVNULL,
+                stdout=subprocess.PIPE,
+                stderr=subprocess.PIPE,
+                env=dict(os.environ, PYTHONIOENCODING="utf-8"),
+                encoding="utf-8",
+                errors="replace",
+            )
+            if self._nicer_by and hasattr(os, "setpriority"):
+                with contextlib.suppress(OSError):
+                    os.setpriority(os.PRIO_PROCESS, self._process.pid, self._nicer_by)
+            return self._process
