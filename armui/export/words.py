@@ -47,6 +47,7 @@ def problem_text(problem: ExportProblem, detail: str, request: ExportRequest) ->
 def report_lines(report: ExportReport) -> list[str]:
     """What was noticed on the way."""
     lines = [f"read as generation {report.generation}: {report.why_generation}"]
+    lines.append(f"taken for a {report.model}: {report.why_model}")
     if report.offset:
         lines.append(f"the arm's feedback has the identifier offset 0x{report.offset:02X} (0x470)")
     if report.of_other_channels:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import enum
-from typing import Final
 
 
 class PiperModel(enum.StrEnum):
@@ -13,17 +12,3 @@ class PiperModel(enum.StrEnum):
     PIPER_H = "piper_h"
     PIPER_L = "piper_l"
     PIPER_X = "piper_x"
-
-
-_MOST: Final = 1000
-_LONGEST_NAME: Final = 4096
-
-
-def are_models(value: object) -> bool:
-    """Whether a value, read from a file, says of arms by name which models they are."""
-    return (
-        isinstance(value, dict)
-        and len(value) <= _MOST
-        and all(isinstance(name, str) and len(name) <= _LONGEST_NAME for name in value)
-        and all(model in list(PiperModel) for model in value.values())
-    )

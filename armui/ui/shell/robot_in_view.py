@@ -9,11 +9,8 @@ from PySide6.QtCore import QObject
 
 from armui.arm.models import robot_description
 from armui.protocol.piper_model import PiperModel
-from armui.ui.shell.arm_in_view import show_in_view
 
 if TYPE_CHECKING:
-    from PySide6.QtWidgets import QWidget
-
     from armui.control.arm_controller import ArmController
     from armui.control.operating_state import OperatingState
     from armui.viewport.view import ArmView
@@ -40,22 +37,9 @@ class RobotInView(QObject):
         self._view = view
         self._controller = controller
         self._urdf_path = urdf_path
-        self._window: QWidget | None = None
         self._shown = Path(urdf_path) if urdf_path else robot_description(PiperModel.PIPER)
         controller.operating_state_changed.connect(self._on_operating_state_changed)
         self._show(controller.operating_state.model)
-
-    def follow(self, window: QWidget) -> None:
-        """Show where the arm is, too, while a window can be seen."""
-        self._window = window
-        self._controller.state_changed.connect(self.catch_up)
-        self._controller.operating_state_changed.connect(self.catch_up)
-
-    def catch_up(self, _news: object = None) -> None:
-        """Show where the arm is now."""
-        if self._window is not None and self._window.isVisible():
-            now = self._controller
-            show_in_view(self._view, now.state, now.operating_state)
 
     @property
     def path(self) -> Path:
