@@ -9,6 +9,7 @@ import signal
 import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
+from dataclasses import replace
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Final
@@ -20,6 +21,7 @@ from armui.arm.device import DEFAULT_BITRATE, Device, bitrate_is_ours
 from armui.control.arm_controller import ArmController
 from armui.control.part_failure import end_motion_of
 from armui.protocol.generation import Generation
+from armui.protocol.piper_model import PiperModel
 from armui.settings import Choices, Settings, SettingsStore, default_path
 from armui.start import StartOptions
 from armui.system import failures, paths
@@ -27,6 +29,7 @@ from armui.system.failures import Failure, FailureHandler
 from armui.system.helper_process import FileThread, HelperProcess
 from armui.system.log_file import log_to
 from armui.system.quick_start import begun
+from armui.ui.dialogs.kept_models import KeptModels, last_model
 from armui.ui.main_window import MainWindow
 from armui.ui.theme import Theme, apply_theme
 from armui.ui.translation import Translator
@@ -107,6 +110,7 @@ class Program:
         apply_theme(app, Theme(settings.theme))
         self._stop_shortcut = StopShortcut(app, self.controller)
         controller.stop_again_when_undone(settings.stop_again)
+        controller.model_watch.assume(last_model(settings.models))
         controller.session_choices = partial(_session_choices, store)
         self._unsubscribe = store.subscribe(self._on_settings_changed)
         self._relay = _FailureRelay()
@@ -206,7 +210,8 @@ def _run(options: StartOptions) -> int:
     device = chosen_device(options)
     if device is not None:
         # the bus waits for nothing: the picture is loaded in a process of its own
-        program.controller.connect_device(device)
+        model = options.model or KeptModels(store).of(device) or PiperModel.PIPER
+        program.controller.connect_device(replace(device, model=PiperModel(model)))
     if options.replay is not None:
         program.window.open_replay(options.replay)
     keep_from_collector()

@@ -83,6 +83,7 @@ def _run_window(parser: argparse.ArgumentParser, options: argparse.Namespace) ->
             interface=options.interface,
             channel=options.channel,
             bitrate=options.bitrate,
+            model=getattr(options, "model", None),
             replay=getattr(options, "replay", None),
             language=options.lang,
         )
@@ -128,5 +129,10 @@ def _parser() -> argparse.ArgumentParser:
     parser.add_argument("--interface", help="python-can's name of the adapter, e.g. socketcan")
     parser.add_argument("--channel", help="the adapter's channel, e.g. can0")
     parser.add_argument("--bitrate", type=int, help="bit/s, where the program sets it (1000000)")
+    parser.add_argument(
+        "--model",
+        choices=("piper", "piper_h", "piper_l", "piper_x"),
+        help="which arm it is (the one chosen for it the last time)",
+    )
     parser.add_argument("--lang", choices=("zh", "en"), help="language of the windows")
     return parser

@@ -15,47 +15,31 @@ import stat
 from collections.abc import Callable, Mapping
 from dataclasses import asdict, dataclass, field, fields, replace
 from pathlib import Path
-from typing import Any, Final, Literal, TypedDict, Unpack, get_args
+from typing import Any, Final, TypedDict, Unpack
 
 import platformdirs
 
-from armui.arm.json_fields import finite
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
+from armui.setting_checks import (
+    GamepadButtons,
+    GamepadMode,
+    Language,
+    MountingName,
+    PictureDirection,
+    SessionFormat,
+    ThemeName,
+    check,
+    shown,
+)
 from armui.system import paths
 from armui.system.atomic import write_whole
 from armui.system.error_text import error_text
 
-Language = Literal["zh", "en"]
-ThemeName = Literal["light", "dark", "system"]
-PictureDirection = Literal["iso", "front", "side", "top"]
-SessionFormat = Literal[".blf", ".asc", ".log", ".mf4"]
-GamepadMode = Literal["joint", "base", "tool"]
-GamepadButtons = Mapping[str, Mapping[str, str]]
-"""By the name of a device, which button (its name) does what (`armui.gamepad.layout.ACTIONS`)."""
-
 _MOST_BYTES: Final = 1_000_000
 """A thousand times what the settings need: a larger file is something else."""
-_MOST_SHOWN: Final = 60
-"""Characters of a value that is told to be wrong."""
-_LONGEST_PATH: Final = 4096
-_MOST_DEVICES: Final = 200
-_LONGEST_NAME: Final = 200
 _LOCK_S: Final = 0.05
 """So long a change waits for another program that is writing the same file."""
-
-JOG_STEP_MIN_DEG: Final = 0.001
-"""The resolution of an angle on the bus."""
-JOG_STEP_MAX_DEG: Final = 30.0
-
-TRAIL_LONGEST_S: Final = 600
-
-ROTATE_MIN_MB: Final = 1
-ROTATE_MAX_MB: Final = 4000
-"""What every file system takes."""
-
-TOOL_LONGEST_MM: Final = 500.0
-_TOOL_LONGEST: Final = (TOOL_LONGEST_MM,) * 3 + (180.0,) * 3
 
 
 class Choices(TypedDict, total=False):
@@ -66,11 +50,13 @@ class Choices(TypedDict, total=False):
     jog_step_deg: float
     urdf_path: str | None
     tool: tuple[float, ...]
+    mounting: MountingName
     stop_again: bool
     session_folder: str | None
     session_format: SessionFormat
     session_rotate_mb: int
     session_save_at_faults: bool
+    has_jogged: bool
     picture_direction: PictureDirection
     picture_orthographic: bool
     picture_tool_frame: bool
@@ -79,6 +65,7 @@ class Choices(TypedDict, total=False):
     gamepad_mode: GamepadMode
     gamepad_one_axis: bool
     gamepad_buttons: GamepadButtons
+    models: Mapping[str, str]
 
 
 @dataclass(frozen=True, slots=True)
@@ -91,11 +78,15 @@ class Settings:
         jog_step_deg: How far − and + move a joint.
         urdf_path: The robot description in the 3D picture; ``None`` for the built-in one.
         tool: The tool centre point in the flange: X, Y, Z in mm, RX, RY, RZ in degrees.
+        mounting: What the arm was told last of how it is mounted; "": it was told nothing.
         stop_again: An emergency stop that another host undoes is sent again by itself.
         session_folder: Where sessions are recorded; ``None``: in the user's folder for data.
         session_format: The suffix of their files.
         session_rotate_mb: A file that is as large is followed by another.
+        models: Which arm of the family was chosen, by the adapter's serial number, with the node
+            number where that is known; the last choice last.
         session_save_at_faults: The last minutes are saved by themselves at a fault or a stop.
+        has_jogged: The operator has moved an arm before: the first step is not shown any more.
         picture_direction: From where the 3D picture shows the arm to begin with.
         picture_orthographic: It is drawn without perspective.
         picture_tool_frame: It shows the axes of the tool centre point.
@@ -111,11 +102,13 @@ class Settings:
     jog_step_deg: float = 1.0
     urdf_path: str | None = None
     tool: tuple[float, ...] = (0.0,) * 6
+    mounting: MountingName = ""
     stop_again: bool = False
     session_folder: str | None = None
     session_format: SessionFormat = ".blf"
     session_rotate_mb: int = 100
     session_save_at_faults: bool = False
+    has_jogged: bool = False
     picture_direction: PictureDirection = "iso"
     picture_orthographic: bool = False
     picture_tool_frame: bool = True
@@ -124,6 +117,7 @@ class Settings:
     gamepad_mode: GamepadMode = "joint"
     gamepad_one_axis: bool = True
     gamepad_buttons: GamepadButtons = field(default_factory=dict)
+    models: Mapping[str, str] = field(default_factory=dict)
 
 
 Subscriber = Callable[[Settings], None]
@@ -132,100 +126,6 @@ Subscriber = Callable[[Settings], None]
 def default_path() -> Path:
     """Where the operating system keeps settings of a user's programs."""
     return platformdirs.user_config_path("armui", appauthor=False) / "settings.json"
-
-
-def check(name: str, value: object) -> Refusal | None:
-    """Whether a setting may have a value: None, or the reason against it."""
-    if name == "jog_step_deg":
-        return _check_jog_step(value)
-    if name == "tool":
-        return _check_tool(value)
-    allowed = {
-        "language": value in get_args(Language),
-        "theme": value in get_args(ThemeName),
-        "stop_again": isinstance(value, bool),
-        "urdf_path": value is None or _is_path(value),
-        "session_folder": value is None or _is_path(value),
-        "session_format": value in get_args(SessionFormat),
-        "session_rotate_mb": _is_whole(value, ROTATE_MIN_MB, ROTATE_MAX_MB),
-        "session_save_at_faults": isinstance(value, bool),
-        "picture_direction": value in get_args(PictureDirection),
-        "picture_orthographic": isinstance(value, bool),
-        "picture_tool_frame": isinstance(value, bool),
-        "picture_trail_s": _is_whole(value, 0, TRAIL_LONGEST_S),
-        "gamepad": isinstance(value, bool),
-        "gamepad_mode": value in get_args(GamepadMode),
-        "gamepad_one_axis": isinstance(value, bool),
-        "gamepad_buttons": _are_buttons(value),
-    }
-    if allowed.get(name, False):
-        return None
-    return Refusal(RefusalCode.SETTING_BAD, {"field": name, "value": _shown(value)})
-
-
-def _shown(value: object) -> str:
-    """A value for a sentence, whatever it is: cut where it is long."""
-    try:
-        text = str(value)
-    except (ValueError, RecursionError):  # a number of thousands of digits; lists in lists in lists
-        text = f"({type(value).__name__})"
-    return text if len(text) <= _MOST_SHOWN else text[:_MOST_SHOWN] + "…"
-
-
-def _is_path(value: object) -> bool:
-    """Whether a value can be the name of a file, here and in Qt."""
-    if not isinstance(value, str) or not 0 < len(value) <= _LONGEST_PATH or "\0" in value:
-        return False
-    try:
-        value.encode("utf-8")
-    except UnicodeEncodeError:
-        return False
-    return True
-
-
-def _is_whole(value: object, least: int, most: int) -> bool:
-    return isinstance(value, int) and not isinstance(value, bool) and least <= value <= most
-
-
-def _are_buttons(value: object) -> bool:
-    """Names to names to names, none of them longer than any device has."""
-    if not isinstance(value, Mapping) or len(value) > _MOST_DEVICES:
-        return False
-    return all(
-        _is_name(device)
-        and isinstance(buttons, Mapping)
-        and all(_is_name(what) and _is_name(button) for what, button in buttons.items())
-        for device, buttons in value.items()
-    )
-
-
-def _is_name(value: object) -> bool:
-    return isinstance(value, str) and len(value) <= _LONGEST_NAME
-
-
-def _check_jog_step(value: object) -> Refusal | None:
-    figure = finite(value)
-    if figure is None:
-        return Refusal(RefusalCode.JOG_STEP_NOT_A_NUMBER, {"value": _shown(value)})
-    if not JOG_STEP_MIN_DEG <= figure <= JOG_STEP_MAX_DEG:
-        bounds = {"minimum": JOG_STEP_MIN_DEG, "maximum": JOG_STEP_MAX_DEG}
-        return Refusal(RefusalCode.JOG_STEP_OUT_OF_RANGE, {"value": figure, **bounds})
-    return None
-
-
-def _check_tool(value: object) -> Refusal | None:
-    """Six finite figures: three lengths of a tool this arm can carry, three angles."""
-    figures = list(value) if isinstance(value, list | tuple) else []
-    if len(figures) != len(_TOOL_LONGEST):
-        figures = [value] * len(_TOOL_LONGEST)
-    for figure, longest in zip(figures, _TOOL_LONGEST, strict=True):
-        size = finite(figure)
-        if size is None or abs(size) > longest:
-            return Refusal(
-                RefusalCode.TOOL_NOT_POSSIBLE,
-                {"value": _shown(figure), "maximum": round(TOOL_LONGEST_MM)},
-            )
-    return None
 
 
 class SettingsStore:
@@ -373,7 +273,7 @@ def _from_entries(entries: Mapping[str, Any]) -> tuple[Settings, tuple[Refusal, 
         if check(each.name, value) is None:
             good[each.name] = tuple(value) if isinstance(value, list) else value
         else:
-            params = {"field": each.name, "value": _shown(value)}
+            params = {"field": each.name, "value": shown(value)}
             problems.append(Refusal(RefusalCode.SETTING_BAD, params))
     return Settings(**good), tuple(problems)
 

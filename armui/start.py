@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import NamedTuple
 
-from armui.settings import Language
+from armui.setting_checks import Language
 
 
 class StartOptions(NamedTuple):
@@ -14,6 +14,7 @@ class StartOptions(NamedTuple):
     Attributes:
         sim_generation: Connect to the simulated arm that speaks this generation.
         interface, channel, bitrate: Connect to this device.
+        model: Which arm of the family that is; by default the one chosen for it the last time.
         replay: Show this log in the window 回放.
         language: Instead of the one in the settings, for this run.
     """
@@ -22,5 +23,6 @@ class StartOptions(NamedTuple):
     interface: str | None = None
     channel: str | None = None
     bitrate: int | None = None
+    model: str | None = None
     replay: Path | None = None
     language: Language | None = None

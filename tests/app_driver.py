@@ -160,6 +160,14 @@ class AppDriver(ArmRig):
         assert len(found) == 1, f"{kind.__name__}: {found}"
         return found[0]
 
+    def taken_out(self, kind: type[_Page]) -> _Page:
+        """The page of a kind that is seen, in a window of its own by now."""
+        page = self.page(kind)
+        if page.window() is self.window:
+            docked = self.find("drawer").isAncestorOf(page)
+            self.click("drawer_take_out" if docked else "page_take_out")
+        return page
+
     def connect_by_hand(self) -> None:
         """Open 连接机械臂, choose the arm in the list, connect, close the window."""
         self.click("communication_button")

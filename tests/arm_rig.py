@@ -97,19 +97,26 @@ class ArmRig:
         self.broken = None
 
     def lie(
-        self, joints_deg: Sequence[float], model: PiperModel = PiperModel.PIPER, **others: str
+        self,
+        joints_deg: Sequence[float],
+        model: PiperModel = PiperModel.PIPER,
+        version: str | None = None,
     ) -> None:
         """Let an arm that is not connected yet be found at these angles, in degrees.
 
         Args:
             joints_deg: Joint 1 first.
             model: Which arm of the family it is.
-            others: Its ``version``.
+            version: Of its firmware, by default today's.
         """
         assert self.controller.operating_state.link is LinkState.NO_DEVICE
-        self.firmware = Firmware(
-            self.firmware.generation, joints_deg=joints_deg, model=model, **others
-        )
+        generation = self.firmware.generation
+        if version is None:
+            self.firmware = Firmware(generation, joints_deg=joints_deg, model=model)
+        else:
+            self.firmware = Firmware(
+                generation, joints_deg=joints_deg, model=model, version=version
+            )
         self.node = Node(self.firmware, self._arm_bus)
 
     def connect(self, model: PiperModel = PiperModel.PIPER) -> None:

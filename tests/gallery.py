@@ -3,7 +3,8 @@
 Writes a PNG of the main window in every state, of each panel and of each dialog, in both languages
 and both themes, the window in two sizes. The program is the real one, the arm the simulated one.
 Every scene has a program of its own, which has just opened; its clock stands still, so that two
-galleries of the same program are the same pixel by pixel.
+galleries of the same program are the same pixel by pixel. ``--guide`` makes the pictures of the
+user guide of them.
 """
 
 from __future__ import annotations
@@ -12,6 +13,7 @@ import argparse
 import multiprocessing
 import os
 import sys
+import tempfile
 import traceback
 from concurrent.futures import Future, ProcessPoolExecutor, as_completed
 from pathlib import Path
@@ -20,6 +22,7 @@ os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 
 from PySide6.QtGui import QFontDatabase, QGuiApplication
 
+from tests.gallery_scenes import guide
 from tests.gallery_scenes.comparison import differences
 from tests.gallery_scenes.pictures import Looks, chosen, every_scene, prepare, take
 from tests.gallery_scenes.scene import DialogScene, Scene
@@ -72,6 +75,19 @@ def _compare(old: Path, new: Path) -> bool:
     return not found
 
 
+def _make_guide(processes: int) -> int:
+    """Take the scenes that the user guide shows, and put them into its folder."""
+    _warn_about_fonts()
+    with tempfile.TemporaryDirectory() as name:
+        folder = Path(name)
+        failed = _take_all(chosen(guide.scenes()), folder, guide.LOOKS, processes)
+        if failed:
+            return 1
+        for path in guide.convert(folder):
+            print(f"{path.name}: {path.stat().st_size} bytes")
+    return 0
+
+
 def _warn_about_fonts() -> None:
     app = QGuiApplication(sys.argv[:1])
     if not QFontDatabase.families(QFontDatabase.WritingSystem.SimplifiedChinese):
@@ -98,6 +114,9 @@ def _parser() -> argparse.ArgumentParser:
         help="then name the pictures in DIR that differ from those of another gallery",
     )
     parser.add_argument(
+        "--guide", action="store_true", help="make the pictures of the user guide anew, and end"
+    )
+    parser.add_argument(
         "--processes", type=int, default=os.cpu_count() or 1, help="default: one a processor"
     )
     return parser
@@ -115,6 +134,8 @@ def main() -> int:
         for scene in every_scene():
             print(f"{_kind(scene)} {scene.name}")
         return 0
+    if asked.guide:
+        return _make_guide(asked.processes)
     if asked.folder is None:
         parser.error("name a folder for the pictures, or ask for --list")
     try:

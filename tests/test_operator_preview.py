@@ -92,13 +92,16 @@ def test_another_point_takes_the_preview_away(at):
     at.check()
     at.editor.table.select_row(0)
     QTest.keyClick(at.editor.table, Qt.Key.Key_Delete)
-    assert at.shown == NOTHING
+    assert len(at.shown.path.places_mm) == 0
+    assert at.shown.path.rows == (0,)  # the points stay, without a way between them
     assert not at.app_driver.find("preview_bar").isVisible()
 
 
 def test_the_operator_closes_the_preview(at):
     at.check()
     at.app_driver.click("preview_close")
+    assert len(at.shown.path.places_mm) == 0
+    at.editor.leave()
     assert at.shown == NOTHING
 
 

@@ -1,4 +1,4 @@
-"""What is found in a recording while it is shown: its events, and half an hour of curves."""
+"""What is found in a recording while it is shown: its events, half an hour of curves."""
 
 from __future__ import annotations
 

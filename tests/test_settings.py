@@ -9,7 +9,8 @@ from typing import Any
 import pytest
 
 from armui.arm.refusal_codes import RefusalCode
-from armui.settings import Settings, SettingsStore, check, default_path
+from armui.setting_checks import check
+from armui.settings import Settings, SettingsStore, default_path
 
 
 @pytest.fixture
@@ -41,11 +42,13 @@ def test_a_change_is_there_in_the_next_run(path: Path) -> None:
         "jog_step_deg": 0.25,
         "urdf_path": None,
         "tool": [0.0] * 6,
+        "mounting": "",
         "stop_again": False,
         "session_folder": None,
         "session_format": ".blf",
         "session_rotate_mb": 100,
         "session_save_at_faults": False,
+        "has_jogged": False,
         "picture_direction": "iso",
         "picture_orthographic": False,
         "picture_tool_frame": True,
@@ -54,6 +57,7 @@ def test_a_change_is_there_in_the_next_run(path: Path) -> None:
         "gamepad_mode": "joint",
         "gamepad_one_axis": True,
         "gamepad_buttons": {},
+        "models": {},
     }
 
 

@@ -18,6 +18,7 @@ from armui.arm.limits import JOINTS
 from armui.arm.parameters import KINDS, Group, Parameter
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
+from armui.protocol.piper_model import PiperModel
 
 FORMAT: Final = "armui-parameters"
 VERSION: Final = 1
@@ -40,6 +41,7 @@ class Backup:
         firmware: Its version text; ``None``: it told none (generation 1).
         device: How the arm was connected, as the operator read it.
         values: In the operator's units.
+        model: Which arm of the family it was connected as; ``None``: the file is older than that.
     """
 
     saved_at: datetime
@@ -48,6 +50,7 @@ class Backup:
     firmware: str | None
     device: str
     values: Mapping[Parameter, float]
+    model: PiperModel | None = None
 
 
 def to_text(backup: Backup) -> str:
@@ -61,6 +64,7 @@ def to_text(backup: Backup) -> str:
             "generation": backup.generation,
             "firmware": backup.firmware,
             "device": backup.device,
+            **({} if backup.model is None else {"model": backup.model.value}),
         },
     }
     rows = [
@@ -112,8 +116,16 @@ def _backup(entries: Fields) -> Backup:
         generation=arm.whole("generation", allowed=_GENERATIONS),
         firmware=arm.maybe_text("firmware"),
         device=arm.text("device"),
+        model=_model(arm),
         values=_values(entries, rows),
     )
+
+
+def _model(arm: Fields) -> PiperModel | None:
+    model = arm.maybe_text("model")
+    if model is not None and model not in list(PiperModel):
+        raise arm.bad("model", PiperModel.PIPER)
+    return None if model is None else PiperModel(model)
 
 
 def _values(entries: Fields, rows: Sequence[Fields]) -> Mapping[Parameter, float]:

@@ -23,8 +23,8 @@ class GripperState:
     """What 0x2A8 says.
 
     Attributes:
-        opening_mm: Generation 2; ``None`` in generation 1.
-        angle_deg: Generation 1; ``None`` in generation 2.
+        opening_mm: Generation 2; ``None`` in generation 1, and while it tells an angle.
+        angle_deg: Generation 1, and generation 2 once it was told an angle (from S-V1.8-8).
         enabled: Whether its motor holds.
         torque_nm: Generation 2; ``None`` in generation 1.
         speed_rad_s: Generation 1; ``None`` in generation 2.
@@ -42,8 +42,13 @@ class GripperState:
 
     @property
     def travel(self) -> float:
-        """How far it is open: mm in generation 2, degrees in generation 1."""
+        """How far it is open, in the unit that `unit` says."""
         return (self.angle_deg if self.opening_mm is None else self.opening_mm) or 0.0
+
+    @property
+    def unit(self) -> str:
+        """Of `travel`: mm or degrees."""
+        return "°" if self.opening_mm is None else "mm"
 
 
 def gripper_of(signals: Mapping[str, float]) -> GripperState:

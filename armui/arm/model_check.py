@@ -37,7 +37,7 @@ class ModelFit:
     @property
     def confirmed(self) -> bool:
         """Whether the chosen model fits, and no other."""
-        return self.fitting == {self.chosen}
+        return self.fitting == frozenset({self.chosen})
 
     @property
     def other(self) -> PiperModel | None:

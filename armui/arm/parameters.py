@@ -2,7 +2,7 @@
 
 One catalogue for the panels, the backup file and the frames. Values are in the operator's units
 whatever the generation puts on the wire (manual sections 1.0.7.4–1.0.7.6; 0x473, 0x47C, 0x478,
-0x47B, 0x47E).
+0x47B, 0x47E, 0x488).
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from typing import Any, Final, NamedTuple
 from armui.arm.limits import JOINTS, plausible
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
-from armui.arm.state import ArmState, Reading
+from armui.arm.state import ArmState, Reading, Six
 
 
 class Group(enum.Enum):
@@ -32,10 +32,14 @@ class Group(enum.Enum):
     """0x47A, asked by 0x477, answered by 0x47B."""
     TEACHING = "teaching"
     """0x47D, asked by 0x477, answered by 0x47E; generation 2."""
+    DRAG_ASSISTANCE = "drag_assistance"
+    """0x487, asked by 0x477, answered by 0x488; generation 2, from S-V1.8-1."""
 
 
 OF_ONE_JOINT: Final = frozenset({Group.JOINT_LIMITS, Group.JOINT_ACCELERATION})
 """Groups of which each joint has its own."""
+_SIX_IN_ONE: Final = frozenset({Group.COLLISION, Group.DRAG_ASSISTANCE})
+"""Groups whose one frame has a value for each joint."""
 
 
 class Parameter(NamedTuple):
@@ -70,7 +74,7 @@ class Batch(NamedTuple):
     def parameters(self) -> tuple[Parameter, ...]:
         """All of them, in the order of the frame."""
         names = [name for name, kind in KINDS.items() if kind.group is self.group]
-        if self.group is Group.COLLISION:
+        if self.group in _SIX_IN_ONE:
             return tuple(Parameter(names[0], joint) for joint in JOINTS)
         return tuple(Parameter(name, self.joint) for name in names)
 
@@ -141,8 +145,7 @@ def _field(heard: Reading[Any] | None, field: str) -> Reading[float] | None:
     return None if heard is None else Reading(float(getattr(heard.value, field)), heard.at_s)
 
 
-def _collision_level(state: ArmState, joint: int) -> Reading[float] | None:
-    heard = state.collision_levels
+def _of_joint(heard: Reading[Six[int]] | None, joint: int) -> Reading[float] | None:
     return None if heard is None else Reading(float(heard.value[joint - 1]), heard.at_s)
 
 
@@ -215,8 +218,19 @@ KINDS: Final[Mapping[str, ParameterKind]] = {
         0,
         8,
         0,
-        _collision_level,
+        lambda state, joint: _of_joint(state.collision_levels, joint),
         corrupt_from=9,
+    ),
+    "drag_assistance": ParameterKind(
+        Group.DRAG_ASSISTANCE,
+        "DragAssistanceSetting",
+        "J{joint}",
+        "",
+        0,
+        10,
+        0,
+        lambda state, joint: _of_joint(state.drag_assistance, joint),
+        corrupt_from=11,
     ),
     "teaching_range_percent": _teaching("range_percent", "TeachingRange", "%", (100, 200)),
     "stroke_limit_mm": _teaching("stroke_limit_mm", "StrokeLimit", "mm", (0, 100), 0, 70, 100),
@@ -225,14 +239,21 @@ KINDS: Final[Mapping[str, ParameterKind]] = {
 """Every parameter by name; those of one group in the order of its frame."""
 
 
-def all_batches(*, teaching: bool) -> Iterator[Batch]:
-    """Everything an arm can be asked for; the teaching handle's in generation 2 only."""
+def all_batches(*, teaching: bool, drag_assistance: bool = False) -> Iterator[Batch]:
+    """Everything an arm can be asked for.
+
+    Args:
+        teaching: Also what the teaching handle keeps: generation 2.
+        drag_assistance: Also how much the joints help the hand: firmware from S-V1.8-1.
+    """
     for group in (Group.JOINT_LIMITS, Group.JOINT_ACCELERATION):
         yield from (Batch(group, joint) for joint in JOINTS)
     yield Batch(Group.END_LIMITS)
     yield Batch(Group.COLLISION)
     if teaching:
         yield Batch(Group.TEACHING)
+    if drag_assistance:
+        yield Batch(Group.DRAG_ASSISTANCE)
 
 
 def heard(state: ArmState, parameter: Parameter) -> Reading[float] | None:

@@ -68,6 +68,7 @@ class RefusalCode(StrEnum):
     FILE_UNREADABLE = "file_unreadable"
     FILE_VERSION = "file_version"
     FINDINGS_AGAINST = "findings_against"  # count
+    FIRMWARE_UNKNOWN = "firmware_unknown"  # since
     FRAME_DATA_BAD = "frame_data_bad"  # value
     FRAME_DATA_LONG = "frame_data_long"  # count
     FRAME_ID_BAD = "frame_id_bad"  # value
@@ -127,11 +128,13 @@ class RefusalCode(StrEnum):
     MESH_MISSING = "mesh_missing"
     MESH_UNREADABLE = "mesh_unreadable"
     MODEL_DIFFERS = "model_differs"
+    MODE_UNKNOWN = "mode_unknown"
     MODEL_OTHER = "model_other"
     MOVED_SINCE_CHECK = "moved_since_check"  # value
     NAME_EMPTY = "name_empty"
     NAME_TAKEN = "name_taken"
     NAME_TOO_LONG = "name_too_long"
+    NEEDS_FIRMWARE = "needs_firmware"  # firmware, since
     NO_ROWS_CHOSEN = "no_rows_chosen"
     NOBODY_ELSE = "nobody_else"
     NOT_CONNECTED = "not_connected"

@@ -124,7 +124,7 @@ class Authority:
             return Mover.GRAVITY if no_power else Mover.UNKNOWN
         if taught(seen.state):
             return Mover.HAND
-        if self.other.commands:
+        if self.other.drives:
             return Mover.LEADER if self.other.is_leader else Mover.OTHER_HOST
         if self.under_way or self.holds:
             return Mover.OURS

@@ -26,6 +26,7 @@ if TYPE_CHECKING:
     from armui.control.devices.lights import Lights
     from armui.control.devices.linkage import LinkageControl
     from armui.control.devices.motors import Motors
+    from armui.control.devices.mounting import MountingControl
     from armui.control.devices.teaching import TeachingControl
     from armui.control.devices.zeroing import Zeroing
     from armui.control.event_log.collector import EventCollector
@@ -167,6 +168,7 @@ class ControllerParts(QObject):
     @cached_property
     def recovery(self) -> Recovery:
         """The next step towards an arm that may be moved."""
+        from armui.control.safety.mode_exit import ModeExitCommand
         from armui.control.safety.recovery import Recovery
 
         return Recovery(
@@ -178,6 +180,7 @@ class ControllerParts(QObject):
             withdraw_stop=self.withdraw_stop,
             planned_motion=self.planned_motion,
             take_over=self.take_over,
+            mode_exit=ModeExitCommand(self._context, lambda: self.motion.speed_percent),
             announce=self.step_changed.emit,
         )
 
@@ -187,6 +190,13 @@ class ControllerParts(QObject):
         from armui.control.devices.end_reports import EndReports
 
         return EndReports(self._context, self.orders)
+
+    @cached_property
+    def mounting(self) -> MountingControl:
+        """Tells the arm how it is mounted."""
+        from armui.control.devices.mounting import MountingControl
+
+        return MountingControl(self._context, lambda: self.motion.speed_percent)
 
     @cached_property
     def linkage(self) -> LinkageControl:

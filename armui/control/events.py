@@ -41,6 +41,7 @@ class EventCode(StrEnum):
     LEADER_ARM_MOVES = "leader_arm_moves"  # frames
     OTHER_HOST_GONE = "other_host_gone"  # frames
     TAKEN_OVER = "taken_over"
+    MODE_LEFT = "mode_left"
     CANCEL_UNHEEDED = "cancel_unheeded"
     MOTION_UNHEEDED = "motion_unheeded"
     MOTION_TOO_FAST = "motion_too_fast"  # reason
@@ -76,6 +77,7 @@ class EventCode(StrEnum):
     CLEAR_ERROR_SENT = "clear_error_sent"  # joint
     CLEAR_ERROR_ANSWERED = "clear_error_answered"  # joint
     CLEAR_ERROR_UNANSWERED = "clear_error_unanswered"  # joint
+    MOUNTING_SENT = "mounting_sent"  # mounting
     LOAD_SENT = "load_sent"  # load
     LOAD_ANSWERED = "load_answered"  # load
     LOAD_FAILED = "load_failed"  # reason
@@ -178,6 +180,7 @@ LEVELS: Final[Mapping[EventCode, Level]] = {
     EventCode.LEADER_ARM_MOVES: Level.WARNING,
     EventCode.OTHER_HOST_GONE: Level.INFO,
     EventCode.TAKEN_OVER: Level.DONE,
+    EventCode.MODE_LEFT: Level.DONE,
     EventCode.CANCEL_UNHEEDED: Level.FAULT,
     EventCode.MOTION_UNHEEDED: Level.FAULT,
     EventCode.MOTION_TOO_FAST: Level.FAULT,
@@ -213,6 +216,7 @@ LEVELS: Final[Mapping[EventCode, Level]] = {
     EventCode.CLEAR_ERROR_SENT: Level.INFO,
     EventCode.CLEAR_ERROR_ANSWERED: Level.DONE,
     EventCode.CLEAR_ERROR_UNANSWERED: Level.FAULT,
+    EventCode.MOUNTING_SENT: Level.INFO,
     EventCode.LOAD_SENT: Level.INFO,
     EventCode.LOAD_ANSWERED: Level.DONE,
     EventCode.LOAD_FAILED: Level.FAULT,

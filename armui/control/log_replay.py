@@ -13,6 +13,7 @@ from armui.bus.playback.log_clock import LogClock
 from armui.bus.playback.log_player import FILLED_S
 from armui.bus.playback.log_worker import FASTEST, SLOWEST, LogWorker
 from armui.control.arm_controller import ArmController
+from armui.protocol.piper_model import PiperModel
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -65,7 +66,15 @@ class LogReplay(QObject):
         self.session = session
         self.clock = LogClock(session.start_s)
         self.channel = channel
-        self._device = Device("replay", name, None, name, listen_only=True, recorded=arm)
+        self._device = Device(
+            "replay",
+            name,
+            None,
+            name,
+            listen_only=True,
+            recorded=arm,
+            model=arm.model or PiperModel.PIPER,
+        )
         self._worker: LogWorker | None = None
         self._forgotten: weakref.finalize[..., LogReplay] | None = None
         self._going_to: float | None = None

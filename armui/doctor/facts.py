@@ -181,6 +181,7 @@ class ArmFacts:
         generation: Of its protocol.
         reason: What speaks for it, for people.
         firmware: Its version, None if it was not heard.
+        identity: Hardware, node type and date of the firmware, as far as they were heard.
         feedback_offset: Of its identifiers (0x470).
         frames_per_s: Of this arm and everybody else.
         status_code: 0x2A1 byte 1, None if 0x2A1 was not heard.
@@ -194,11 +195,14 @@ class ArmFacts:
         lowest_voltage: Of the drivers, V.
         teaching: Range, stroke limit and friction of 0x47E; 255 is known to silence the feedback.
         limits: What was read of the joints' limits.
+        models: The names of the models that fit its angles and its pose; None: not compared.
+        chosen_model: What the operator says it is, None where nobody was asked.
     """
 
     generation: int
     reason: str
     firmware: str | None = None
+    identity: tuple[str, ...] = ()
     feedback_offset: int = 0
     frames_per_s: float = 0.0
     status_code: int | None = None
@@ -213,6 +217,8 @@ class ArmFacts:
     lowest_voltage: float | None = None
     teaching: tuple[float, float, float] | None = None
     limits: tuple[LimitFacts, ...] = ()
+    models: tuple[str, ...] | None = None
+    chosen_model: str | None = None
 
 
 @dataclass(frozen=True, slots=True)

@@ -6,6 +6,8 @@ from collections import Counter
 from collections.abc import Sequence
 from typing import Final, NamedTuple
 
+from armui.arm.model_check import fitting_models
+from armui.arm.models import all_models
 from armui.arm.other_hosts import MOTION_IDS, OtherHosts, OtherTraffic
 from armui.arm.state import ArmState, DriverSlow
 from armui.arm.tracker import Tracker
@@ -116,6 +118,7 @@ def arm_facts(
         generation=int(codec.generation),
         reason=reason,
         firmware=firmware,
+        identity=_identity(state),
         feedback_offset=codec.addressing.feedback_offset,
         frames_per_s=frames_per_s,
         status_code=None if status is None else status.arm_status,
@@ -130,6 +133,7 @@ def arm_facts(
         beyond_limit=_numbers(() if status is None else status.limit_exceeded),
         driver_faults=tuple((joint, word) for joint, each in slow for word in _faults(each)),
         lowest_voltage=min((each.voltage_v for _joint, each in slow), default=None),
+        models=_models(state, firmware),
         teaching=(
             None
             if teaching is None
@@ -151,6 +155,13 @@ def arm_facts(
     )
 
 
+def _identity(state: ArmState) -> tuple[str, ...]:
+    told = state.identity
+    if told is None:
+        return ()
+    return tuple(each for each in (told.hardware, told.node_type, told.iso_date) if each)
+
+
 def _arm(frames: Sequence[TimedFrame], offset: int, seconds: float) -> ArmFacts:
     detector = GenerationDetector()
     for at_s, frame in frames:
@@ -170,6 +181,15 @@ def _arm(frames: Sequence[TimedFrame], offset: int, seconds: float) -> ArmFacts:
         frames_per_s=len(frames) / seconds if seconds > 0 else 0.0,
         firmware=state.firmware if verdict.generation is Generation.TWO else None,
     )
+
+
+def _models(state: ArmState, firmware: str | None) -> tuple[str, ...] | None:
+    """Which models of the family fit its angles and its pose."""
+    joints_deg, pose = state.angles_deg(), state.end_pose()
+    if joints_deg is None or pose is None:
+        return None
+    fitting = fitting_models(joints_deg, pose, firmware)
+    return tuple(data.name for model, data in all_models().items() if model in fitting)
 
 
 def _without_offset(frame: Frame, offset: int) -> Frame:

@@ -6,6 +6,12 @@ from typing import Final
 
 from armui.doctor.facts import ArmFacts, HeardFacts, LimitFacts
 from armui.doctor.finding import Diagnosis, DiagnosisLevel, Section
+from armui.protocol.firmware_version import (
+    RECOMMENDED,
+    FirmwareBug,
+    FirmwareVersion,
+    quirks_of,
+)
 
 _NORMAL: Final = 0
 _EMERGENCY_STOP: Final = 1
@@ -15,9 +21,6 @@ _FASTEST_DEG_S2: Final = 20_000.0
 _TILT_DEG: Final = 89.0
 _LOW_V: Final = 21.0
 """The supply has 24 V."""
-_RECOMMENDED: Final = (1, 8, 9)
-"""The maker recommends S-V1.8-9 or later."""
-_LOSES_REFERENCE: Final = (1, 8, 6)
 _SILENT_BY_TEACHING_LEVEL: Final = 255
 _UDEV_RULE: Final = (
     'echo \'SUBSYSTEM=="usb", ATTRS{idVendor}=="1d50", MODE="0666"\''
@@ -114,8 +117,10 @@ def judge_arm(arm: ArmFacts, heard: HeardFacts) -> list[Diagnosis]:
         "rate": f"{arm.frames_per_s:.0f}",
         "offset": f"0x{arm.feedback_offset:02X}",
         "firmware": arm.firmware or "",
+        "identity": f" ({', '.join(arm.identity)})" if arm.identity else "",
     }
     findings = [_finding("arm", DiagnosisLevel.OK, params), *_firmware(arm, heard, params)]
+    findings += _model(arm, params)
     if arm.feedback_offset:
         findings.append(_finding("offset", DiagnosisLevel.NOTE, params))
     if arm.teaching_input:
@@ -139,13 +144,24 @@ def _firmware(arm: ArmFacts, heard: HeardFacts, params: dict[str, str]) -> list[
         if arm.generation == 1:
             return []
         return [_finding("firmware_unknown", DiagnosisLevel.NOTE, params, _ask(heard))]
-    version = _version(arm.firmware)
+    version = FirmwareVersion.parse(arm.firmware)
     findings = [_finding("firmware", DiagnosisLevel.OK, params)]
-    if version is not None and version < _RECOMMENDED:
+    if version is not None and version < RECOMMENDED:
         findings.append(_finding("firmware_old", DiagnosisLevel.NOTE, params))
-    if version == _LOSES_REFERENCE:
+    if version is not None and FirmwareBug.FEEDBACK_PARTS in quirks_of(version).bugs:
         findings.append(_finding("reference_lost", DiagnosisLevel.NOTE, params))
     return findings
+
+
+def _model(arm: ArmFacts, params: dict[str, str]) -> list[Diagnosis]:
+    """Which arm of the family it is, by its own pose; a moving arm's fits none."""
+    if not arm.models:
+        return []
+    names = {**params, "fits": ", ".join(arm.models)}
+    if arm.chosen_model is not None and arm.chosen_model not in arm.models:
+        names["chosen"] = arm.chosen_model
+        return [_finding("model_other", DiagnosisLevel.WARNING, names)]
+    return [_finding("model", DiagnosisLevel.OK, names)]
 
 
 def _status(arm: ArmFacts, params: dict[str, str]) -> list[Diagnosis]:
@@ -227,15 +243,6 @@ def _is_damaged(limits: LimitFacts) -> bool:
         or (speed is not None and not 0 < speed < _FASTEST_DEG_S)
         or (acceleration is not None and not 0 < acceleration < _FASTEST_DEG_S2)
     )
-
-
-def _version(text: str) -> tuple[int, int, int] | None:
-    try:
-        major, rest = text.removeprefix("S-V").split(".")
-        minor, patch = rest.split("-")
-        return int(major), int(minor), int(patch)
-    except ValueError:
-        return None
 
 
 def _end_teaching_input(heard: HeardFacts) -> tuple[str, ...]:

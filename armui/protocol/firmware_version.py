@@ -192,6 +192,18 @@ _BUGS: Final = {
 }
 
 
+def first_with(field: str) -> FirmwareVersion:
+    """The first version in which a field of `FirmwareQuirks` that begins with ``has_`` holds.
+
+    Raises:
+        KeyError: No version changed it.
+    """
+    for change in _CHANGES:
+        if change.fields.get(field) is True:
+            return change.since
+    raise KeyError(field)
+
+
 @cache
 def quirks_of(version: FirmwareVersion, model: PiperModel = PiperModel.PIPER) -> FirmwareQuirks:
     """What an arm with this firmware does.

@@ -13,8 +13,10 @@ from armui.protocol.codec import Codec
 from armui.protocol.detect import GenerationDetector
 from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
+from armui.protocol.piper_model import PiperModel
 from armui.protocol.version import VERSION_ID, AnswerCollector, is_question
 from armui.session.frames import NOT_OF_THE_ARM
+from armui.session.log_model import model_of_log
 from armui.session.session import HasDataRows
 
 if TYPE_CHECKING:
@@ -44,6 +46,7 @@ class ChannelSurvey:
         feedback_offset: Added to the identifiers of its feedback (0x470).
         firmware: The version it names anywhere in the log, as ``S-V1.8-5``; "" where none was
             found.
+        model: Which arm of the family it is; ``None``: nothing tells.
     """
 
     channel: Channel
@@ -53,6 +56,7 @@ class ChannelSurvey:
     is_certain: bool
     feedback_offset: int
     firmware: str = ""
+    model: PiperModel | None = None
 
 
 def survey(session: Session) -> tuple[ChannelSurvey, ...]:
@@ -80,14 +84,16 @@ def _channel(session: Session, last: FrameBatch, channel: Channel) -> ChannelSur
     newest_s = max((float(last.times_s[row]) for row in known), default=session.start_s)
     _look_at(session, channel, newest_s, detector)
     verdict = detector.verdict()
+    offset = _offset(last, rows.tolist())
     return ChannelSurvey(
         channel=channel,
         arm_ids=len({int(last.ids[row]) for row in known}),
         generation=verdict.generation,
         reason=verdict.reason,
         is_certain=detector.has_evidence,
-        feedback_offset=_offset(last, rows.tolist()),
         firmware=_firmware(session, channel),
+        feedback_offset=offset,
+        model=model_of_log(session, channel, verdict.generation, offset) if known else None,
     )
 
 

@@ -31,6 +31,7 @@ from armui.protocol.firmware_version import RECOMMENDED, FirmwareBug
 from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
 from armui.protocol.piper_model import PiperModel
+from armui.sim.arm_role import ArmRole
 from armui.sim.arm_type import ArmType
 from armui.sim.condition import Condition
 from armui.sim.faults.bugs import FirmwareBugs
@@ -38,7 +39,6 @@ from armui.sim.faults.protection import Protection
 from armui.sim.feedback.feedback import Feedback
 from armui.sim.feedback.linkage import CONTROL
 from armui.sim.feedback.schedule import FeedbackSchedule
-from armui.sim.linkage_control import LinkageControl
 from armui.sim.mechanics.drivers import Drivers
 from armui.sim.mechanics.gravity import Weight
 from armui.sim.mechanics.gripper import SimulatedGripper
@@ -151,7 +151,7 @@ class Firmware(Readings):
             flash=self.flash,
             forget=self._moves.forget,
         )
-        self._linkage = LinkageControl(self, forget=self._moves.forget, speak=self._speak)
+        self._linkage = ArmRole(self, forget=self._moves.forget, speak=self._speak)
         self._motion_commands = MotionCommandHandler(self, self._moves, self._enter)
         self._linkage.take_effect()
         self.bugs = FirmwareBugs(bugs, self, self._linkage.set)

@@ -3,34 +3,37 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Final
 
-from PySide6.QtCore import QSize, Qt
+from PySide6.QtCore import QRect, QSize
 from PySide6.QtGui import QCloseEvent, QContextMenuEvent, QShowEvent
 from PySide6.QtWidgets import QHBoxLayout, QVBoxLayout, QWidget
 
 from armui.arm.state import ArmState
 from armui.control.devices.joint_monitor import JointMonitor
-from armui.control.motion.motion_command import Mover
 from armui.control.operating_state import OperatingState, StopState
 from armui.ui.actions.window_actions import WindowActions
 from armui.ui.background import Background
-from armui.ui.dialogs.confirm import confirm
 from armui.ui.gamepad.gamepad_strip import GamepadStrip
 from armui.ui.panels.jogging.motion_panel import MotionPanel
 from armui.ui.picture.picture_work import PictureWork
 from armui.ui.shell.arm_in_view import show_in_view
+from armui.ui.shell.closing import close_unless_moving
 from armui.ui.shell.diagnosis_dialogs import DiagnosisDialogs
+from armui.ui.shell.drawer import Drawer
 from armui.ui.shell.failure_line import FailureLine
 from armui.ui.shell.joint_status_button import JointStatusButton
 from armui.ui.shell.layout_keeper import LayoutKeeper
-from armui.ui.shell.leaving import end_motion_then, end_single_motion_then
+from armui.ui.shell.leaving import end_motion_then
 from armui.ui.shell.library_button import LibraryButton
+from armui.ui.shell.model_mark import ModelMark
 from armui.ui.shell.operation_area import OperationArea
 from armui.ui.shell.page_area import PageArea
 from armui.ui.shell.panel_menu import menu_entries
 from armui.ui.shell.recovery_line import RecoveryLine
+from armui.ui.shell.robot_in_view import RobotInView
 from armui.ui.shell.run_place import RunPlace
 from armui.ui.shell.side_menu import SideMenu
 from armui.ui.shell.status_bar import StatusBar
@@ -42,6 +45,7 @@ from armui.ui.shell.watch_menu import WatchMenu
 from armui.ui.shell.watch_windows import WatchWindows
 from armui.ui.shell.window_layout import WindowLayout
 from armui.ui.shell.work_area import WorkArea
+from armui.ui.shell.work_column import WorkColumn
 from armui.ui.shell.workspace import Workspace
 from armui.ui.theme import DARK, colors_of
 from armui.ui.trajectory.preview.path_preview import PathPreview
@@ -60,6 +64,7 @@ if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
     from armui.settings import Settings, SettingsStore
     from armui.system.failures import Failure
+    from armui.ui.widgets.page import Page
     from armui.viewport.view import ArmView
 
 _FIRST_SIZE: Final = QSize(1440, 900)
@@ -95,17 +100,21 @@ class MainWindow(Translated, KeepsFocus, QWidget):
         self._dialogs: dict[str, QDialog] = {}
         self._may_close = False
         self._entries = menu_entries(controller, preferences, self.open_backup_dialog)
+        self._robot = RobotInView(view, controller, self._settings.urdf_path, self)
         self._joint_monitor = JointMonitor(controller, parent=self)
         self._diagnosis = DiagnosisDialogs(controller, files or workers, self)
-        background = Background(workers, files, self)
+        background = self._background = Background(workers, files, self)
+        self._keeper = LayoutKeeper(preferences.path, background, self)
+        self._workspace = Workspace(controller, self._keeper, self)
         self._watch = WatchWindows(
             controller,
             preferences.path,
             background,
             self,
-            self._open,
+            open_window=self._open,
+            open_page=self._open_in_drawer,
             store=preferences,
-            robot=self._robot_path,
+            robot=lambda: self._settings.urdf_path,
         )
         self._joint_status_button = JointStatusButton(self._joint_monitor)
         self._preview_bar = PreviewBar()
@@ -114,10 +123,10 @@ class MainWindow(Translated, KeepsFocus, QWidget):
             controller, view, preferences, background, preview=self._preview, window=self
         )
         self._view_region = ViewRegion(view, self._preview_bar, self._picture)
-        self._keeper = LayoutKeeper(preferences.path, background, self)
-        self._workspace = Workspace(controller, self._keeper, self)
         self._pages = PageArea()
-        self._pages.take_out_wanted.connect(self._workspace.take_out)
+        self._drawer = Drawer(self._watch.pages())
+        for home in (self._pages, self._drawer):
+            home.take_out_wanted.connect(self._workspace.take_out)
         self._trajectory_pages = TrajectoryPages(
             controller,
             self._workspace,
@@ -127,16 +136,17 @@ class MainWindow(Translated, KeepsFocus, QWidget):
             files=files,
             folder=trajectories,
             preview=self._preview,
-            view=view,
+            picture=self._picture,
             parent=self,
         )
         self._status_bar = StatusBar(controller)
         self._watch.show_marks_in(self._status_bar)
         self._actions = WindowActions(self, controller, preferences, background)
-        self._status_bar.add_mark(self._actions.offer(self._diagnosis, self._watch))
+        self._status_bar.add_mark(ModelMark(controller, self.open_connect_dialog))
+        self._status_bar.add_mark(self._actions.offer(self._diagnosis, self._watch, self._picture))
         self._lay_out()
         self._connect()
-        WindowLayout(self._keeper, self, self._work_area, _FIRST_SIZE)
+        WindowLayout(self._keeper, self, self._work_column, _FIRST_SIZE)
         self.retranslate_ui()
         self._recolor()
 
@@ -152,6 +162,7 @@ class MainWindow(Translated, KeepsFocus, QWidget):
         self._menu = SideMenu(self._entries, below)
         self._panels = OperationArea(self._entries)
         self._work_area = WorkArea(self._panels, self._pages, self._view_region)
+        self._work_column = WorkColumn(self._work_area, RunPlace(self._controller), self._drawer)
 
         middle = QHBoxLayout()
         middle.setSpacing(0)
@@ -160,8 +171,7 @@ class MainWindow(Translated, KeepsFocus, QWidget):
         work.setSpacing(0)
         work.addWidget(RecoveryLine(self._controller, self.open_connect_dialog))
         work.addWidget(GamepadStrip(self._controller, self._preferences))
-        work.addWidget(self._work_area, 1)
-        work.addWidget(RunPlace(self._controller))
+        work.addWidget(self._work_column, 1)
         middle.addLayout(work, 1)
 
         whole = QVBoxLayout(self)
@@ -183,6 +193,7 @@ class MainWindow(Translated, KeepsFocus, QWidget):
         self._view_region.help_wanted.connect(self.open_help_dialog)
         self._view_region.reset_wanted.connect(self._view.reset_view)
         self._view_region.settings_wanted.connect(self.open_settings_dialog)
+        self._picture.follow_panels(self._panels.currentWidget)
         self._view.joint_picked.connect(self._panels.focus_joint)
         self._view.load_failed.connect(self._status_bar.show_problem)
         self._status_bar.event_wanted.connect(self._watch.show_events)
@@ -240,18 +251,19 @@ class MainWindow(Translated, KeepsFocus, QWidget):
                 if isinstance(panel, MotionPanel):
                     panel.set_jog_step(settings.jog_step_deg)
         if old.urdf_path != settings.urdf_path:
-            self._view.set_robot(self._robot_path())
-
-    def _robot_path(self) -> Path | None:
-        return Path(self._settings.urdf_path) if self._settings.urdf_path else None
+            self._robot.choose(settings.urdf_path)
 
     def open_connect_dialog(self) -> None:
         """Show the window 连接机械臂 (manual 1.0.1)."""
 
         def make() -> QDialog:
             from armui.ui.dialogs.connect import ConnectDialog  # noqa: PLC0415 - faster start
+            from armui.ui.dialogs.kept_models import KeptModels  # noqa: PLC0415 - as above
 
-            dialog = ConnectDialog(self._controller, self, before_leaving=self._leave_arm_then)
+            kept = KeptModels(self._preferences)
+            dialog = ConnectDialog(
+                self._controller, self, self._leave_arm_then, kept, self._background
+            )
             dialog.diagnosis_wanted.connect(self._diagnosis.open_doctor)
             return dialog
 
@@ -324,12 +336,19 @@ class MainWindow(Translated, KeepsFocus, QWidget):
         """Say what stood in the program's way, in the status bar."""
         self._status_bar.show_problem(reason)
 
+    def _open_in_drawer(self, key: str, make: Callable[[], Page]) -> Page:
+        return self._workspace.open_kept(key, make, self._drawer)
+
     def _open(self, name: str, make: Callable[[], QDialog]) -> QDialog:
         """Show a dialog, made at the first time."""
         if name not in self._dialogs:
             self._dialogs[name] = make()
         self._dialogs[name].open()
         return self._dialogs[name]
+
+    def room_for_questions(self) -> QRect:
+        """Where small windows lie: over the panel or page, with the picture and the stops free."""
+        return self._work_area.left_of_picture()
 
     # -- window -------------------------------------------------------------------------------
 
@@ -355,7 +374,8 @@ class MainWindow(Translated, KeepsFocus, QWidget):
         at_stake = under_way or unsaved(self._panels.panels)
         if at_stake and not self._may_close:
             event.ignore()
-            self._leave_arm_then(self, self._close_unless_moving)
+            close = partial(close_unless_moving, self, self._controller, self._close_now)
+            self._leave_arm_then(self, close)
             return
         self._unsubscribe()
         for dialog in self._dialogs.values():
@@ -366,44 +386,6 @@ class MainWindow(Translated, KeepsFocus, QWidget):
         self._workspace.close_windows()
         self._diagnosis.close()
         super().closeEvent(event)
-
-    def _close_unless_moving(self) -> None:
-        operating_state = self._controller.operating_state
-        if not operating_state.moving:
-            self._close_now()
-            return
-        if operating_state.mover is Mover.OURS:
-            self._ask_how_to_close()
-            return
-        confirm(
-            self,
-            self._controller,
-            title=self.tr("The arm is moving"),
-            text=self.tr(
-                "Closing the program does not stop the arm: it goes on to its target. "
-                "Press the emergency stop if it must not."
-            ),
-            action_label=self.tr("Close anyway"),
-            on_confirmed=self._close_now,
-        )
-
-    def _ask_how_to_close(self) -> None:
-        """This program moves the arm: its motion is ended unless the operator lets it finish."""
-        from armui.ui.dialogs.close_question import CloseQuestion  # noqa: PLC0415 - faster start
-
-        for older in self.findChildren(CloseQuestion):
-            older.reject()
-        question = CloseQuestion(self._controller, self)
-        question.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
-        question.accepted.connect(
-            lambda: end_single_motion_then(self, self._controller, self._close_now)
-        )
-        question.let_finish.connect(self._let_finish_and_close)
-        question.open()
-
-    def _let_finish_and_close(self) -> None:
-        self._controller.let_motion_finish()
-        self._close_now()
 
     def _close_now(self) -> None:
         self._may_close = True

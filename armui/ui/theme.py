@@ -38,6 +38,7 @@ class Colors(NamedTuple):
         accent, accent_strong, accent_pale: The clear blue; pressed; the chosen menu entry.
         on_accent: Text on the accent.
         ok, warn, stop: Good; attention; stop and fault. ``…_pale`` is a ground for text.
+        stop_ink: Text and signs that tell of a fault.
         on_stop: Text on the stop colour.
         replay, replay_pale, on_replay: What is no present but a recording.
     """
@@ -59,6 +60,7 @@ class Colors(NamedTuple):
     stop: str
     stop_strong: str
     stop_pale: str
+    stop_ink: str
     on_stop: str
     replay: str
     replay_pale: str
@@ -77,12 +79,13 @@ LIGHT: Final = Colors(
     accent_strong="#114fae",
     accent_pale="#e2edfd",
     on_accent="#ffffff",
-    ok="#18864a",
+    ok="#157a43",
     warn="#9a5b00",
     warn_pale="#fff3dc",
     stop="#d3291d",
     stop_strong="#ab1e14",
     stop_pale="#fdeceb",
+    stop_ink="#cf2417",
     on_stop="#ffffff",
     replay="#6a35b5",
     replay_pale="#efe7fa",
@@ -104,9 +107,10 @@ DARK: Final = Colors(
     ok="#45c47b",
     warn="#f0b252",
     warn_pale="#392c13",
-    stop="#dc3b2f",
+    stop="#d8362a",
     stop_strong="#b92d22",
     stop_pale="#401d1b",
+    stop_ink="#ff6b60",
     on_stop="#ffffff",
     replay="#b48cf2",
     replay_pale="#2c2140",

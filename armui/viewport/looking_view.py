@@ -54,7 +54,7 @@ class LookingView(PictureView):
     ) -> None:
         self._viewpoint = Viewpoint()
         self._shape: RobotShape | None = None
-        self._corner, self._strip_px = Box(0.0, 0.0, 0.0, 0.0), 0.0
+        self._corner_px, self._strip_px = (0.0, 0.0), 0.0
         super().__init__(robot, palette, client, parent)
         self._client.robot_shown.connect(self._on_robot_shown)
         self._rest = QTimer(self, singleShot=True, interval=_REST_MS)
@@ -117,14 +117,16 @@ class LookingView(PictureView):
             self._viewpoint.set_orthographic(wanted=wanted)
             self._take_camera()
 
-    def set_covered(self, corner: Box, strip_px: float) -> None:
+    def set_covered(self, corner_px: tuple[float, float], strip_px: float) -> None:
         """Say what lies over the picture, so that the arm stands beside it.
 
         Args:
-            corner: Buttons at the bottom right.
+            corner_px: Width and height of the buttons at the bottom right.
             strip_px: How wide the buttons along the right edge are.
         """
-        self._corner, self._strip_px = corner, strip_px
+        if (corner_px, strip_px) == (self._corner_px, self._strip_px):
+            return
+        self._corner_px, self._strip_px = corner_px, strip_px
         self._resized()
         self._show(self._state)
 
@@ -132,7 +134,11 @@ class LookingView(PictureView):
         frame = self._hud_painter.frame(self.font())
         figures = Box(0.0, 0.0, frame.right(), frame.bottom())
         self._take_arm(self._state)
-        room = Room(self.width(), self.height(), figures, self._corner, self._strip_px)
+        width, height = float(self.width()), float(self.height())
+        corner = Box(0.0, 0.0, 0.0, 0.0)
+        if any(self._corner_px):
+            corner = Box(width - self._corner_px[0], height - self._corner_px[1], width, height)
+        room = Room(width, height, figures, corner, self._strip_px)
         self._viewpoint.take_room(room)
         self._state = replace(self._state, camera=self._viewpoint.camera)
 
@@ -177,7 +183,7 @@ class LookingView(PictureView):
 
     def _look_through(self, camera: OrbitCamera | None) -> None:
         """The operator has moved the camera."""
-        if camera is None:
+        if camera is None or self._viewpoint.is_carried:
             return
         before = self._state.camera
         turned = (camera.focus_m, camera.distance_m) == (before.focus_m, before.distance_m)

@@ -125,6 +125,11 @@ class PictureView(QWidget):
         """Whether what is on the screen may be taken for what is there now."""
         return self._picture is not None and not self._notice()
 
+    @property
+    def is_late(self) -> bool:
+        """Whether the picture lags, or is gone: nothing is aimed at in it."""
+        return self._client.looks_old or self._lost is not None
+
     def taken_picture(self) -> QImage | None:
         """A copy of the picture with the figures, as it is on the screen; None without one."""
         return None if self._picture is None else self.grab().toImage()

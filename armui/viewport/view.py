@@ -11,6 +11,7 @@ from PySide6.QtWidgets import QToolTip
 
 from armui.arm.limits import JOINTS
 from armui.viewport.camera_input import Drag, press_key, turn_wheel
+from armui.viewport.handles import Handles
 from armui.viewport.look_alike import look_alike
 from armui.viewport.looking_view import LookingView
 from armui.viewport.palette import LIGHT, ScenePalette
@@ -29,6 +30,8 @@ if TYPE_CHECKING:
     from PySide6.QtWidgets import QWidget
 
     from armui.viewport.client import PictureClient
+    from armui.viewport.grips import Grip
+    from armui.viewport.handles import HandlePlace
     from armui.viewport.path_picture import Preview, Reach, Trail
 
 
@@ -42,6 +45,10 @@ class ArmView(LookingView):
         joint_picked: a link was double-clicked; its joint number, 1–6.
         mark_picked: a point of the previewed path was clicked; its row, from 0.
         finding_picked: the sign of a finding was clicked, a `FindingMark`.
+        handle_taken: a handle is held from now on.
+        handle_moved: what the pointer has done to it since, a `Dragged`; whether in coarse steps
+            (Ctrl), whether in fine ones (Shift).
+        handle_left: it is let go; whether it was given up (Escape, or another window in front).
 
     Args:
         robot: URDF file to begin with; None: the project's own arm.
@@ -52,6 +59,9 @@ class ArmView(LookingView):
     joint_picked = Signal(int)
     mark_picked = Signal(int)
     finding_picked = Signal(object)
+    handle_taken = Signal()
+    handle_moved = Signal(object, bool, bool)
+    handle_left = Signal(bool)
 
     def __init__(
         self,
@@ -68,6 +78,7 @@ class ArmView(LookingView):
         self._shows_tool = False
         self._range: tuple[int, tuple[float, float]] | None = None
         self._path_overlay = PathOverlay()
+        self._handles = Handles()
         super().__init__(choice, palette, client, parent)
         self._client.joint_picked.connect(self._on_joint_picked)
         self._client.mark_picked.connect(self.mark_picked)
@@ -162,6 +173,14 @@ class ArmView(LookingView):
             self._range = wanted
             self.update()
 
+    def set_handles(self, place: HandlePlace | None) -> None:
+        """Have handles at a pose of the arm, which the operator can drag; None: none."""
+        if place is None and self._handles.is_held:
+            self._leave_handle(given_up=True)
+        if self._handles.set_place(place):
+            self.setMouseTracking(place is not None)
+            self.update()
+
     # ------------------------------------------------------------------------------------------
 
     def _on_joint_picked(self, number: int | None) -> None:
@@ -180,11 +199,26 @@ class ArmView(LookingView):
             return
         if self._range is not None:
             number, limits_deg = self._range
-            strokes = joint_range(shape, angles_deg, number, limits_deg, palette)
+            edited_deg = shown.preview.ghost_deg or angles_deg
+            strokes = joint_range(shape, edited_deg, number, limits_deg, palette)
             paint_strokes(painter, strokes, projection, palette)
         if self._shows_tool and not shown.stale:
             rows = composed(shape.flange(shape.links(angles_deg)), self._tool)
             paint_strokes(painter, tool_frame(rows, palette), projection, palette)
+        strokes = self._handles.strokes(self._grips(projection))
+        paint_strokes(painter, strokes, projection, palette)
+
+    def _grips(self, projection: Projection) -> list[Grip]:
+        if self._shape is None:
+            return []
+        return self._handles.grips(self._shape, self._tool, projection, self._state.palette)
+
+    def _leave_handle(self, *, given_up: bool) -> None:
+        if self._handles.let_go():
+            self._viewpoint.is_carried = False
+            self._viewpoint.hold(held=False)
+            self._take_camera()
+            self.handle_left.emit(given_up)
 
     # the operator's hand ----------------------------------------------------------------------
 
@@ -195,6 +229,7 @@ class ArmView(LookingView):
 
     def _forget_drag(self) -> None:
         self._drag.forget()
+        self._leave_handle(given_up=True)
         self._viewpoint.hold(held=False)
 
     def event(self, event: QEvent) -> bool:
@@ -208,17 +243,41 @@ class ArmView(LookingView):
         return super().event(event)
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
-        """A drag begins."""
-        self._drag.press(event)
+        """A drag begins: of a handle, or of the camera."""
         self._viewpoint.hold(held=True)
+        at, projection = event.position(), self.projection
+        left = event.button() == Qt.MouseButton.LeftButton
+        if left and self._handles.place is not None and not self.is_late:
+            grips = self._grips(projection)
+            if self._handles.take(grips, projection, at.x(), at.y()) is not None:
+                self._viewpoint.is_carried = True
+                self.handle_taken.emit()
+                self.update()
+                return
+        self._drag.press(event)
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
-        """Turn, or with the middle button or shift move."""
+        """Carry a handle; else turn the camera, or with the middle button or shift move it."""
+        at = event.position()
+        if self._handles.is_held:
+            dragged = self._handles.carry(at.x(), at.y())
+            if dragged is not None:
+                keys = event.modifiers()
+                coarse = bool(keys & Qt.KeyboardModifier.ControlModifier)
+                fine = bool(keys & Qt.KeyboardModifier.ShiftModifier)
+                self.handle_moved.emit(dragged, coarse, fine)
+            return
+        if self._handles.place is not None and not event.buttons():
+            self._hover(at)
         shorter_side_px = float(min(self.width(), self.height()))
         self._look_through(self._drag.move(event, self._state.camera, shorter_side_px))
 
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
         """The drag is over; a click without one asks for the mark that is there."""
+        if self._handles.is_held:
+            if event.button() == Qt.MouseButton.LeftButton:
+                self._leave_handle(given_up=False)
+            return
         clicked = self._drag.release(event)
         self._viewpoint.hold(held=False)
         self._take_camera()
@@ -230,6 +289,13 @@ class ArmView(LookingView):
             self.finding_picked.emit(finding)
         else:
             self._show(replace(self._state, mark_pick=self._question(clicked)))
+
+    def _hover(self, at: QPointF) -> None:
+        projection = self.projection
+        over, changed = self._handles.hover(self._grips(projection), projection, at.x(), at.y())
+        if changed:
+            self.setCursor(Qt.CursorShape.SizeAllCursor if over else Qt.CursorShape.ArrowCursor)
+            self.update()
 
     def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
         """Ask which link is there."""
@@ -248,7 +314,10 @@ class ArmView(LookingView):
         event.accept()
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        """Arrow keys turn, + and − zoom, Home resets."""
+        """Arrow keys turn, + and − zoom, Home resets; Escape gives a drag up."""
+        if event.key() == Qt.Key.Key_Escape and self._handles.is_held:
+            self._leave_handle(given_up=True)
+            return
         if event.key() == Qt.Key.Key_Home:
             self.reset_view()
             return

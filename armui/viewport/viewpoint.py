@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import enum
 import itertools
+import math
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import Final
@@ -19,6 +20,10 @@ _GROWN: Final = 1.12
 _SHRUNK: Final = 0.86
 """An arm that has come to rest in less of the picture than this is brought nearer."""
 _FOLLOWED_AT_M: Final = 0.75
+
+
+_TRIED: Final = 8
+"""Steps in the range of a joint, where its reach is looked for."""
 
 
 class ViewMode(enum.Enum):
@@ -38,6 +43,7 @@ class Viewpoint:
     Attributes:
         camera: Where the picture is taken from.
         mode: Who moves it.
+        is_carried: Whether a handle is held: the camera rests, whatever the wheel says.
     """
 
     def __init__(self) -> None:
@@ -52,6 +58,7 @@ class Viewpoint:
         self._reached: tuple[Vector, ...] = ()
         self._been: list[Sequence[Vector]] = []
         self._is_held = False
+        self.is_carried = False
 
     # what there is to see ---------------------------------------------------------------------
 
@@ -203,14 +210,24 @@ class Viewpoint:
 
 
 def _reached(shape: RobotShape, reach: Reach) -> Iterator[Vector]:
-    """Some of the places that the tool can reach, the outermost among them."""
+    """Places all around, as far from the shoulder as the tool can come."""
     middles = [(low + high) / 2.0 for low, high in reach.limits_deg]
     tried = [
-        sorted({*limits, middle}) for limits, middle in zip(reach.limits_deg, middles, strict=True)
+        [low + (high - low) * share / _TRIED for share in range(_TRIED + 1)]
+        for low, high in reach.limits_deg
     ]
-    for turn, lift, bend in itertools.product(tried[0], tried[1], tried[2]):
-        flange = shape.flange(shape.links((turn, lift, bend, *middles[3:])))
-        yield moved(flange, reach.tool_m)
+    shoulder, _ = shape.joint_frame(2, shape.links((0.0,) * len(middles)))
+    furthest_m = 0.0
+    for lift, bend in itertools.product(tried[1], tried[2]):
+        flange = shape.flange(shape.links((0.0, lift, bend, *middles[3:])))
+        furthest_m = max(furthest_m, math.dist(moved(flange, reach.tool_m), shoulder))
+    for turn, height in itertools.product(tried[0], range(-90, 91, 30)):
+        out_m = furthest_m * math.cos(math.radians(height))
+        yield (
+            shoulder[0] + out_m * math.cos(math.radians(turn)),
+            shoulder[1] + out_m * math.sin(math.radians(turn)),
+            shoulder[2] + furthest_m * math.sin(math.radians(height)),
+        )
 
 
 _SLACK_PX: Final = 10.0

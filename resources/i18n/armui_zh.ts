@@ -126,6 +126,42 @@
         <source>unknown</source>
         <translation>未知</translation>
     </message>
+<message>
+        <source>{model}, as chosen; not compared yet</source>
+        <translation>{model}（操作者选择，尚未核对）</translation>
+    </message>
+    <message>
+        <source>{model}, confirmed by the pose it reports</source>
+        <translation>{model}（与反馈位姿一致，已确认）</translation>
+    </message>
+    <message>
+        <source>{model}, as chosen; other models fit its pose as well</source>
+        <translation>{model}（操作者选择；其它型号也符合当前位姿）</translation>
+    </message>
+    <message>
+        <source>{model}, as chosen; its pose is that of a {other}</source>
+        <translation>{model}（操作者选择；但反馈位姿属于 {other}）</translation>
+    </message>
+    <message>
+        <source>{model}, as chosen; its pose fits none of the models</source>
+        <translation>{model}（操作者选择；反馈位姿不符合任何型号）</translation>
+    </message>
+    <message>
+        <source>Date of the firmware</source>
+        <translation>固件日期</translation>
+    </message>
+    <message>
+        <source>Hardware</source>
+        <translation>硬件</translation>
+    </message>
+    <message>
+        <source>Node on the bus</source>
+        <translation>总线节点</translation>
+    </message>
+    <message>
+        <source>{type}, number {number}</source>
+        <translation>{type}，编号 {number}</translation>
+    </message>
 </context>
 <context>
     <name>AboutArmDialog</name>
@@ -497,6 +533,14 @@
     <message>
         <source>Choose what differs in the table first.</source>
         <translation>请先在表中勾选不同的参数。</translation>
+    </message>
+<message>
+        <source>{name}: saved {time}, {model}, {device}, generation {generation}, {firmware}</source>
+        <translation>{name}：保存于 {time}，{model}，{device}，第 {generation} 代，{firmware}</translation>
+    </message>
+    <message>
+        <source>The file is from a {filed}, this arm is a {here}: the limits of one may be wrong for the other. Check the values before you restore them.</source>
+        <translation>该文件来自 {filed}，当前机械臂为 {here}：两种型号的限位可能不通用。恢复前请核对数值。</translation>
     </message>
 </context>
 <context>
@@ -2664,6 +2708,38 @@
         <source>Firmware version</source>
         <translation>固件版本</translation>
     </message>
+<message>
+        <source>CPV of J{joint}</source>
+        <translation>J{joint} 的 CPV 指令</translation>
+    </message>
+    <message>
+        <source>CPV of the gripper</source>
+        <translation>夹爪的 CPV 指令</translation>
+    </message>
+    <message>
+        <source>Leader arm to zero</source>
+        <translation>主臂回零</translation>
+    </message>
+    <message>
+        <source>Solution of the pose J1, J2</source>
+        <translation>位姿逆解 J1、J2</translation>
+    </message>
+    <message>
+        <source>Solution of the pose J3, J4</source>
+        <translation>位姿逆解 J3、J4</translation>
+    </message>
+    <message>
+        <source>Solution of the pose J5, J6</source>
+        <translation>位姿逆解 J5、J6</translation>
+    </message>
+    <message>
+        <source>Setting: drag assistance</source>
+        <translation>设置：拖动助力</translation>
+    </message>
+    <message>
+        <source>Answer: drag assistance</source>
+        <translation>应答：拖动助力</translation>
+    </message>
 </context>
 <context>
     <name>GripperAct</name>
@@ -2995,6 +3071,46 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
     <message>
         <source>X, Y and Z of the base, from the middle of its foot</source>
         <translation>基座坐标系的 X、Y、Z 轴，原点在底座中心</translation>
+    </message>
+<message>
+        <source>Ctrl+1 … Ctrl+4</source>
+        <translation>Ctrl+1 … Ctrl+4</translation>
+    </message>
+    <message>
+        <source>Front, side, top and oblique view</source>
+        <translation>前视、侧视、俯视、轴测视图</translation>
+    </message>
+    <message>
+        <source>Ctrl+5, Ctrl+9</source>
+        <translation>Ctrl+5、Ctrl+9</translation>
+    </message>
+    <message>
+        <source>Follow the tool; show all of the arm</source>
+        <translation>跟随末端；显示整个机械臂</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+D</source>
+        <translation>Ctrl+Shift+D</translation>
+    </message>
+    <message>
+        <source>Handles: drag the target, or the chosen point; Ctrl and Shift snap, Esc gives up</source>
+        <translation>手柄：拖动目标或所选点；按住 Ctrl、Shift 按步进，Esc 放弃</translation>
+    </message>
+    <message>
+        <source>Band along the way</source>
+        <translation>沿途的色带</translation>
+    </message>
+    <message>
+        <source>Where the tool has been; thin violet: the setpoints sent one after another</source>
+        <translation>末端走过的路径；紫色细线：依次发送的目标点</translation>
+    </message>
+    <message>
+        <source>Octagon, triangle</source>
+        <translation>八角形、三角形</translation>
+    </message>
+    <message>
+        <source>An error or a warning of the check, where it would happen: click for its row</source>
+        <translation>检查发现的错误或警告及其位置：点击转到对应行</translation>
     </message>
 </context>
 <context>
@@ -4639,11 +4755,11 @@ Set it only at the mark of the joint's zero, with the arm standing still. The ar
     </message>
 <message>
         <source>Connected as a {chosen}, but the pose it reports is that of a {fits}. Connect it as a {fits}.</source>
-        <translation type="unfinished" />
+        <translation>连接时选择的型号是 {chosen}，但其反馈的位姿属于 {fits}。请按 {fits} 重新连接。</translation>
     </message>
     <message>
         <source>The pose the arm reports fits its angles in no model of the family, {chosen} included.</source>
-        <translation type="unfinished" />
+        <translation>机械臂反馈的位姿与关节角度不符合任何型号（包括 {chosen}）。</translation>
     </message>
     <message>
         <source>{device} jogs {axes} (joints)</source>
@@ -4656,6 +4772,14 @@ Set it only at the mark of the joint's zero, with the arm standing still. The ar
     <message>
         <source>{device} jogs {axes} (tool frame)</source>
         <translation>{device} 点动 {axes}（工具坐标系）</translation>
+    </message>
+<message>
+        <source>Told the arm to leave the other program's mode and to hold where it stands.</source>
+        <translation>已通知机械臂退出另一程序的模式，并保持在当前位置。</translation>
+    </message>
+    <message>
+        <source>Mounting sent: {mounting}. The arm does not tell it back.</source>
+        <translation>已发送安装方式：{mounting}。机械臂不会回报。</translation>
     </message>
 </context>
 <context>
@@ -4909,6 +5033,10 @@ Set it only at the mark of the joint's zero, with the arm standing still. The ar
     <message>
         <source>Possible: {minimum} to {maximum}</source>
         <translation>可设范围：{minimum} 至 {maximum}</translation>
+    </message>
+<message>
+        <source>Drag assistance</source>
+        <translation>拖动助力</translation>
     </message>
 </context>
 <context>
@@ -5891,6 +6019,10 @@ Set it only at the mark of the joint's zero, with the arm standing still. The ar
         <source>Withdraw…</source>
         <translation>撤回…</translation>
     </message>
+<message>
+        <source>Take back…</source>
+        <translation>收回控制…</translation>
+    </message>
 </context>
 <context>
     <name>RecoveryDanger</name>
@@ -5937,6 +6069,16 @@ Lead it near its rest pose, then stop recording.</source>
     <message>
         <source>The arm is not stopped: it goes on with whatever it is doing, and obeys again. Look at the arm before.</source>
         <translation>机械臂不会停止：它将继续正在做的动作，并重新服从指令。请先看清机械臂。</translation>
+    </message>
+<message>
+        <source>Take the arm back</source>
+        <translation>收回机械臂的控制</translation>
+    </message>
+    <message>
+        <source>The arm changes back to its own control and is told to hold where it stands. Between the two its joints are limp for a moment: it may sag, and drop if the second message is lost. Hold the arm.
+The other program must have ended.</source>
+        <translation>机械臂将切回自身的控制方式，并被告知保持在当前位置。两条指令之间关节会短暂失力：机械臂可能下沉，若第二条指令丢失则会下落。请扶住机械臂。
+另一程序必须已经结束。</translation>
     </message>
 </context>
 <context>
@@ -6179,6 +6321,10 @@ Lead it near its rest pose, then stop recording.</source>
 <message>
         <source>No arm is connected. Connect one, or the simulated arm to try everything out.</source>
         <translation>未连接机械臂。请连接机械臂，或先用仿真机械臂试用全部功能。</translation>
+    </message>
+<message>
+        <source>Another program drives the arm in {other_mode} mode. Nothing is sent by itself: a new mode leaves the joints limp. Stop that program first.</source>
+        <translation>另一程序正以{other_mode}模式驱动机械臂。本程序不会自行发送任何指令：切换模式会使关节失力。请先停止该程序。</translation>
     </message>
 </context>
 <context>
@@ -7129,7 +7275,7 @@ Lead it near its rest pose, then stop recording.</source>
     </message>
 <message>
         <source>This arm was connected as a {chosen}, but the pose it reports is that of a {fits}: the program would compute with the wrong lengths. Connect it as a {fits}; until then the joints can be moved one by one.</source>
-        <translation type="unfinished" />
+        <translation>该机械臂按 {chosen} 连接，但其反馈的位姿属于 {fits}：程序会用错误的连杆长度计算。请按 {fits} 重新连接；在此之前可以逐个移动关节。</translation>
     </message>
     <message>
         <source>{name} is gone. Plug it in again or switch it on.</source>
@@ -7146,6 +7292,22 @@ Lead it near its rest pose, then stop recording.</source>
     <message>
         <source>The main window is not in front, or a menu is open in it. Click into it, then press anew.</source>
         <translation>主窗口不在最前，或其中打开了菜单。请点击主窗口，然后重新按下。</translation>
+    </message>
+<message>
+        <source>The arm's firmware {firmware} does not have this: it came with {since}. Updates come from the maker's support.</source>
+        <translation>机械臂固件 {firmware} 不支持此功能：自 {since} 起支持。升级请联系厂家支持。</translation>
+    </message>
+    <message>
+        <source>The arm has not named its firmware, and only {since} and later have this. Connect again to ask for it.</source>
+        <translation>机械臂尚未报告固件版本，而此功能自 {since} 起支持。请重新连接以查询。</translation>
+    </message>
+    <message>
+        <source>The arm's control mode is not known, or another one has the command: it would be changed along with this. Bring the arm to standby or CAN control first.</source>
+        <translation>机械臂的控制模式未知，或由其他方控制：此操作会同时更改它。请先使机械臂进入待机或 CAN 控制模式。</translation>
+    </message>
+    <message>
+        <source>Another program drives the arm in {other_mode} mode: a mode word of ours would leave its joints limp. End that program, hold the arm, and take the way back that the line above the panels offers.</source>
+        <translation>另一程序正以{other_mode}模式驱动机械臂：本程序的模式指令会使关节失力。请结束该程序、扶住机械臂，再按面板上方提示行给出的方式恢复。</translation>
     </message>
 </context>
 <context>
@@ -7463,6 +7625,10 @@ Lead it near its rest pose, then stop recording.</source>
         <source>point {row} of {count}</source>
         <translation>第 {row}/{count} 点</translation>
     </message>
+<message>
+        <source>Progress of the run</source>
+        <translation>运行进度</translation>
+    </message>
 </context>
 <context>
     <name>SaveQuestion</name>
@@ -7758,6 +7924,10 @@ Lead it near its rest pose, then stop recording.</source>
     <message>
         <source>buttons of the gamepads</source>
         <translation>手柄按键</translation>
+    </message>
+<message>
+        <source>models of the arms</source>
+        <translation>机械臂型号</translation>
     </message>
 </context>
 <context>
@@ -8236,6 +8406,54 @@ Lead it near its rest pose, then stop recording.</source>
         <source>Byte {place}</source>
         <translation>字节 {place}</translation>
     </message>
+<message>
+        <source>Acceleration</source>
+        <translation>加速度</translation>
+    </message>
+    <message>
+        <source>Command</source>
+        <translation>指令</translation>
+    </message>
+    <message>
+        <source>Deceleration</source>
+        <translation>减速度</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>类型</translation>
+    </message>
+    <message>
+        <source>Told as</source>
+        <translation>表示方式</translation>
+    </message>
+    <message>
+        <source>Position loop Kp</source>
+        <translation>位置环 Kp</translation>
+    </message>
+    <message>
+        <source>Target position</source>
+        <translation>目标位置</translation>
+    </message>
+    <message>
+        <source>Profile speed</source>
+        <translation>规划速度</translation>
+    </message>
+    <message>
+        <source>Speed loop Ki</source>
+        <translation>速度环 Ki</translation>
+    </message>
+    <message>
+        <source>Speed loop Kp</source>
+        <translation>速度环 Kp</translation>
+    </message>
+    <message>
+        <source>Target speed</source>
+        <translation>目标速度</translation>
+    </message>
+    <message>
+        <source>Zero learning</source>
+        <translation>零点学习</translation>
+    </message>
 </context>
 <context>
     <name>SignalWord</name>
@@ -8651,6 +8869,86 @@ Lead it near its rest pose, then stop recording.</source>
         <source>Yes</source>
         <translation>是</translation>
     </message>
+<message>
+        <source>Acceleration</source>
+        <translation>加速度</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>角度</translation>
+    </message>
+    <message>
+        <source>Answer</source>
+        <translation>应答</translation>
+    </message>
+    <message>
+        <source>Both to zero</source>
+        <translation>主从臂均回零</translation>
+    </message>
+    <message>
+        <source>Deceleration</source>
+        <translation>减速度</translation>
+    </message>
+    <message>
+        <source>Drag assistance</source>
+        <translation>拖动助力</translation>
+    </message>
+    <message>
+        <source>Leader and follower</source>
+        <translation>恢复主从</translation>
+    </message>
+    <message>
+        <source>Leader to zero</source>
+        <translation>主臂回零</translation>
+    </message>
+    <message>
+        <source>MOVE M from 1.8-8</source>
+        <translation>MOVE M（1.8-8 起）</translation>
+    </message>
+    <message>
+        <source>Opening</source>
+        <translation>开度</translation>
+    </message>
+    <message>
+        <source>Position Kp</source>
+        <translation>位置环 Kp</translation>
+    </message>
+    <message>
+        <source>Position target</source>
+        <translation>位置目标</translation>
+    </message>
+    <message>
+        <source>Profile speed</source>
+        <translation>规划速度</translation>
+    </message>
+    <message>
+        <source>Read</source>
+        <translation>读取</translation>
+    </message>
+    <message>
+        <source>Speed Ki</source>
+        <translation>速度环 Ki</translation>
+    </message>
+    <message>
+        <source>Speed Kp</source>
+        <translation>速度环 Kp</translation>
+    </message>
+    <message>
+        <source>Speed target</source>
+        <translation>速度目标</translation>
+    </message>
+    <message>
+        <source>Upside down</source>
+        <translation>水平倒装</translation>
+    </message>
+    <message>
+        <source>Write</source>
+        <translation>写入</translation>
+    </message>
+    <message>
+        <source>Zero learning</source>
+        <translation>零点学习</translation>
+    </message>
 </context>
 <context>
     <name>SpeedControl</name>
@@ -8700,6 +8998,10 @@ Lead it near its rest pose, then stop recording.</source>
     <message>
         <source>Last event</source>
         <translation>最近事件</translation>
+    </message>
+<message>
+        <source>{mode} by another program</source>
+        <translation>{mode}（另一程序）</translation>
     </message>
 </context>
 <context>
@@ -8905,6 +9207,14 @@ Lead it near its rest pose, then stop recording.</source>
     <message>
         <source>Works on motions under way. The arm does not report it: watch the arm.</source>
         <translation>对正在进行的运动有效。机械臂不反馈此指令，请观察机械臂。</translation>
+    </message>
+<message>
+        <source>Drag assistance…</source>
+        <translation>拖动助力…</translation>
+    </message>
+    <message>
+        <source>How much each joint helps the hand; firmware from S-V1.8-1.</source>
+        <translation>各关节拖动时的助力大小；固件 S-V1.8-1 起支持。</translation>
     </message>
 </context>
 <context>
@@ -10074,6 +10384,30 @@ Afterwards the motors must be enabled again.</source>
         <source>Views, and what is drawn in the picture</source>
         <translation>视角以及画面中显示的内容</translation>
     </message>
+<message>
+        <source>No handles</source>
+        <translation>不显示手柄</translation>
+    </message>
+    <message>
+        <source>Tool, along the axes of the base</source>
+        <translation>末端，沿基坐标系各轴</translation>
+    </message>
+    <message>
+        <source>Tool, along its own axes</source>
+        <translation>末端，沿工具坐标系各轴</translation>
+    </message>
+    <message>
+        <source>Joints</source>
+        <translation>关节</translation>
+    </message>
+    <message>
+        <source>Drag the target in the picture</source>
+        <translation>在画面中拖动目标</translation>
+    </message>
+    <message>
+        <source>Drags the target, or the chosen point, in the picture; the arm does not move. Ctrl: coarse steps, Shift: fine steps, Esc: give up</source>
+        <translation>在画面中拖动目标或所选点，机械臂不会运动。Ctrl：大步进，Shift：小步进，Esc：放弃</translation>
+    </message>
 </context><context><name>WindowActions</name><message>
         <source>The arm is not stopped.</source>
         <translation>机械臂未处于急停。</translation>
@@ -10081,5 +10415,287 @@ Afterwards the motors must be enabled again.</source>
     <message>
         <source>There is no next step now.</source>
         <translation>现在没有下一步。</translation>
+    </message>
+</context><context><name>AdapterTrouble</name><message>
+        <source>en</source>
+        <translation>zh</translation>
+    </message>
+</context><context><name>BusPage</name><message>
+        <source>Counted since {time}, when opened or cleared: {count} frames</source>
+        <translation>自 {time}（打开或清空）起统计：{count} 帧</translation>
+    </message>
+    <message>
+        <source>Paused: the figures are those of {time}</source>
+        <translation>已暂停：显示的是 {time} 的数值</translation>
+    </message>
+    <message>
+        <source>Generation not known yet: read as generation 2</source>
+        <translation>协议代次未知：暂按第 2 代解读</translation>
+    </message>
+    <message>
+        <source>Show as curve</source>
+        <translation>显示为曲线</translation>
+    </message>
+    <message>
+        <source>Show this identifier alone</source>
+        <translation>只显示该 ID</translation>
+    </message>
+    <message>
+        <source>Copy {frame}</source>
+        <translation>复制 {frame}</translation>
+    </message>
+    <message>
+        <source>Into the fields for sending</source>
+        <translation>填入发送栏</translation>
+    </message>
+    <message>
+        <source>Bus monitor</source>
+        <translation>总线监视</translation>
+    </message>
+    <message>
+        <source>Frames by identifier</source>
+        <translation>按 ID 排列的帧</translation>
+    </message>
+    <message>
+        <source>Frames in order of time</source>
+        <translation>按时间排列的帧</translation>
+    </message>
+</context><context><name>DragAssistanceDialog</name><message>
+        <source>Drag teaching</source>
+        <translation>示教</translation>
+    </message>
+</context><context><name>DragAssistancePanel</name><message>
+        <source>Drag assistance</source>
+        <translation>拖动助力</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>全部</translation>
+    </message>
+    <message>
+        <source>All joints: level</source>
+        <translation>所有关节：等级</translation>
+    </message>
+    <message>
+        <source>From 0, the joint does not help the hand, to 10, it helps most. Read and set with the arm at rest; keep a hand on it when it is led for the first time afterwards.</source>
+        <translation>0 表示该关节不助力，10 表示助力最大。请在机械臂静止时读取和设置；更改后首次拖动时请始终用手扶住机械臂。</translation>
+    </message>
+</context><context><name>Drawer</name><message>
+        <source>Takes this page out into a window of its own, for a second screen.</source>
+        <translation>把本页移到独立窗口，例如放到第二块屏幕上。</translation>
+    </message>
+    <message>
+        <source>Own window</source>
+        <translation>独立窗口</translation>
+    </message>
+    <message>
+        <source>Fold away</source>
+        <translation>收起</translation>
+    </message>
+    <message>
+        <source>Folds the drawer away (Esc)</source>
+        <translation>收起抽屉 (Esc)</translation>
+    </message>
+</context><context><name>EventPage</name><message>
+        <source>Show in the curves</source>
+        <translation>在曲线中显示</translation>
+    </message>
+    <message>
+        <source>Show its end in the curves</source>
+        <translation>在曲线中显示其结束</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>复制</translation>
+    </message>
+    <message>
+        <source>Only this kind</source>
+        <translation>仅此类别</translation>
+    </message>
+    <message>
+        <source>Only from here</source>
+        <translation>仅此来源</translation>
+    </message>
+    <message>
+        <source>Show all</source>
+        <translation>显示全部</translation>
+    </message>
+    <message>
+        <source>Events</source>
+        <translation>事件</translation>
+    </message>
+    <message>
+        <source>Double-click: show the moment in the curves</source>
+        <translation>双击：在曲线中显示该时刻</translation>
+    </message>
+</context><context><name>GuideWindow</name><message>
+        <source>User guide</source>
+        <translation>使用指南</translation>
+    </message>
+    <message>
+        <source>Search the guide</source>
+        <translation>在指南中查找</translation>
+    </message>
+    <message>
+        <source>Contents</source>
+        <translation>目录</translation>
+    </message>
+    <message>
+        <source>Text of the guide</source>
+        <translation>指南正文</translation>
+    </message>
+    <message>
+        <source>en</source>
+        <translation>zh</translation>
+    </message>
+</context><context><name>MeasureChoice</name><message>
+        <source>Tells the gripper an angle.</source>
+        <translation>按角度控制夹爪。</translation>
+    </message>
+    <message>
+        <source>Target as</source>
+        <translation>目标按</translation>
+    </message>
+    <message>
+        <source>Opening (mm)</source>
+        <translation>开度（mm）</translation>
+    </message>
+    <message>
+        <source>Angle (°)</source>
+        <translation>角度（°）</translation>
+    </message>
+</context><context><name>ModelChoice</name><message>
+        <source>The simulated arm is this model.</source>
+        <translation>仿真机械臂即为所选型号。</translation>
+    </message>
+    <message>
+        <source>No frame names the model: it is compared afterwards.</source>
+        <translation>总线上没有型号信息：连接后会自动核对。</translation>
+    </message>
+    <message>
+        <source>The pose this arm reports is that of a {fits}: choose it and press Connect.</source>
+        <translation>该机械臂反馈的位姿属于 {fits}：请选择该型号并点击“连接”。</translation>
+    </message>
+    <message>
+        <source>The pose this arm reports fits none of the models.</source>
+        <translation>该机械臂反馈的位姿不符合任何型号。</translation>
+    </message>
+    <message>
+        <source>Confirmed by the pose the arm reports.</source>
+        <translation>与机械臂反馈的位姿一致，已确认。</translation>
+    </message>
+    <message>
+        <source>Fits the pose the arm reports; so do others. Move a joint to decide.</source>
+        <translation>符合机械臂反馈的位姿，但其它型号也符合。移动一个关节即可判定。</translation>
+    </message>
+    <message>
+        <source>Not compared yet: the arm must stand still.</source>
+        <translation>尚未核对：需要机械臂静止。</translation>
+    </message>
+    <message>
+        <source>Model of the arm</source>
+        <translation>机械臂型号</translation>
+    </message>
+    <message>
+        <source>Its lengths decide where the tool is. The limits of the joints are always read from the arm.</source>
+        <translation>型号决定各连杆长度，从而决定末端位置。关节限位始终从机械臂读取。</translation>
+    </message>
+</context><context><name>ModelMark</name><message>
+        <source>{model}? The pose is that of a {other}</source>
+        <translation>{model}？位姿属于 {other}</translation>
+    </message>
+    <message>
+        <source>Click to connect it as a {other}.</source>
+        <translation>点击以 {other} 重新连接。</translation>
+    </message>
+    <message>
+        <source>{model}? The pose fits none</source>
+        <translation>{model}？位姿不符合任何型号</translation>
+    </message>
+    <message>
+        <source>The pose the arm reports fits none of the models.</source>
+        <translation>机械臂反馈的位姿不符合任何型号。</translation>
+    </message>
+    <message>
+        <source>Model of the arm, confirmed by the pose it reports.</source>
+        <translation>机械臂型号，与反馈的位姿一致，已确认。</translation>
+    </message>
+    <message>
+        <source>Model of the arm, as chosen; not compared yet.</source>
+        <translation>机械臂型号（操作者选择），尚未核对。</translation>
+    </message>
+    <message>
+        <source>Model of the arm: {text}</source>
+        <translation>机械臂型号：{text}</translation>
+    </message>
+</context><context><name>Mounting</name><message>
+        <source>Unchanged</source>
+        <translation>不变</translation>
+    </message>
+    <message>
+        <source>Level</source>
+        <translation>水平</translation>
+    </message>
+    <message>
+        <source>Left side</source>
+        <translation>左侧</translation>
+    </message>
+    <message>
+        <source>Right side</source>
+        <translation>右侧</translation>
+    </message>
+    <message>
+        <source>Upside down</source>
+        <translation>水平倒装</translation>
+    </message>
+</context><context><name>MountingCard</name><message>
+        <source>Tell the arm its mounting: {mounting}</source>
+        <translation>告知机械臂安装方式：{mounting}</translation>
+    </message>
+    <message>
+        <source>The arm carries its own weight by what it believes of its mounting. If that is wrong it may sink or rise when it is led by hand, hold badly, and stop for collisions that are none.
+It takes this over at once. Compare with how the arm really stands, and keep clear.</source>
+        <translation>机械臂按所设的安装方式补偿自重。若设置错误，拖动时可能下沉或上浮，保持不稳，并可能误报碰撞而停止。
+设置立即生效。请核对机械臂的实际安装方式，并远离机械臂。</translation>
+    </message>
+    <message>
+        <source>Tells the arm how it is mounted. Asks first.</source>
+        <translation>告知机械臂其安装方式。会先询问。</translation>
+    </message>
+    <message>
+        <source>Choose how the arm is mounted first.</source>
+        <translation>请先选择机械臂的安装方式。</translation>
+    </message>
+    <message>
+        <source>nothing yet</source>
+        <translation>尚未发送</translation>
+    </message>
+    <message>
+        <source>Told last by this program: {mounting}</source>
+        <translation>本程序上次发送：{mounting}</translation>
+    </message>
+    <message>
+        <source>Mounting of the arm</source>
+        <translation>机械臂安装方式</translation>
+    </message>
+    <message>
+        <source>Confirm</source>
+        <translation>确认</translation>
+    </message>
+    <message>
+        <source>The arm does not answer this and cannot be asked for it: another program, or the arm itself after a power cut, may have another one.</source>
+        <translation>机械臂对此不应答，也无法查询：其他程序或断电后的机械臂可能采用不同的设置。</translation>
+    </message>
+</context><context><name>PlotPage</name><message>
+        <source>The arrangement of the plots could not be kept: {text}</source>
+        <translation>无法保存曲线布局：{text}</translation>
+    </message>
+    <message>
+        <source>Curves</source>
+        <translation>曲线</translation>
+    </message>
+</context><context><name>PointTarget</name><message>
+        <source>Drag in the picture</source>
+        <translation>在画面中拖动</translation>
     </message>
 </context></TS>

@@ -13,7 +13,7 @@ from armui.arm.tracker import Tracker
 from armui.protocol.codec import Codec
 from armui.protocol.generation import Generation
 from armui.telemetry.bus_statistics import BusStatistics
-from armui.ui.watch.bus.bus_window import BusWindow
+from armui.ui.watch.bus.bus_page import BusPage
 from tests.app_driver import AppDriver
 from tests.benchmarks.bus_thread import BATCH, FRAMES_PER_S, ROUNDS, recorded
 
@@ -70,7 +70,7 @@ def test_cost_of_a_look(qapp, tmp_path, capsys, benchmark):
     try:
         driver.ready()
         driver.click("bus_button")
-        window = driver.dialog(BusWindow)
+        window = driver.taken_out(BusPage)
         driver.run(0.5)
         window.look()
         for place in range(window.model.rowCount()):

@@ -14,7 +14,7 @@ import numpy as np
 import pytest
 from PySide6.QtWidgets import QApplication
 
-from armui.ui.watch.plot_window import PlotWindow
+from armui.ui.watch.plot_page import PlotPage
 from tests.benchmarks import rig
 from tests.benchmarks.other_arm import BUS
 from tests.benchmarks.test_plots_speed import PLOTS
@@ -37,9 +37,10 @@ def test_watching_cost(qapp, tmp_path, capsys, benchmark):
         rig.window(qapp, tmp_path, lambda _device: can.Bus(**BUS), rig.UDP) as program,
     ):
         program.window.show_as_curves(())
-        window = program.window._dialogs["plots"]
-        assert isinstance(window, PlotWindow)
-        window.resize(1280, 1000)
+        window = program.window._workspace.kept("plots")
+        assert isinstance(window, PlotPage)
+        program.window._workspace.take_out(window)
+        window.window().resize(1280, 1000)
         tick = window.board._on_tick
         window.board._timer.timeout.disconnect(tick)
         window.board._timer.timeout.connect(lambda: pictures.append(time.monotonic()))

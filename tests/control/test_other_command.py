@@ -127,6 +127,62 @@ def test_after_the_stop_a_new_word_or_setpoint_brings_it_back(company, frame):
     assert company.look(NOW_S + 2.0, move_mode=4) is OtherMode.MIT
 
 
+# The way back ------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("shown", [4, 5, 6])
+def test_what_the_arm_is_told_to_leave_counts_again_if_it_stays(company, shown):
+    company.say(0x151, "01 06 00 AD 00 00 00 00")
+    assert company.look(NOW_S + 1.0, move_mode=shown) is not None
+    company.other.leave_mode(NOW_S + 1.0)
+    assert not company.other.drives
+    assert company.look(NOW_S + 1.4, move_mode=shown) is None
+    assert company.look(NOW_S + 1.5, move_mode=shown) is not None
+    assert company.other.drives
+
+
+def test_high_follow_is_left_for_good(company):
+    company.say(0x151, "01 01 00 AD 00 00 00 00")
+    assert company.look(NOW_S + 1.0) is OtherMode.HIGH_FOLLOW
+    company.other.leave_mode(NOW_S + 1.0)
+    assert company.look(NOW_S + 1.1) is None
+    assert company.look(NOW_S + 9.0) is None
+    company.say(0x151, "01 01 00 AD 00 00 00 00", NOW_S + 9.5)
+    assert company.look(NOW_S + 10.0) is OtherMode.HIGH_FOLLOW
+
+
+def test_a_setpoint_that_comes_after_it_brings_the_mode_back_at_once(company):
+    company.look(NOW_S, move_mode=6)
+    company.other.leave_mode(NOW_S + 0.1)
+    company.say(0x15B, "7F FF 7F F0 00 7F F7 FF", NOW_S + 0.2)
+    assert company.look(NOW_S + 0.3, move_mode=6) is OtherMode.MIT
+
+
+def test_a_word_that_keeps_the_kind_of_motion_leaves_high_follow_in_force(company):
+    """0x151 byte 1 = 0xFF: speed or mounting only."""
+    company.say(0x151, "01 01 00 AD 00 00 00 00")
+    assert company.look(NOW_S + 1.0) is OtherMode.HIGH_FOLLOW
+    company.say(0x151, "01 FF 20 00 00 00 00 00", NOW_S + 1.1)
+    assert company.look(NOW_S + 1.2) is OtherMode.HIGH_FOLLOW
+    assert company.look(NOW_S + 2.0) is OtherMode.HIGH_FOLLOW
+    assert company.look(NOW_S + 3.0, move_mode=0) is None
+
+
+def test_a_word_that_keeps_the_kind_of_motion_begins_no_mode(company):
+    company.say(0x151, "01 FF 20 AD 00 00 00 00")
+    assert company.look(NOW_S + 0.1) is None
+
+
+def test_an_answer_of_the_arm_is_no_other_host(company):
+    """0x181 with 'a': the arm answers a question about CPV with the same identifier."""
+    company.say(0x181, "61 6B 70 00 00 00 96")
+    company.look(NOW_S + 0.1)
+    assert not company.other.commands
+    company.say(0x181, "77 70 6F 00 00 6F E8", NOW_S + 0.2)
+    company.look(NOW_S + 0.3)
+    assert company.other.commands
+
+
 @pytest.mark.parametrize("word", ["", "01 04", "01 04 00"])
 def test_a_word_too_short_to_be_one_says_nothing(company, word):
     company.say(0x151, word)

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import can
-from PySide6.QtWidgets import QDialog
+from PySide6.QtWidgets import QWidget
 
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
-from armui.ui.watch.bus.bus_window import BusWindow
+from armui.ui.watch.bus.bus_page import BusPage
 from tests.app_driver import AppDriver
 from tests.company import OtherHost
 
@@ -15,9 +15,9 @@ SIZE_PX = (1180, 760)
 _TEMPERATURES = 609
 
 
-def _window(app_driver: AppDriver) -> BusWindow:
+def _window(app_driver: AppDriver) -> BusPage:
     app_driver.click("bus_button")
-    window = app_driver.dialog(BusWindow)
+    window = app_driver.taken_out(BusPage)
     window.resize(*SIZE_PX)
     window.filter_bar.by_id.click()
     for text in (window.filter_bar.text, window.filter_bar.ids):
@@ -41,7 +41,7 @@ def _company(app_driver: AppDriver) -> None:
     host.close()
 
 
-def _expand(window: BusWindow, *identifiers: int) -> None:
+def _expand(window: BusPage, *identifiers: int) -> None:
     model = window.model
     for place in range(model.rowCount()):
         index = model.index(place, 0)
@@ -49,7 +49,7 @@ def _expand(window: BusWindow, *identifiers: int) -> None:
         window.tree.setExpanded(index, row.arbitration_id in identifiers and not row.flags)
 
 
-def by_identifier(app_driver: AppDriver) -> QDialog:
+def by_identifier(app_driver: AppDriver) -> QWidget:
     window = _window(app_driver)
     _company(app_driver)
     window.look()
@@ -57,20 +57,20 @@ def by_identifier(app_driver: AppDriver) -> QDialog:
     _expand(window, 0x2A5, 0x3C1, 0x472)
     window.tree.scrollToTop()
     window.filter_bar.pause.setChecked(True)
-    return window
+    return window.window()
 
 
-def in_order(app_driver: AppDriver) -> QDialog:
+def in_order(app_driver: AppDriver) -> QWidget:
     window = _window(app_driver)
     _company(app_driver)
     window.filter_bar.in_order.click()
     window.look()
     window.filter_bar.pause.setChecked(True)
     window.trace.scrollToBottom()
-    return window
+    return window.window()
 
 
-def by_hand(app_driver: AppDriver) -> QDialog:
+def by_hand(app_driver: AppDriver) -> QWidget:
     window = _window(app_driver)
     app_driver.run(0.5)
     window.filter_bar.text.setText("0x26")
@@ -79,10 +79,10 @@ def by_hand(app_driver: AppDriver) -> QDialog:
     app_driver.hold_button(window.send_box.unlock)
     window.send_box.take(0x471, bytes.fromhex("0701"))
     window.filter_bar.pause.setChecked(True)
-    return window
+    return window.window()
 
 
-def blocked(app_driver: AppDriver) -> QDialog:
+def blocked(app_driver: AppDriver) -> QWidget:
     window = _window(app_driver)
     app_driver.run(0.3)
     connection = app_driver.controller._connection
@@ -95,4 +95,4 @@ def blocked(app_driver: AppDriver) -> QDialog:
     connection.problem = None
     assert device is not None
     window.filter_bar.pause.setChecked(True)
-    return window
+    return window.window()

@@ -21,7 +21,11 @@ from armui.doctor.facts import (
     ScreenFacts,
 )
 from armui.doctor.judge import judge
+from armui.ui.actions.palette import CommandPalette
+from armui.ui.actions.shortcut_list import ShortcutList
+from armui.ui.actions.window_actions import WindowActions
 from armui.ui.dialogs.about_arm import AboutArmDialog
+from armui.ui.dialogs.adapter_trouble import AdapterTrouble
 from armui.ui.dialogs.confirm_dialog import ConfirmDialog
 from armui.ui.dialogs.connect import ConnectDialog
 from armui.ui.dialogs.doctor import DoctorDialog
@@ -29,6 +33,7 @@ from armui.ui.dialogs.files import FileDialog
 from armui.ui.dialogs.help import HelpDialog
 from armui.ui.dialogs.joint_status import JointStatusDialog
 from armui.ui.dialogs.settings import SettingsDialog
+from armui.ui.guide.guide_window import GuideWindow
 from tests.app_driver import AppDriver
 from tests.faulty_arm import FaultyDrivers
 
@@ -75,6 +80,35 @@ def settings_refused(app_driver: AppDriver) -> QDialog:
     field.selectAll()
     QTest.keyClicks(field, "99")
     QTest.keyClick(field, Qt.Key.Key_Return)
+    return dialog
+
+
+def palette(app_driver: AppDriver) -> QDialog:
+    app_driver.click("commands_button")
+    dialog = app_driver.dialog(CommandPalette)
+    app_driver.wait(lambda: dialog.knows_names)
+    dialog.search.setText("ydkz")
+    return dialog
+
+
+def shortcut_list(app_driver: AppDriver) -> QDialog:
+    actions = app_driver.window.findChild(WindowActions)
+    actions.open_shortcuts()
+    return app_driver.dialog(ShortcutList)
+
+
+def guide(app_driver: AppDriver) -> QDialog:
+    app_driver.window.findChild(WindowActions).open_guide()
+    dialog = app_driver.dialog(GuideWindow)
+    app_driver.wait(lambda: dialog.shown != "")
+    return dialog
+
+
+def trouble(app_driver: AppDriver) -> QDialog:
+    dialog = connect(app_driver)
+    box = dialog.findChild(AdapterTrouble)
+    box._look = lambda: [each for each in judge(TROUBLE) if each.code == "error_passive"]
+    box.examine()
     return dialog
 
 

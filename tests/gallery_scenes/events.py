@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import datetime as dt
 
-from PySide6.QtWidgets import QApplication, QDialog
+from PySide6.QtWidgets import QApplication, QWidget
 
 from armui.sim.faults.schedule import fault
-from armui.ui.watch.events.event_window import EventWindow
+from armui.ui.watch.events.event_page import EventPage
 from tests.app_driver import AppDriver
 
 SIZE_PX = (1120, 720)
@@ -48,15 +48,15 @@ def act(app_driver: AppDriver) -> None:
     app_driver.run(0.6)
 
 
-def _window(app_driver: AppDriver) -> EventWindow:
+def _window(app_driver: AppDriver) -> EventPage:
     app_driver.click("events_button")
-    window = app_driver.dialog(EventWindow)
+    window = app_driver.taken_out(EventPage)
     window.resize(*SIZE_PX)
     window.refresh()
     return window
 
 
-def events(app_driver: AppDriver) -> QDialog:
+def events(app_driver: AppDriver) -> QWidget:
     window = _window(app_driver)
     window.bar.show_all()
     window.refresh()
@@ -64,14 +64,14 @@ def events(app_driver: AppDriver) -> QDialog:
     number = next(each.number for each in shown if each.code == "joint_fault")
     window.show_entry(number)
     QApplication.processEvents()
-    return window
+    return window.window()
 
 
-def searched(app_driver: AppDriver) -> QDialog:
+def searched(app_driver: AppDriver) -> QWidget:
     window = _window(app_driver)
     window.bar.show_all()
     window.bar.levels.setCurrentIndex(1)
     window.bar.search.setText("J3")
     window.bar._tell()
     app_driver.wait(lambda: not window.model.searching)
-    return window
+    return window.window()

@@ -6,6 +6,7 @@ from collections.abc import Callable
 
 from PySide6.QtWidgets import QWidget
 
+from armui.ui.trajectory.editor.editor_page import EditorPage
 from tests.app_driver import AppDriver
 from tests.gallery_scenes import library, trajectories
 from tests.gallery_scenes.scene import Scene
@@ -59,7 +60,34 @@ def _run_from_a_panel(app_driver: AppDriver) -> None:
     app_driver.click("menu_gripper")
 
 
+def _drawer(name: str) -> Callable[[AppDriver], None]:
+    """The drawer open at one of its pages, below a panel."""
+
+    def play(app_driver: AppDriver) -> None:
+        app_driver.ready()
+        app_driver.click(f"{name}_button")
+        app_driver.run(1.0)
+
+    return play
+
+
+def _all_at_once(app_driver: AppDriver) -> None:
+    """A page, a run and the drawer."""
+    _run(app_driver)
+    app_driver.click("events_button")
+
+
+def taken_out(app_driver: AppDriver) -> QWidget:
+    """The editor in a window of its own, with both stops."""
+    trajectories.editor(app_driver)
+    return app_driver.taken_out(EditorPage).window()
+
+
 SCENES = (
+    Scene("drawer-curves", _drawer("plots"), sizes=_SIZES),
+    Scene("drawer-events", _drawer("events"), sizes=_SIZES),
+    Scene("drawer-bus", _drawer("bus"), sizes=_SIZES),
+    Scene("running-drawer", _all_at_once, sizes=_SIZES),
     Scene("editor-jogging", _jogging, sizes=_SIZES),
     Scene("editor-jogging-tool", _jogging_tool, sizes=_SIZES),
     Scene("editor-empty", _first_point, sizes=_SIZES),

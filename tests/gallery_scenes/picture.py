@@ -8,6 +8,8 @@ from PySide6.QtTest import QTest
 from armui.control.run.progress import Run
 from armui.ui.trajectory.editor.editor_page import EditorPage
 from armui.viewport.camera import ViewDirection
+from armui.viewport.grips import GripKind
+from armui.viewport.handles import Dragged, HandleKind
 from tests.app_driver import AppDriver
 from tests.gallery_scenes import arm
 from tests.gallery_scenes.trajectories import library
@@ -67,3 +69,31 @@ def trail(app_driver: AppDriver) -> None:
     assert refusal is None, refusal
     app_driver.run_until(lambda: player.progress.index == len(points) - 2)
     app_driver.run(0.5)
+
+
+def dragging(app_driver: AppDriver) -> None:
+    """A target is dragged with the handles at the tool; the arm stays where it is."""
+    arm.reached_out(app_driver)
+    bar = app_driver.find("view_bar")
+    for joint, angle_deg in enumerate((10.0, 80.0, -80.0, 10.0, 50.0, -30.0), start=1):
+        app_driver.type_into(f"target_field_{joint}", f"{angle_deg}")
+    bar.choose_handles(HandleKind.TOOL)
+
+
+def dragging_joints(app_driver: AppDriver) -> None:
+    """The chosen point of an editor, with an arc at each joint."""
+    app_driver.connect()
+    library(app_driver).open_trajectory("Pick and place")
+    app_driver.page(EditorPage).select_row(1)
+    app_driver.find("view_bar").choose_handles(HandleKind.JOINTS)
+
+
+def out_of_reach(app_driver: AppDriver) -> None:
+    """A drag beyond the arm's reach says why the ghost stays."""
+    dragging(app_driver)
+    view = app_driver.program.view
+    app_driver.wait(lambda: view.shape is not None)
+    grips = view._grips(view.projection)
+    grip = next(each for each in grips if each.kind is GripKind.AXIS and each.number == 0)
+    view.handle_taken.emit()
+    view.handle_moved.emit(Dragged(grip, 900.0), False, False)

@@ -27,7 +27,7 @@ from PySide6.QtGui import QImage
 from PySide6.QtWidgets import QApplication, QWidget
 
 from armui.protocol.generation import Generation
-from armui.settings import Language, ThemeName
+from armui.setting_checks import Language, ThemeName
 from armui.ui.shell.operation_area import OperationArea
 from armui.viewport.client import PictureClient
 from tests.app_driver import AppDriver

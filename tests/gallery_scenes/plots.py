@@ -2,19 +2,19 @@
 
 from __future__ import annotations
 
-from PySide6.QtWidgets import QDialog
+from PySide6.QtWidgets import QWidget
 
 from armui.ui.watch.plot_layout import SETS
-from armui.ui.watch.plot_window import PlotWindow
+from armui.ui.watch.plot_page import PlotPage
 from tests.app_driver import AppDriver
 
 SIZE_PX = (1180, 760)
 
 
-def _window(app_driver: AppDriver, name: str, span_s: float) -> PlotWindow:
+def _window(app_driver: AppDriver, name: str, span_s: float) -> PlotPage:
     """The window with one of its sets, running."""
     app_driver.window.show_as_curves(())
-    window = app_driver.dialog(PlotWindow)
+    window = app_driver.taken_out(PlotPage)
     window.resize(*SIZE_PX)
     board = window.board
     app_driver.wait(lambda: window._known)
@@ -27,26 +27,26 @@ def _window(app_driver: AppDriver, name: str, span_s: float) -> PlotWindow:
     return window
 
 
-def _drawn(app_driver: AppDriver, window: PlotWindow) -> QDialog:
+def _drawn(app_driver: AppDriver, window: PlotPage) -> QWidget:
     window.bar.refresh()
     app_driver.wait(lambda: window.board.panes[0].graph.width_px > 100)
     window.board.draw(window.board.now_s())
     for pane in window.board.panes:
         pane.show_values(window.board.now_s())
-    return window
+    return window.window()
 
 
-def follow(app_driver: AppDriver) -> QDialog:
+def follow(app_driver: AppDriver) -> QWidget:
     return _drawn(app_driver, _window(app_driver, "follow", 5.0))
 
 
-def why_stopped(app_driver: AppDriver) -> QDialog:
+def why_stopped(app_driver: AppDriver) -> QWidget:
     if app_driver.controller.telemetry.series["ArmStatus"].count < 800:  # once, in four pictures
         app_driver.run(4.0)
     return _drawn(app_driver, _window(app_driver, "stop", 10.0))
 
 
-def cursors(app_driver: AppDriver) -> QDialog:
+def cursors(app_driver: AppDriver) -> QWidget:
     window = _window(app_driver, "follow", 10.0)
     board = window.board
     board.show_plots((*SETS["follow"][:3], ("arm.motor_current.1", "arm.motor_current.2")))
@@ -56,5 +56,5 @@ def cursors(app_driver: AppDriver) -> QDialog:
     return _drawn(app_driver, window)
 
 
-def hot(app_driver: AppDriver) -> QDialog:
+def hot(app_driver: AppDriver) -> QWidget:
     return _drawn(app_driver, _window(app_driver, "hot", 5.0))

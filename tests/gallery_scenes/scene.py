@@ -6,7 +6,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 from PySide6.QtCore import QCoreApplication
-from PySide6.QtWidgets import QApplication, QDialog
+from PySide6.QtWidgets import QApplication, QDialog, QWidget
 
 from tests.app_driver import AppDriver
 
@@ -40,7 +40,7 @@ class DialogScene:
 
     name: str
     during: str
-    open: Callable[[AppDriver], QDialog]
+    open: Callable[[AppDriver], QWidget]
 
 
 def settled(app_driver: AppDriver) -> None:

@@ -7,18 +7,18 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QLabel, QWidget
 
 from armui.ui.watch.bus import frame_model
-from armui.ui.watch.bus.bus_window import BusWindow
+from armui.ui.watch.bus.bus_page import BusPage
 
 LEFT = Qt.MouseButton.LeftButton
 
 
 class BusMonitor:
-    """The window, opened by its button."""
+    """The page, opened by its button and taken out."""
 
     def __init__(self, driver):
         self.driver = driver
         driver.click("bus_button")
-        self.window = driver.dialog(BusWindow)
+        self.window = driver.taken_out(BusPage)
         self.tree = self.window.tree
         self.model = self.window.model
 

@@ -7,7 +7,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QMenu
 
-from armui.ui.watch.bus.bus_window import BusWindow
+from armui.ui.watch.bus.bus_page import BusPage
 from tests.operator_bus.actions import LEFT, BusMonitor
 
 
@@ -163,4 +163,4 @@ def test_a_frame_of_another_host_can_be_taken_into_the_fields(monitor, box, comp
     menu.actions()[-1].trigger()
 
     assert (box.identifier.text(), box.data.text()) == ("472", "01 01 00 00 00 00 00 00")
-    assert isinstance(monitor.window, BusWindow)
+    assert isinstance(monitor.window, BusPage)

@@ -58,7 +58,7 @@ def test_the_words_change_with_the_language(monitor):
 
     assert monitor.cell(monitor.index("0x2A1"), frame_model.NAME) == "机械臂状态"
     assert monitor.details(monitor.index("0x2A1"))["状态"] == "正常 (0)"
-    assert monitor.window.windowTitle() == "总线监视"
+    assert monitor.window.title == "总线监视"
 
 
 def test_who_sends_what(monitor, company):
@@ -256,7 +256,7 @@ def test_a_click_on_the_sign_shows_the_curve(monitor):
 
 def drawn(monitor):
     """What the plots were asked for last."""
-    plots = monitor.driver.window._dialogs["plots"]
+    plots = monitor.driver.window._workspace.kept("plots")
     monitor.driver.wait(lambda: plots._known and plots.board.built)
     places = [plots.board.plot_layout.find(key) for key in ("arm.joint_angle.2", "arm.voltage.1")]
     return next(

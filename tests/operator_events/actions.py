@@ -7,18 +7,18 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QMenu
 
 from armui.ui.watch.events.event_cells import EventColumn
-from armui.ui.watch.events.event_window import EventWindow
+from armui.ui.watch.events.event_page import EventPage
 
 LEFT = Qt.MouseButton.LeftButton
 
 
 class Events:
-    """The window, opened by its button."""
+    """The page, opened by its button and taken out."""
 
     def __init__(self, driver):
         self.driver = driver
         driver.click("events_button")
-        self.window = driver.dialog(EventWindow)
+        self.window = driver.taken_out(EventPage)
         self.model, self.bar, self.table = (
             self.window.model,
             self.window.bar,

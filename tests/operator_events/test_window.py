@@ -14,8 +14,8 @@ from armui.telemetry.event_json import from_json, to_json
 from armui.telemetry.events import Asker, EventKind, Level
 from armui.ui.dialogs.files import FileDialog
 from armui.ui.watch.events.event_cells import EventColumn
-from armui.ui.watch.events.event_window import EventWindow
-from armui.ui.watch.plot_window import PlotWindow
+from armui.ui.watch.events.event_page import EventPage
+from armui.ui.watch.plot_page import PlotPage
 
 HOT = "J3 Motor temperature: Too hot"
 
@@ -67,7 +67,7 @@ def test_a_command_says_who_asked_and_what_became_of_it(events):
 
 def test_the_newest_stays_in_sight_until_the_operator_looks_elsewhere(events):
     bar = events.table.verticalScrollBar()
-    events.window.resize(1000, 420)
+    events.window.window().resize(1000, 500)
     events.look()
     assert bar.maximum() > 0
     events.driver.controller.end_motion()
@@ -217,7 +217,7 @@ def test_a_cell_is_no_formula(events, tmp_path):
 def test_a_click_moves_the_cursor_of_curves_that_are_seen(events):
     driver = events.driver
     driver.click("plots_button")
-    plots = driver.dialog(PlotWindow)
+    plots = driver.page(PlotPage)
     driver.wait(lambda: plots.board.built and plots._known)
     row = events.row(HOT)
     events.click(row)
@@ -231,7 +231,7 @@ def test_a_click_moves_the_cursor_of_curves_that_are_seen(events):
 def test_a_double_click_opens_the_curves_there(events):
     row = events.row(HOT)
     events.double_click(row)
-    plots = events.driver.dialog(PlotWindow)
+    plots = events.driver.page(PlotPage)
     entry = events.model.entry(row)
     events.driver.wait(lambda: plots.board.cursors_s[0] == entry.at_s)
     shown, now_s = plots.board.frame.shown, plots.board.now_s()
@@ -242,7 +242,7 @@ def test_a_double_click_opens_the_curves_there(events):
 def test_the_end_of_a_fault_is_shown_too(events):
     row = events.row(HOT)
     events.choose(events.menu(row), "Show its end in the curves")
-    plots = events.driver.dialog(PlotWindow)
+    plots = events.driver.page(PlotPage)
     ended_s = events.model.entry(row).ended_s
     events.driver.wait(lambda: plots.board.cursors_s[0] == ended_s)
 
@@ -251,7 +251,7 @@ def test_the_notice_in_the_status_bar_leads_to_its_entry(eventful):
     eventful.controller.motion.go_home()  # refused: the arm is stopped
     notice = eventful.read("notice_label")
     eventful.click("notice_label")
-    window = eventful.dialog(EventWindow)
+    window = eventful.page(EventPage)
     (entry,) = window.table.chosen()
     assert entry.code == "refused"
     assert notice.endswith(window.detail.text().splitlines()[0])
@@ -263,7 +263,7 @@ def test_a_problem_of_the_program_is_an_event(eventful):
 
     eventful.window.show_problem(Refusal(RefusalCode.SETTINGS_IN_USE, {"path": "x"}))
     eventful.click("notice_label")
-    (entry,) = eventful.dialog(EventWindow).table.chosen()
+    (entry,) = eventful.page(EventPage).table.chosen()
     assert (entry.code, entry.kind) == ("problem", EventKind.PROGRAM)
 
 
@@ -278,7 +278,7 @@ def test_an_entry_that_a_filter_hides_is_shown_all_the_same(events):
 
 def test_another_language_changes_every_word(events):
     events.driver.store.change(language="zh")
-    events.driver.wait(lambda: events.window.windowTitle() == "事件")
+    events.driver.wait(lambda: events.window.title == "事件")
     row = events.row("J3 电机温度")
     assert "故障" in events.window.model.index(row, EventColumn.KIND).data()
     assert events.model.headerData(0, Qt.Orientation.Horizontal) == "时间"

@@ -10,20 +10,20 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QMenu, QWidget
 
 from armui.ui.watch import carrying
-from armui.ui.watch.plot_window import PlotWindow
+from armui.ui.watch.plot_page import PlotPage
 
 LEFT = Qt.MouseButton.LeftButton
 
 
 class Plots:
-    """The window, opened by its button, its plots in sight."""
+    """The page, opened by its button and taken out, its plots in sight."""
 
     def __init__(self, driver, monkeypatch):
         self.driver = driver
         self.monkeypatch = monkeypatch
         driver.click("plots_button")
-        self.window = driver.dialog(PlotWindow)
-        self.window.resize(1180, 760)
+        self.window = driver.taken_out(PlotPage)
+        self.window.window().resize(1180, 840)
         self.board = self.window.board
         self.wait_built()
 

@@ -26,7 +26,7 @@ def window_of(driver):
     """The window 曲线, once it shows what was asked for."""
     plots = Plots.__new__(Plots)
     plots.driver = driver
-    plots.window = driver.window._dialogs["plots"]
+    plots.window = driver.window._workspace.kept("plots")
     plots.board = plots.window.board
     plots.wait_built()
     return plots

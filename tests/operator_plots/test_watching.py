@@ -193,7 +193,7 @@ def test_minimised_or_scrolled_away_plots_are_not_drawn(plots, monkeypatch):
     plots.board.draw(plots.board.now_s())
     assert 0 in drawn
     assert 11 not in drawn
-    plots.window.showMinimized()
+    plots.window.window().showMinimized()
     QApplication.processEvents()
     drawn.clear()
     plots.board._on_tick()
@@ -204,7 +204,7 @@ def test_everything_follows_language_and_colours(plots):
     plots.driver.store.change(language="zh", theme="dark")
     QApplication.processEvents()
     plots.draw()
-    assert plots.window.windowTitle() == "曲线"
+    assert plots.window.title == "曲线"
     assert plots.board.panes[0].legend.title == "J1 角度"
     assert plots.window.bar.sets.currentText() == "跟上了吗？"
     dark = plots.board.panes[0].curve_colors["arm.joint_angle.1"]

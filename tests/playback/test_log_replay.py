@@ -56,7 +56,7 @@ def test_at_any_place_the_arm_is_known_at_once(qtbot: QtBot, replay: LogReplay) 
         controller = replay.controller
         assert controller.operating_state.link is LinkState.ONLINE
         assert controller.operating_state.generation is Generation.TWO
-        assert controller.state.firmware == "S-V1.8-5"
+        assert controller.state.firmware == "S-V1.8-9"
         assert None not in controller.state.limits
         assert controller.state.angles_deg() is not None
         faulty = controller.state.drivers_slow[0]

@@ -14,8 +14,8 @@ from armui.ui.actions.palette import CommandPalette
 from armui.ui.dialogs.confirm import confirm
 from armui.ui.dialogs.files import choose_file
 from armui.ui.dialogs.settings import SettingsDialog
-from armui.ui.watch.bus.bus_window import BusWindow
-from armui.ui.watch.plot_window import PlotWindow
+from armui.ui.watch.bus.bus_page import BusPage
+from armui.ui.watch.plot_page import PlotPage
 from armui.ui.widgets.halt_button import HaltButton
 from armui.ui.widgets.stop_button import StopButton
 from armui.ui.widgets.stop_shortcut import HALT_KEY
@@ -136,8 +136,8 @@ def field_being_edited(app_driver, _button):
 
 def list_of_the_curves(app_driver, button):
     app_driver.window.show_as_curves(())
-    window = app_driver.dialog(PlotWindow)
-    window.move(button.mapToGlobal(QPoint(-900, 300)))
+    window = app_driver.taken_out(PlotPage)
+    window.window().move(button.mapToGlobal(QPoint(-900, 300)))
     app_driver.wait(lambda: window.board.built)
     window.bar.sets.showPopup()
     assert QApplication.activePopupWidget() is not None
@@ -145,8 +145,8 @@ def list_of_the_curves(app_driver, button):
 
 def list_of_the_bus_monitor(app_driver, button):
     app_driver.click("bus_button")
-    window = app_driver.dialog(BusWindow)
-    window.move(button.mapToGlobal(QPoint(-900, 300)))
+    window = app_driver.taken_out(BusPage)
+    window.window().move(button.mapToGlobal(QPoint(-900, 300)))
     app_driver.hold_button(window.send_box.unlock)
     window.filter_bar.senders.showPopup()
     assert QApplication.activePopupWidget() is not None

@@ -15,15 +15,18 @@ from armui.trajectory.files import to_bytes
 from armui.trajectory.library.store import Library
 from armui.trajectory.planning.preflight import warm_up
 from armui.trajectory.points.program import Trajectory
+from armui.ui.actions.palette import CommandPalette
+from armui.ui.actions.window_actions import WindowActions
 from armui.ui.dialogs.files import FileDialog
+from armui.ui.guide.guide_window import GuideWindow
 from armui.ui.trajectory.editor.editor_page import EditorPage
 from armui.ui.trajectory.library.bin_dialog import BinDialog
 from armui.ui.trajectory.library.library_page import LibraryPage
 from armui.ui.trajectory.recording.recording_page import RecordingPage
-from armui.ui.watch.bus.bus_window import BusWindow
-from armui.ui.watch.events.event_window import EventWindow
+from armui.ui.watch.bus.bus_page import BusPage
+from armui.ui.watch.events.event_page import EventPage
 from armui.ui.watch.plot_layout import SETS
-from armui.ui.watch.plot_window import PlotWindow
+from armui.ui.watch.plot_page import PlotPage
 from armui.ui.watch.recordings.sessions_window import SessionsWindow
 from tests.app_driver import AppDriver
 from tests.operator_library.actions import POINT, LibraryDriver
@@ -203,7 +206,7 @@ def test_the_curves(live_driver, monkeypatch, tmp_path):
     app_driver.ready()
     with watched(monkeypatch) as seen:
         app_driver.click("plots_button")
-        window = app_driver.dialog(PlotWindow)
+        window = app_driver.page(PlotPage)
         app_driver.wait(lambda: window.board.built and window._known)
         app_driver.run(1.0)
         window.board.show_plots(SETS["hot"])
@@ -228,7 +231,7 @@ def test_the_events(live_driver, monkeypatch, tmp_path):
     )
     with watched(monkeypatch) as seen:
         app_driver.click("events_button")
-        window = app_driver.dialog(EventWindow)
+        window = app_driver.page(EventPage)
         app_driver.run(0.5)
         keeper.keep()
         window.bar.search.setText("enable")
@@ -279,6 +282,28 @@ def test_the_dialogs(app_driver, monkeypatch, name):
         getattr(app_driver.window, opening.get(name, f"open_{name}_dialog"))()
         app_driver.run(0.2)
         dialog = app_driver.dialog(QDialog)
+        dialog.close()
+        app_driver.run(0.1)
+    assert forbidden(seen) == []
+
+
+@pytest.mark.parametrize("name", ["palette", "guide", "shortcuts"])
+def test_what_opens_by_a_key_in_every_window(app_driver, monkeypatch, name):
+    """Names and the guide, its pictures too, are read by another thread."""
+    preload()
+    app_driver.ready()
+    with watched(monkeypatch) as seen:
+        getattr(app_driver.window.findChild(WindowActions), f"open_{name}")()
+        dialog = app_driver.dialog(QDialog)
+        if isinstance(dialog, CommandPalette):
+            app_driver.wait(lambda: dialog.knows_names)
+            dialog.search.setText("ydkz")
+        elif isinstance(dialog, GuideWindow):
+            app_driver.wait(lambda: dialog.shown != "")
+            dialog.show_section("motion")
+            picture = "pictures/motion-en.png"
+            app_driver.wait(lambda: dialog.browser.picture_width(picture) > 0)
+        app_driver.run(0.2)
         dialog.close()
         app_driver.run(0.1)
     assert forbidden(seen) == []
@@ -345,7 +370,7 @@ def test_the_bus_monitor(app_driver, monkeypatch):
     app_driver.ready()
     with watched(monkeypatch) as seen:
         app_driver.click("bus_button")
-        window = app_driver.dialog(BusWindow)
+        window = app_driver.page(BusPage)
         app_driver.run(0.3)
         window.look()
         window.tree.expandAll()

@@ -193,9 +193,9 @@ def test_the_mode_button_and_the_sign_in_the_window(ready, pads):
     pads.release("y")
     pass_time(ready, 0.02)
     assert pilot(ready).view.mode is JogMode.BASE
-    assert "Base frame" in ready.read("gamepad_text")
     pads.release("left_shoulder")
     pass_time(ready, 0.02)
+    assert "Base frame" in ready.read("gamepad_text")
     pads.press("left_shoulder")
     pass_time(ready, 0.02)
     drive(ready, pads, left_y=1.0)

@@ -8,6 +8,7 @@ from armui.protocol.firmware_version import FirmwareBug, FirmwareVersion, quirks
 from armui.protocol.generation import Generation
 from armui.sim.faults.bugs import NAMES, PURPOSES
 from armui.sim.firmware import Firmware
+from tests.moments import now
 from tests.sim.talk import ENABLE, RESUME, heard, mode, target, tell
 
 MIT = "151#010400AD00000000"
@@ -93,16 +94,16 @@ def test_a_leader_falls_silent_until_a_power_cycle() -> None:
     assert tell(arm, "4AF#0100000000000000") == []
     arm.power_cycle()
     assert arm.step(0.02)
-    assert arm.leads
+    assert now(arm.leads)
 
 
 def test_the_arm_falls_back_into_the_leader_s_role() -> None:
     arm = arm_with(FirmwareBug.FALLS_BACK_TO_LEADER, "S-V1.8-2")
     arm.step(29.0)
-    assert not arm.leads
+    assert not now(arm.leads)
     arm.step(1.1)
-    assert arm.leads
+    assert now(arm.leads)
     tell(arm, "470#FC00000000000000")
-    assert not arm.leads
+    assert not now(arm.leads)
     arm.step(20.0)
-    assert not arm.leads
+    assert not now(arm.leads)

@@ -105,7 +105,12 @@ def test_bugs_without_names_are_those_of_the_version(
     version, names, said, capsys, monkeypatch
 ) -> None:
     made = []
-    monkeypatch.setattr(command, "run_arm", lambda arm, *_rest, **_more: made.append(arm) or 0)
+
+    def run_arm(arm, *_rest, **_more):
+        made.append(arm)
+        return 0
+
+    monkeypatch.setattr(command, "run_arm", run_arm)
     assert command.run(read("--firmware", version, "--bugs")) == 0
     assert made[0].bugs.present == names
     assert said in capsys.readouterr().err

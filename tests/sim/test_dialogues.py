@@ -215,7 +215,7 @@ DIALOGUES = {
         < 4AF#0000000000000000
     """),
     "another arm's version is no question": ((TWO,), """
-        > 4AF#41524D5F4D430000
+        > 4AF#506950455220532D
     """),
     "generation 1 is silent about its version": ((ONE,), """
         > 4AF#0100000000000000

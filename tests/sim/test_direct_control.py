@@ -43,11 +43,11 @@ def setpoint(
     return f"{0x159 + joint:03X}#{word:016X}"
 
 
-def hold(joints_deg: tuple[float, ...], **gains: int) -> list[str]:
+def hold(joints_deg: tuple[float, ...], /, **gains: int) -> list[str]:
     return [setpoint(joint, angle, **gains) for joint, angle in enumerate(joints_deg, start=1)]
 
 
-def in_mit(joints_deg: tuple[float, ...] = LEANING, **gains: int) -> Firmware:
+def in_mit(joints_deg: tuple[float, ...] = LEANING, /, **gains: int) -> Firmware:
     arm = ready(joints_deg=joints_deg)
     tell(arm, MIT, *hold(joints_deg, **gains))
     return arm

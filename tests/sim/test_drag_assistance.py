@@ -48,12 +48,8 @@ def test_a_kept_text_of_before_has_the_factorys() -> None:
 
 @pytest.mark.parametrize(("patch", "has"), [(0, False), (1, True)])
 def test_only_from_1_8_1(patch, has) -> None:
-    class _Arm:
-        def settings_changed(self) -> None:
-            pass
-
     codec = Codec(TWO, firmware=FirmwareVersion(1, 8, patch))
-    server = ParameterServer(codec, ArmSettingsRecord(), _Arm())
+    server = ParameterServer(codec, ArmSettingsRecord(), Firmware(TWO).settings_applier)
     setting = codec.encode("DragAssistanceSetting", J1=1)
     answers = server.handle("DragAssistanceSetting", codec.decode(setting).signals)
     assert bool(answers) == has

@@ -55,7 +55,7 @@ def response(inertia: float, kp: float, kd: float, step: float) -> Callable[[flo
 def test_a_step_of_one_joint_is_the_closed_form_of_its_gains(index, kp, kd) -> None:
     """Joints that carry no weight, the others held: within 2 % of the step at every tick."""
     joints, speeds, width = LEANING.copy(), np.zeros(6), 0.2
-    level = np.zeros(3) if index else np.array((0.0, 0.0, -1.0))  # wrists without weight
+    level = (0.0, 0.0, 0.0) if index else DOWN  # wrists without weight
     inertia = float(BODY.equation(joints, speeds)[0][index, index])
     expected = response(inertia, kp, kd, width)
     start = joints[index]
@@ -155,7 +155,7 @@ def test_the_stiffest_gains_are_stable_at_any_step(dt_s) -> None:
 def test_nearly_nothing_in_every_field_never_makes_a_joint_faster() -> None:
     """The codes nearest to zero: kd −0.0012, torque −0.004 N·m, speed −0.011 rad/s, kp 0."""
     nearly = law(list(range(6)), speeds_rad_s=-0.01099, kd=-0.001221, torques_nm=-0.003907)
-    level = np.zeros(3)  # no gravity: what moves, moves by the fields alone
+    level = (0.0, 0.0, 0.0)  # no gravity: what moves, moves by the fields alone
     joints, speeds = LEANING.copy(), np.array((1.0, -0.5, 0.5, 1.0, -1.0, 2.0))
     dynamics = JointDynamics()
     energy = BODY.kinetic_energy_j(joints, speeds)

@@ -18,6 +18,9 @@ class FakeView(QWidget):
     load_failed = Signal(object)
     finding_picked = Signal(object)
     view_changed = Signal()
+    handle_taken = Signal()
+    handle_moved = Signal(object, bool, bool)
+    handle_left = Signal(bool)
 
     def __init__(self) -> None:
         super().__init__()
@@ -73,6 +76,9 @@ class FakeView(QWidget):
 
     def set_reach(self, reach: Any) -> None:
         self.reach = reach
+
+    def set_handles(self, place: Any) -> None:
+        self.handles = place
 
     def set_trail(self, trail: Any) -> None:
         self.trail = trail

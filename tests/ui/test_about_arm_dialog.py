@@ -12,11 +12,13 @@ from pytestqt.qtbot import QtBot
 
 from armui.arm.device import Device
 from armui.arm.limits import FACTORY_LIMITS
+from armui.arm.model_check import ModelFit
 from armui.arm.state import Reading
 from armui.control.operating_state import LinkState, OperatingState
 from armui.doctor.facts import LinkFacts
 from armui.protocol.addressing import Addressing
 from armui.protocol.generation import Generation
+from armui.protocol.piper_model import PiperModel
 from armui.ui.background import Background
 from armui.ui.dialogs import about_arm
 from armui.ui.dialogs.about_arm import AboutArmDialog
@@ -70,7 +72,30 @@ def test_without_an_arm_everything_is_unknown(qtbot, controller, dialog):
     assert value(dialog, "feedback") == "unknown"
     assert value(dialog, "online") == "not heard"
     assert value(dialog, "joint_1") == "unknown: not read from the arm"
-    assert value(dialog, "model") == "unknown: the arm does not tell it"
+    assert value(dialog, "model") == "none connected"
+
+
+@pytest.mark.parametrize(
+    ("fitting", "says"),
+    [
+        (None, "PiPER L, as chosen; not compared yet"),
+        ({PiperModel.PIPER_L}, "PiPER L, confirmed by the pose it reports"),
+        (
+            {PiperModel.PIPER_L, PiperModel.PIPER},
+            "PiPER L, as chosen; other models fit its pose as well",
+        ),
+        ({PiperModel.PIPER_X}, "PiPER L, as chosen; its pose is that of a PiPER X"),
+        (set(), "PiPER L, as chosen; its pose fits none of the models"),
+    ],
+)
+def test_the_model_is_the_operator_s_and_what_the_arm_tells_of_it(
+    qtbot, controller, dialog, fitting, says
+):
+    connect(controller)
+    fit = ModelFit(PiperModel.PIPER_L, None if fitting is None else frozenset(fitting))
+    controller.be(replace(controller.operating_state, model_fit=fit))
+    shown(qtbot, dialog)
+    assert value(dialog, "model") == says
 
 
 def test_an_arm_on_an_adapter(qtbot, controller, dialog):

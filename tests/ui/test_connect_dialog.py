@@ -4,16 +4,23 @@ from __future__ import annotations
 
 import pytest
 from PySide6.QtCore import QItemSelectionModel, Qt
-from PySide6.QtWidgets import QApplication, QTableView
+from PySide6.QtWidgets import QApplication, QLabel, QLineEdit, QTableView
 from pytestqt.qtbot import QtBot
 
 from armui.arm.device import Device
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.control.operating_state import LinkState, OperatingState
+from armui.doctor.facts import CanFacts, LinkFacts, SerialPortFacts
+from armui.doctor.finding import Diagnosis
+from armui.doctor.judge_can import judge_can
+from armui.ui.background import Background
+from armui.ui.dialogs.adapter_trouble import AdapterTrouble
 from armui.ui.dialogs.confirm_dialog import ConfirmDialog
 from armui.ui.dialogs.connect import ConnectDialog
+from armui.ui.dialogs.finding_row import FindingRow
 from armui.ui.translation import Translator
+from tests.app_driver import AtOnce
 from tests.ui.arm_states import operating_state
 from tests.ui.dialog_reading import message, shown, words_of
 from tests.ui.fake_controller import FakeController
@@ -62,12 +69,14 @@ def test_opening_it_searches_each_time(
     assert controller.calls == [("search_devices",)] * 2
 
 
-def test_devices_are_listed_with_kind_channel_serial_and_bit_rate(connect: ConnectDialog) -> None:
+def test_devices_are_listed_with_all_that_is_known_the_real_ones_first(
+    connect: ConnectDialog,
+) -> None:
     assert cells(connect) == [
-        ["", "Simulated arm, gen. 2", "—", "—", "—"],
-        ["", "Simulated arm, gen. 1", "—", "—", "—"],
         ["", "SocketCAN", "can0", "—", "—"],
         ["", "candleLight (gs_usb)", "0", "0031002F", "1 Mbit/s"],
+        ["", "Simulated arm, gen. 2", "—", "—", "—"],
+        ["", "Simulated arm, gen. 1", "—", "—", "—"],
     ]
     assert chosen_rows(connect) == [0]
 
@@ -75,7 +84,7 @@ def test_devices_are_listed_with_kind_channel_serial_and_bit_rate(connect: Conne
 def test_a_click_and_the_button_connect(
     qtbot: QtBot, controller: FakeController, connect: ConnectDialog
 ) -> None:
-    click_row(qtbot, connect, 2)
+    click_row(qtbot, connect, 0)
     qtbot.mouseClick(connect.connect_button, LEFT)
 
     assert controller.calls[-1] == ("connect_device", CAN0)
@@ -85,7 +94,7 @@ def test_a_double_click_connects(
     qtbot: QtBot, controller: FakeController, connect: ConnectDialog
 ) -> None:
     table = connect.findChild(QTableView)
-    place = table.visualRect(table.model().index(1, 1)).center()
+    place = table.visualRect(table.model().index(3, 1)).center()
     qtbot.mouseClick(table.viewport(), LEFT, pos=place)
     qtbot.mouseDClick(table.viewport(), LEFT, pos=place)
 
@@ -97,13 +106,13 @@ def test_by_keyboard(qtbot: QtBot, controller: FakeController, connect: ConnectD
     qtbot.keyClick(table, Qt.Key.Key_Down)
     qtbot.keyClick(table, Qt.Key.Key_Return)
 
-    assert controller.calls[-1] == ("connect_device", SIM_1)
+    assert controller.calls[-1] == ("connect_device", CANDLE)
 
 
 def test_the_bit_rate_can_be_chosen_where_the_program_sets_it(
     qtbot: QtBot, controller: FakeController, connect: ConnectDialog
 ) -> None:
-    click_row(qtbot, connect, 3)
+    click_row(qtbot, connect, 1)
     assert connect.bitrate_box.isEnabled()
     assert connect.bitrate_box.currentData() == 1_000_000
     qtbot.keyClick(connect.bitrate_box, Qt.Key.Key_Down)
@@ -113,7 +122,7 @@ def test_the_bit_rate_can_be_chosen_where_the_program_sets_it(
     assert controller.calls[-1] == ("connect_device", expected)
 
 
-@pytest.mark.parametrize(("row", "reason"), [(0, "simulated"), (2, "operating system")])
+@pytest.mark.parametrize(("row", "reason"), [(2, "simulated"), (0, "operating system")])
 def test_the_bit_rate_is_closed_elsewhere_and_says_why(
     qtbot: QtBot, connect: ConnectDialog, row: int, reason: str
 ) -> None:
@@ -134,8 +143,8 @@ def test_a_device_that_no_search_finds_can_be_named(
     qtbot.keyClicks(manual.channel_edit, "/dev/ttyACM0")
     qtbot.mouseClick(manual.add_button, LEFT)
 
-    assert cells(connect)[-1][1:3] == ["slcan", "/dev/ttyACM0"]
-    assert chosen_rows(connect) == [4]
+    assert cells(connect)[2][1:3] == ["slcan", "/dev/ttyACM0"]
+    assert chosen_rows(connect) == [2]
     qtbot.mouseClick(connect.connect_button, LEFT)
     assert controller.calls[-1] == ("connect_device", Device("slcan", "/dev/ttyACM0", 1_000_000))
 
@@ -172,8 +181,8 @@ def test_a_named_device_survives_the_next_search_and_is_listed_once(
         qtbot.mouseClick(connect._manual.add_button, LEFT)
     controller.devices_found.emit([SIM_2])
 
-    assert [row[2] for row in cells(connect)] == ["—", "COM5"]
-    assert chosen_rows(connect) == [1]
+    assert [row[2] for row in cells(connect)] == ["COM5", "—"]
+    assert chosen_rows(connect) == [0]
 
 
 def test_while_it_searches_it_says_so(
@@ -196,12 +205,65 @@ def test_the_connected_device_is_marked_and_disconnected(
     assert not connect.disconnect_button.isEnabled()
     assert connect.disconnect_button.toolTip()
     controller.be(operating_state(device=SIM_2))
+    click_row(qtbot, connect, 2)
 
-    assert [row[0] for row in cells(connect)] == ["Online", "", "", ""]
+    assert [row[0] for row in cells(connect)] == ["", "", "Online", ""]
     assert not connect.connect_button.isEnabled()
     assert connect.connect_button.toolTip() == "This device is connected."
     qtbot.mouseClick(connect.disconnect_button, LEFT)
     assert controller.calls[-1] == ("disconnect_device",)
+
+
+def test_once_the_arm_is_heard_it_is_out_of_the_way(
+    qtbot: QtBot, controller: FakeController, connect: ConnectDialog
+) -> None:
+    click_row(qtbot, connect, 2)
+    qtbot.mouseClick(connect.connect_button, LEFT)
+    controller.be(operating_state(device=SIM_2, link=LinkState.OPENING))
+    controller.be(operating_state(device=SIM_2, link=LinkState.OFFLINE))
+    assert connect.isVisible()  # and says what to check
+    controller.be(operating_state(device=SIM_2, link=LinkState.ONLINE))
+    assert not connect.isVisible()
+
+    connect.open()  # to look at it, or to disconnect
+    controller.be(operating_state(device=SIM_2, link=LinkState.ONLINE, speed_percent=7))
+    assert connect.isVisible()
+
+
+def test_what_is_wrong_with_an_adapter_is_said_with_the_command_that_mends_it(
+    qtbot: QtBot, controller: FakeController
+) -> None:
+    down = LinkFacts("can0", "can", False)
+    closed = SerialPortFacts("/dev/ttyACM0", False, "dialout")
+    found = judge_can(CanFacts(links=(down,), ports=(closed,)))
+    trouble = AdapterTrouble(Background(AtOnce()), lambda: found)
+    qtbot.addWidget(trouble)
+    trouble.examine()
+    assert not trouble.isHidden()
+    rows = trouble.findChildren(FindingRow)
+    texts = " ".join(label.text() for row in rows for label in row.findChildren(QLabel))
+    assert "/dev/ttyACM0" in texts  # the gravest alone: the diagnosis tells the rest
+    commands = [line.text() for row in rows for line in row.findChildren(QLineEdit)]
+    assert commands == ['sudo usermod -aG dialout "$USER"']
+    qtbot.mouseClick(rows[0].copy_buttons[0], LEFT)
+    assert QApplication.clipboard().text() == commands[0]
+
+
+def test_where_nothing_is_wrong_nothing_is_said(qtbot: QtBot) -> None:
+    trouble = AdapterTrouble(Background(AtOnce()), list)
+    qtbot.addWidget(trouble)
+    trouble.examine()
+    assert trouble.isHidden()
+
+
+def test_a_look_that_fails_says_nothing(qtbot: QtBot) -> None:
+    def fails() -> list[Diagnosis]:
+        raise OSError("no /sys")
+
+    trouble = AdapterTrouble(Background(AtOnce()), fails)
+    qtbot.addWidget(trouble)
+    trouble.examine()
+    assert trouble.isHidden()
 
 
 @pytest.mark.parametrize(
@@ -218,7 +280,7 @@ def test_the_mark_says_how_the_link_is(
 ) -> None:
     controller.be(operating_state(device=CAN0, link=link))
 
-    assert [row[0] for row in cells(connect)] == ["", "", word, ""]
+    assert [row[0] for row in cells(connect)] == [word, "", "", ""]
 
 
 def test_a_connected_device_that_no_search_found_is_listed(
@@ -226,7 +288,7 @@ def test_a_connected_device_that_no_search_found_is_listed(
 ) -> None:
     controller.be(operating_state(device=Device("pcan", "PCAN_USBBUS1", 500_000)))
 
-    assert cells(connect)[-1] == ["Online", "PCAN", "PCAN_USBBUS1", "—", "500 kbit/s"]
+    assert cells(connect)[2] == ["Online", "PCAN", "PCAN_USBBUS1", "—", "500 kbit/s"]
 
 
 def test_the_chosen_bit_rate_makes_it_no_other_device(
@@ -234,7 +296,7 @@ def test_the_chosen_bit_rate_makes_it_no_other_device(
 ) -> None:
     controller.be(operating_state(device=Device("gs_usb", "0", 500_000, serial="0031002F")))
 
-    assert cells(connect)[3] == ["Online", "candleLight (gs_usb)", "0", "0031002F", "500 kbit/s"]
+    assert cells(connect)[1] == ["Online", "candleLight (gs_usb)", "0", "0031002F", "500 kbit/s"]
     assert len(cells(connect)) == 4
 
 
@@ -276,7 +338,7 @@ def test_the_words_in_the_table_change_with_the_language(
     translator.set_language("zh")
     QApplication.processEvents()
 
-    assert cells(connect)[0][:2] == ["在线", "仿真机械臂（第 2 代）"]
+    assert cells(connect)[2][:2] == ["在线", "仿真机械臂（第 2 代）"]
     header = connect.findChild(QTableView).model().headerData
     assert [header(column, Qt.Orientation.Horizontal) for column in range(5)] == [
         *("状态", "类型", "通道", "序列号", "波特率")

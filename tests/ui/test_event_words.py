@@ -16,7 +16,7 @@ from armui.control.event_log.observed import ObservedCode
 from armui.control.events import EventCode
 from armui.control.motion.motion_command import End
 from armui.protocol.codec import InvalidFrameKind
-from armui.settings import Language
+from armui.setting_checks import Language
 from armui.telemetry.events import Asker, EventEntry, EventKind, EventOutcome, Level
 from armui.ui.translation import Translator
 from armui.ui.words import event_log as words

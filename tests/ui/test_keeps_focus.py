@@ -10,14 +10,15 @@ from armui.ui.widgets.press_button import PressButton
 
 
 class Window(KeepsFocus, QWidget):
-    pass
+    def __init__(self):
+        super().__init__()
+        self.buttons = [QPushButton("enable"), PressButton(), QPushButton("jog")]
 
 
 @pytest.fixture
 def window(qtbot):
     window = Window()
     layout = QVBoxLayout(window)
-    window.buttons = [QPushButton("enable"), PressButton(), QPushButton("jog")]
     for button in window.buttons:
         layout.addWidget(button)
     qtbot.addWidget(window)

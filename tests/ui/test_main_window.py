@@ -15,9 +15,11 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from armui.arm.models import robot_description
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.control.operating_state import LinkState
+from armui.protocol.piper_model import PiperModel
 from armui.settings import SettingsStore
 from armui.ui.dialogs.confirm_dialog import ConfirmDialog
 from armui.ui.dialogs.settings import SettingsDialog
@@ -247,7 +249,7 @@ def test_settings_reach_the_window(window, store, view, controller, qtbot):
     store.change(urdf_path="/robots/other.urdf")
     assert view.robot == Path("/robots/other.urdf")
     store.change(urdf_path=None)
-    assert view.robot is None
+    assert view.robot == robot_description(PiperModel.PIPER)
 
 
 def test_the_view_takes_the_theme(qapp, window, view):

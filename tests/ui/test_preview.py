@@ -31,6 +31,9 @@ class View:
     def set_preview(self, preview):
         self.shown = preview
 
+    def show_joint_range(self, number, limits_deg=(0.0, 0.0)):
+        self.range = (number, limits_deg)
+
 
 @pytest.fixture
 def view():

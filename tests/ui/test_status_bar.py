@@ -58,7 +58,7 @@ def test_unknown_codes_keep_their_number(bar, controller):
     controller.be(operating_state())
     controller.hear(arm_state(arm_status=0x2F))
     assert "0x2F" in text(bar, "status_arm")
-    assert ink(bar, "status_arm") == LIGHT.stop
+    assert ink(bar, "status_arm") == LIGHT.stop_ink
 
 
 @pytest.mark.parametrize(
@@ -83,7 +83,7 @@ def test_joints_out_of_order_are_named(bar, controller):
     controller.be(operating_state())
     controller.hear(arm_state(communication_fault=joints(1, 3), limit_exceeded=joints(6)))
     assert text(bar, "status_joints") == "No communication: J1, J3  Beyond limit: J6"
-    assert ink(bar, "status_joints") == LIGHT.stop
+    assert ink(bar, "status_joints") == LIGHT.stop_ink
 
 
 def test_stale_status_turns_muted(bar, controller):

@@ -16,7 +16,8 @@ from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.control.events import LEVELS, Event, EventCode, Level
 from armui.protocol.codes import MoveMode
-from armui.settings import SettingsStore, check
+from armui.setting_checks import check
+from armui.settings import SettingsStore
 from armui.trajectory import columns, files
 from armui.trajectory.points.program import GripperOpening, Waypoint, check_point
 from armui.ui import words

@@ -40,8 +40,10 @@ def test_the_ray_of_a_pixel_leads_to_what_is_seen_there(camera, size):
 
 
 def test_what_is_behind_the_eye_is_not_seen():
-    behind = tuple(2.0 * e - f for e, f in zip(HOME_CAMERA.eye_m, HOME_CAMERA.focus_m, strict=True))
-    assert Projection(HOME_CAMERA, WIDTH, HEIGHT).pixel(behind) is None
+    x, y, z = (
+        2.0 * eye - focus for eye, focus in zip(HOME_CAMERA.eye_m, HOME_CAMERA.focus_m, strict=True)
+    )
+    assert Projection(HOME_CAMERA, WIDTH, HEIGHT).pixel((x, y, z)) is None
 
 
 def test_without_perspective_what_is_farther_looks_as_large():

@@ -3,7 +3,7 @@
 import pytest
 
 from armui.ui.shell.workspace_layout import (
-    Columns,
+    ColumnLayout,
     Place,
     WorkspaceLayout,
     fitted,
@@ -18,7 +18,7 @@ WHOLE = WorkspaceLayout(
     page_share=0.6,
     drawer_px=260,
     taken_out={"library": Place(-100, 0, 800, 600)},
-    columns={"points": Columns((80, 66), 1, ascending=False)},
+    columns={"points": ColumnLayout((80, 66), 1, ascending=False)},
 )
 
 
@@ -48,7 +48,7 @@ def test_what_is_not_possible_is_as_at_first(text):
 
 def test_columns_are_held_within_reason():
     found = from_text('{"columns": {"t": {"widths_px": [1, 99999], "sorted_by": 7}}}')
-    assert found.columns == {"t": Columns((20, 4000), -1)}
+    assert found.columns == {"t": ColumnLayout((20, 4000), -1)}
 
 
 SCREENS = [Place(0, 0, 1280, 760), Place(1280, 0, 1920, 1040)]

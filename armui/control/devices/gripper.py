@@ -8,6 +8,7 @@ from typing import Final
 
 from armui.arm.gripper import GripperState
 from armui.arm.parameters import Parameter
+from armui.arm.quirks import why_not_by_firmware
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import ArmState, is_fresh
@@ -43,11 +44,13 @@ class _Travel:
         target: Where it was sent, mm or degrees.
         last: Where it was seen last.
         moved_s: When it was last seen to move.
+        unit: Of both.
     """
 
     target: float
     last: float
     moved_s: float
+    unit: str
 
 
 class GripperControl:
@@ -60,6 +63,10 @@ class GripperControl:
         context: What the parts of the controller share.
         settings: Reads the stroke that the arm allows.
         end_run: Called with the reason when the gripper is about to be disabled under a run.
+
+    Attributes:
+        by_angle: The operator wants to tell angles in the place of openings; it counts where the
+            firmware has that (from S-V1.8-8).
     """
 
     def __init__(
@@ -71,11 +78,27 @@ class GripperControl:
         self._action: str | None = None
         self._request: Request | None = None
         self._travel: _Travel | None = None
+        self.by_angle = False
+
+    @property
+    def tells_angle(self) -> bool:
+        """Whether generation 2 is told angles now."""
+        return self.by_angle and self.why_no_angle() is None
+
+    def why_no_angle(self) -> Refusal | None:
+        """Why this arm's gripper cannot be told an angle in the place of an opening."""
+        generation = self._context.connection.generation
+        if generation is None:
+            return Refusal(RefusalCode.GENERATION_UNKNOWN)
+        if generation is Generation.ONE:
+            return Refusal(RefusalCode.SETTING_NOT_KEPT, {"generation": 1})
+        return why_not_by_firmware(self._context.state(), "has_gripper_angle")
 
     @property
     def figures(self) -> Figures:
         """What it can be asked for now."""
-        return figures_of(self._context.connection.generation, self._context.state())
+        generation, state = self._context.connection.generation, self._context.state()
+        return figures_of(generation, state, by_angle=self.tells_angle)
 
     def why_not(self, *, moving: bool, letting_go: bool = False) -> Refusal | None:
         """The reason against a command now, or ``None``.
@@ -122,7 +145,8 @@ class GripperControl:
         """Open or close it; the same frame enables it (0x159).
 
         Args:
-            travel: Opening in mm (generation 2) or angle in degrees (generation 1).
+            travel: Opening in mm (generation 2) or angle in degrees (generation 1, and where
+                `tells_angle`).
             effort: Torque in N·m (generation 2) or speed in rad/s (generation 1).
 
         Returns:
@@ -138,10 +162,12 @@ class GripperControl:
         heard = self._heard()
         if refusal is not None or heard is None:
             return self._context.refuse(refusal or Refusal(RefusalCode.GRIPPER_SILENT))
-        if not self._context.connection.send(self._hold(travel, effort)):
+        by_angle = self.tells_angle
+        if not self._context.connection.send(self._hold(travel, effort, by_angle=by_angle)):
             return self._context.refuse(Refusal(RefusalCode.LINK_LOST))
         self.forget()
-        self._travel = _Travel(travel, heard.travel, self._context.clock())
+        unit = figures.travel.unit
+        self._travel = _Travel(travel, heard.travel, self._context.clock(), unit)
         self._context.tell(EventCode.GRIPPER_SENT, value=travel, unit=figures.travel.unit)
         return None
 
@@ -152,7 +178,8 @@ class GripperControl:
         heard = self._heard()
         if refusal is not None or heard is None:
             return self._context.refuse(refusal or Refusal(RefusalCode.GRIPPER_SILENT))
-        frames = self._hold(heard.travel, effort)
+        # told as it tells itself: a number of another kind would move it
+        frames = self._hold(heard.travel, effort, by_angle=heard.opening_mm is None)
         self._start("enable", frames, lambda gripper: gripper.enabled)
         return None
 
@@ -195,10 +222,12 @@ class GripperControl:
         heard = self._context.state().gripper
         return None if heard is None else heard.value
 
-    def _hold(self, travel: float, effort: float) -> list[Frame]:
+    def _hold(self, travel: float, effort: float, *, by_angle: bool) -> list[Frame]:
         codec = self._context.connection.codec
         if self._context.connection.generation is Generation.ONE:
             return commands.move_gripper_angle(codec, angle_deg=travel, speed_rad_s=effort)
+        if by_angle:
+            return commands.move_gripper_to_angle(codec, angle_deg=travel, torque_nm=effort)
         return commands.move_gripper_opening(codec, opening_mm=travel, torque_nm=effort)
 
     def _start(
@@ -241,6 +270,10 @@ class GripperControl:
             self._travel = None  # whether it arrives cannot be known; its silence is told elsewhere
             return
         heard = feedback.value
+        if heard.unit != travel.unit:
+            if now_s - travel.moved_s >= _STANDS_S:
+                self._travel = None  # it goes on telling itself in the other way
+            return
         if abs(heard.travel - travel.last) > _STILL:
             travel.last, travel.moved_s = heard.travel, now_s
         gap = abs(heard.travel - travel.target)
@@ -249,7 +282,7 @@ class GripperControl:
             return
         there = heard.enabled and gap <= _THERE
         self._travel = None
-        figures = {"value": heard.travel, "unit": self.figures.travel.unit}
+        figures = {"value": heard.travel, "unit": travel.unit}
         if there:
             self._context.tell(EventCode.GRIPPER_THERE, **figures)
         elif heard.enabled and abs(heard.torque_nm or 0.0) > _GRIPS_NM:

@@ -58,11 +58,18 @@ class Figures:
     stroke_read: bool
 
 
-def figures_of(generation: Generation | None, state: ArmState) -> Figures:
+def figures_of(
+    generation: Generation | None, state: ArmState, *, by_angle: bool = False
+) -> Figures:
     """What can be asked of the gripper of an arm; generation 2 while that is not known.
 
     The stroke is that of the arm (0x47E) where it was read and is not 0, «no limit». How far the
-    grippers of generation 1 turn is not published: the arm's own feedback shows where it ends.
+    grippers turn is not published: the arm's own feedback shows where it ends.
+
+    Args:
+        generation: The arm's.
+        state: What was read of it.
+        by_angle: Generation 2 is told an angle in the place of the opening (from S-V1.8-8).
     """
     if generation is Generation.ONE:
         angle, speed = RANGES["gripper angle"], RANGES["gripper speed"]
@@ -71,13 +78,21 @@ def figures_of(generation: Generation | None, state: ArmState) -> Figures:
             Figure("speed", "rad/s", _LEAST_SPEED_RAD_S, speed.maximum, 6.0, 0.1, 1.0, 0.01),
             stroke_read=False,
         )
+    torque = Figure("torque", "N·m", 0.0, RANGES["torque"].maximum, 5.0, 0.1, 1.0, 0.01)
+    if by_angle:
+        span = RANGES["gripper angle"]
+        return Figures(
+            Figure("angle", "°", span.minimum, span.maximum, _SLIDER_DEG, 1.0, 0.0, 0.1),
+            torque,
+            stroke_read=False,
+        )
     handle = state.teaching_handle
     stroke_mm = 0.0 if handle is None else handle.value.stroke_limit_mm
     read = 0.0 < stroke_mm <= WIDEST_MM
     widest = float(stroke_mm) if read else WIDEST_MM
     return Figures(
         Figure("opening", "mm", 0.0, widest, widest, 1.0, 0.0, 0.1),
-        Figure("torque", "N·m", 0.0, RANGES["torque"].maximum, 5.0, 0.1, 1.0, 0.01),
+        torque,
         stroke_read=read,
     )
 

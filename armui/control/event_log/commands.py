@@ -60,6 +60,7 @@ COMMANDS: Final[Mapping[E, CommandRule]] = {
     E.SENT_LAMP: _rule(),
     E.SENT_LAMPS: _rule(),
     E.TAKEN_OVER: _rule(),
+    E.MODE_LEFT: _rule(),
     E.STOP_SENT: _rule(
         *(E.STOP_CONFIRMED, E.STOP_UNCONFIRMED, E.STOP_LAPSED, E.STOP_WITHDRAWN, E.STOP_ABANDONED)
     ),
@@ -74,6 +75,7 @@ COMMANDS: Final[Mapping[E, CommandRule]] = {
     E.CLEAR_ERROR_SENT: _rule(
         E.CLEAR_ERROR_ANSWERED, E.CLEAR_ERROR_UNANSWERED, answer=_JOINT, same="joint"
     ),
+    E.MOUNTING_SENT: _rule(),
     E.LOAD_SENT: _rule(E.LOAD_ANSWERED, E.LOAD_FAILED, answer=_PARAMETER),
     E.END_FEEDBACK_SENT: _rule(
         E.END_FEEDBACK_ON, E.END_FEEDBACK_OFF, E.END_FEEDBACK_FAILED, answer=_PARAMETER
@@ -108,6 +110,7 @@ SETTINGS: Final = frozenset(
     {
         *(SettingIndex.LIMIT_SETTING, SettingIndex.JOINT_SETTING, SettingIndex.END_LIMIT_SETTING),
         *(SettingIndex.COLLISION_SETTING, SettingIndex.TEACHING_SETTING),
+        SettingIndex.DRAG_ASSISTANCE_SETTING,
     }
 )
 """What answers saved settings, which go out one frame after the other."""
@@ -116,8 +119,8 @@ LASTING: Final[Mapping[E, frozenset[E]]] = {
     E.OFFLINE: frozenset({E.ONLINE, E.LINK_LOST, E.DISCONNECTED}),
     E.LINK_LOST: frozenset({E.RECONNECTED, E.DISCONNECTED}),
     E.BUS_BLOCKED: frozenset({E.BUS_UNBLOCKED, E.LINK_LOST, E.DISCONNECTED}),
-    E.MODEL_OTHER: frozenset({E.OFFLINE, E.LINK_LOST, E.DISCONNECTED}),
-    E.MODEL_NONE: frozenset({E.OFFLINE, E.LINK_LOST, E.DISCONNECTED}),
+    E.MODEL_OTHER: frozenset({E.LINK_LOST, E.DISCONNECTED}),
+    E.MODEL_NONE: frozenset({E.LINK_LOST, E.DISCONNECTED}),
     E.OTHER_HOST_MOVES: frozenset({E.OTHER_HOST_GONE, E.LINK_LOST, E.DISCONNECTED}),
     E.LEADER_ARM_MOVES: frozenset({E.OTHER_HOST_GONE, E.LINK_LOST, E.DISCONNECTED}),
 }

@@ -11,6 +11,7 @@ from armui.control.events import EventCode
 if TYPE_CHECKING:
     from armui.arm.state import ArmState
     from armui.control.context import Context
+    from armui.protocol.piper_model import PiperModel
 
 _EVERY_S: Final = 0.5
 _LOOKS: Final = 2
@@ -41,6 +42,12 @@ class ModelWatch:
     def fit(self) -> ModelFit:
         """What is known of the model that was chosen."""
         return ModelFit(self._context.connection.model, self.fitting)
+
+    def assume(self, model: PiperModel) -> None:
+        """Plan for a model while no device is open."""
+        if self._context.connection.device is None:
+            self._context.connection.model = model
+            self._context.refresh()
 
     def advance(self) -> None:
         """Look at the arm, if it stands."""

@@ -10,6 +10,7 @@ from PySide6.QtCore import QObject, Signal
 
 from armui.arm.limits import JOINTS
 from armui.arm.parameters import Batch, Group, Parameter, all_batches, heard
+from armui.arm.quirks import told_quirks, why_not_by_firmware
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import ArmState
@@ -44,6 +45,7 @@ _JOINT_BATCHES: Final = tuple(
 )
 
 
+_SECOND_ONLY: Final = frozenset({Group.TEACHING, Group.DRAG_ASSISTANCE})
 _UNREAD: Final = SettingCellState()
 
 
@@ -90,8 +92,10 @@ class ArmSettings(QObject):
         refusal = self._why_unknown()
         if refusal is not None:
             return refusal
-        generation = self._context.connection.generation
-        return list(all_batches(teaching=generation is Generation.TWO))
+        second = self._context.connection.generation is Generation.TWO
+        quirks = told_quirks(self._context.state())
+        assists = second and quirks is not None and quirks.has_drag_assistance
+        return list(all_batches(teaching=second, drag_assistance=assists))
 
     def holds(self, parameter: Parameter, value: float) -> bool:
         """Whether what the arm said last is a value, as far as its frames can tell the two apart.
@@ -105,11 +109,13 @@ class ArmSettings(QObject):
         )
 
     def why_not_kept(self, batches: Iterable[Batch]) -> Refusal | None:
-        """Why this arm has no such parameters: generation 1 has no teaching handle."""
+        """Why this arm has no such parameters: its generation, or its firmware, has none."""
         generation = self._context.connection.generation
-        wants_handle = any(batch.group is Group.TEACHING for batch in batches)
-        if generation is Generation.ONE and wants_handle:
+        groups = {batch.group for batch in batches}
+        if generation is Generation.ONE and groups & _SECOND_ONLY:
             return Refusal(RefusalCode.SETTING_NOT_KEPT, {"generation": int(generation)})
+        if generation is Generation.TWO and Group.DRAG_ASSISTANCE in groups:
+            return why_not_by_firmware(self._context.state(), "has_drag_assistance")
         return None
 
     # What the operator wants ------------------------------------------------------------------

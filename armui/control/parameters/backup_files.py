@@ -14,6 +14,7 @@ from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import ArmState
 from armui.protocol.generation import Generation
+from armui.protocol.piper_model import PiperModel
 from armui.system.atomic import write_whole
 from armui.system.error_text import error_text
 
@@ -50,6 +51,8 @@ def backup_of(
     generation: Generation,
     device: str,
     now: datetime,
+    *,
+    model: PiperModel | None = None,
 ) -> Backup:
     """What is known of an arm now; what has not been read is not in it."""
     return Backup(
@@ -58,6 +61,7 @@ def backup_of(
         generation=int(generation),
         firmware=state.firmware,
         device=device,
+        model=model,
         values={
             parameter: known.value
             for parameter in parameters

@@ -20,6 +20,7 @@ INDEX: Final[Mapping[Group, SettingIndex]] = {
     Group.END_LIMITS: SettingIndex.END_LIMIT_SETTING,
     Group.COLLISION: SettingIndex.COLLISION_SETTING,
     Group.TEACHING: SettingIndex.TEACHING_SETTING,
+    Group.DRAG_ASSISTANCE: SettingIndex.DRAG_ASSISTANCE_SETTING,
 }
 """What 0x476 names when it answers a setting."""
 
@@ -40,6 +41,8 @@ def query_frames(codec: Codec, batch: Batch) -> list[Frame]:
             return commands.query_collision_levels(codec)
         case Group.TEACHING:
             return commands.query_teaching(codec)
+        case Group.DRAG_ASSISTANCE:
+            return commands.query_drag_assistance(codec)
 
 
 def setting_frames(codec: Codec, batch: Batch, values: Values) -> list[Frame]:

@@ -8,7 +8,13 @@ from typing import TYPE_CHECKING, Final
 
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
-from armui.protocol.codes import ArmStatusCode, ControlMode, MitMode, MoveMode
+from armui.protocol.codes import (
+    MOVE_UNCHANGED,
+    ArmStatusCode,
+    ControlMode,
+    MitMode,
+    MoveMode,
+)
 
 if TYPE_CHECKING:
     from armui.arm.other_hosts import FrameSeries, OtherTraffic
@@ -21,8 +27,8 @@ _TAKEN_IN_S: Final = 0.3
 """A status this much after a mode word was made after it."""
 _MODE_BYTE: Final = 1
 _MIT_BYTE: Final = 3
-_MOVE_M_NEW: Final = 0x06
-"""MOVE M from firmware S-V1.8-8 on; 0x04 before."""
+_LEAVING_S: Final = 0.5
+"""So long after our own mode word the arm may still report the mode it is told to leave."""
 
 
 class OtherMode(enum.Enum):
@@ -36,7 +42,7 @@ class OtherMode(enum.Enum):
 _MODES: Final = {
     int(MoveMode.MOVE_M): OtherMode.MIT,
     int(MoveMode.MOVE_CPV): OtherMode.CPV,
-    _MOVE_M_NEW: OtherMode.MIT,
+    int(MoveMode.MOVE_M_FROM_1_8_8): OtherMode.MIT,
 }
 
 
@@ -63,7 +69,7 @@ class OtherCommand:
         self._now_s = 0.0
         self._sorted: tuple[OtherTraffic | None, tuple[int, ...]] = (None, ())
         self._motion: tuple[FrameSeries, ...] = ()
-        self._void_before_s = -math.inf
+        self._void_before_s = self._left_s = -math.inf
 
     def observe(
         self,
@@ -104,7 +110,20 @@ class OtherCommand:
     def reconnected(self) -> None:
         """Another connection begins: a host that moved the arm just before may still do so."""
         self.mode = None
-        self._void_before_s = -math.inf
+        self._void_before_s = self._left_s = -math.inf
+
+    def leave_mode(self, now_s: float) -> None:
+        """The operator takes the arm out of the mode with a mode word of ours, which goes out now.
+
+        If the arm stays in it, it counts again soon.
+        """
+        self.commands, self.mode = False, None
+        self._left_s = now_s
+
+    @property
+    def drives(self) -> bool:
+        """Whether the arm does what another host says: it commands, or has left it in a mode."""
+        return self.commands or self.mode is not None
 
     def _mode_of(
         self, traffic: OtherTraffic, offsets: tuple[int, ...], state: ArmState
@@ -119,13 +138,19 @@ class OtherCommand:
             self._void_before_s = self._now_s
         asked = (traffic.mode_word(offsets), traffic.mit_frames(offsets), traffic.cpv_frames())
         newest_s = max((each.last_s for each in asked if each is not None), default=-math.inf)
-        ended = self._void_before_s > newest_s
+        leaves = self._left_s > newest_s and self._now_s < self._left_s + _LEAVING_S
+        ended = leaves or self._void_before_s > newest_s
         shown = None if ended else _shown(state, self._now_s)
         word = asked[0]
-        if word is None or len(word.data) <= _MIT_BYTE or word.last_s <= self._void_before_s:
+        if word is None or len(word.data) <= _MIT_BYTE:
+            return shown
+        if word.last_s <= max(self._void_before_s, self._left_s):
             return shown
         move_mode, mit = word.data[_MODE_BYTE], word.data[_MIT_BYTE]
         follows = move_mode == MoveMode.MOVE_J and mit == MitMode.MIT
+        if move_mode == MOVE_UNCHANGED:  # speed or mounting only
+            left = status is not None and _has_left(status.value)
+            return self.mode if self.mode is OtherMode.HIGH_FOLLOW and not left else shown
         if status is None or status.at_s < word.last_s + _TAKEN_IN_S:
             return _MODES.get(move_mode) or (OtherMode.HIGH_FOLLOW if follows else shown)
         if follows and _has_left(status.value):

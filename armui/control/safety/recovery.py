@@ -31,6 +31,7 @@ if TYPE_CHECKING:
     from armui.control.devices.motors import Motors
     from armui.control.devices.teaching import TeachingControl
     from armui.control.motion.planned_motion import PlannedMotion
+    from armui.control.safety.mode_exit import ModeExitCommand
 
 _REPEAT_S: Final = 0.5
 _ATTEMPTS: Final = 3
@@ -57,6 +58,7 @@ _AT_ONCE: Final = frozenset(
         Action.GO_ON,
         Action.GIVE_UP,
         Action.TAKE_OVER,
+        Action.LEAVE_MODE,
     }
 )
 """Nothing is waited for: what comes of them is another step."""
@@ -89,6 +91,7 @@ class Recovery:
         withdraw_stop: Gives up a stop that is outstanding.
         planned_motion: Goes on with a motion held back, or drops it.
         take_over: Takes the arm from another host.
+        mode_exit: Takes the arm out of another host's mode.
         announce: Called with each new step.
 
     Attributes:
@@ -107,6 +110,7 @@ class Recovery:
         withdraw_stop: Callable[[], None],
         planned_motion: PlannedMotion,
         take_over: Callable[[], Refusal | None],
+        mode_exit: ModeExitCommand,
         announce: Callable[[Step], object],
     ) -> None:
         self._context = context
@@ -138,7 +142,9 @@ class Recovery:
             Action.GO_ON: lambda _step: planned_motion.command(TrajectoryCommand.CONTINUE),
             Action.GIVE_UP: lambda _step: planned_motion.command(TrajectoryCommand.ABORT),
             Action.TAKE_OVER: lambda _step: take_over(),
+            Action.LEAVE_MODE: lambda _step: mode_exit.send(),
         }
+        self._mode_exit = mode_exit
         self._planned_motion = planned_motion
 
     def act(self, step: Step, action: Action | None = None) -> Refusal | None:
@@ -185,6 +191,8 @@ class Recovery:
             return self._planned_motion.why_not(TrajectoryCommand.CONTINUE)
         if action is Action.TAKE_OVER:
             return self._why_not_take_over()
+        if action is Action.LEAVE_MODE:
+            return self._mode_exit.why_not()
         uncertain = not self._context.operating_state().control_certain
         if uncertain and action in _NEEDS_IDENTIFIERS:
             return Refusal(RefusalCode.CONTROL_OFFSET_UNKNOWN)

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import Final
 
 from armui.arm.limits import JOINTS
+from armui.arm.quirks import exits_by_mode_word
 from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import ArmState, DriverSlow, Status
 from armui.control.devices.teaching_phase import (
@@ -160,6 +161,11 @@ def other_mode(view: RecoveryView) -> Params | None:
     if other is None or other.reason.code != RefusalCode.OTHER_MODE:
         return None
     return {"other_mode": other.reason.params["other_mode"]}
+
+
+def other_mode_that_ends(view: RecoveryView) -> Params | None:
+    """The same, where the arm's firmware leaves such a mode by a mode word."""
+    return other_mode(view) if exits_by_mode_word(view.state) else None
 
 
 def other_host_is(code: RefusalCode) -> Applies:

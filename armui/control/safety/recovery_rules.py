@@ -35,6 +35,7 @@ from armui.control.safety.recovery_conditions import (
     other_control,
     other_host_is,
     other_mode,
+    other_mode_that_ends,
     overspeed,
     status_flags,
     stop_lapsed_away,
@@ -217,6 +218,7 @@ _RULES: Final = (
         Action.STOP,
         when(lambda view: view.operating_state.cancel_unheeded),
     ),
+    _Rule(StepKind.OTHER_MODE, Level.WARNING, Action.LEAVE_MODE, other_mode_that_ends),
     _Rule(StepKind.OTHER_MODE, Level.WARNING, Action.RESET, other_mode),
     _Rule(
         StepKind.LEADER_ARM, Level.WARNING, Action.TAKE_OVER, other_host_is(RefusalCode.LEADER_ARM)

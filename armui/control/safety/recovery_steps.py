@@ -33,6 +33,8 @@ class Action(enum.Enum):
     """The motion held back is dropped."""
     TAKE_OVER = "take_over"
     """The arm is taken from another host."""
+    LEAVE_MODE = "leave_mode"
+    """The arm is taken out of MIT, CPV or high-follow by a mode word, and holds where it is."""
     STANDBY = "standby"
     """This host takes the command from another controller; in standby nothing moves."""
     WITHDRAW_STOP = "withdraw_stop"
@@ -40,7 +42,14 @@ class Action(enum.Enum):
 
 
 DANGEROUS: Final = frozenset(
-    {Action.RESUME, Action.RESET, Action.LEAD_BY_HAND, Action.STANDBY, Action.WITHDRAW_STOP}
+    {
+        Action.RESUME,
+        Action.RESET,
+        Action.LEAD_BY_HAND,
+        Action.LEAVE_MODE,
+        Action.STANDBY,
+        Action.WITHDRAW_STOP,
+    }
 )
 """What the arm does then may surprise: the operator is asked first."""
 

@@ -52,6 +52,15 @@ def look_at_can() -> CanFacts:
     )
 
 
+def look_at_adapters() -> CanFacts:
+    """What the operating system alone tells of adapters: no driver of python-can's is asked."""
+    if not sys.platform.startswith("linux"):
+        return CanFacts()
+    return CanFacts(
+        links=look_at_links(), usb=tuple(usb_adapters(_USB)), ports=tuple(_serial_ports(_DEV))
+    )
+
+
 def look_at_links() -> tuple[LinkFacts, ...]:
     """The CAN interfaces of Linux; none elsewhere."""
     if not sys.platform.startswith("linux"):

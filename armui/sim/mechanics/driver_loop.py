@@ -7,6 +7,8 @@ output; there is no watchdog. How the joints move with it is `joint_dynamics`.
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from math import radians
+from operator import is_
 from typing import Final, NamedTuple
 
 import numpy as np
@@ -46,17 +48,20 @@ class DriverLoop:
     """The setpoints of the drivers that follow them, and how their joints move.
 
     Attributes:
-        torques_nm: What the drivers gave last, joint 1 first; 0 for the others.
+        torques_nm: What the drivers in the loop gave last, by joint (0–5).
     """
 
     def __init__(self, weight: Weight) -> None:
         self._weight = weight
         self._dynamics = JointDynamics()
         self._setpoints: dict[int, DriverSetpoint] = {}
-        self._law: DriverLaw | None = None
+        self._told: DriverLaw | None = None
+        self._frame: tuple[object, ...] = ()
+        self._zeros_rad: Values = np.zeros(JOINT_COUNT)
+        self._stops_rad: tuple[Values, Values] = (self._zeros_rad, self._zeros_rad)
         self._speeds_rad_s: Values = np.zeros(JOINT_COUNT)
         self._resting: tuple[object, ...] = ()
-        self.torques_nm: SixValues = STANDSTILL
+        self.torques_nm: dict[int, float] = {}
 
     def __bool__(self) -> bool:
         return bool(self._setpoints)
@@ -72,19 +77,22 @@ class DriverLoop:
             setpoint: What it is to follow from now on.
             speed_deg_s: How fast the joint turns, if something else has moved it until now.
         """
-        if self._setpoints.get(index) == setpoint:
+        before = self._setpoints.get(index)
+        if before == setpoint:
             return  # hosts repeat themselves at 200 Hz
-        if index not in self._setpoints:
-            self._speeds_rad_s[index] = np.radians(speed_deg_s)
+        if before is None:
+            self._speeds_rad_s[index] = radians(speed_deg_s)
+            self.torques_nm = {**self.torques_nm, index: 0.0}
         self._setpoints[index] = setpoint
-        self._law = None
+        self._told = None
 
     def void(self, indices: Iterable[int] = range(JOINT_COUNT)) -> None:
         """Takes joints (0–5) from the loop: something else holds or moves them now."""
         for index in indices:
             if self._setpoints.pop(index, None) is not None:
-                self._law = None
+                self._told = None
             self._speeds_rad_s[index] = 0.0
+        self.torques_nm = {i: self.torques_nm[i] for i in self._setpoints}
 
     def advance(
         self, positions_deg: SixValues, stops: Sequence[JointLimits], dt_s: float
@@ -97,35 +105,27 @@ class DriverLoop:
             dt_s: How much time passes, above 0.
         """
         weight = self._weight
-        law = self._law or self._new_law()
-        conditions = (id(law), positions_deg, stops, weight.payload_kg, weight.told_kg, weight.down,
-                      weight.pushes_nm, tuple(weight.zeros_deg))  # fmt: skip
-        if conditions == self._resting:
+        self._look_at_frame(stops)
+        told = self._told or self._new_law()
+        loads = weight.payload_kg, weight.told_kg, weight.down, weight.pushes_nm
+        conditions = (told, positions_deg, self._frame, loads)
+        resting = self._resting
+        if resting and all(map(is_, resting[:3], conditions)) and resting[3] == loads:
             return positions_deg, STANDSTILL
-        zeros_rad = np.radians(weight.zeros_deg)
-        told = self._with_weight(law, positions_deg)
+        zeros_rad = self._zeros_rad
         joints, speeds = self._dynamics.advance(
             weight.body,
-            DriverLaw(
-                told.positions_rad + zeros_rad,
-                told.speeds_rad_s,
-                told.kp,
-                told.kd,
-                told.torques_nm,
-                told.driven,
-            ),
+            self._with_weight(told, positions_deg),
             np.radians(positions_deg) + zeros_rad,
             self._speeds_rad_s,
-            stops_rad=(
-                np.radians([stop.min_deg for stop in stops]) + zeros_rad,
-                np.radians([stop.max_deg for stop in stops]) + zeros_rad,
-            ),
+            stops_rad=self._stops_rad,
             dt_s=dt_s,
             down=weight.down,
-            pushes_nm=np.array(weight.pushes_nm),
+            pushes_nm=np.array(weight.pushes_nm) if any(weight.pushes_nm) else None,
         )
         self._speeds_rad_s = speeds
-        self.torques_nm = tuple(self._dynamics.torques_nm.tolist())
+        torques_nm = self._dynamics.torques_nm.tolist()
+        self.torques_nm = {index: torques_nm[index] for index in self._setpoints}
         angles_deg = np.degrees(joints - zeros_rad).tolist()
         there = tuple(
             angles_deg[i] if i in self._setpoints else positions_deg[i] for i in range(JOINT_COUNT)
@@ -133,20 +133,34 @@ class DriverLoop:
         speeds_deg_s = tuple(np.degrees(speeds).tolist())
         if not any(speeds_deg_s):
             there = positions_deg if _same(there, positions_deg) else there
-            self._resting = (conditions[0], there, *conditions[2:])
+            self._resting = (told, there, self._frame, loads)
         return there, speeds_deg_s
+
+    def _look_at_frame(self, stops: Sequence[JointLimits]) -> None:
+        """Takes over zeros and stops where they are new."""
+        zeros_deg = tuple(self._weight.zeros_deg)
+        if self._frame and self._frame[0] == zeros_deg and self._frame[1] is stops:
+            return
+        self._frame = (zeros_deg, stops)
+        self._zeros_rad = np.radians(zeros_deg)
+        low, high = (
+            np.radians([getattr(stop, name) for stop in stops]) + self._zeros_rad
+            for name in ("min_deg", "max_deg")
+        )
+        self._stops_rad = low, high
+        self._told = None
 
     def _new_law(self) -> DriverLaw:
         law = DriverLaw()
         for index, each in self._setpoints.items():
-            law.positions_rad[index] = np.radians(each.position_deg)
+            law.positions_rad[index] = radians(each.position_deg)
             law.speeds_rad_s[index] = each.speed_rad_s
             law.kp[index] = each.kp
             law.kd[index] = each.kd
             law.torques_nm[index] = each.torque_nm
             law.driven[index] = True
-        self._law = law
-        self._resting = ()
+        law.positions_rad += self._zeros_rad
+        self._told = law
         return law
 
     def _with_weight(self, law: DriverLaw, positions_deg: SixValues) -> DriverLaw:

@@ -86,7 +86,11 @@ class Drivers:
         if measured == self._measured:
             return
         self._measured = measured
-        gravity = mechanics.weight.torques_nm(mechanics.positions_deg)
+        gravity = (
+            STANDSTILL
+            if len(driven) == JOINT_COUNT
+            else mechanics.weight.torques_nm(mechanics.positions_deg)
+        )
         self._speeds_rad_s = tuple(map(radians, speeds_deg_s))
         self._torques_nm = tuple(
             driven[i]

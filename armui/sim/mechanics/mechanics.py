@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from typing import Protocol
 
 from armui.arm.limits import JointLimits
@@ -122,9 +122,9 @@ class Mechanics:
         self._read_motion()
 
     @property
-    def driver_torques_nm(self) -> dict[int, float]:
+    def driver_torques_nm(self) -> Mapping[int, float]:
         """What the drivers of the joints (0–5) give that follow setpoints without a plan."""
-        return {i: self._loop.torques_nm[i] for i in range(JOINT_COUNT) if i in self._loop}
+        return self._loop.torques_nm
 
     def let_go(self, indices: Iterable[int]) -> None:
         """Leaves motors their power and takes what they hold at: their joints fall."""
@@ -201,7 +201,7 @@ class Mechanics:
         follow without a plan: these fall until the next.
         """
         self.positions_deg = tuple(positions_deg)
-        self.let_go(self.driver_torques_nm)
+        self.let_go(list(self.driver_torques_nm))
         self._place()
         self._read_motion()
 

@@ -56,7 +56,7 @@ def version_frames(
         version: As `S-V1.8-9`.
         model: The arm.
     """
-    if signals["Byte0"] != _REQUEST or any(signals[f"Byte{place}"] for place in range(1, 8)):
+    if signals["Byte0"] != _REQUEST:
         return []
     text = identity_text(version, model)
     chunks = [text[start : start + _FRAME_LENGTH] for start in range(0, len(text), _FRAME_LENGTH)]

@@ -41,7 +41,7 @@ class Need(enum.Enum):
     PLAN = enum.auto()
 
 
-class Action(NamedTuple):
+class Command(NamedTuple):
     """Something that can be done.
 
     Attributes:
@@ -104,6 +104,20 @@ _WINDOW: Final = (
     ("window.theme", "Action", QT_TRANSLATE_NOOP("Action", "Theme: light or dark"), ""),
     ("window.reset_view", "ViewRegion", QT_TRANSLATE_NOOP("ViewRegion", "Reset view"),
      "reset_view_button"),
+    ("view.front", "ViewBar", QT_TRANSLATE_NOOP("ViewBar", "Front view"), "view_front_button"),
+    ("view.side", "ViewBar", QT_TRANSLATE_NOOP("ViewBar", "Side view"), "view_side_button"),
+    ("view.top", "ViewBar", QT_TRANSLATE_NOOP("ViewBar", "Top view"), "view_top_button"),
+    ("view.iso", "ViewBar", QT_TRANSLATE_NOOP("ViewBar", "Oblique view"), "view_iso_button"),
+    ("view.fit", "ViewBar", QT_TRANSLATE_NOOP("ViewBar", "Fit"), "view_fit_button"),
+    ("view.follow", "ViewBar", QT_TRANSLATE_NOOP("ViewBar", "Follow the tool"),
+     "view_follow_button"),
+    ("view.orthographic", "ViewBar", QT_TRANSLATE_NOOP("ViewBar", "Without perspective"), ""),
+    ("view.tool_frame", "ViewBar", QT_TRANSLATE_NOOP("ViewBar", "Tool frame"), ""),
+    ("view.reach", "ViewBar", QT_TRANSLATE_NOOP("ViewBar", "Workspace"), ""),
+    ("view.save", "ViewBar", QT_TRANSLATE_NOOP("ViewBar", "Save picture…"), ""),
+    ("view.copy", "ViewBar", QT_TRANSLATE_NOOP("ViewBar", "Copy picture"), ""),
+    ("view.handles", "ViewBar",
+     QT_TRANSLATE_NOOP("ViewBar", "Drag the target in the picture"), ""),
     ("view.help", "HelpDialog", QT_TRANSLATE_NOOP("HelpDialog", "Help: 3D view"), "help_button"),
     ("everywhere.guide", "Action", QT_TRANSLATE_NOOP("Action", "User guide"), ""),
     ("everywhere.shortcuts", "Action", QT_TRANSLATE_NOOP("Action", "Keyboard shortcuts"), ""),
@@ -230,27 +244,27 @@ _LAMPS: Final = QT_TRANSLATE_NOOP("Action", "Lamps of")
 
 
 @cache
-def actions() -> tuple[Action, ...]:
+def actions() -> tuple[Command, ...]:
     """All of them, in the order in which they are listed."""
     return tuple(_all())
 
 
-def _all() -> Iterator[Action]:
+def _all() -> Iterator[Command]:
     for name, context, source, target in _WINDOW:
-        yield Action(name, Title(context, str(source)), target)
+        yield Command(name, Title(context, str(source)), target)
     for panel in PANELS:
-        yield Action(f"{panel}.open", PLACES[panel], f"menu_{panel}")
+        yield Command(f"{panel}.open", PLACES[panel], f"menu_{panel}")
     for panel in PANELS:
         yield from _of_panel(panel)
 
 
-def _of_panel(panel: str) -> Iterator[Action]:
+def _of_panel(panel: str) -> Iterator[Command]:
     for name, context, source, target, need in _PANELS:
         if name.partition(".")[0] == panel:
-            yield Action(name, Title(context, str(source)), target, need)
+            yield Command(name, Title(context, str(source)), target, need)
     for place, source, suffix, target in _rows():
         if place == panel:
-            yield Action(f"{panel}.{target}", Title("Action", str(source), suffix), target)
+            yield Command(f"{panel}.{target}", Title("Action", str(source), suffix), target)
     if panel == "motor":
         yield from _of_motors()
     if panel in _WITH_PARAMETERS:
@@ -266,16 +280,16 @@ def _rows() -> Iterator[tuple[str, object, str, str]]:
         yield "cartesian", _TARGET, axis, f"pose_field_{axis}"
 
 
-def _of_parameters(panel: str) -> Iterator[Action]:
+def _of_parameters(panel: str) -> Iterator[Command]:
     for act, source, need in _PARAMETERS:
         if act != "reset" or panel in _CAN_RESET:
             title = Title("ParameterButtons", str(source))
-            yield Action(f"{panel}.{act}", title, f"{panel}_{act}_button", need)
+            yield Command(f"{panel}.{act}", title, f"{panel}_{act}_button", need)
 
 
-def _of_motors() -> Iterator[Action]:
+def _of_motors() -> Iterator[Command]:
     for joint in (ALL_JOINTS, *JOINTS):
         whose = "J1–J6" if joint == ALL_JOINTS else f"J{joint}"
         for act, source, need in _MOTOR:
             title = Title("ActButtons", str(source), whose)
-            yield Action(f"motor.{act}_{joint}", title, f"{act}_motor_{joint}", need)
+            yield Command(f"motor.{act}_{joint}", title, f"{act}_motor_{joint}", need)

@@ -1,7 +1,7 @@
 """What the program's texts are called in the other language, and how the Chinese ones are spelled.
 
 The file is made by ``python -m tests.translations``, so that no dictionary of pinyin is needed by
-the program.
+the program. Pure.
 """
 
 from __future__ import annotations

@@ -9,9 +9,10 @@ from typing import TYPE_CHECKING, Final
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QAbstractButton, QApplication, QDialog, QWidget
 
-from armui.ui.actions.catalogue import Action, actions
+from armui.ui.actions.catalogue import Command, actions
 from armui.ui.actions.places import PANELS, PLACES
 from armui.ui.actions.reasons import why_not
+from armui.ui.widgets.page import Page
 from armui.ui.widgets.press_button import PressButton
 
 if TYPE_CHECKING:
@@ -68,7 +69,7 @@ class Offers:
 
     # -- the catalogue ------------------------------------------------------------------------
 
-    def _of(self, action: Action) -> Offer:
+    def _of(self, action: Command) -> Offer:
         title, place = action.title.text(), PLACES[action.place].text()
         place = "" if place == title else place
         if not action.target:
@@ -78,7 +79,7 @@ class Offers:
         reason_text = why_not(action, self._controller) if widget is None else _why_not(widget)
         return Offer(title, place, action.keys, reason_text, lambda: self.do(action))
 
-    def do(self, action: Action) -> None:
+    def do(self, action: Command) -> None:
         """Do what an action does, by its button: what that asks first is asked."""
         if action.target not in {f"menu_{panel}" for panel in PANELS}:
             self._show_place(action.place)
@@ -103,17 +104,19 @@ class Offers:
         for window in QApplication.topLevelWidgets():
             if window is apart_from or not window.isVisible() or not self._is_ours(window):
                 continue
-            place = window.windowTitle() if isinstance(window, QDialog) else ""
-            told: set[str] = set()
+            told: set[tuple[str, str]] = set()
             for button in window.findChildren(QAbstractButton):
                 title = button.text().strip() or button.accessibleName()
                 unwanted = isinstance(button, PressButton) or button.objectName() in known
-                if unwanted or not _is_worth_telling(button, title) or title in told:
+                if unwanted or not _is_worth_telling(button, title):
                     continue
-                told.add(title)
+                place = _place_of(button)
+                if (title, place) in told:
+                    continue
+                told.add((title, place))
                 keys = button.shortcut().toString(button.shortcut().SequenceFormat.NativeText)
                 yield Offer(title, place, keys, _why_not(button), _using(button))
-            yield from _of_menus(window, place, told)
+            yield from _of_menus(window, told)
 
     def _is_ours(self, window: QWidget) -> bool:
         parent: QWidget | None = window
@@ -127,14 +130,29 @@ def _is_worth_telling(button: QAbstractButton, title: str) -> bool:
     return said and button.isVisible() and button.objectName() not in _HIDDEN
 
 
-def _of_menus(window: QWidget, place: str, told: set[str]) -> Iterator[Offer]:
+def _place_of(widget: QWidget) -> str:
+    """The page or the dialog that something stands in; empty: the main window itself."""
+    each: QWidget | None = widget
+    while each is not None:
+        if isinstance(each, Page):
+            return each.title
+        if isinstance(each, QDialog):
+            return each.windowTitle()
+        each = each.parentWidget()
+    return ""
+
+
+def _of_menus(window: QWidget, told: set[tuple[str, str]]) -> Iterator[Offer]:
     """The actions of tables and lists, which have a menu and keys, but maybe no button."""
     for action in window.findChildren(QAction):
         owner = action.parent()
         title = action.text()
-        named = action.objectName().startswith("action_") and title not in told
-        if named and isinstance(owner, QWidget) and owner.isVisible():
-            told.add(title)
+        named = action.objectName().startswith("action_")
+        if not (named and isinstance(owner, QWidget) and owner.isVisible()):
+            continue
+        place = _place_of(owner)
+        if (title, place) not in told:
+            told.add((title, place))
             keys = action.shortcut().toString(action.shortcut().SequenceFormat.NativeText)
             reason = "" if action.isEnabled() else action.toolTip()
             yield Offer(title, place, keys, reason, action.trigger)

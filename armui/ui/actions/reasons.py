@@ -12,20 +12,20 @@ from armui.arm.refusal_codes import RefusalCode
 from armui.control.operating_state import LinkState
 from armui.protocol.codes import TeachingState, TrajectoryCommand
 from armui.ui import words
-from armui.ui.actions.catalogue import Action, Need
+from armui.ui.actions.catalogue import Command, Need
 
 if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
 
 
-def why_not(action: Action, controller: ArmController) -> str:
+def why_not(action: Command, controller: ArmController) -> str:
     """The reason in words; empty: it can be done."""
     if action.need is Need.EDITING:
         return QCoreApplication.translate("Action", "Press Edit in the panel first.")
     return words.why_not(_refusal(action, controller))
 
 
-def _refusal(action: Action, controller: ArmController) -> Refusal | None:
+def _refusal(action: Command, controller: ArmController) -> Refusal | None:
     now = controller.operating_state
     if action.need is Need.NOTHING:
         return None
@@ -42,12 +42,12 @@ def _refusal(action: Action, controller: ArmController) -> Refusal | None:
     return _ASKED[action.need](controller, action)
 
 
-def _of_teaching(controller: ArmController, action: Action) -> Refusal | None:
+def _of_teaching(controller: ArmController, action: Command) -> Refusal | None:
     name = action.target.removeprefix("teaching_").upper()
     return controller.teaching.why_not(TeachingState[name])
 
 
-def _of_plan(controller: ArmController, action: Action) -> Refusal | None:
+def _of_plan(controller: ArmController, action: Command) -> Refusal | None:
     name = action.target.removeprefix("plan_").upper()
     return controller.planned_motion.why_not(TrajectoryCommand[name])
 
@@ -58,7 +58,7 @@ def _busy(controller: ArmController) -> Refusal | None:
     return Refusal(RefusalCode.BUSY, {"what": "settings"})
 
 
-_Ask = Callable[["ArmController", Action], Refusal | None]
+_Ask = Callable[["ArmController", Command], Refusal | None]
 
 _ASKED: Final[Mapping[Need, _Ask]] = {
     Need.MOVE: lambda arm, _action: arm.operating_state.cannot_move,

@@ -1,4 +1,4 @@
-"""Finding something by a piece of its Chinese, English or pinyin name."""
+"""Finding something by a piece of its Chinese, English or pinyin name. Pure."""
 
 from __future__ import annotations
 

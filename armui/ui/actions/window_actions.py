@@ -7,11 +7,12 @@ from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QObject, Qt
 from PySide6.QtGui import QKeySequence, QShortcut
-from PySide6.QtWidgets import QAbstractButton, QDialog, QWidget
+from PySide6.QtWidgets import QAbstractButton, QApplication, QDialog, QWidget
 
 from armui.control.operating_state import StopState
 from armui.ui.actions.commands_button import CommandsButton
 from armui.ui.actions.keys import keys_of
+from armui.ui.shell.first_steps import FirstSteps
 
 if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
@@ -19,6 +20,7 @@ if TYPE_CHECKING:
     from armui.ui.actions.offer import Doing, Doings
     from armui.ui.background import Background
     from armui.ui.main_window import MainWindow
+    from armui.ui.picture.picture_work import PictureWork
     from armui.ui.shell.diagnosis_dialogs import DiagnosisDialogs
     from armui.ui.shell.watch_windows import WatchWindows
 
@@ -49,6 +51,7 @@ class WindowActions(QObject):
         self._background = background
         self._doings: dict[str, Doing] = {}
         self._opened: dict[str, QDialog] = {}
+        FirstSteps(window, controller, store)
         self._button = CommandsButton()
         self._button.clicked.connect(self.open_palette)
         openers: dict[str, Doing] = {
@@ -62,13 +65,16 @@ class WindowActions(QObject):
             shortcut.setAutoRepeat(False)
             shortcut.activated.connect(openers[name])
 
-    def offer(self, diagnosis: DiagnosisDialogs, watch: WatchWindows) -> CommandsButton:
+    def offer(
+        self, diagnosis: DiagnosisDialogs, watch: WatchWindows, picture: PictureWork
+    ) -> CommandsButton:
         """Offer what these windows do and no button in the main window; the palette's button."""
         self._doings |= {
             "window.diagnosis": diagnosis.open_doctor,
             "window.about_arm": diagnosis.open_about_arm,
             "window.export": watch.open_export,
             "replay.open": watch.open_replay,
+            **picture.doings(),
         }
         return self._button
 
@@ -98,6 +104,17 @@ class WindowActions(QObject):
 
     def open_guide(self) -> None:
         """Show the user guide at the place where the operator is."""
+        from armui.ui.guide.guide_window import GuideWindow  # noqa: PLC0415 - faster start
+        from armui.ui.guide.place import section_of  # noqa: PLC0415 - as above
+
+        if isinstance(QApplication.activeWindow(), GuideWindow):
+            return
+        section = section_of(self._window)
+        window = self._open(
+            "guide", lambda: GuideWindow(self._controller, self._background, self._window)
+        )
+        if isinstance(window, GuideWindow):
+            window.show_section(section)
 
     def _open(self, name: str, make: Callable[[], QDialog]) -> QDialog:
         if name not in self._opened:

@@ -11,6 +11,7 @@ from PySide6.QtCore import QT_TRANSLATE_NOOP, QCoreApplication
 from armui import __version__
 from armui.arm.device import Device
 from armui.arm.limits import JOINTS
+from armui.arm.models import model_data
 from armui.arm.state import ArmState
 from armui.control.operating_state import LinkState, OperatingState
 from armui.doctor.facts import LinkFacts
@@ -24,6 +25,9 @@ _COMMANDS: Final = (0x150, 0x15F)
 _LABELS: Final[Mapping[str, object]] = {
     "model": QT_TRANSLATE_NOOP("AboutArm", "Model"),
     "firmware": QT_TRANSLATE_NOOP("AboutArm", "Firmware"),
+    "date": QT_TRANSLATE_NOOP("AboutArm", "Date of the firmware"),
+    "hardware": QT_TRANSLATE_NOOP("AboutArm", "Hardware"),
+    "node": QT_TRANSLATE_NOOP("AboutArm", "Node on the bus"),
     "generation": QT_TRANSLATE_NOOP("AboutArm", "Protocol"),
     "device": QT_TRANSLATE_NOOP("AboutArm", "Adapter"),
     "serial": QT_TRANSLATE_NOOP("AboutArm", "Serial number of the adapter"),
@@ -74,8 +78,11 @@ def about_rows(
     untold = translate("AboutArm", "unknown: the arm does not tell it")
     system = f"{platform.system()} {platform.release()}, Python {platform.python_version()}"
     values = {
-        "model": untold,
+        "model": _model(now),
         "firmware": _firmware(state, now),
+        "date": _told(state, now, "iso_date"),
+        "hardware": _told(state, now, "hardware"),
+        "node": _node(state, now),
         "generation": _generation(now),
         "device": _device(now.device),
         "serial": _serial(now.device, links),
@@ -97,9 +104,44 @@ def _label(key: str) -> str:
     return translate("AboutArm", str(_LABELS[name])).format(joint=joint)
 
 
+def _model(now: OperatingState) -> str:
+    if now.device is None:
+        return translate("AboutArm", "none connected")
+    fit, name = now.model_fit, model_data(now.model).name
+    if now.link is not LinkState.ONLINE or fit.fitting is None:
+        text = translate("AboutArm", "{model}, as chosen; not compared yet")
+    elif fit.confirmed:
+        text = translate("AboutArm", "{model}, confirmed by the pose it reports")
+    elif fit.wrong is None:
+        text = translate("AboutArm", "{model}, as chosen; other models fit its pose as well")
+    elif fit.other is not None:
+        text = translate("AboutArm", "{model}, as chosen; its pose is that of a {other}")
+        return text.format(model=name, other=model_data(fit.other).name)
+    else:
+        text = translate("AboutArm", "{model}, as chosen; its pose fits none of the models")
+    return text.format(model=name)
+
+
 def _firmware(state: ArmState, now: OperatingState) -> str:
-    if state.firmware is not None:
-        return state.firmware
+    return state.firmware if state.firmware is not None else _untold(now)
+
+
+def _told(state: ArmState, now: OperatingState, field: str) -> str:
+    """What stands in the arm's answer beside its version, where it does."""
+    found = "" if state.identity is None else str(getattr(state.identity, field))
+    return found or _untold(now)
+
+
+def _node(state: ArmState, now: OperatingState) -> str:
+    node_type = "" if state.identity is None else state.identity.node_type
+    number = "" if state.identity is None else state.identity.node_number
+    if node_type and number:
+        text = translate("AboutArm", "{type}, number {number}")
+        return text.format(type=node_type, number=number)
+    return node_type or number or _untold(now)
+
+
+def _untold(now: OperatingState) -> str:
     if now.generation is Generation.ONE:
         return translate("AboutArm", "unknown: generation 1 does not tell it")
     return _unknown()

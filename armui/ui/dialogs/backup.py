@@ -154,7 +154,7 @@ class BackupDialog(ArmDialog):
             title=self.tr("Save the parameters of the arm"),
             name_filter=self.tr("Parameter backup") + f" (*{SUFFIX})",
             start=self._path or Path.home(),
-            new_file=f"piper{firmware}-{backup.saved_at:%Y%m%d-%H%M%S}{SUFFIX}",
+            new_file=f"{backup.model}{firmware}-{backup.saved_at:%Y%m%d-%H%M%S}{SUFFIX}",
             on_chosen=lambda path: self._write(path, backup),
         )
 
@@ -190,7 +190,8 @@ class BackupDialog(ArmDialog):
         self._model.choose(lambda row: row.verdict is ComparisonVerdict.DIFFERS)
         generation = self._controller.operating_state.generation
         firmware = self._controller.state.firmware
-        self._say(backup_text.difference(backup, generation, firmware), Level.WARNING)
+        model = self._controller.operating_state.model
+        self._say(backup_text.difference(backup, generation, firmware, model), Level.WARNING)
 
     def _on_restore(self) -> None:
         confirm(
@@ -258,7 +259,12 @@ class BackupDialog(ArmDialog):
         device = words.device_name(operating_state.device)
         now = datetime.now().astimezone()
         return backup_of(
-            self._controller.state, self._known(), operating_state.generation, device, now
+            self._controller.state,
+            self._known(),
+            operating_state.generation,
+            device,
+            now,
+            model=operating_state.model,
         )
 
     def _compare(self) -> None:

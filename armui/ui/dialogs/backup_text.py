@@ -8,9 +8,11 @@ from pathlib import Path
 from PySide6.QtCore import QCoreApplication
 
 from armui.arm.backup import Backup
+from armui.arm.models import model_data
 from armui.arm.refusal import Refusal
 from armui.control.events import Level
 from armui.protocol.generation import Generation
+from armui.protocol.piper_model import PiperModel
 from armui.ui import format as fmt
 from armui.ui import words
 
@@ -25,10 +27,12 @@ def origin(backup: Backup | None, path: Path | None) -> str:
             "BackupDialog", "No file is open; the arm's own values are shown."
         )
     text = QCoreApplication.translate(
-        "BackupDialog", "{name}: saved {time}, {device}, generation {generation}, {firmware}"
+        "BackupDialog",
+        "{name}: saved {time}, {model}, {device}, generation {generation}, {firmware}",
     )
     return text.format(
         name=path.name,
+        model=_name(backup.model),
         time=f"{backup.saved_at.astimezone():%Y-%m-%d %H:%M}",
         device=backup.device,
         generation=backup.generation,
@@ -36,14 +40,27 @@ def origin(backup: Backup | None, path: Path | None) -> str:
     )
 
 
-def difference(backup: Backup, generation: Generation | None, firmware: str | None) -> str:
+def difference(
+    backup: Backup,
+    generation: Generation | None,
+    firmware: str | None,
+    model: PiperModel | None = None,
+) -> str:
     """What sets the arm of the file apart from this one; empty: nothing that is known.
 
     Args:
         backup: The file.
         generation: What this arm speaks; ``None``: not known yet.
         firmware: Of this arm; ``None``: it has not told.
+        model: What this arm was connected as.
     """
+    if None not in {backup.model, model} and backup.model is not model:
+        text = QCoreApplication.translate(
+            "BackupDialog",
+            "The file is from a {filed}, this arm is a {here}: the limits of one may be wrong for "
+            "the other. Check the values before you restore them.",
+        )
+        return text.format(filed=_name(backup.model), here=_name(model))
     if generation is None:
         return ""
     if int(generation) != backup.generation:
@@ -61,6 +78,10 @@ def difference(backup: Backup, generation: Generation | None, firmware: str | No
         )
         return text.format(filed=backup.firmware or fmt.NOTHING, here=firmware or fmt.NOTHING)
     return ""
+
+
+def _name(model: PiperModel | None) -> str:
+    return fmt.NOTHING if model is None else model_data(model).name
 
 
 def saved(path: Path, count: int, missing: int) -> Said:

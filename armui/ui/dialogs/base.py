@@ -5,10 +5,11 @@ from __future__ import annotations
 from typing import Final
 
 from PySide6.QtCore import Qt
-from PySide6.QtGui import QContextMenuEvent
+from PySide6.QtGui import QContextMenuEvent, QMoveEvent
 from PySide6.QtWidgets import QDialog, QHBoxLayout, QVBoxLayout, QWidget
 
 from armui.control.arm_controller import ArmController
+from armui.ui.dialogs.placing import place
 from armui.ui.widgets.curve_menu import offer_curves
 from armui.ui.widgets.halt_button import HaltButton
 from armui.ui.widgets.keeps_focus import KeepsFocus
@@ -34,6 +35,7 @@ class ArmDialog(Translated, KeepsFocus, QDialog):
     def __init__(self, controller: ArmController, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setModal(False)
+        self._moved = False
         self._heading = text_label(rank="title", wraps=True, plain=True)
         self.halt_button = HaltButton(controller, self)
         self.stop_button = StopButton(controller, self)
@@ -68,9 +70,17 @@ class ArmDialog(Translated, KeepsFocus, QDialog):
 
     def open(self) -> None:
         """Show the dialog in front; unlike Qt's own, without blocking the window behind it."""
+        if not self.isVisible() and not self._moved:
+            place(self)
         self.show()
         self.raise_()
         self.activateWindow()
+
+    def moveEvent(self, event: QMoveEvent) -> None:
+        """Where the operator has put it, it opens again."""
+        super().moveEvent(event)
+        if event.spontaneous() and self.isVisible():
+            self._moved = True
 
     def retranslate_ui(self) -> None:
         """Put every word into the operator's language; called anew when that changes."""

@@ -24,10 +24,14 @@ from armui.control.arm_controller import ArmController
 from armui.control.events import Level
 from armui.control.operating_state import LinkState, OperatingState
 from armui.ui import words
+from armui.ui.background import Background
+from armui.ui.dialogs.adapter_trouble import AdapterTrouble
 from armui.ui.dialogs.base import ArmDialog
 from armui.ui.dialogs.confirm import confirm
 from armui.ui.dialogs.device_model import CHANNEL, STATE, DeviceModel, bitrate_text, same_device
+from armui.ui.dialogs.kept_models import KeptModels
 from armui.ui.dialogs.manual_entry import ManualEntry
+from armui.ui.dialogs.model_choice import ModelChoice
 from armui.ui.widgets.buttons import named, push_button
 from armui.ui.widgets.enable_or_explain import enable_or_explain
 from armui.ui.widgets.layouts import STRETCH, fill, in_row
@@ -52,6 +56,8 @@ class ConnectDialog(ArmDialog):
         controller: Searches and connects.
         parent: The main window.
         before_leaving: Asks about what is not saved, before the arm is left for another or none.
+        kept_models: Which model was chosen for which arm.
+        background: Where it is looked for what is wrong with an adapter; nothing is by default.
 
     Signals:
         diagnosis_wanted: The operator wants to know why a device, or no arm, answers.
@@ -64,14 +70,18 @@ class ConnectDialog(ArmDialog):
         controller: ArmController,
         parent: QWidget | None = None,
         before_leaving: Leaving | None = None,
+        kept_models: KeptModels | None = None,
+        background: Background | None = None,
     ) -> None:
         super().__init__(controller, parent)
+        self._trouble = None if background is None else AdapterTrouble(background)
+        self._wanted: Device | None = None
         self._before_leaving = before_leaving
         self._controller = controller
         self._operating_state = controller.operating_state
         self._model = DeviceModel()
         self._searching = False
-        self._build()
+        self._build(kept_models or KeptModels())
         self.resize(*_SIZE_PX)
 
         self._model.modelAboutToBeReset.connect(self._keep_selection)
@@ -80,10 +90,11 @@ class ConnectDialog(ArmDialog):
         self._table.doubleClicked.connect(self._on_connect)
         self.connect_button.clicked.connect(self._on_connect)
         self.disconnect_button.clicked.connect(self._on_disconnect)
-        self.refresh_button.clicked.connect(controller.search_devices)
+        self.refresh_button.clicked.connect(self._search)
         self.diagnosis_button.clicked.connect(self._on_diagnosis)
         self.close_button.clicked.connect(self.close)
         self._manual.entered.connect(self._on_entered)
+        self.model_choice.chosen.connect(self._refresh)
         controller.devices_found.connect(self._on_devices_found)
         controller.searching_changed.connect(self._on_searching_changed)
         controller.operating_state_changed.connect(self._on_operating_state_changed)
@@ -92,7 +103,7 @@ class ConnectDialog(ArmDialog):
 
     # Layout -----------------------------------------------------------------------------------
 
-    def _build(self) -> None:
+    def _build(self, kept_models: KeptModels) -> None:
         self._kept: Device | None = None
         self._message = MessageLine()
         self._table = QTableView()
@@ -106,7 +117,12 @@ class ConnectDialog(ArmDialog):
         self._progress.setRange(0, 0)
         self.diagnosis_button = push_button("connect_diagnosis", on_enter=False)
         said = in_row((self._message, 1), self.diagnosis_button, spacing=8)
-        fill(self.body, said, (self._table, 1), self._progress, self._build_bitrate())
+        self.model_choice = ModelChoice(kept_models)
+        fill(self.body, said)
+        if self._trouble is not None:
+            fill(self.body, self._trouble)
+        fill(self.body, (self._table, 1), self._progress)
+        fill(self.body, self.model_choice, self._build_bitrate())
         self._manual = ManualEntry(self._controller.interfaces())
         self._manual_label = text_label(rank="muted")
         self.body.addWidget(self._manual_label)
@@ -143,6 +159,8 @@ class ConnectDialog(ArmDialog):
         self.diagnosis_button.setText(self.tr("Diagnosis…"))
         self.close_button.setText(self.tr("Close"))
         self._bitrate_label.setText(self.tr("Bit rate"))
+        self.model_choice.retranslate_ui()
+        self.model_choice.line_up(self._bitrate_label)
         self.listen_only_box.setText(self.tr("Listen only"))
         self.listen_only_box.setToolTip(
             self.tr("Beside another program: nothing is sent but the emergency stop.")
@@ -161,16 +179,29 @@ class ConnectDialog(ArmDialog):
         super().showEvent(event)
         if not event.spontaneous():
             self._table.setFocus()
-            self._controller.search_devices()
+            self._wanted = None
+            self._search()
+
+    def _search(self) -> None:
+        self._controller.search_devices()
+        if self._trouble is not None:
+            self._trouble.examine()
 
     def _on_connect(self) -> None:
         device = self._selected()
-        if device is None or self._is_connected(device):
+        if device is None or self._is_connected_so(device):
             return
         if bitrate_is_ours(device.interface) and not device.simulated:
             device = replace(device, bitrate=self.bitrate_box.currentData())
-        chosen = replace(device, listen_only=self.listen_only_box.isChecked())
-        self._leave_then(lambda: self._controller.connect_device(chosen))
+        chosen = replace(
+            device, listen_only=self.listen_only_box.isChecked(), model=self.model_choice.model
+        )
+        self._leave_then(lambda: self._connect_as(chosen))
+
+    def _connect_as(self, device: Device) -> None:
+        self.model_choice.keep(device)
+        self._wanted = device
+        self._controller.connect_device(device)
 
     def _on_diagnosis(self) -> None:
         self.diagnosis_wanted.emit(self._selected())
@@ -210,6 +241,7 @@ class ConnectDialog(ArmDialog):
         if device is not None and device.bitrate is not None:
             index = self.bitrate_box.findData(device.bitrate)
             self.bitrate_box.setCurrentIndex(max(0, index))
+        self.model_choice.show_device(device, self._operating_state)
         self._refresh()
 
     # What the controller tells ----------------------------------------------------------------
@@ -226,7 +258,11 @@ class ConnectDialog(ArmDialog):
     def _on_operating_state_changed(self, operating_state: OperatingState) -> None:
         self._operating_state = operating_state
         self._model.show_connected(operating_state.device, operating_state.link)
+        self.model_choice.show_fit(self._selected(), operating_state)
         self._refresh()
+        online = operating_state.link is LinkState.ONLINE
+        if online and self._wanted is not None and self._is_connected(self._wanted):
+            self.close()  # nothing is left to be done here: the arm is in sight again
 
     # How it looks -----------------------------------------------------------------------------
 
@@ -254,13 +290,19 @@ class ConnectDialog(ArmDialog):
     def _is_connected(self, device: Device) -> bool:
         return same_device(device, self._operating_state.device)
 
+    def _is_connected_so(self, device: Device) -> bool:
+        """Whether it is connected as the model that is chosen."""
+        return self._is_connected(device) and (
+            self.model_choice.model is self._operating_state.model
+        )
+
     def _refresh(self) -> None:
         self._refresh_message()
         self._refresh_bitrate()
         device = self._selected()
         if device is None:
             reason = self.tr("Choose a device in the list first.")
-        elif self._is_connected(device):
+        elif self._is_connected_so(device):
             reason = self.tr("This device is connected.")
         else:
             reason = ""

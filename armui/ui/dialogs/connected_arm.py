@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
+from armui.arm.models import model_data
 from armui.control.arm_controller import ArmController
 from armui.control.operating_state import LinkState
 from armui.doctor.facts import HeardFacts
@@ -32,6 +35,7 @@ def judge_connected(controller: ArmController, *, frames: int, seconds: float) -
         frames_per_s=frames / seconds if seconds > 0 else 0.0,
         firmware=controller.state.firmware,
     )
+    arm = replace(arm, chosen_model=model_data(now.model).name)
     heard = HeardFacts(
         interface=now.device.interface,
         channel=str(now.device.channel),

@@ -86,7 +86,10 @@ class DeviceModel(QAbstractTableModel):
     def _rebuild(self) -> None:
         rows: list[Device] = []
         connected = [self._connected] if self._connected is not None else []
-        for device in [*self._found, *self._typed, *connected]:
+        every = [*self._found, *self._typed, *connected]
+        for device in sorted(
+            every, key=lambda device: device.simulated
+        ):  # what is real comes first
             if all(not same_device(device, known) for known in rows):
                 rows.append(device)
         if rows == self._rows:

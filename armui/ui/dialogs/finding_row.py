@@ -66,7 +66,7 @@ class FindingRow(QWidget):
             DiagnosisLevel.OK: ("info", colors.ok),
             DiagnosisLevel.NOTE: ("info", colors.accent),
             DiagnosisLevel.WARNING: ("warning", colors.warn),
-            DiagnosisLevel.FAULT: ("warning", colors.stop),
+            DiagnosisLevel.FAULT: ("warning", colors.stop_ink),
         }[self._level]
         self._icon.setPixmap(icons.pixmap(name, ink, _ICON_PX, self.devicePixelRatioF()))
 

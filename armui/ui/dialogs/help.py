@@ -16,7 +16,7 @@ from armui.ui.widgets.buttons import push_button
 from armui.ui.widgets.layouts import empty_grid, in_row
 from armui.ui.widgets.text_label import text_label
 
-_SIZE_PX: Final = (980, 540)
+_SIZE_PX: Final = (1000, 680)
 _COLUMN_GAP_PX: Final = 36
 _SECTION_GAP_PX: Final = 12
 _LINE_GAP_PX: Final = 8
@@ -67,6 +67,22 @@ _SECTIONS: Final = (
             (QT_TRANSLATE_NOOP("Help", "+  −"), QT_TRANSLATE_NOOP("Help", "Zoom in and out")),
             (QT_TRANSLATE_NOOP("Help", "Home"), QT_TRANSLATE_NOOP("Help", "The first view again")),
             (
+                QT_TRANSLATE_NOOP("Help", "Ctrl+1 … Ctrl+4"),
+                QT_TRANSLATE_NOOP("Help", "Front, side, top and oblique view"),
+            ),
+            (
+                QT_TRANSLATE_NOOP("Help", "Ctrl+5, Ctrl+9"),
+                QT_TRANSLATE_NOOP("Help", "Follow the tool; show all of the arm"),
+            ),
+            (
+                QT_TRANSLATE_NOOP("Help", "Ctrl+Shift+D"),
+                QT_TRANSLATE_NOOP(
+                    "Help",
+                    "Handles: drag the target, or the chosen point; Ctrl and Shift snap, Esc "
+                    "gives up",
+                ),
+            ),
+            (
                 QT_TRANSLATE_NOOP("Help", "F12, Pause"),
                 QT_TRANSLATE_NOOP("Help", "Emergency stop, from every window of the program"),
             ),
@@ -109,6 +125,20 @@ _SECTIONS: Final = (
             (
                 QT_TRANSLATE_NOOP("Help", "Red, green, blue axis"),
                 QT_TRANSLATE_NOOP("Help", "X, Y and Z of the base, from the middle of its foot"),
+            ),
+            (
+                QT_TRANSLATE_NOOP("Help", "Band along the way"),
+                QT_TRANSLATE_NOOP(
+                    "Help",
+                    "Where the tool has been; thin violet: the setpoints sent one after another",
+                ),
+            ),
+            (
+                QT_TRANSLATE_NOOP("Help", "Octagon, triangle"),
+                QT_TRANSLATE_NOOP(
+                    "Help",
+                    "An error or a warning of the check, where it would happen: click for its row",
+                ),
             ),
         ),
     ),

@@ -16,7 +16,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from armui import settings
+from armui import setting_checks
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.control.arm_controller import ArmController
@@ -132,7 +132,8 @@ class SettingsDialog(ArmDialog):
         self._jog_label.setText(self.tr("Jog step"))
         self._jog_hint.setText(
             self.tr("{minimum}° to {maximum}°: how far − and + move a joint").format(
-                minimum=f"{settings.JOG_STEP_MIN_DEG:g}", maximum=f"{settings.JOG_STEP_MAX_DEG:g}"
+                minimum=f"{setting_checks.JOG_STEP_MIN_DEG:g}",
+                maximum=f"{setting_checks.JOG_STEP_MAX_DEG:g}",
             )
         )
         self._urdf_label.setText(self.tr("Robot description (URDF)"))

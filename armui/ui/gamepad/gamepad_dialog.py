@@ -14,7 +14,8 @@ from armui.control.events import Level
 from armui.control.gamepad.pilot import PilotView
 from armui.gamepad.device_state import DeviceInfo, DeviceState
 from armui.gamepad.layout import Assignment, JogMode
-from armui.settings import GamepadMode, SettingsStore
+from armui.setting_checks import GamepadMode
+from armui.settings import SettingsStore
 from armui.ui import words
 from armui.ui.dialogs.base import ArmDialog
 from armui.ui.gamepad.axis_rows import AxisRows
@@ -101,7 +102,7 @@ class GamepadDialog(ArmDialog):
             card.setLayout(place)
         fill(
             self.body,
-            in_row(self.on_box, STRETCH, self.one_axis_box),
+            in_row((self.on_box, 1), self.one_axis_box),
             in_row(
                 *(self._device_label, (self.device_box, 1), 12, self._mode_label, modes), spacing=8
             ),

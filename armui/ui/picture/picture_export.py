@@ -14,7 +14,6 @@ from armui.arm.refusal import Refusal
 from armui.control.events import Level
 from armui.ui import words
 from armui.ui.background import Job
-from armui.ui.dialogs.files import choose_file
 
 if TYPE_CHECKING:
     from PySide6.QtWidgets import QWidget
@@ -62,6 +61,8 @@ class PictureExport(QObject):
         image = self._taken()
         if image is None:
             return
+        from armui.ui.dialogs.files import choose_file  # noqa: PLC0415 - faster start
+
         now = datetime.now().astimezone()
         choose_file(
             self._window,

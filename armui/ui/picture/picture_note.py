@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Final
 
-from PySide6.QtCore import Qt, QTimer
+from PySide6.QtCore import QEvent, Qt, QTimer
 from PySide6.QtWidgets import QLabel, QWidget
 
 from armui.control.events import Level
@@ -24,19 +25,28 @@ class PictureNote(QLabel):
         self.setTextFormat(Qt.TextFormat.PlainText)
         self.setMaximumWidth(_WIDEST_PX)
         self.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
+        self._words: str | Callable[[], str] = ""
         self._end = QTimer(self, singleShot=True, interval=_LONG_MS)
         self._end.timeout.connect(self.hide)
         self.hide()
 
-    def say(self, text: str, level: Level = Level.INFO, *, stays: bool = False) -> None:
+    def say(
+        self,
+        words: str | Callable[[], str],
+        level: Level = Level.INFO,
+        *,
+        stays: bool = False,
+    ) -> None:
         """Say something; an empty text says nothing.
 
         Args:
-            text: What.
+            words: What; something to be called has words in whichever language is chosen.
             level: How much it matters.
             stays: Whether it stands until something else is said.
         """
         self._end.stop()
+        self._words = words
+        text = words if isinstance(words, str) else words()
         self.setText(text)
         self.setAccessibleName(text)
         self._color(level)
@@ -44,11 +54,17 @@ class PictureNote(QLabel):
         if text and not stays:
             self._end.start()
 
+    def changeEvent(self, event: QEvent) -> None:
+        """Follow the language."""
+        if event.type() == QEvent.Type.LanguageChange and not isinstance(self._words, str):
+            self.setText(self._words())
+        super().changeEvent(event)
+
     def _color(self, level: Level) -> None:
         colors = colors_of(self)
         ground, line = {
             Level.WARNING: (colors.warn_pale, colors.warn),
-            Level.FAULT: (colors.stop_pale, colors.stop),
+            Level.FAULT: (colors.stop_pale, colors.stop_ink),
         }.get(level, (colors.surface, colors.border))
         self.setStyleSheet(
             f"#picture_note {{ background: {ground}; border: 1px solid {line}; "

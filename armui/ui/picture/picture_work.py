@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject
 from PySide6.QtWidgets import QApplication, QWidget
 
-from armui.control.run.progress import OVER
 from armui.ui.panels.jogging.joint_row import JointRow
+from armui.ui.panels.jogging.motion_panel import MotionPanel
 from armui.ui.picture.picture_export import PictureExport
 from armui.ui.picture.picture_note import PictureNote
 from armui.ui.picture.trail_keeper import TrailKeeper
@@ -22,7 +23,11 @@ if TYPE_CHECKING:
     from armui.control.operating_state import OperatingState
     from armui.settings import Settings, SettingsStore
     from armui.ui.background import Background
+    from armui.ui.picture.drag_targets import DragTarget
+    from armui.ui.picture.target_drag import TargetDrag
     from armui.ui.trajectory.preview.path_preview import PathPreview
+    from armui.ui.trajectory.preview.preview_link import PreviewLink
+    from armui.viewport.handles import HandleKind
     from armui.viewport.view import ArmView
 
 _MM = 0.001
@@ -75,9 +80,62 @@ class PictureWork(QObject):
         self._trail_s = preferences.settings.picture_trail_s
         controller.operating_state_changed.connect(self._on_operating_state)
         controller.state_changed.connect(self._on_state)
+        self._shows_range = False
+        self._link: PreviewLink | None = None
+        self._panel: Callable[[], QWidget | None] | None = None
+        self._targets: dict[QWidget, DragTarget] = {}
+        self._drag: TargetDrag | None = None
+        self.bar.handles_wanted.connect(self._choose_handles)
+        preview.row_shown.connect(self.look)
         application = QApplication.instance()
         if isinstance(application, QApplication):
             application.focusChanged.connect(self._on_focus)
+
+    def link(self, link: PreviewLink) -> None:
+        """The library is open: what is edited in it can be clicked and dragged."""
+        self._link = link
+        self._view.mark_picked.connect(link.on_mark_picked)
+        self._view.finding_picked.connect(link.on_finding_picked)
+
+    def follow_panels(self, panel: Callable[[], QWidget | None]) -> None:
+        """Say which panel is shown: its target can be dragged."""
+        self._panel = panel
+
+    def doings(self) -> dict[str, Callable[[], object]]:
+        """What the picture offers without a button, by the name of its shortcut."""
+        return {f"view.{name}": action.trigger for name, action in self.bar.without_button.items()}
+
+    def look(self) -> None:
+        """Stand the handles where the target is now."""
+        if self._drag is not None:
+            self._drag.look()
+
+    def _choose_handles(self, kind: HandleKind | None) -> None:
+        if self._drag is None:
+            from armui.ui.picture.target_drag import TargetDrag  # noqa: PLC0415 - faster start
+
+            self._drag = TargetDrag(
+                self._controller, self._view, self._preview, self.note, self._target
+            )
+        self._drag.set_kind(kind)
+
+    def _target(self) -> DragTarget | None:
+        """The chosen point while an editor is seen, else the target of the panel that is shown."""
+        from armui.ui.panels.jogging.cartesian_panel import CartesianPanel  # noqa: PLC0415 - faster start
+        from armui.ui.picture.drag_targets import CartesianTarget, MotionTarget  # noqa: PLC0415 - as above
+
+        point = None if self._link is None else self._link.target
+        if point is not None or self._panel is None:
+            return point
+        panel = self._panel()
+        if panel is None or not panel.isVisible():
+            return None
+        if panel not in self._targets:
+            if isinstance(panel, MotionPanel):
+                self._targets[panel] = MotionTarget(panel)
+            elif isinstance(panel, CartesianPanel):
+                self._targets[panel] = CartesianTarget(panel, self._controller)
+        return self._targets.get(panel)
 
     def _on_settings(self, settings: Settings) -> None:
         if settings.tool != self._tool:
@@ -92,6 +150,8 @@ class PictureWork(QObject):
     def _on_state(self, state: ArmState) -> None:
         self._trail.follow(state)
         if self._preview.name is not None:
+            from armui.control.run.progress import OVER  # noqa: PLC0415 - faster start
+
             progress = self._controller.player.progress
             under_way = progress.phase not in OVER and progress.name == self._preview.name
             self._preview.light_row(progress.index if under_way else None)
@@ -117,7 +177,10 @@ class PictureWork(QObject):
         while widget is not None and not isinstance(widget, JointRow):
             widget = widget.parentWidget()
         if widget is None:
-            self._view.show_joint_range(None)
+            if self._shows_range:
+                self._shows_range = False
+                self._view.show_joint_range(None)
             return
+        self._shows_range = True
         limits = self._controller.operating_state.limits[widget.joint - 1]
         self._view.show_joint_range(widget.joint, (limits.min_deg, limits.max_deg))

@@ -5,20 +5,20 @@ from __future__ import annotations
 from functools import partial
 from typing import TYPE_CHECKING, Final, NamedTuple
 
-from PySide6.QtCore import QT_TRANSLATE_NOOP, QCoreApplication, QSize, Qt
+from PySide6.QtCore import QT_TRANSLATE_NOOP, QCoreApplication, QSize, Qt, Signal
 from PySide6.QtGui import QAction, QActionGroup, QKeySequence
 from PySide6.QtWidgets import QFrame, QMenu, QToolButton
 
+from armui.ui.actions.keys import SHORTCUTS, keys_of
 from armui.ui.theme import colors_of
 from armui.ui.widgets import icons
 from armui.ui.widgets.buttons import describe, named
 from armui.ui.widgets.layouts import in_column
 from armui.ui.widgets.translated import Translated
 from armui.viewport.camera import ViewDirection
+from armui.viewport.handles import HandleKind
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
-
     from armui.settings import SettingsStore
     from armui.viewport.view import ArmView
 
@@ -34,14 +34,12 @@ class _Entry(NamedTuple):
     Attributes:
         text: Its name.
         tip: What it does.
-        key: Its shortcut in the window.
         icon: Its icon's name.
         stays: Whether it is switched on and off.
     """
 
     text: object
     tip: object
-    key: str
     icon: str = ""
     stays: bool = False
 
@@ -50,68 +48,63 @@ _ENTRIES: Final = {
     "front": _Entry(
         QT_TRANSLATE_NOOP("ViewBar", "Front view"),
         QT_TRANSLATE_NOOP("ViewBar", "Looks at the arm from where it points to"),
-        "Ctrl+1",
         "view_front",
     ),
     "side": _Entry(
         QT_TRANSLATE_NOOP("ViewBar", "Side view"),
         QT_TRANSLATE_NOOP("ViewBar", "Looks at the arm from its right side"),
-        "Ctrl+2",
         "view_side",
     ),
     "top": _Entry(
         QT_TRANSLATE_NOOP("ViewBar", "Top view"),
         QT_TRANSLATE_NOOP("ViewBar", "Looks down on the arm"),
-        "Ctrl+3",
         "view_top",
     ),
     "iso": _Entry(
         QT_TRANSLATE_NOOP("ViewBar", "Oblique view"),
         QT_TRANSLATE_NOOP("ViewBar", "Looks at the arm from the front right and above"),
-        "Ctrl+4",
         "view_iso",
     ),
     "fit": _Entry(
         QT_TRANSLATE_NOOP("ViewBar", "Fit"),
         QT_TRANSLATE_NOOP("ViewBar", "Shows all of the arm as large as the room allows"),
-        "Ctrl+9",
         "view_fit",
     ),
     "follow": _Entry(
         QT_TRANSLATE_NOOP("ViewBar", "Follow the tool"),
         QT_TRANSLATE_NOOP("ViewBar", "Keeps the tool centre point in the middle"),
-        "Ctrl+5",
         "view_follow",
         stays=True,
     ),
     "orthographic": _Entry(
         QT_TRANSLATE_NOOP("ViewBar", "Without perspective"),
         QT_TRANSLATE_NOOP("ViewBar", "Parallel lines look parallel: lengths can be compared"),
-        "Ctrl+6",
         stays=True,
     ),
     "tool_frame": _Entry(
         QT_TRANSLATE_NOOP("ViewBar", "Tool frame"),
         QT_TRANSLATE_NOOP("ViewBar", "Shows the axes of the tool centre point"),
-        "Ctrl+7",
         stays=True,
     ),
     "reach": _Entry(
         QT_TRANSLATE_NOOP("ViewBar", "Workspace"),
         QT_TRANSLATE_NOOP("ViewBar", "Shows how far the tool centre point can reach"),
-        "Ctrl+8",
         stays=True,
     ),
     "save": _Entry(
         QT_TRANSLATE_NOOP("ViewBar", "Save picture…"),
         QT_TRANSLATE_NOOP("ViewBar", "Writes the picture with its figures to a file"),
-        "Ctrl+Alt+S",
     ),
     "copy": _Entry(
         QT_TRANSLATE_NOOP("ViewBar", "Copy picture"),
         QT_TRANSLATE_NOOP("ViewBar", "Puts the picture with its figures into the clipboard"),
-        "Ctrl+Alt+C",
     ),
+}
+_HANDLES: Final = {
+    None: QT_TRANSLATE_NOOP("ViewBar", "No handles"),
+    HandleKind.TOOL: QT_TRANSLATE_NOOP("ViewBar", "Tool, along the axes of the base"),
+    HandleKind.TOOL_FRAME: QT_TRANSLATE_NOOP("ViewBar", "Tool, along its own axes"),
+    HandleKind.JOINTS: QT_TRANSLATE_NOOP("ViewBar", "Joints"),
 }
 _STRIP: Final = ("front", "side", "top", "iso", "fit", "follow")
 _MENU: Final = (
@@ -125,6 +118,9 @@ _MENU: Final = (
 class ViewBar(Translated, QFrame):
     """Buttons for the views, and a menu with everything that can be chosen of the picture.
 
+    Signals:
+        handles_wanted: Which handles are to be dragged in the picture, a `HandleKind` or None.
+
     Args:
         view: Shows the arm.
         preferences: Keep the direction, the perspective, the tool's frame and the trail's length.
@@ -132,6 +128,8 @@ class ViewBar(Translated, QFrame):
     Attributes:
         view_actions: By name, for menus and lists of shortcuts.
     """
+
+    handles_wanted = Signal(object)
 
     def __init__(self, view: ArmView, preferences: SettingsStore) -> None:
         super().__init__()
@@ -142,6 +140,13 @@ class ViewBar(Translated, QFrame):
         self.view_actions = {name: self._action(name, entry) for name, entry in _ENTRIES.items()}
         self._trail_menu = QMenu(self)
         self._trails = self._trail_actions()
+        self._handles_menu = QMenu(self)
+        self._handles = self._handle_actions()
+        self._handles_button = named("view_handles_button", QToolButton())
+        self._handles_button.setMenu(self._handles_menu)
+        self._handles_button.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
+        self._handles_button.setCheckable(True)
+        self._last_handles = HandleKind.TOOL
         self._menu = QMenu(self)
         self._fill_menu()
         self._more = named("view_more_button", QToolButton())
@@ -156,7 +161,7 @@ class ViewBar(Translated, QFrame):
     def _action(self, name: str, entry: _Entry) -> QAction:
         action = named(f"view_{name}", QAction(self))
         action.setCheckable(entry.stays)
-        action.setShortcut(QKeySequence(entry.key))
+        action.setShortcut(QKeySequence(keys_of(f"view.{name}")))
         self.addAction(action)
         return action
 
@@ -173,7 +178,43 @@ class ViewBar(Translated, QFrame):
             )
         return result
 
+    def _handle_actions(self) -> dict[HandleKind | None, QAction]:
+        group = QActionGroup(self)
+        result: dict[HandleKind | None, QAction] = {}
+        for kind in _HANDLES:
+            name = "none" if kind is None else kind.value
+            action = result[kind] = named(f"handles_{name}", QAction(self))
+            action.setCheckable(True)
+            action.setChecked(kind is None)
+            group.addAction(action)
+            self._handles_menu.addAction(action)
+            action.triggered.connect(lambda _on=False, kind=kind: self.choose_handles(kind))
+        self._toggle_handles = named("handles_toggle", QAction(self))
+        self._toggle_handles.setShortcut(QKeySequence(keys_of("view.handles")))
+        self._toggle_handles.triggered.connect(self._on_toggle_handles)
+        self.addAction(self._toggle_handles)
+        return result
+
+    def choose_handles(self, kind: HandleKind | None) -> None:
+        """Have other handles in the picture; None: none."""
+        self._handles[kind].setChecked(True)
+        self._handles_button.setChecked(kind is not None)
+        if kind is not None:
+            self._last_handles = kind
+        self.handles_wanted.emit(kind)
+
+    @property
+    def without_button(self) -> dict[str, QAction]:
+        """What only the menu has, and the switch of the handles."""
+        rest = {name: each for name, each in self.view_actions.items() if name not in _STRIP}
+        return {**rest, "handles": self._toggle_handles}
+
+    def _on_toggle_handles(self) -> None:
+        off = self._handles[None].isChecked()
+        self.choose_handles(self._last_handles if off else None)
+
     def _fill_menu(self) -> None:
+        self._menu.addMenu(self._handles_menu)
         for names in _MENU:
             for name in names:
                 if name == "trail":
@@ -187,12 +228,13 @@ class ViewBar(Translated, QFrame):
             button = named(f"view_{name}_button", QToolButton())
             button.setDefaultAction(self.view_actions[name])
             self._buttons.append(button)
-        for button in (*self._buttons, self._more):
+        for button in (self._handles_button, *self._buttons, self._more):
             button.setAutoRaise(True)
             button.setFixedSize(_BUTTON_PX, _BUTTON_PX)
             button.setIconSize(QSize(20, 20))
             button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
-        in_column(*self._buttons, self._more, on=self, spacing=2, margins=_MARGIN_PX)
+        buttons = (self._handles_button, *self._buttons, self._more)
+        in_column(*buttons, on=self, spacing=2, margins=_MARGIN_PX)
 
     def _connect(self) -> None:
         actions = self.view_actions
@@ -209,20 +251,6 @@ class ViewBar(Translated, QFrame):
         self._view.view_changed.connect(self._show_mode)
         unsubscribe = self._preferences.subscribe(lambda _settings: self._take_settings())
         self.destroyed.connect(unsubscribe)
-
-    def add_to_strip(self, action: QAction, name: str) -> None:
-        """Put one more button at the top of the strip, and into the menu."""
-        button = named(name, QToolButton())
-        button.setDefaultAction(action)
-        button.setAutoRaise(True)
-        button.setFixedSize(_BUTTON_PX, _BUTTON_PX)
-        button.setIconSize(QSize(20, 20))
-        self.layout().insertWidget(0, button)  # type: ignore[union-attr]
-        self._menu.insertAction(self._menu.actions()[0], action)
-
-    def on(self, name: str, do: Callable[..., object]) -> None:
-        """Have an action do something more."""
-        self.view_actions[name].triggered.connect(do)
 
     def _look_from(self, direction: ViewDirection) -> None:
         self._view.look_from(direction)
@@ -254,6 +282,16 @@ class ViewBar(Translated, QFrame):
             action.setToolTip(f"{text}: {tip} ({keys})")
         for button in self._buttons:
             button.setAccessibleName(button.defaultAction().text())
+        for kind, handles in _HANDLES.items():
+            self._handles[kind].setText(QCoreApplication.translate("ViewBar", str(handles)))
+        name, keys = self.tr("Drag the target in the picture"), SHORTCUTS["view.handles"].text()
+        self._toggle_handles.setText(name)
+        self._handles_menu.setTitle(name)
+        tip = self.tr(
+            "Drags the target, or the chosen point, in the picture; the arm does not move. "
+            "Ctrl: coarse steps, Shift: fine steps, Esc: give up"
+        )
+        describe(self._handles_button, name, f"{tip} ({keys})")
         self._trail_menu.setTitle(self.tr("Way of the tool"))
         for length_s, action in self._trails.items():
             words = self.tr("Last {seconds} s of motion").format(seconds=length_s)
@@ -264,4 +302,5 @@ class ViewBar(Translated, QFrame):
         color = colors_of(self).muted
         for name in _STRIP:
             self.view_actions[name].setIcon(icons.icon(_ENTRIES[name].icon, color))
+        self._handles_button.setIcon(icons.icon("drag_target", color))
         self._more.setIcon(icons.icon("view_more", color))

@@ -10,9 +10,10 @@ from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QObject, Qt, QTimer
 from PySide6.QtWidgets import QHeaderView
+from shiboken6 import isValid
 
 from armui.ui.background import Job
-from armui.ui.shell.workspace_layout import Columns, WorkspaceLayout, from_text, to_text
+from armui.ui.shell.workspace_layout import ColumnLayout, WorkspaceLayout, from_text, to_text
 from armui.ui.watch.layout_file import read_text, write_text
 
 if TYPE_CHECKING:
@@ -87,10 +88,12 @@ class LayoutKeeper(QObject):
         header.sortIndicatorChanged.connect(lambda *_: changed())
 
     def _note_columns(self, name: str, header: QHeaderView) -> None:
+        if not isValid(header):
+            return  # it tells of its sections while it is taken down
         kept = self.layout.columns.get(name)
         known = () if kept is None else kept.widths_px
         shown = header.isSortIndicatorShown()
-        columns = Columns(
+        columns = ColumnLayout(
             tuple(_width_px(header, place, known) for place in range(header.count())),
             header.sortIndicatorSection() if shown else -1,
             header.sortIndicatorOrder() == Qt.SortOrder.AscendingOrder,

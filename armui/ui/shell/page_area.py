@@ -5,11 +5,12 @@ from __future__ import annotations
 from typing import Final
 
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtWidgets import QStackedWidget, QWidget
+from PySide6.QtWidgets import QWidget
 
 from armui.ui.shell.page_bar import PageBar
 from armui.ui.widgets.layouts import in_column
 from armui.ui.widgets.page import Page
+from armui.ui.widgets.page_stack import PageStack
 
 _LEAST_PX: Final = 480
 
@@ -34,7 +35,7 @@ class PageArea(QWidget):
         self.setMinimumWidth(_LEAST_PX)
         self._open: list[Page] = []
         self._bar = PageBar()
-        self._stack = QStackedWidget()
+        self._stack = PageStack()
         in_column(self._bar, (self._stack, 1), on=self, spacing=10, margins=(16, 10, 16, 10))
         self._bar.back_wanted.connect(self._on_back)
         self._bar.page_wanted.connect(self._on_back)
@@ -55,7 +56,6 @@ class PageArea(QWidget):
         if page in self._open:
             self._open.remove(page)
         else:
-            self._stack.addWidget(page)
             page.titled.connect(self._name)
         self._open.append(page)
         self._show_current()
@@ -69,9 +69,7 @@ class PageArea(QWidget):
         seen = page.isVisible()
         self._open.remove(page)
         page.titled.disconnect(self._name)
-        self._stack.removeWidget(page)
-        page.hide()
-        page.setParent(self.window())
+        self._stack.drop_page(page)
         if not self._open:
             self.emptied.emit()
         else:
@@ -80,7 +78,7 @@ class PageArea(QWidget):
                 self._open[-1].take_focus()
 
     def _show_current(self) -> None:
-        self._stack.setCurrentWidget(self._open[-1])
+        self._stack.show_page(self._open[-1])
         self._name()
 
     def _name(self) -> None:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Final
 
-from PySide6.QtCore import QSize, Qt, Signal
+from PySide6.QtCore import QRect, QSize, Qt, Signal
 from PySide6.QtWidgets import QToolButton, QWidget
 
 from armui.ui.dialogs.base import ArmDialog
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
     from armui.ui.widgets.page import Page
 
-_SIZE: Final = QSize(1120, 720)
+_SIZE: Final = QSize(1180, 760)
 _ICON_PX: Final = 18
 
 
@@ -42,6 +42,7 @@ class PageWindow(ArmDialog):
         super().__init__(controller, parent)
         self.setObjectName(f"{page.key}_window")
         self.setWindowFlags(Qt.WindowType.Window)
+        self._moved = True  # it opens where it stood
         self._page: Page | None = page
         self._put_back = named("page_put_back", QToolButton())
         self._put_back.setIconSize(QSize(_ICON_PX, _ICON_PX))
@@ -78,6 +79,12 @@ class PageWindow(ArmDialog):
             super().reject()
         else:
             self._page.leave()
+
+    def room_for_questions(self) -> QRect:
+        """All of it below its stops."""
+        top = self.stop_button.mapToGlobal(self.stop_button.rect().bottomLeft()).y()
+        left = self.mapToGlobal(self.rect().topLeft())
+        return QRect(left.x(), top, self.width(), left.y() + self.height() - top)
 
     def _name(self) -> None:
         if self._page is not None:

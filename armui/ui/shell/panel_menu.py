@@ -40,9 +40,9 @@ _PANELS: Final = (
     ("gripper_settings", QT_TRANSLATE_NOOP("SideMenu", "Gripper settings"),
      "parameters.gripper_settings_panel.GripperSettingsPanel", "open_backup"),
     ("end_load", QT_TRANSLATE_NOOP("SideMenu", "End load"),
-     "parameters.end_load_panel.EndLoadPanel", ""),
+     "parameters.end_load_panel.EndLoadPanel", "preferences"),
     ("teaching", QT_TRANSLATE_NOOP("SideMenu", "Drag teaching"),
-     "teaching.teaching_panel.TeachingPanel", ""),
+     "teaching.teaching_panel.TeachingPanel", "open_backup"),
 )
 # fmt: on
 

@@ -227,5 +227,5 @@ def _paint_colors(colors: Colors, level: Level) -> tuple[str, str]:
         Level.INFO: (colors.accent_pale, colors.accent),
         Level.DONE: (colors.accent_pale, colors.ok),
         Level.WARNING: (colors.warn_pale, colors.warn),
-        Level.FAULT: (colors.stop_pale, colors.stop),
+        Level.FAULT: (colors.stop_pale, colors.stop_ink),
     }[level]

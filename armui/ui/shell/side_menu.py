@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from functools import partial
 from typing import Final, NamedTuple
 
 from PySide6.QtCore import QCoreApplication, QSize, Qt, Signal
 from PySide6.QtWidgets import (
-    QButtonGroup,
     QScrollArea,
     QSizePolicy,
     QToolButton,
@@ -59,7 +59,9 @@ class SideMenu(Translated, QWidget):
         self.setObjectName("side_menu")
         self.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
         self._entries = tuple(entries)
-        self._group = QButtonGroup(self)
+        # no group of Qt's: Tab would reach only the chosen one of its buttons
+        self._buttons: list[QToolButton] = []
+        self._chosen: int | None = 0
         self.setFixedWidth(_WIDTH_PX)
         column = QWidget()
         layout = QVBoxLayout(column)
@@ -73,7 +75,8 @@ class SideMenu(Translated, QWidget):
             button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
             button.setIconSize(QSize(20, 20))
             button.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
-            self._group.addButton(button, place)
+            button.clicked.connect(partial(self._on_clicked, place))
+            self._buttons.append(button)
             layout.addWidget(button)
         layout.addStretch(1)
         whole = QVBoxLayout(self)
@@ -82,20 +85,18 @@ class SideMenu(Translated, QWidget):
         whole.addWidget(self._scrolled(column), 1)
         for widget in at_bottom:
             whole.addWidget(widget)
-        self._group.button(0).setChecked(True)
-        self._group.idClicked.connect(self.chosen)
-        self._group.idClicked.connect(self._recolor)
         self.retranslate_ui()
-        self._recolor()
+        self.choose(0)
+
+    def _on_clicked(self, place: int, _on: bool = False) -> None:
+        self.choose(place)
+        self.chosen.emit(place)
 
     def choose(self, place: int | None) -> None:
         """Show an entry, or none, as the chosen one, without telling anyone."""
-        if place is not None:
-            self._group.button(place).setChecked(True)
-        elif (chosen := self._group.checkedButton()) is not None:
-            self._group.setExclusive(False)
-            chosen.setChecked(False)
-            self._group.setExclusive(True)
+        self._chosen = place
+        for number, button in enumerate(self._buttons):
+            button.setChecked(number == place)
         self._recolor()
 
     def _scrolled(self, column: QWidget) -> QScrollArea:
@@ -114,11 +115,11 @@ class SideMenu(Translated, QWidget):
         """Put the entries into the operator's language."""
         for place, entry in enumerate(self._entries):
             title = QCoreApplication.translate("SideMenu", entry.title)
-            self._group.button(place).setText(f" {title}")
-            self._group.button(place).setAccessibleName(title)
+            self._buttons[place].setText(f" {title}")
+            self._buttons[place].setAccessibleName(title)
 
     def _recolor(self) -> None:
         colors = colors_of(self)
         for place, entry in enumerate(self._entries):
-            color = colors.accent if place == self._group.checkedId() else colors.muted
-            self._group.button(place).setIcon(icons.icon(entry.key, color))
+            color = colors.accent if place == self._chosen else colors.muted
+            self._buttons[place].setIcon(icons.icon(entry.key, color))

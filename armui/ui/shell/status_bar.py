@@ -82,7 +82,7 @@ class StatusBar(Translated, QWidget):
         self._event: Event | None = None
         self._entry: int | None = None
         self._problem: tuple[datetime, Refusal] | None = None
-        self._shown: tuple[Status | None, bool] | None = None
+        self._shown: tuple[Status | None, bool, str] | None = None
         self._notice_icon = QLabel()
         self._notice_label = ElidedLabel()
         self._notice_label.setObjectName("notice_label")
@@ -145,7 +145,7 @@ class StatusBar(Translated, QWidget):
         shape = Qt.CursorShape.PointingHandCursor if text else Qt.CursorShape.ArrowCursor
         self._notice_label.setCursor(shape)
         colors = colors_of(self)
-        color = {Level.WARNING: colors.warn, Level.FAULT: colors.stop}.get(level)
+        color = {Level.WARNING: colors.warn, Level.FAULT: colors.stop_ink}.get(level)
         self._notice_icon.setVisible(color is not None)
         if color is not None:
             self._draw_warning(self._notice_icon, color)
@@ -172,12 +172,13 @@ class StatusBar(Translated, QWidget):
     def _show_status(self, state: ArmState) -> None:
         heard = state.status
         stale = is_stale(heard, state, self._controller.operating_state)
-        shown = (None if heard is None else heard.value, stale)
+        now = self._controller.operating_state
+        shown = (None if heard is None else heard.value, stale, _foreign_mode(now))
         if shown != self._shown:
             self._shown = shown
             self._spell_out(*shown)
 
-    def _spell_out(self, status: Status | None, stale: bool) -> None:
+    def _spell_out(self, status: Status | None, stale: bool, foreign_mode: str) -> None:
         """Put the codes into words; ``None`` is a status that has never been heard."""
         if status is None:
             texts = dict.fromkeys(("control", "arm", "mode", "reached"), fmt.NOTHING)
@@ -185,7 +186,7 @@ class StatusBar(Translated, QWidget):
             texts = {
                 "control": words.control_mode_short(status.control_mode),
                 "arm": words.arm_status(status.arm_status),
-                "mode": words.move_mode(status.move_mode),
+                "mode": self._mode(status.move_mode, foreign_mode),
                 "reached": words.reached(status.reached),
             }
             if status.teaching != TeachingState.OFF:
@@ -206,21 +207,31 @@ class StatusBar(Translated, QWidget):
             if name in self._separators:
                 self._separators[name].setVisible(name in texts)
             loud = name == "joints" or (name == "arm" and alarm is not None)
+            color = alarm if loud and alarm else ink
+            if name == "mode" and foreign_mode and not stale:
+                color = colors.warn
             colored = label.palette()
-            colored.setColor(label.foregroundRole(), QColor(alarm if loud and alarm else ink))
+            colored.setColor(label.foregroundRole(), QColor(color))
             label.setPalette(colored)
         self._status_icon.setVisible(alarm is not None)
         if alarm is not None:
             self._draw_warning(self._status_icon, alarm)
 
+    def _mode(self, code: int, foreign_mode: str) -> str:
+        """How the arm travels; a mode that another program has chosen is told as its."""
+        if not foreign_mode:
+            return words.move_mode(code)
+        mode = words.other_mode(foreign_mode)
+        return self.tr("{mode} by another program").format(mode=mode)
+
     def _alarm_color(self, status: Status) -> str | None:
         colors = colors_of(self)
         if any(status.communication_fault):
-            return colors.stop
+            return colors.stop_ink
         if status.arm_status in _WARNINGS:
             return colors.warn
         if status.arm_status not in _NO_FAULT:
-            return colors.stop
+            return colors.stop_ink
         return colors.warn if any(status.limit_exceeded) else None
 
     def _joint_faults(self, status: Status) -> str:
@@ -254,3 +265,9 @@ class StatusBar(Translated, QWidget):
         """Catch up with what went by while the bar was hidden."""
         super().showEvent(event)
         self._show_status(self._controller.state)
+
+
+def _foreign_mode(now: OperatingState) -> str:
+    """MIT, CPV or high-follow by another host's word, "" for none; 0x2A1 doesn't tell the last."""
+    other = now.other_host
+    return "" if other is None else str(other.reason.params.get("other_mode", ""))

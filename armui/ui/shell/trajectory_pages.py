@@ -16,11 +16,11 @@ if TYPE_CHECKING:
 
     from armui.control.arm_controller import ArmController
     from armui.settings import SettingsStore
+    from armui.ui.picture.picture_work import PictureWork
     from armui.ui.shell.page_area import PageArea
     from armui.ui.shell.workspace import Workspace
     from armui.ui.trajectory.library.library_page import LibraryPage
     from armui.ui.trajectory.preview.path_preview import PathPreview
-    from armui.viewport.view import ArmView
 
 
 class TrajectoryPages(QObject):
@@ -35,7 +35,7 @@ class TrajectoryPages(QObject):
         files: Who does what waits for a disk; the workers by default.
         folder: Of the library; the user's own by default.
         preview: Shows the path that was checked last.
-        view: The 3D picture: a mark that is clicked there leads to its row.
+        picture: What is clicked and dragged in the 3D picture leads to a page.
         parent: The main window.
     """
 
@@ -50,7 +50,7 @@ class TrajectoryPages(QObject):
         files: Executor | None,
         folder: Path | None,
         preview: PathPreview,
-        view: ArmView,
+        picture: PictureWork,
         parent: QObject,
     ) -> None:
         super().__init__(parent)
@@ -58,7 +58,7 @@ class TrajectoryPages(QObject):
         self._preferences = preferences
         self._workers, self._files, self._folder = workers, files, folder
         self._workspace, self._area = workspace, area
-        self._preview, self._view = preview, view
+        self._preview, self._picture = preview, picture
         self._library: LibraryPage | None = None
 
     def open_library(self) -> None:
@@ -89,7 +89,5 @@ class TrajectoryPages(QObject):
         page = LibraryPage(self._controller, background, library)
         self._workspace.add(page, self._area)
         page.page_made.connect(partial(self._workspace.add, home=self._area))
-        link = PreviewLink(page, self._preview)
-        self._view.mark_picked.connect(link.on_mark_picked)
-        self._view.finding_picked.connect(link.on_finding_picked)
+        self._picture.link(PreviewLink(page, self._preview, self._controller))
         return page

@@ -12,7 +12,6 @@ from armui.ui.actions.keys import keys_of
 from armui.ui.theme import colors_of
 from armui.ui.widgets import icons
 from armui.ui.widgets.translated import Translated
-from armui.viewport.fitting import Box
 
 if TYPE_CHECKING:
     from armui.ui.picture.picture_work import PictureWork
@@ -54,7 +53,7 @@ class ViewRegion(Translated, QWidget):
             "reset_view": self._reset,
             "settings": self._settings,
         }
-        row = QHBoxLayout()
+        self._row = row = QHBoxLayout()
         row.setContentsMargins(_RIM_PX, _RIM_PX, _RIM_PX, _RIM_PX)
         row.setSpacing(8)
         for name, button in self._buttons.items():
@@ -93,12 +92,9 @@ class ViewRegion(Translated, QWidget):
         self._tell_covered()
 
     def _tell_covered(self) -> None:
-        buttons = [button.geometry() for button in self._buttons.values()]
-        left = min(place.left() for place in buttons) - self._view.x()
-        top = min(place.top() for place in buttons) - self._view.y()
-        corner = Box(left, top, self._view.width(), self._view.height())
-        strip_px = 0 if self._strip is None else self._view.width() - self._strip.x()
-        self._view.set_covered(corner, max(0, strip_px))
+        corner = self._row.sizeHint()
+        strip_px = 0 if self._strip is None else self._strip.sizeHint().width() + _RIM_PX
+        self._view.set_covered((corner.width(), corner.height()), strip_px)
 
     def retranslate_ui(self) -> None:
         """Put the words into the operator's language."""
@@ -113,6 +109,7 @@ class ViewRegion(Translated, QWidget):
             button.setAccessibleName(text)
             keys = shortcut.toString(shortcut.SequenceFormat.NativeText)
             button.setToolTip(f"{tip} ({keys})" if keys else tip)
+        self._tell_covered()
 
     def _recolor(self) -> None:
         for name, button in self._buttons.items():

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Final, Protocol, runtime_checkable
+from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QT_TRANSLATE_NOOP, QObject
 from PySide6.QtWidgets import QDialog, QWidget
@@ -18,16 +18,18 @@ if TYPE_CHECKING:
     from armui.settings import SettingsStore
     from armui.ui.background import Background
     from armui.ui.shell.status_bar import StatusBar
-
-
-@runtime_checkable
-class _ShowsMoment(Protocol):
-    def isVisible(self) -> bool: ...  # noqa: N802 - Qt's
-    def show_moment(self, at_s: float) -> None: ...
+    from armui.ui.watch.plot_page import PlotPage
+    from armui.ui.widgets.page import Page
 
 
 Opener = Callable[[str, Callable[[], QDialog]], QDialog]
 """Shows a dialog by its name, and makes it at the first time."""
+
+PageOpener = Callable[[str, Callable[[], "Page"]], "Page"]
+"""The same of a page."""
+
+_PAGES: Final = ("plots", "events", "bus")
+"""They stand in the drawer; the others are windows."""
 
 # fmt: off
 _BUTTONS: Final = (
@@ -64,8 +66,9 @@ class WatchWindows(QObject):
         background: Where what takes long is done, and files are read and written.
         window: The main window.
         open_window: How it shows a dialog.
+        open_page: How it shows a page of the drawer.
         store: The operator's settings.
-        robot: The robot description that is shown; ``None``: the program's own.
+        robot: The operator's own robot description; ``None``: the program's.
     """
 
     def __init__(
@@ -74,10 +77,11 @@ class WatchWindows(QObject):
         settings: Path,
         background: Background,
         window: QWidget,
-        open_window: Opener,
         *,
+        open_window: Opener,
+        open_page: PageOpener,
         store: SettingsStore,
-        robot: Callable[[], Path | None] = lambda: None,
+        robot: Callable[[], str | None] = lambda: None,
     ) -> None:
         super().__init__(window)
         self._controller = controller
@@ -85,6 +89,8 @@ class WatchWindows(QObject):
         self._background = background
         self._window = window
         self._open = open_window
+        self._open_page = open_page
+        self._plots: PlotPage | None = None
         self._store = store
         self._robot = robot
         self._bar: StatusBar | None = None
@@ -101,16 +107,21 @@ class WatchWindows(QObject):
             WatchEntry(key, str(title), str(tip), openers[key]) for key, title, tip in _BUTTONS
         )
 
+    def pages(self) -> tuple[WatchEntry, ...]:
+        """Those that are pages of the drawer."""
+        return tuple(entry for entry in self.entries() if entry.key in _PAGES)
+
     def show_as_curves(self, keys: Sequence[str]) -> None:
-        """Show quantities in the window 曲线, by their keys (`armui.telemetry.quantities`)."""
-        from armui.ui.watch.plot_window import PlotWindow  # noqa: PLC0415 - pyqtgraph, numpy
+        """Show quantities in the page 曲线, by their keys (`armui.telemetry.quantities`)."""
+        from armui.ui.watch.plot_page import PlotPage  # noqa: PLC0415 - pyqtgraph, numpy
 
-        def make() -> QDialog:
-            return PlotWindow(self._controller, self._background, self._settings, self._window)
+        def make() -> Page:
+            self._plots = PlotPage(self._controller, self._background, self._settings)
+            return self._plots
 
-        window = self._open("plots", make)
-        if isinstance(window, PlotWindow):
-            window.add_curves(keys)
+        self._open_page("plots", make)
+        if self._plots is not None:
+            self._plots.add_curves(keys)
 
     def open_export(self, path: Path | None = None) -> None:
         """Show the window 导出, with a recording if one is given."""
@@ -121,39 +132,38 @@ class WatchWindows(QObject):
             window.show_log(path)
 
     def show_events(self, number: int | None = None) -> None:
-        """Show the window 事件, with one of its entries chosen."""
-        from armui.ui.watch.events.event_window import EventWindow  # noqa: PLC0415 - faster start
+        """Show the page 事件, with one of its entries chosen."""
+        from armui.ui.watch.events.event_page import EventPage  # noqa: PLC0415 - faster start
 
-        def make() -> QDialog:
-            window = EventWindow(self._controller, self._background, self._window)
-            window.moment_chosen.connect(self._move_cursor)
-            window.moment_wanted.connect(self.show_moment)
-            return window
+        def make() -> Page:
+            page = EventPage(self._controller, self._background)
+            page.moment_chosen.connect(self._move_cursor)
+            page.moment_wanted.connect(self.show_moment)
+            return page
 
-        window = self._open("events", make)
-        if isinstance(window, EventWindow) and number is not None:
-            window.show_entry(number)
+        page = self._open_page("events", make)
+        if isinstance(page, EventPage) and number is not None:
+            page.show_entry(number)
 
     def show_moment(self, at_s: float) -> None:
-        """Show the window 曲线, its first cursor at a monotonic time."""
+        """Show the page 曲线, its first cursor at a monotonic time."""
         self.show_as_curves(())
         self._move_cursor(at_s)
 
     def _move_cursor(self, at_s: float) -> None:
         """In the curves, where they are seen."""
-        for plots in self._window.findChildren(QDialog, "plot_window"):
-            if isinstance(plots, _ShowsMoment) and plots.isVisible():
-                plots.show_moment(at_s)
+        if self._plots is not None and self._plots.isVisible():
+            self._plots.show_moment(at_s)
 
     def open_bus_monitor(self) -> None:
-        """Show the window 总线."""
+        """Show the page 总线."""
 
-        def make() -> QDialog:
-            from armui.ui.watch.bus.bus_window import BusWindow  # noqa: PLC0415 - numpy, cantools
+        def make() -> Page:
+            from armui.ui.watch.bus.bus_page import BusPage  # noqa: PLC0415 - numpy, cantools
 
-            return BusWindow(self._controller, self._window)
+            return BusPage(self._controller)
 
-        self._open("bus", make)
+        self._open_page("bus", make)
 
     def open_sessions(self) -> None:
         """Show the window 会话记录."""
@@ -192,7 +202,8 @@ class WatchWindows(QObject):
         from armui.viewport.view import ArmView  # noqa: PLC0415 - with the first log
 
         def make_view() -> ArmView:
-            return ArmView(self._robot())
+            own = self._robot()
+            return ArmView(Path(own) if own else None)
 
         def make() -> QDialog:
             from armui.session.recording.recorded_session import RecordedSession  # noqa: PLC0415 - as above
@@ -203,6 +214,7 @@ class WatchWindows(QObject):
                 make_view,
                 self._window,
                 open_own=RecordedSession,
+                urdf_path=self._robot(),
             )
 
         window = self._open("replay", make)

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QEvent, QObject, QSize, Qt
 
+from armui.ui.shell.drawer import DRAWER_PX
 from armui.ui.shell.work_area import PAGE_SHARE, PANEL_PX
 from armui.ui.shell.workspace import on_screen, place_of
 
@@ -14,7 +15,7 @@ if TYPE_CHECKING:
     from PySide6.QtWidgets import QWidget
 
     from armui.ui.shell.layout_keeper import LayoutKeeper
-    from armui.ui.shell.work_area import WorkArea
+    from armui.ui.shell.work_column import WorkColumn
     from armui.ui.shell.workspace_layout import WorkspaceLayout
 
 _MOVED: Final = frozenset({QEvent.Type.Move, QEvent.Type.Resize, QEvent.Type.WindowStateChange})
@@ -26,17 +27,17 @@ class WindowLayout(QObject):
     Args:
         keeper: Knows how it was.
         window: The main window, before it is shown.
-        work_area: The border in it.
+        column: The borders in it.
         first_size: Of the window the first time.
     """
 
     def __init__(
-        self, keeper: LayoutKeeper, window: QWidget, work_area: WorkArea, first_size: QSize
+        self, keeper: LayoutKeeper, window: QWidget, column: WorkColumn, first_size: QSize
     ) -> None:
         super().__init__(window)
         self._keeper = keeper
         self._window = window
-        self._work_area = work_area
+        self._column = column
         layout = keeper.layout
         room = window.screen().availableSize()
         if layout.window is None:
@@ -45,8 +46,9 @@ class WindowLayout(QObject):
             window.setGeometry(on_screen(layout.window))
         if layout.maximized:
             window.setWindowState(Qt.WindowState.WindowMaximized)
-        work_area.set_widths(layout.panel_px or PANEL_PX, layout.page_share or PAGE_SHARE)
-        work_area.sized.connect(keeper.note)
+        column.area.set_widths(layout.panel_px or PANEL_PX, layout.page_share or PAGE_SHARE)
+        column.set_drawer(layout.drawer_px or DRAWER_PX)
+        column.sized.connect(keeper.note)
         keeper.collect_by(self._collect)
         window.installEventFilter(self)
 
@@ -57,11 +59,12 @@ class WindowLayout(QObject):
         return super().eventFilter(watched, event)
 
     def _collect(self, layout: WorkspaceLayout) -> WorkspaceLayout:
-        window, area = self._window, self._work_area
+        window, area = self._window, self._column.area
         return replace(
             layout,
             window=place_of(window.normalGeometry()),
             maximized=window.isMaximized(),
             panel_px=area.panel_px,
             page_share=round(area.page_share, 4),
+            drawer_px=self._column.drawer_px,
         )

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Final
 
-from PySide6.QtCore import Qt, Signal
+from PySide6.QtCore import QPoint, QRect, Qt, Signal
 from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QSplitter, QWidget
 
@@ -93,6 +93,12 @@ class WorkArea(QSplitter):
         width = max(least, min(wanted, room - self._view.minimumWidth()))
         of_panels, of_pages = (0, width) if self.shows_pages else (width, 0)
         self.setSizes([of_panels, of_pages, max(0, room - width)])
+
+    def left_of_picture(self) -> QRect:
+        """The room between the window's left edge and the picture, in pixels of the desktop."""
+        top = self.mapToGlobal(QPoint(0, 0)).y()
+        left = self.window().mapToGlobal(QPoint(0, 0)).x()
+        return QRect(left, top, self._view.mapToGlobal(QPoint(0, 0)).x() - left, self.height())
 
     def _on_moved(self, *_: int) -> None:
         left = self._pages if self.shows_pages else self._panels

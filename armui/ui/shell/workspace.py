@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import replace
 from functools import partial
 from typing import TYPE_CHECKING, Final, Protocol
@@ -49,6 +50,7 @@ class Workspace(QObject):
         self._keeper = keeper
         self._window = window
         self._homes: dict[Page, PageHome] = {}
+        self._kept: dict[str, Page] = {}
         self._windows: dict[Page, PageWindow] = {}
 
     def add(self, page: Page, home: PageHome) -> None:
@@ -66,6 +68,24 @@ class Workspace(QObject):
         page.wanted.connect(partial(self._show, page))
         page.closed.connect(partial(self._on_closed, page))
         page.destroyed.connect(partial(self._forget, page))
+
+    def open_kept(self, key: str, make: Callable[[], Page], home: PageHome) -> Page:
+        """Show the one page of a kind, made at the first time.
+
+        Args:
+            key: The kind.
+            make: Makes the page.
+            home: Where it stands while it is not taken out.
+        """
+        if key not in self._kept:
+            self._kept[key] = make()
+            self.add(self._kept[key], home)
+        self._kept[key].open()
+        return self._kept[key]
+
+    def kept(self, key: str) -> Page | None:
+        """The one page of a kind, if it was made."""
+        return self._kept.get(key)
 
     def is_taken_out(self, page: Page) -> bool:
         """Whether it stands in a window of its own now."""

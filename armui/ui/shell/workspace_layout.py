@@ -1,6 +1,6 @@
 """How the operator has arranged the window: plain data, its text in a file, and what fits a screen.
 
-Whatever the text holds, a layout comes of it: what is not possible is as it is at first.
+Pure. Whatever the text holds, a layout comes of it: what is not possible is as it is at first.
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ class Place:
 
 
 @dataclass(frozen=True, slots=True)
-class Columns:
+class ColumnLayout:
     """The columns of a table.
 
     Attributes:
@@ -65,7 +65,7 @@ class WorkspaceLayout:
     page_share: float = 0.0
     drawer_px: int = 0
     taken_out: Mapping[str, Place] = field(default_factory=dict)
-    columns: Mapping[str, Columns] = field(default_factory=dict)
+    columns: Mapping[str, ColumnLayout] = field(default_factory=dict)
 
 
 def to_text(layout: WorkspaceLayout) -> str:
@@ -169,7 +169,7 @@ def _place(entry: object) -> Place | None:
     return Place(*whole)
 
 
-def _columns(entry: object) -> Columns | None:
+def _columns(entry: object) -> ColumnLayout | None:
     if not isinstance(entry, dict):
         return None
     found = entry.get("widths_px")
@@ -178,7 +178,7 @@ def _columns(entry: object) -> Columns | None:
     if len(whole) != len(widths) or not 0 < len(whole) <= _MOST_COLUMNS:
         return None
     by = _whole(entry.get("sorted_by"))
-    return Columns(
+    return ColumnLayout(
         tuple(min(_WIDEST_COLUMN_PX, max(_LEAST_COLUMN_PX, width)) for width in whole),
         by if by is not None and -1 <= by < len(whole) else -1,
         entry.get("ascending") is not False,

@@ -5,10 +5,8 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QT_TRANSLATE_NOOP, QCoreApplication, QEvent, Signal
-from PySide6.QtGui import QKeySequence
 from PySide6.QtWidgets import QComboBox, QHBoxLayout, QPushButton, QWidget
 
-from armui.ui.actions.keys import keys_of
 from armui.ui.watch.plot_layout import SETS
 from armui.ui.watch.save_button import SaveButton
 from armui.ui.watch.time_frame import SPANS_S
@@ -49,7 +47,6 @@ class PlotBar(QWidget):
         self.spans.setObjectName("plot_span")
         self.pause = self._button("plot_pause", checkable=True)
         self.undo = self._button("plot_undo")
-        self.undo.setShortcut(QKeySequence(keys_of("plots.undo")))
         self.cursors = self._button("plot_cursors", checkable=True)
         self.save = SaveButton("plot", SAVES)
         self.save.wanted.connect(self.save_wanted)
@@ -132,7 +129,6 @@ class PlotBar(QWidget):
         self.undo.setToolTip(
             self.tr("Drag a frame in a plot to zoom in. Back to what was shown before: Ctrl+Z")
         )
-        self.undo.setShortcut(QKeySequence(keys_of("plots.undo")))
         self.cursors.setText(self.tr("Cursors"))
         self.cursors.setToolTip(
             self.tr("Two upright lines to be dragged; the table below tells the values at them")

@@ -5,9 +5,11 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QPoint, Qt
+from PySide6.QtGui import QKeySequence, QShortcut
 from PySide6.QtWidgets import QHBoxLayout, QMenu, QVBoxLayout, QWidget
 
 from armui.control.events import Level
+from armui.ui.actions.keys import keys_of
 from armui.ui.watch.cursor_table import CursorTable
 from armui.ui.watch.plot_bar import PlotBar
 from armui.ui.watch.plot_board import PlotBoard
@@ -23,7 +25,7 @@ if TYPE_CHECKING:
 
 
 class PlotsArea(QWidget):
-    """What the window 曲线 and a replay share.
+    """What the page 曲线 and a replay share.
 
     Args:
         telemetry: Where the curves are kept.
@@ -61,6 +63,10 @@ class PlotsArea(QWidget):
         self.board.menu_wanted.connect(self._open_menu)
         self.bar.save_wanted.connect(self._on_save)
         self.export.said.connect(self.say)
+        undo = QShortcut(QKeySequence(keys_of("plots.undo")), self)
+        # beside the plots the same key is for what is edited there
+        undo.setContext(Qt.ShortcutContext.WidgetWithChildrenShortcut)
+        undo.activated.connect(self.bar.undo.click)
 
     def _lay_out(self) -> None:
         # a widget that changes its parent is styled anew, with all that is in it

@@ -120,6 +120,7 @@ class QuantityList(QWidget):
     def retranslate_ui(self) -> None:
         """Name everything in the operator's language."""
         self.search.setPlaceholderText(self.tr("Search"))
+        self.search.setAccessibleName(self.tr("Search"))
         self.tree.setAccessibleName(self.tr("Quantities"))
         self.tree.setToolTip(self.tr("Drag into a plot, or double-click to add to the chosen one"))
         for item, first in self._groups:

@@ -82,19 +82,19 @@ class HaltButton(Translated, PressButton):
         painter = painting.begin(self)
         pressed = self.isDown() or self.underMouse()
         ground = colors.stop_pale if pressed else colors.surface
-        painting.panel(painter, QRectF(self.rect()), ground, colors.stop, 2)
+        painting.panel(painter, QRectF(self.rect()), ground, colors.stop_ink, 2)
         if self.hasFocus():
-            painter.setPen(QPen(QColor(colors.stop), 1.0))
+            painter.setPen(QPen(QColor(colors.stop_ink), 1.0))
             painter.setBrush(Qt.BrushStyle.NoBrush)
             painter.drawRoundedRect(QRectF(self.rect()).adjusted(4, 4, -4, -4), 5, 5)
         word_font = scaled_font(self, _WORD_SCALE, bold=True)
         caption_font = scaled_font(self, _CAPTION_SCALE)
         word, caption = QFontMetrics(word_font), QFontMetrics(caption_font)
         left = (self.width() - (2 * _SIGN_PX + _SIGN_GAP_PX + self._text_width())) / 2
-        self._draw_bars(painter, QPointF(left + _SIGN_PX, self.height() / 2), colors.stop)
+        self._draw_bars(painter, QPointF(left + _SIGN_PX, self.height() / 2), colors.stop_ink)
         text_left = left + 2 * _SIGN_PX + _SIGN_GAP_PX
         top = (self.height() - word.height() - caption.height()) / 2
-        painter.setPen(QColor(colors.stop))
+        painter.setPen(QColor(colors.stop_ink))
         painter.setFont(word_font)
         painter.drawText(QPointF(text_left, top + word.ascent()), self.text())
         painter.setFont(caption_font)

@@ -37,11 +37,12 @@ class KeepsFocus(_Base):
         return self._go_on_from(left, forward)
 
     def _go_on_from(self, left: QWidget, forward: bool) -> bool:
-        each = left
+        each: QWidget = left
         while True:
-            each = each.nextInFocusChain() if forward else each.previousInFocusChain()
-            if each is left:
+            following = each.nextInFocusChain() if forward else each.previousInFocusChain()
+            if following is None or following is left:
                 return False
+            each = following
             by_tab = bool(each.focusPolicy() & Qt.FocusPolicy.TabFocus)
             if by_tab and each.window() is self and _takes_keys(each):
                 reason = Qt.FocusReason

@@ -105,5 +105,5 @@ class MessageLine(QWidget):
             Level.INFO: (colors.accent_pale, colors.accent),
             Level.DONE: (colors.accent_pale, colors.ok),
             Level.WARNING: (colors.warn_pale, colors.warn),
-            Level.FAULT: (colors.stop_pale, colors.stop),
+            Level.FAULT: (colors.stop_pale, colors.stop_ink),
         }[self._level]

@@ -10,6 +10,8 @@ from armui.ui.words.file_errors import file_error
 from armui.ui.words.gripper import end_load, gripper_act, gripper_fault, gripper_figure
 from armui.ui.words.joints import joint_item, joint_verdict, joint_word
 from armui.ui.words.lights import light_figure
+from armui.ui.words.mounting import mounting
+from armui.ui.words.other_hosts import other_mode
 from armui.ui.words.refusals import refusal, why_not
 from armui.ui.words.status import (
     arm_status,
@@ -38,7 +40,9 @@ __all__ = [
     "joint_verdict",
     "joint_word",
     "light_figure",
+    "mounting",
     "move_mode",
+    "other_mode",
     "point_figure",
     "reached",
     "refusal",

@@ -10,9 +10,10 @@ from PySide6.QtCore import QT_TRANSLATE_NOOP
 from armui.arm.device import Device
 from armui.arm.refusal import Refusal
 from armui.control.events import Event, EventCode
-from armui.protocol.codes import EndLoad, TeachingState, TrajectoryCommand
+from armui.protocol.codes import EndLoad, Mounting, TeachingState, TrajectoryCommand
 from armui.ui.words.devices import device_name
 from armui.ui.words.gripper import end_load, gripper_act
+from armui.ui.words.mounting import mounting
 from armui.ui.words.refusals import refusal
 from armui.ui.words.teaching import teaching_command, trajectory_command
 from armui.ui.words.text import sentence
@@ -60,6 +61,9 @@ _NOTICES: Final[Mapping[EventCode, object]] = {
         "The pose the arm reports fits its angles in no model of the family, {chosen} included.",
     ),
     EventCode.TAKEN_OVER: QT_TRANSLATE_NOOP("Notice", "Taken over: this program may move the arm."),
+    EventCode.MODE_LEFT: QT_TRANSLATE_NOOP(
+        "Notice", "Told the arm to leave the other program's mode and to hold where it stands."
+    ),
     EventCode.CANCEL_UNHEEDED: QT_TRANSLATE_NOOP(
         "Notice",
         "The arm was told to end its motion and still moves. Stop it, or cut its power.",
@@ -170,6 +174,9 @@ _NOTICES: Final[Mapping[EventCode, object]] = {
         "Notice",
         "Joint {joint}: the arm did not confirm within a second the command to clear the error. "
         "Try again; if it stays silent, check the CAN cable.",
+    ),
+    EventCode.MOUNTING_SENT: QT_TRANSLATE_NOOP(
+        "Notice", "Mounting sent: {mounting}. The arm does not tell it back."
     ),
     EventCode.LOAD_SENT: QT_TRANSLATE_NOOP("Notice", "End load sent: {load}"),
     EventCode.LOAD_ANSWERED: QT_TRANSLATE_NOOP(
@@ -381,6 +388,8 @@ def event_text(code: str, figures: Mapping[str, object]) -> str:
         params["act"] = gripper_act(act)
     if isinstance(load := params.get("load"), int):
         params["load"] = end_load(EndLoad(load))
+    if isinstance(how := params.get("mounting"), int):
+        params["mounting"] = mounting(Mounting(how))
     source = _NOTICES.get(EventCode(code)) if code in _NOTICES else None
     if source is None:
         source = QT_TRANSLATE_NOOP("Notice", "Event: {code}")

@@ -29,8 +29,9 @@ OTHER_HOST_REFUSALS: Final[Mapping[RefusalCode, object]] = {
     ),
     RefusalCode.OTHER_MODE: QT_TRANSLATE_NOOP(
         "Refusal",
-        "Another program drives the arm in {other_mode} mode: any mode word would leave its joints "
-        "limp and it would fall. End that program, support the arm and reset it.",
+        "Another program drives the arm in {other_mode} mode: a mode word of ours would leave its "
+        "joints limp. End that program, hold the arm, and take the way back that the line above "
+        "the panels offers.",
     ),
     RefusalCode.OTHER_HOST_STREAMS: QT_TRANSLATE_NOOP(
         "Refusal",

@@ -26,6 +26,7 @@ _NAMES: Final[Mapping[str, object]] = {
         "Parameter", "Max. angular acceleration of the end"
     ),
     "collision_level": QT_TRANSLATE_NOOP("Parameter", "Collision level"),
+    "drag_assistance": QT_TRANSLATE_NOOP("Parameter", "Drag assistance"),
     "teaching_range_percent": QT_TRANSLATE_NOOP("Parameter", "Teaching range"),
     "stroke_limit_mm": QT_TRANSLATE_NOOP("Parameter", "Gripper stroke limit"),
     "teaching_friction": QT_TRANSLATE_NOOP("Parameter", "Teaching friction"),

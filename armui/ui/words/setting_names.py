@@ -11,6 +11,7 @@ SETTING_NAMES: Final[Mapping[str, object]] = {
     "language": QT_TRANSLATE_NOOP("SettingName", "language"),
     "theme": QT_TRANSLATE_NOOP("SettingName", "theme"),
     "jog_step_deg": QT_TRANSLATE_NOOP("SettingName", "jog step"),
+    "models": QT_TRANSLATE_NOOP("SettingName", "models of the arms"),
     "urdf_path": QT_TRANSLATE_NOOP("SettingName", "robot description"),
     "tool": QT_TRANSLATE_NOOP("SettingName", "tool centre point"),
     "gamepad": QT_TRANSLATE_NOOP("SettingName", "jogging by gamepad"),

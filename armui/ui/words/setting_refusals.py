@@ -28,6 +28,21 @@ SETTING_REFUSALS: Final[Mapping[RefusalCode, object]] = {
         "Refusal",
         "This arm's protocol (generation {generation}) has no such settings; generation 2 has.",
     ),
+    RefusalCode.NEEDS_FIRMWARE: QT_TRANSLATE_NOOP(
+        "Refusal",
+        "The arm's firmware {firmware} does not have this: it came with {since}. Updates come from "
+        "the maker's support.",
+    ),
+    RefusalCode.FIRMWARE_UNKNOWN: QT_TRANSLATE_NOOP(
+        "Refusal",
+        "The arm has not named its firmware, and only {since} and later have this. Connect again "
+        "to ask for it.",
+    ),
+    RefusalCode.MODE_UNKNOWN: QT_TRANSLATE_NOOP(
+        "Refusal",
+        "The arm's control mode is not known, or another one has the command: it would be changed "
+        "along with this. Bring the arm to standby or CAN control first.",
+    ),
     RefusalCode.SETTING_UNKNOWN: QT_TRANSLATE_NOOP(
         "Refusal",
         "{parameter} would have to be sent along unchanged and has not been read from the arm. "

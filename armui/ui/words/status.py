@@ -61,6 +61,7 @@ _MOVE_MODES: Final[Mapping[int, object]] = {
     0x03: QT_TRANSLATE_NOOP("MoveMode", "Arc mode"),
     0x04: QT_TRANSLATE_NOOP("MoveMode", "MIT mode"),
     0x05: QT_TRANSLATE_NOOP("MoveMode", "CPV mode"),
+    0x06: QT_TRANSLATE_NOOP("MoveMode", "MIT mode"),
 }
 
 _TEACHING_STATES: Final[Mapping[int, object]] = {

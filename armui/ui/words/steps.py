@@ -143,8 +143,8 @@ _SENTENCES: Final[Mapping[StepKind, object]] = {
     ),
     StepKind.OTHER_MODE: QT_TRANSLATE_NOOP(
         "RecoveryStep",
-        "Another program drives the arm in {other_mode} mode. Nothing is sent: a mode word would "
-        "let the arm fall.",
+        "Another program drives the arm in {other_mode} mode. Nothing is sent by itself: a new "
+        "mode leaves the joints limp. Stop that program first.",
     ),
     StepKind.OTHER_HOST: QT_TRANSLATE_NOOP(
         "RecoveryStep",
@@ -233,6 +233,7 @@ _BUTTONS: Final[Mapping[Action, object]] = {
     Action.ENABLE: QT_TRANSLATE_NOOP("RecoveryAction", "Enable"),
     Action.CLEAR_ERRORS: QT_TRANSLATE_NOOP("RecoveryAction", "Clear error"),
     Action.RESET: QT_TRANSLATE_NOOP("RecoveryAction", "Reset…"),
+    Action.LEAVE_MODE: QT_TRANSLATE_NOOP("RecoveryAction", "Take back…"),
     Action.STOP_RECORDING: QT_TRANSLATE_NOOP("RecoveryAction", "Stop recording"),
     Action.ABORT_REPLAY: QT_TRANSLATE_NOOP("RecoveryAction", "Terminate"),
     Action.LEAD_BY_HAND: QT_TRANSLATE_NOOP("RecoveryAction", "Lead by hand…"),
@@ -247,6 +248,7 @@ _BUTTONS: Final[Mapping[Action, object]] = {
 _QUESTIONS: Final[Mapping[Action, object]] = {
     Action.RESUME: QT_TRANSLATE_NOOP("RecoveryDanger", "Resume after the emergency stop"),
     Action.RESET: QT_TRANSLATE_NOOP("RecoveryDanger", "Reset the arm"),
+    Action.LEAVE_MODE: QT_TRANSLATE_NOOP("RecoveryDanger", "Take the arm back"),
     Action.LEAD_BY_HAND: QT_TRANSLATE_NOOP("RecoveryDanger", "Lead the arm by hand"),
     Action.STANDBY: QT_TRANSLATE_NOOP("RecoveryDanger", "Take the command"),
     Action.WITHDRAW_STOP: QT_TRANSLATE_NOOP("RecoveryDanger", "Withdraw the stop"),
@@ -262,6 +264,12 @@ _DANGERS: Final[Mapping[Action, object]] = {
         "RecoveryDanger",
         "First the emergency stop: the motors go limp and the arm sinks. Then Resume cuts "
         "their power: the arm will drop. Hold the arm from now on.",
+    ),
+    Action.LEAVE_MODE: QT_TRANSLATE_NOOP(
+        "RecoveryDanger",
+        "The arm changes back to its own control and is told to hold where it stands. Between the "
+        "two its joints are limp for a moment: it may sag, and drop if the second message is lost. "
+        "Hold the arm.\nThe other program must have ended.",
     ),
     Action.LEAD_BY_HAND: QT_TRANSLATE_NOOP(
         "RecoveryDanger",

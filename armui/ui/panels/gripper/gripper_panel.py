@@ -18,6 +18,7 @@ from armui.ui import words
 from armui.ui.actions.keys import keys_of
 from armui.ui.freshness import is_stale
 from armui.ui.panels.gripper.gripper_row import GripperRow
+from armui.ui.panels.gripper.measure_choice import MeasureChoice
 from armui.ui.panels.motors.motor_row import PowerMark
 from armui.ui.panels.panel import Panel
 from armui.ui.widgets.buttons import caption, push_button
@@ -31,6 +32,9 @@ _TALLEST_CARD_PX: Final = 330
 _SEND_KEY: Final = keys_of("gripper.send")
 _ACTS: Final = ("enable", "disable", "clear", "zero")
 
+_Kind = tuple[Generation, bool]
+"""The generation, and whether the second one is told angles."""
+
 
 class GripperPanel(Panel):
     """Target and measured values of the gripper, the buttons for its power, its errors in words."""
@@ -39,6 +43,7 @@ class GripperPanel(Panel):
         super().__init__(controller, "gripper_message")
         self._generation = self._operating_state.generation or Generation.TWO
         self._reasons: tuple[Refusal | None, ...] | None = None
+        self._shown_kind: _Kind | None = None
         self._mark = PowerMark()
         self._power = text_label("gripper_power")
         self._faults = text_label("gripper_faults", rank="fault", wraps=True)
@@ -47,7 +52,13 @@ class GripperPanel(Panel):
         self._send = push_button("gripper_send_button", primary=True)
         self._send.setMinimumHeight(38)
         self._acts = {act: push_button(f"gripper_{act}_button") for act in _ACTS}
-        self._rows_of = {each: self._make_rows(each) for each in Generation}
+        self._measure = MeasureChoice()
+        first, second = (self._make_rows(each) for each in Generation)
+        self._rows_of: dict[_Kind, tuple[GripperRow, GripperRow]] = {
+            (Generation.ONE, False): first,
+            (Generation.TWO, False): second,
+            (Generation.TWO, True): (first[0], second[1]),  # an angle, and a torque
+        }
         self._lay_out()
         self._connect()
         self.retranslate_ui()
@@ -67,17 +78,21 @@ class GripperPanel(Panel):
         return travel, effort
 
     @property
+    def _kind(self) -> _Kind:
+        return self._generation, self._controller.gripper.tells_angle
+
+    @property
     def _travel(self) -> GripperRow:
-        return self._rows_of[self._generation][0]
+        return self._rows_of[self._kind][0]
 
     @property
     def _effort(self) -> GripperRow:
-        return self._rows_of[self._generation][1]
+        return self._rows_of[self._kind][1]
 
     def _lay_out(self) -> None:
         state = in_row(self._mark, self._power, STRETCH)
         card = QFrame()
-        parts = (state, self._faults, self._rows, self._stroke_note, STRETCH)
+        parts = (state, self._faults, self._measure, self._rows, self._stroke_note, STRETCH)
         in_column(*parts, on=card, spacing=10, margins=(16, 12, 16, 12))
         acts = empty_grid(gaps=(8, 8))
         for place, button in enumerate(self._acts.values()):
@@ -92,9 +107,17 @@ class GripperPanel(Panel):
             lambda: self._accepted(self._controller.gripper.clear_error())
         )
         self._acts["zero"].clicked.connect(self._ask_for_zero)
+        self._measure.chosen.connect(self._on_measure)
         self._listen("gripper_")
 
     # -- actions ------------------------------------------------------------------------------
+
+    def _on_measure(self, by_angle: bool) -> None:
+        """Nothing is sent: the next target is of the other kind."""
+        self._controller.gripper.by_angle = by_angle
+        self._refusal = self._event = self._reasons = None
+        self._describe()
+        self._show_all()
 
     def _on_edited(self) -> None:
         self._refusal = self._event = None
@@ -112,7 +135,8 @@ class GripperPanel(Panel):
         heard, figure = self._controller.state.gripper, self._travel.figure
         start = self._travel.field.value
         if start is None or self._travel.refusal() is not None:
-            start = None if heard is None else heard.value.travel
+            told = heard is not None and heard.value.unit == figure.unit
+            start = heard.value.travel if heard is not None and told else None
         effort = self._effort.field.value
         if start is None or effort is None:
             self._accepted(self._effort.refusal() or Refusal(RefusalCode.GRIPPER_SILENT))
@@ -160,7 +184,9 @@ class GripperPanel(Panel):
         heard = state.gripper
         stale = is_stale(heard, state, self._operating_state)
         gripper = None if heard is None else heard.value
-        self._travel.show_measured(None if gripper is None else gripper.travel, stale=stale)
+        # a gripper that was told an angle tells angles, and no opening
+        same = gripper is not None and gripper.unit == self._travel.figure.unit
+        self._travel.show_measured(gripper.travel if gripper and same else None, stale=stale)
         effort = None
         if gripper is not None:
             first = self._generation is Generation.ONE
@@ -195,9 +221,14 @@ class GripperPanel(Panel):
             self._generation = generation
             self._reasons = None
             self._describe()
-        for each, rows in self._rows_of.items():
+        kind = self._kind
+        if kind != self._shown_kind:
+            self._shown_kind = kind
+            self._describe()
+        for rows in self._rows_of.values():
             for row in rows:
-                row.setVisible(each is generation)
+                row.setVisible(row in self._rows_of[kind])
+        self._measure.setVisible(self._generation is not Generation.ONE)
         if self.isVisible():
             self._controller.gripper.learn_stroke()
         self._acts["zero"].setVisible(self._generation is not Generation.ONE)
@@ -210,11 +241,13 @@ class GripperPanel(Panel):
             gripper.why_not(moving=True),
             gripper.why_not(moving=False),
             gripper.why_not(moving=False, letting_go=True),
+            gripper.why_no_angle(),
         )
         if reasons == self._reasons:
             return
         self._reasons = reasons
-        why_not_move, why_not, why_not_let_go = map(words.why_not, reasons)
+        why_not_move, why_not, why_not_let_go, why_no_angle = map(words.why_not, reasons)
+        self._measure.show_choice(by_angle=gripper.tells_angle, why_not=why_no_angle)
         self._travel.allow_steps(why_not_move)
         use = self.tr("Moves the gripper to the target, and gives it power.")
         enable_or_explain(self._send, why_not_move, use, key=_SEND_KEY)
@@ -241,13 +274,14 @@ class GripperPanel(Panel):
                 row.retranslate_ui()
         self._stroke_note.setText(
             self.tr("How far this gripper turns is not published: watch where it ends.")
-            if self._generation is Generation.ONE
+            if self._generation is Generation.ONE or self._kind[1]
             else self.tr("The stroke limit has not been read: up to 100 mm may be asked for.")
         )
 
     def retranslate_ui(self) -> None:
         """Put every word into the operator's language."""
         self._title.setText(self.tr("Gripper control"))
+        self._measure.retranslate_ui()
         whose = self._title.text()
         caption(self._send, self.tr("Send"), whose=whose, key=_SEND_KEY)
         for act, button in self._acts.items():

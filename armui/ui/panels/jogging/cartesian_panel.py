@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Final
 
 from PySide6.QtWidgets import QFrame
@@ -142,6 +143,16 @@ class CartesianPanel(JogPanel):
             self._rows.release()
 
     # -- targets ------------------------------------------------------------------------------
+
+    def target_pose(self) -> tuple[float, ...] | None:
+        """The pose in the fields; None while one of them is no figure."""
+        pose = self._rows.targets()
+        return None if isinstance(pose, Refusal) else tuple(pose)
+
+    def take_pose(self, pose: Sequence[float]) -> None:
+        """Put a pose into the fields, as if it was typed; nothing is sent."""
+        self._rows.fill(pose)
+        self._on_edited()
 
     def _on_load(self) -> None:
         pose = self._pose()

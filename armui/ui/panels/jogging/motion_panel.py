@@ -98,6 +98,17 @@ class MotionPanel(JogPanel):
         field.setFocus(Qt.FocusReason.OtherFocusReason)
         field.selectAll()
 
+    def targets_deg(self) -> tuple[float, ...] | None:
+        """The six angles in the fields; None while one of them is no figure."""
+        angles_deg = [row.target_deg for row in self._rows]
+        known = tuple(angle for angle in angles_deg if angle is not None)
+        return known if len(known) == len(angles_deg) else None
+
+    def take_targets(self, angles_deg: tuple[float, ...]) -> None:
+        """Put six angles into the fields, as if they were typed; nothing is sent."""
+        self._fill(angles_deg)
+        self._on_edited()
+
     def _take_step(self, step: float, *, continuous: bool) -> None:
         for row in self._rows:
             row.set_step(step, continuous=continuous)

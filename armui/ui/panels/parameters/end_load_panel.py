@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Final
+from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QButtonGroup, QFrame, QHBoxLayout, QLabel, QSizePolicy
@@ -19,13 +19,19 @@ from armui.ui import format as fmt
 from armui.ui import words
 from armui.ui.freshness import is_stale
 from armui.ui.panels.panel import Panel
+from armui.ui.panels.parameters.mounting_card import MountingCard
 from armui.ui.widgets.buttons import caption, choice_button, named, push_button
+from armui.ui.widgets.card import scrolled
 from armui.ui.widgets.curve_menu import tell_quantities
 from armui.ui.widgets.enable_or_explain import enable_or_explain
 from armui.ui.widgets.layouts import empty_grid, fill, in_column
 from armui.ui.widgets.text_label import text_label
 from armui.ui.widgets.value_label import ValueLabel
 
+if TYPE_CHECKING:
+    from armui.settings import SettingsStore
+
+_TALLEST_CARD_PX: Final = 300
 _LOADS: Final = (EndLoad.EMPTY, EndLoad.HALF, EndLoad.FULL)
 _FIGURES: Final = (
     ("linear_speed_m_s", "m/s"),
@@ -36,10 +42,11 @@ _FIGURES: Final = (
 
 
 class EndLoadPanel(Panel):
-    """Three loads to choose from, and a table that lives while 0x481–0x486 arrive."""
+    """Three loads and four mountings to choose from, and a table while 0x481–0x486 arrive."""
 
-    def __init__(self, controller: ArmController) -> None:
+    def __init__(self, controller: ArmController, preferences: SettingsStore) -> None:
         super().__init__(controller, "end_load_message")
+        self._mounting = MountingCard(controller, preferences)
         self._reporting: bool | None = None
         self._loads = QButtonGroup(self)
         self._note = text_label(rank="muted", wraps=True)
@@ -59,13 +66,13 @@ class EndLoadPanel(Panel):
         self._lay_out()
         self._send.clicked.connect(self._on_send)
         self._switch.clicked.connect(self._on_switch)
-        self._listen("load_", "end_feedback_")
+        self._mounting.send.clicked.connect(self._on_mounting)
+        self._listen("load_", "end_feedback_", "mounting_")
         self.retranslate_ui()
 
     def _lay_out(self) -> None:
         load_card, motion_card = QFrame(), QFrame()
-        for card in (load_card, motion_card):
-            card.setProperty("card", True)
+        load_card.setProperty("card", True)
         column = in_column(on=load_card, margins=(16, 12, 16, 12))
         row = QHBoxLayout()
         for load in _LOADS:
@@ -88,7 +95,7 @@ class EndLoadPanel(Panel):
             grid.addWidget(QLabel(f"J{joint}"), joint + 2, 0)
             for place, (field, _unit) in enumerate(_FIGURES, start=1):
                 grid.addWidget(self._cells[joint, field], joint + 2, place, right)
-        self._stack(load_card, motion_card)
+        self._stack(load_card, self._mounting, scrolled(motion_card, _TALLEST_CARD_PX))
 
     # -- actions ------------------------------------------------------------------------------
 
@@ -98,6 +105,11 @@ class EndLoadPanel(Panel):
             self._accepted(Refusal(RefusalCode.LOAD_NOT_CHOSEN))
         else:
             self._accepted(self._controller.end_reports.set_load(EndLoad(chosen)))
+
+    def _on_mounting(self) -> None:
+        title, text = self._mounting.question()
+        label = self._mounting.send.text()
+        self._ask_to_hold(title, text, label, self._mounting.tell)
 
     def _on_switch(self) -> None:
         on = not is_reporting(self._controller.state)
@@ -130,6 +142,7 @@ class EndLoadPanel(Panel):
         enable_or_explain(self._send, why_not, use)
         use = self.tr("Switches the periodic frames 0x481–0x486.")
         enable_or_explain(self._switch, words.why_not(unreachable), use)
+        self._mounting.show_possible()
         self._show_state(self._controller.state)
         self._show_message()
 
@@ -159,4 +172,5 @@ class EndLoadPanel(Panel):
             for joint in JOINTS:
                 self._cells[joint, field].setAccessibleName(f"J{joint} {name}")
         self._reporting = None
+        self._mounting.retranslate_ui()
         self._show_all()

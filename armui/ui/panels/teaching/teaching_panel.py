@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from typing import Final, TypeVar
+from collections.abc import Callable, Mapping, Sequence
+from typing import TYPE_CHECKING, Final, TypeVar
 
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QFrame, QGridLayout, QLabel, QPushButton
+from PySide6.QtWidgets import QFrame, QGridLayout, QLabel, QPushButton, QToolButton
 
 from armui.arm.state import ArmState
 from armui.control.arm_controller import ArmController
@@ -21,12 +21,15 @@ from armui.ui.dialogs.confirm import confirm
 from armui.ui.freshness import is_stale
 from armui.ui.panels.panel import Panel
 from armui.ui.panels.teaching.teaching_exit_steps import TeachingExitSteps
-from armui.ui.widgets.buttons import caption
+from armui.ui.widgets.buttons import caption, named
 from armui.ui.widgets.card import scrolled
 from armui.ui.widgets.enable_or_explain import enable_or_explain
 from armui.ui.widgets.hold_button import HoldButton
-from armui.ui.widgets.layouts import STRETCH, empty_grid, in_column
+from armui.ui.widgets.layouts import STRETCH, empty_grid, in_column, in_row
 from armui.ui.widgets.text_label import text_label
+
+if TYPE_CHECKING:
+    from armui.ui.dialogs.drag_assistance import DragAssistanceDialog
 
 _Key = TypeVar("_Key")
 
@@ -51,8 +54,11 @@ _MOVES: Final = frozenset(
 class TeachingPanel(Panel):
     """Offers the commands that make sense now; the others say why they do not."""
 
-    def __init__(self, controller: ArmController) -> None:
+    def __init__(self, controller: ArmController, open_backup: Callable[[], object]) -> None:
         super().__init__(controller, "teaching_message")
+        self._open_backup = open_backup
+        self._assistance: DragAssistanceDialog | None = None
+        self._assistance_button = named("drag_assistance_button", QToolButton())
         self._unanswered: Event | None = None
         self._shown: tuple[object, ...] | None = None
         self._state_label = QLabel()
@@ -111,7 +117,8 @@ class TeachingPanel(Panel):
             STRETCH,
         )
         in_column(*parts, on=card, spacing=8, margins=(16, 12, 16, 12))
-        self._stack(scrolled(card, _TALLEST_CARD_PX))
+        head = in_row((self._title, 1), self._assistance_button)
+        self._stack(scrolled(card, _TALLEST_CARD_PX), head=head)
 
     def _connect(self) -> None:
         for command, button in self._buttons.items():
@@ -121,10 +128,22 @@ class TeachingPanel(Panel):
                 button.held.connect(lambda which=plan: self._on_plan(which))
             else:
                 button.clicked.connect(lambda _checked, which=plan: self._on_plan(which))
+        self._assistance_button.clicked.connect(self._open_assistance)
         self._listen()
         self._controller.step_changed.connect(self._show_new)
 
     # -- actions ------------------------------------------------------------------------------
+
+    def _open_assistance(self) -> None:
+        if self._assistance is None:
+            from armui.ui.dialogs.drag_assistance import (  # noqa: PLC0415 - few open it
+                DragAssistanceDialog,
+            )
+
+            self._assistance = DragAssistanceDialog(
+                self._controller, self._open_backup, self.window()
+            )
+        self._assistance.open()
 
     def _on_command(self, command: TeachingState) -> None:
         if command is not TeachingState.START_RECORDING:
@@ -245,6 +264,10 @@ class TeachingPanel(Panel):
         self._plan_label.setText(self.tr("Planned trajectory"))
         self._plan_note.setText(
             self.tr("Works on motions under way. The arm does not report it: watch the arm.")
+        )
+        caption(self._assistance_button, self.tr("Drag assistance…"))
+        self._assistance_button.setToolTip(
+            self.tr("How much each joint helps the hand; firmware from S-V1.8-1.")
         )
         for command, button in self._buttons.items():
             caption(button, words.teaching_command(command))

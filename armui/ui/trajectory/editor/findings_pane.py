@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from PySide6.QtCore import Qt, Signal
-from PySide6.QtGui import QColor
+from PySide6.QtCore import QRect, QSize, Qt, QTimer, Signal
+from PySide6.QtGui import QColor, QResizeEvent
 from PySide6.QtWidgets import QListWidget, QListWidgetItem, QWidget
 
 from armui.trajectory.planning.findings import Finding, Severity
@@ -18,6 +18,9 @@ from armui.ui.widgets.translated import Translated
 from armui.ui.words.findings import finding as finding_text
 
 _TALLEST_PX = 170
+_PADDING_PX = 14
+_SIDES_PX = 32
+_UNBOUNDED_PX = 10_000
 _MOST = 100
 """More lines than an operator reads, or a window lays out at once, are counted instead."""
 
@@ -38,6 +41,9 @@ class FindingsPane(Translated, QWidget):
         self._title = text_label("findings_title")
         self._list = named("findings_list", QListWidget())
         self._list.setWordWrap(True)
+        self._list.setTextElideMode(Qt.TextElideMode.ElideNone)
+        self._list.setResizeMode(QListWidget.ResizeMode.Adjust)
+        self._list.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self._list.currentItemChanged.connect(self._on_current)
         self._list.itemClicked.connect(self._on_current)
         self.accept_button = push_button("accept_warnings", on_enter=False)
@@ -85,13 +91,31 @@ class FindingsPane(Translated, QWidget):
         if len(checked.findings) > _MOST:
             count = len(checked.findings) - _MOST
             self._list.addItem(self.tr("{count} more").format(count=count))
-        lines = self._list.count() * self._list.sizeHintForRow(0) + 2 * self._list.frameWidth() + 4
-        self._list.setFixedHeight(max(0, min(_TALLEST_PX, lines)))
+        self._fit()
         self._list.setVisible(bool(checked.findings))
         self.accept_button.setVisible(self._accept is not None)
         self.accept_button.setText(
             self.tr("Accept the warnings and run") if checked.findings else self.tr("Run now")
         )
+
+    def _fit(self) -> None:
+        """As high as the lines are in this width, up to a limit."""
+        width = max(1, self._list.viewport().width() - _SIDES_PX)
+        room = QRect(0, 0, width, _UNBOUNDED_PX)
+        metrics, wrap = self._list.fontMetrics(), int(Qt.TextFlag.TextWordWrap)
+        height = 2 * self._list.frameWidth() + 4
+        for place in range(self._list.count()):
+            item = self._list.item(place)
+            lines_px = metrics.boundingRect(room, wrap, item.text()).height() + _PADDING_PX
+            item.setSizeHint(QSize(1, lines_px))
+            height += lines_px
+        self._list.setFixedHeight(min(_TALLEST_PX, height))
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Another width has other lines."""
+        super().resizeEvent(event)
+        if event.size().width() != event.oldSize().width():
+            QTimer.singleShot(0, self, self._fit)
 
     def _item(self, finding: Finding) -> QListWidgetItem:
         error = finding.severity is Severity.ERROR
@@ -102,7 +126,7 @@ class FindingsPane(Translated, QWidget):
         item = QListWidgetItem(f"{kind} · {text}")
         item.setData(Qt.ItemDataRole.UserRole, finding.row)
         colors = colors_of(self)
-        item.setForeground(QColor(colors.stop if error else colors.warn))
+        item.setForeground(QColor(colors.stop_ink if error else colors.warn))
         return item
 
     def _on_current(self, item: QListWidgetItem | None, *_: object) -> None:

@@ -16,6 +16,8 @@ from armui.ui.trajectory.editor.point_delegate import PointDelegate
 from armui.ui.trajectory.editor.points_model import PointsModel
 
 _ROW_PX: Final = 32
+_LEAST_ROWS: Final = 3
+"""Fewer are no table; what stands around it scrolls before."""
 _NOTE_PX: Final = 360
 _BAR_PX: Final = 3
 _WIDTHS_PX: Final = {
@@ -81,6 +83,7 @@ class PointsTable(QTableView):
         across = self.horizontalHeader()
         across.setHighlightSections(False)
         across.setStretchLastSection(True)
+        self.setMinimumHeight(_LEAST_ROWS * _ROW_PX + across.sizeHint().height())
         for column, width_px in _WIDTHS_PX.items():
             self.setColumnWidth(column, width_px)
 

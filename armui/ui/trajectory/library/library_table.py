@@ -12,12 +12,14 @@ from armui.trajectory.library.store import IndexEntry
 from armui.ui.trajectory.library.library_model import ENTRY_ROLE, LibraryColumn, LibraryFilter
 
 _ROW_PX: Final = 34
+_LEAST_ROWS: Final = 3
+"""Fewer are no list; what stands around it scrolls before."""
 _WIDTHS_PX: Final = {
-    LibraryColumn.NAME: 158,
-    LibraryColumn.POINTS: 104,
-    LibraryColumn.LENGTH: 66,
-    LibraryColumn.MODIFIED: 136,
-    LibraryColumn.CHECK: 84,
+    LibraryColumn.NAME: 142,
+    LibraryColumn.POINTS: 106,
+    LibraryColumn.LENGTH: 62,
+    LibraryColumn.MODIFIED: 124,
+    LibraryColumn.CHECK: 82,
 }
 """All but the note, which takes the rest."""
 
@@ -47,6 +49,7 @@ class LibraryTable(QTableView):
         across = self.horizontalHeader()
         across.setHighlightSections(False)
         across.setStretchLastSection(True)
+        self.setMinimumHeight(_LEAST_ROWS * _ROW_PX + across.sizeHint().height())
         for column, width_px in _WIDTHS_PX.items():
             self.setColumnWidth(column, width_px)
 

@@ -24,6 +24,10 @@ class ShowsPreviews(Protocol):
 
     def set_preview(self, preview: Preview) -> None: ...  # noqa: D102 - as in ArmView
 
+    def show_joint_range(  # noqa: D102 - as in ArmView
+        self, number: int | None, limits_deg: tuple[float, float] = ...
+    ) -> None: ...
+
 
 class PathPreview(QObject):
     """Shows one path at a time. It knows no arm: nothing it does can move one.
@@ -34,9 +38,11 @@ class PathPreview(QObject):
 
     Signals:
         closed: The operator has closed the preview.
+        row_shown: Another point is the chosen one, or the chosen one is another.
     """
 
     closed = Signal()
+    row_shown = Signal()
 
     def __init__(self, view: ShowsPreviews, bar: PreviewBar, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -45,6 +51,7 @@ class PathPreview(QObject):
         self._path: PlannedPath | None = None
         self._ends: dict[int, int] = {}
         self._name = ""
+        self._target_deg: tuple[float, ...] | None = None
         self._shown = NOTHING
         bar.time_changed.connect(self._on_time)
         bar.closed.connect(self._on_closed)
@@ -93,6 +100,29 @@ class PathPreview(QObject):
         self._bar.open(path.duration_s)
         self._set(self._shown)
 
+    def show_points(
+        self, marks: PathPicture | None, row: int | None, ghost_deg: tuple[float, ...] | None
+    ) -> None:
+        """Show points that were not checked, unless a checked path is shown.
+
+        Args:
+            marks: The points; None: there are none, or too many.
+            row: The chosen one.
+            ghost_deg: Its angles; None: it can't be reached.
+        """
+        if self._path is None:
+            self._set(Preview(marks, row, ghost_deg))
+        self.row_shown.emit()
+
+    def show_joint_range(
+        self, number: int | None, limits_deg: tuple[float, float] = (0.0, 0.0)
+    ) -> None:
+        """Show the range of joint 1–6 while its cell is edited; None: no longer."""
+        if number is None:
+            self._view.show_joint_range(None)
+        else:
+            self._view.show_joint_range(number, limits_deg)
+
     def select_row(self, row: int | None) -> None:
         """Let the mark of a row stand out, and bring the ghost there."""
         if self._path is None:
@@ -100,6 +130,7 @@ class PathPreview(QObject):
         self._set(replace(self._shown, selected_row=row))
         if row in self._ends:
             self._bar.go_to(float(self._path.times_s[self._ends[row]]))
+        self.row_shown.emit()
 
     def light_row(self, row: int | None) -> None:
         """Light the point that the arm is on its way to; meanwhile there is no ghost beside it."""
@@ -115,6 +146,16 @@ class PathPreview(QObject):
         self.show(None)
         self.closed.emit()
 
+    def show_target(self, angles_deg: tuple[float, ...] | None) -> None:
+        """Let the ghost stand at a target, instead of on the path; None: no longer."""
+        if self._bar.is_playing:
+            angles_deg = None  # the ghost goes through the motion
+        if angles_deg != self._target_deg:
+            self._target_deg = angles_deg
+            self._set(self._shown)
+
     def _set(self, preview: Preview) -> None:
         self._shown = preview
+        if self._target_deg is not None:
+            preview = replace(preview, ghost_deg=self._target_deg)
         self._view.set_preview(preview)

@@ -59,6 +59,11 @@ class PreviewBar(Translated, QFrame):
         return self._slider.requested
 
     @property
+    def is_playing(self) -> bool:
+        """Whether the ghost goes through the motion by itself."""
+        return self._play.isChecked()
+
+    @property
     def _at_end(self) -> bool:
         return self._slider.sliderPosition() >= self._slider.maximum()
 

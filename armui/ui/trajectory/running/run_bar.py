@@ -276,8 +276,10 @@ class RunBar(Translated, QWidget):
         self._cycles.setAccessibleName(self.tr("How often"))
         self._times.setAccessibleName(self.tr("How often"))
         self._speed_label.setText(self.tr("Speed"))
+        self._speed.setAccessibleName(self._speed_label.text())
         self._speed.setToolTip(self.tr("Of each point's own speed"))
         self._first_label.setText(self.tr("From row"))
+        self._first.setAccessibleName(self._first_label.text())
         self._steps.setText(self.tr("Step by step"))
         self._show_usable()
 

@@ -136,6 +136,7 @@ class RunStrip(Translated, QWidget):
         """Put every word into the operator's language."""
         self._stop.setText(self.tr("End run"))
         self._continue.setText(self.tr("Continue"))
+        self._bar.setAccessibleName(self.tr("Progress of the run"))
         describe(self._close, self.tr("Close"), self.tr("Puts this line away; the run is over."))
         self._show(self._runner.progress)
 

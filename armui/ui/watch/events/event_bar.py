@@ -148,6 +148,7 @@ class EventBar(Translated, QWidget):
         """Put every word into the operator's language."""
         level, who = self.levels.currentIndex(), self.askers.currentIndex()
         self.search.setPlaceholderText(self.tr("Search"))
+        self.search.setAccessibleName(self.tr("Search"))
         self.levels.clear()
         texts = (
             self.tr("Every level"),

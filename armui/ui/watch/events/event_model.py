@@ -221,16 +221,16 @@ class EventModel(QAbstractTableModel):
         self._inks = {
             Level.DONE: QColor(colors.ok),
             Level.WARNING: QColor(colors.warn),
-            Level.FAULT: QColor(colors.stop),
+            Level.FAULT: QColor(colors.stop_ink),
         }
         self._faint = QColor(colors.muted)
         self._bold = QFont()
         self._bold.setBold(True)
         self._icons = {
-            Level.INFO: icons.icon("info", colors.faint, _ICON_PX),
+            Level.INFO: icons.icon("info", colors.muted, _ICON_PX),
             Level.DONE: icons.icon("done", colors.ok, _ICON_PX),
             Level.WARNING: icons.icon("warning", colors.warn, _ICON_PX),
-            Level.FAULT: icons.icon("warning", colors.stop, _ICON_PX),
+            Level.FAULT: icons.icon("warning", colors.stop_ink, _ICON_PX),
         }
         self._tell_all()
 

@@ -22,7 +22,7 @@ from PySide6.QtWidgets import (
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.session.recording.kinds import MF4_SUFFIX
-from armui.settings import ROTATE_MAX_MB, ROTATE_MIN_MB
+from armui.setting_checks import ROTATE_MAX_MB, ROTATE_MIN_MB
 from armui.ui import words
 from armui.ui.background import Job
 from armui.ui.dialogs.files import choose_folder
@@ -37,7 +37,8 @@ if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
     from armui.control.sessions.progress import RecordingProgress
     from armui.control.sessions.session_recorder import SessionRecorder
-    from armui.settings import SessionFormat, SettingsStore
+    from armui.setting_checks import SessionFormat
+    from armui.settings import SettingsStore
     from armui.ui.background import Background
 
 _FORMATS: Final[tuple[tuple[SessionFormat, str], ...]] = (
@@ -218,7 +219,7 @@ class RecordingCard(Translated, QFrame):
         text = self.tr("Stop recording") if recording else self.tr("Record")
         self.record_button.setText(f" {text}")
         name = "stop_recording" if recording else "record"
-        color = colors.text if recording else colors.stop
+        color = colors.text if recording else colors.stop_ink
         self.record_button.setIcon(icons.icon(name, color, _ICON_PX))
 
     # What the operator does -------------------------------------------------------------------

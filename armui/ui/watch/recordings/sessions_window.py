@@ -162,6 +162,7 @@ class SessionsWindow(ArmDialog):
     def retranslate_ui(self) -> None:
         """Put every word into the operator's language."""
         self.set_title(self.tr("Session recordings"))
+        self.table.setAccessibleName(self.tr("Session recordings"))
         self.open_button.setText(self.tr("Replay"))
         self.other_button.setText(self.tr("Replay another log…"))
         self.other_button.setToolTip(

@@ -68,7 +68,7 @@ class LiveStrip(Translated, QWidget):
     def _show_step(self) -> None:
         colors = colors_of(self)
         self._text.setText(words.step(self._step))
-        color = {Level.WARNING: colors.warn, Level.FAULT: colors.stop}.get(self._step.level)
+        color = {Level.WARNING: colors.warn, Level.FAULT: colors.stop_ink}.get(self._step.level)
         self._icon.setVisible(color is not None)
         if color is not None:
             ratio = self.devicePixelRatioF()
@@ -87,7 +87,7 @@ class LiveStrip(Translated, QWidget):
         """A ground in the colour of what is the matter."""
         colors = colors_of(self)
         ground = {Level.WARNING: colors.warn_pale, Level.FAULT: colors.stop_pale}
-        line = {Level.WARNING: colors.warn, Level.FAULT: colors.stop}
+        line = {Level.WARNING: colors.warn, Level.FAULT: colors.stop_ink}
         painter = painting.begin(self)
         painting.panel(
             painter,

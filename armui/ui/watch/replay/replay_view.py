@@ -9,6 +9,7 @@ from PySide6.QtWidgets import QComboBox, QHBoxLayout, QSplitter, QTabWidget, QVB
 
 from armui.protocol.generation import Generation
 from armui.ui.shell.arm_in_view import show_in_view
+from armui.ui.shell.robot_in_view import RobotInView
 from armui.ui.shell.status_bar import StatusBar
 from armui.ui.theme import DARK, colors_of
 from armui.ui.watch.curves_item import Missing
@@ -50,6 +51,7 @@ class ReplayView(Translated, QWidget):
         live: The controller of the arm that is connected, for the stop in file choosers.
         background: Where files are written.
         name: The file.
+        urdf_path: The operator's own robot description.
 
     Signals:
         other_wanted: Another channel, or protocol: a :data:`Channel` and a :class:`Generation`.
@@ -65,10 +67,12 @@ class ReplayView(Translated, QWidget):
         background: Background,
         *,
         name: str,
+        urdf_path: str | None = None,
     ) -> None:
         super().__init__()
         self.replay = replay
         self.view = view
+        self.robot = RobotInView(view, replay.controller, urdf_path, self)
         self._controller = controller = replay.controller
         controller.telemetry.wall_time = wall_time
         session = replay.session

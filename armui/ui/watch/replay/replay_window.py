@@ -59,6 +59,7 @@ class ReplayWindow(ArmDialog):
         parent: The main window.
         make_helper: Makes what reads a log: a process of its own by default.
         open_own: Opens recordings of this program, which need not be read first.
+        urdf_path: The operator's own robot description; by default that of the log's model.
 
     Attributes:
         view: What is shown of the log that is open; ``None``: none is.
@@ -73,6 +74,7 @@ class ReplayWindow(ArmDialog):
         *,
         make_helper: Callable[[], Executor] | None = None,
         open_own: OpenOwn | None = None,
+        urdf_path: str | None = None,
     ) -> None:
         super().__init__(controller, parent)
         self.setObjectName("replay_window")
@@ -82,6 +84,7 @@ class ReplayWindow(ArmDialog):
         self._make_view = make_view
         self._make_helper = make_helper or HelperProcess
         self._open_own = open_own
+        self._urdf_path = urdf_path
         self._opening: LogOpening | None = None
         self._path: Path | None = None
         self._session: Session | None = None
@@ -205,11 +208,16 @@ class ReplayWindow(ArmDialog):
         if self._session is None or self._path is None:
             return
         own = next(each for each in self._surveys if each.channel == channel)
-        arm = RecordedArm(int(generation), own.feedback_offset, own.firmware)
+        arm = RecordedArm(int(generation), own.feedback_offset, own.firmware, own.model)
         replay = LogReplay(self._session, channel, arm, self._path.name, self)
         replay.failed.connect(self._on_failed)
         self.view = ReplayView(
-            replay, self._make_view(), self._controller, self._background, name=self._path.name
+            replay,
+            self._make_view(),
+            self._controller,
+            self._background,
+            name=self._path.name,
+            urdf_path=self._urdf_path,
         )
         self.view.offer(self._surveys, generation)
         self.view.other_wanted.connect(self._on_other)

@@ -32,7 +32,7 @@ class _Arm(Protocol):
     flash: Flash
 
 
-class LinkageControl:
+class ArmRole:
     """Makes an arm a teaching input or a motion output.
 
     Attributes:

@@ -1,4 +1,4 @@
-"""The window 曲线: curves of everything heard and commanded in the last half hour."""
+"""The page 曲线: curves of everything heard and commanded in the last half hour."""
 
 from __future__ import annotations
 
@@ -6,16 +6,16 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Final
 
-from PySide6.QtCore import QSize, Qt, QTimer, Signal
+from PySide6.QtCore import Qt, QTimer, Signal
 from PySide6.QtWidgets import QWidget
 
 from armui.arm.refusal import Refusal
 from armui.control.events import Level
 from armui.ui.background import Job
-from armui.ui.dialogs.base import ArmDialog
 from armui.ui.watch import layout_file
 from armui.ui.watch.plot_layout import from_text, to_text
 from armui.ui.watch.plots_area import PlotsArea
+from armui.ui.widgets.page import Page
 
 if TYPE_CHECKING:
     from PySide6.QtGui import QHideEvent
@@ -23,18 +23,17 @@ if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
     from armui.ui.background import Background
 
-_SIZE: Final = QSize(1180, 760)
 _KEEP_AFTER_MS: Final = 1000
 
 
-class PlotWindow(ArmDialog):
+class PlotPage(Page):
     """Plots one below the other, beside a list of everything that can be drawn.
 
     Args:
-        controller: Knows what was heard; for halt and emergency stop.
+        controller: Knows what was heard.
         background: Where files are read and written.
         settings: The file of the operator's settings: the plots are kept beside it.
-        parent: The main window.
+        parent: Its owner, before it stands anywhere.
 
     Attributes:
         board: The plots.
@@ -49,9 +48,8 @@ class PlotWindow(ArmDialog):
         settings: Path,
         parent: QWidget | None = None,
     ) -> None:
-        super().__init__(controller, parent)
-        self.setObjectName("plot_window")
-        self.setWindowFlags(Qt.WindowType.Window)
+        super().__init__("plots", parent)
+        self.setObjectName("plot_page")
         self._background = background
         self._file = layout_file.path_beside(settings)
         self._known = False
@@ -66,7 +64,6 @@ class PlotWindow(ArmDialog):
         self.board.plots_changed.connect(self._on_changed)
         self.board.frame_changed.connect(self._on_changed)
         self.retranslate_ui()
-        self.resize(_SIZE.boundedTo(self.screen().availableSize()))
         self._read()
 
     # What others ask for ----------------------------------------------------------------------

@@ -1,4 +1,4 @@
-"""The window 总线: every frame on the bus, by identifier or in order of time."""
+"""The page 总线: every frame on the bus, by identifier or in order of time."""
 
 from __future__ import annotations
 
@@ -6,16 +6,15 @@ from datetime import datetime, timedelta
 from functools import partial
 from typing import TYPE_CHECKING, Final
 
-from PySide6.QtCore import QPoint, QSize, Qt, QTimer
+from PySide6.QtCore import QPoint, Qt, QTimer
 from PySide6.QtGui import QGuiApplication, QKeySequence, QShortcut
-from PySide6.QtWidgets import QMenu, QStackedWidget, QWidget
+from PySide6.QtWidgets import QHeaderView, QMenu, QStackedWidget, QWidget
 
 from armui.arm.refusal_codes import RefusalCode
 from armui.telemetry.bus_senders import Sender
 from armui.telemetry.bus_statistics import BusStatistics
 from armui.telemetry.bus_trace import TRACE_FRAMES, TraceSnapshot
 from armui.ui.actions.keys import keys_of
-from armui.ui.dialogs.base import ArmDialog
 from armui.ui.watch.bus.bus_summary import BusSummary
 from armui.ui.watch.bus.cells import Index
 from armui.ui.watch.bus.filter_bar import FilterBar
@@ -25,9 +24,10 @@ from armui.ui.watch.bus.frame_views import FrameTree, TraceList
 from armui.ui.watch.bus.send_box import SendBox
 from armui.ui.watch.bus.trace_model import TraceModel
 from armui.ui.widgets.curve_menu import show_curves
+from armui.ui.widgets.page import Page
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Mapping, Sequence
 
     from PySide6.QtGui import QContextMenuEvent, QHideEvent, QShowEvent
 
@@ -40,15 +40,14 @@ _SOON_MS: Final = 5
 """Frames that are left are counted so soon, after whatever else the thread has to do."""
 _RUNNING_FRAMES: Final = 300
 """So many are shown in order of time while they run by; all that are kept once they stand."""
-_SIZE: Final = QSize(1180, 760)
 
 
-class BusWindow(ArmDialog):
+class BusPage(Page):
     """Listens to the bus only while it is shown, and counts from then on.
 
     Args:
-        controller: Knows the bus; for halt and emergency stop.
-        parent: The main window.
+        controller: Knows the bus.
+        parent: Its owner, before it stands anywhere.
 
     Attributes:
         statistics: What was counted.
@@ -59,9 +58,8 @@ class BusWindow(ArmDialog):
     """
 
     def __init__(self, controller: ArmController, parent: QWidget | None = None) -> None:
-        super().__init__(controller, parent)
-        self.setObjectName("bus_window")
-        self.setWindowFlags(Qt.WindowType.Window)
+        super().__init__("bus", parent)
+        self.setObjectName("bus_page")
         self._controller = controller
         self._now_s = controller.telemetry.now_s
         self.statistics = BusStatistics(self._now_s)
@@ -85,7 +83,6 @@ class BusWindow(ArmDialog):
         self._lay_out()
         self._connect()
         self.retranslate_ui()
-        self.resize(_SIZE.boundedTo(self.screen().availableSize()))
 
     def _lay_out(self) -> None:
         self.body.setSpacing(8)
@@ -271,7 +268,15 @@ class BusWindow(ArmDialog):
         if lines:
             QGuiApplication.clipboard().setText("\n".join(lines) + "\n")
 
-    # The window -------------------------------------------------------------------------------
+    def headers(self) -> Mapping[str, QHeaderView]:
+        """The columns are kept."""
+        return {"bus": self.tree.header(), "bus_trace": self.trace.header()}
+
+    def take_focus(self) -> None:
+        """The keys are for the frames."""
+        (self.tree if self._views.currentIndex() == 0 else self.trace).setFocus()
+
+    # The page -------------------------------------------------------------------------------
 
     def showEvent(self, event: QShowEvent) -> None:
         """Listen."""

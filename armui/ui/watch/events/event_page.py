@@ -1,15 +1,15 @@
-"""The window 事件: everything that happened, the newest last."""
+"""The page 事件: everything that happened, the newest last."""
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import TYPE_CHECKING, Final
 
-from PySide6.QtCore import QItemSelectionModel, QModelIndex, QPoint, QSize, Qt, QTimer, Signal
+from PySide6.QtCore import QItemSelectionModel, QModelIndex, QPoint, Qt, QTimer, Signal
 from PySide6.QtGui import QKeySequence, QShortcut
-from PySide6.QtWidgets import QAbstractItemView, QMenu, QWidget
+from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QMenu, QWidget
 
 from armui.ui.actions.keys import keys_of
-from armui.ui.dialogs.base import ArmDialog
 from armui.ui.theme import colors_of
 from armui.ui.watch.events.event_bar import EventBar
 from armui.ui.watch.events.event_cells import details
@@ -17,6 +17,7 @@ from armui.ui.watch.events.event_export import EventExport
 from armui.ui.watch.events.event_model import EventModel
 from armui.ui.watch.events.event_table import EventTable
 from armui.ui.widgets.message_line import MessageLine
+from armui.ui.widgets.page import Page
 from armui.ui.widgets.text_label import text_label
 
 if TYPE_CHECKING:
@@ -27,17 +28,18 @@ if TYPE_CHECKING:
     from armui.ui.background import Background
     from armui.ui.watch.events.event_filter import EventFilter
 
-_SIZE: Final = QSize(1120, 720)
 _LOOK_MS: Final = 200
+_LEAST_PX: Final = 130
+"""Of the table: its titles and three rows."""
 
 
-class EventWindow(ArmDialog):
+class EventPage(Page):
     """A table that follows the log while it is seen, and costs nothing while it is not.
 
     Args:
-        controller: Knows what has happened; for halt and emergency stop.
+        controller: Knows what has happened.
         background: Where files are written.
-        parent: The main window.
+        parent: Its owner, before it stands anywhere.
 
     Signals:
         moment_chosen: The monotonic time of an event that was clicked.
@@ -50,14 +52,15 @@ class EventWindow(ArmDialog):
     def __init__(
         self, controller: ArmController, background: Background, parent: QWidget | None = None
     ) -> None:
-        super().__init__(controller, parent)
-        self.setObjectName("event_window")
-        self.setWindowFlags(Qt.WindowType.Window)
+        super().__init__("events", parent)
+        self.setObjectName("event_page")
         self.model = EventModel(controller.events, colors_of(self))
         self.bar = EventBar()
         self.export = EventExport(controller, background, self)
         self.table = EventTable(self.model)
         self.table.setContextMenuPolicy(Qt.ContextMenuPolicy.CustomContextMenu)
+        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        self.table.setMinimumHeight(_LEAST_PX)
         self.detail = text_label("event_detail", wraps=True, plain=True)
         self.detail.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
         self.detail.setAlignment(Qt.AlignmentFlag.AlignTop | Qt.AlignmentFlag.AlignLeft)
@@ -71,7 +74,6 @@ class EventWindow(ArmDialog):
         self._timer.setInterval(_LOOK_MS)
         self._connect()
         self.retranslate_ui()
-        self.resize(_SIZE.boundedTo(self.screen().availableSize()))
 
     def _connect(self) -> None:
         self.bar.filter_changed.connect(self._on_filter)
@@ -124,6 +126,7 @@ class EventWindow(ArmDialog):
         text = "" if entry is None else "\n".join(details(entry))
         if self.detail.text() != text:
             self.detail.setText(text)
+        self.detail.setVisible(entry is not None)
 
     def _on_reset(self) -> None:
         self._show_newest()
@@ -195,6 +198,14 @@ class EventWindow(ArmDialog):
     def _say(self, text: str, level: Level) -> None:
         self._message.show_message(text, level)
         self._message.show()
+
+    def headers(self) -> Mapping[str, QHeaderView]:
+        """The columns of the table are kept."""
+        return {"events": self.table.horizontalHeader()}
+
+    def take_focus(self) -> None:
+        """The keys are for the page: in the table they would choose its first row."""
+        self.setFocus()
 
     # Appearance -------------------------------------------------------------------------------
 

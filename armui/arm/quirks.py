@@ -1,0 +1,41 @@
+"""What the arm's firmware does, by the version the arm has named: pure."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from armui.arm.refusal import Refusal
+from armui.arm.refusal_codes import RefusalCode
+from armui.protocol.firmware_version import FirmwareVersion, ModeExit, first_with, quirks_of
+
+if TYPE_CHECKING:
+    from armui.arm.state import ArmState
+    from armui.protocol.firmware_version import FirmwareQuirks
+
+
+def told_quirks(state: ArmState) -> FirmwareQuirks | None:
+    """What an arm with its firmware does; ``None`` while it has named no version."""
+    version = None if state.firmware is None else FirmwareVersion.parse(state.firmware)
+    return None if version is None else quirks_of(version)
+
+
+def exits_by_mode_word(state: ArmState) -> bool:
+    """Whether its firmware, as far as it is known, leaves MIT and its like by a mode word."""
+    quirks = told_quirks(state)
+    return quirks is not None and quirks.mode_exit is ModeExit.MODE_WORD
+
+
+def why_not_by_firmware(state: ArmState, field: str) -> Refusal | None:
+    """The reason that lies in the firmware against a frame it may not have, or ``None``.
+
+    Args:
+        state: The arm as heard.
+        field: Of `FirmwareQuirks`, one that begins with ``has_``.
+    """
+    quirks = told_quirks(state)
+    since = str(first_with(field))
+    if quirks is None:
+        return Refusal(RefusalCode.FIRMWARE_UNKNOWN, {"since": since})
+    if getattr(quirks, field):
+        return None
+    return Refusal(RefusalCode.NEEDS_FIRMWARE, {"firmware": str(quirks.version), "since": since})

@@ -1,0 +1,83 @@
+"""How the arm is mounted: told with 0x151 byte 5 (generation 2), and never told back."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from armui.arm.quirks import why_not_by_firmware
+from armui.arm.refusal import Refusal
+from armui.arm.refusal_codes import RefusalCode
+from armui.control.events import EventCode
+from armui.control.operating_state import why_unreachable
+from armui.control.safety.standstill import why_moving
+from armui.protocol import commands
+from armui.protocol.codes import Mounting
+from armui.protocol.generation import Generation
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from armui.control.context import Context
+
+
+class MountingControl:
+    """Tells the arm how it is mounted, in the modes it is in.
+
+    Args:
+        context: What the parts of the controller share.
+        speed_percent: What the window shows; the mode word carries it.
+    """
+
+    def __init__(self, context: Context, speed_percent: Callable[[], int]) -> None:
+        self._context = context
+        self._speed_percent = speed_percent
+
+    def tell(self, mounting: Mounting) -> Refusal | None:
+        """Tell it now: ``None``, or why nothing was sent. Whether it took it nobody can ask."""
+        context = self._context
+        context.refresh()
+        refusal = self.why_not(mounting) or context.why_no_motion()
+        mode = context.authority.mode_in_force()
+        if refusal is None and mode is None:
+            refusal = Refusal(RefusalCode.MODE_UNKNOWN)
+        if refusal is not None or mode is None:
+            return context.refuse(refusal or Refusal(RefusalCode.MODE_UNKNOWN))
+        percent = self._speed_percent()
+        frames = commands.set_mode(
+            context.connection.codec,
+            control_mode=mode[0],
+            move_mode=mode[1],
+            speed_percent=percent,
+            mounting=mounting,
+        )
+        if not context.connection.send(frames):
+            return context.refuse(Refusal(RefusalCode.LINK_LOST))
+        context.authority.told_percent(percent)
+        context.tell(EventCode.MOUNTING_SENT, mounting=int(mounting))
+        context.refresh()
+        return None
+
+    def why_not(self, mounting: Mounting) -> Refusal | None:
+        """The reason against telling it now, or ``None``."""
+        context = self._context
+        connection, operating_state = context.connection, context.operating_state()
+        refusal = why_unreachable(connection.link, connection.device)
+        if refusal is not None:
+            return refusal
+        if connection.generation is not Generation.TWO:
+            if connection.generation is None:
+                return Refusal(RefusalCode.GENERATION_UNKNOWN)
+            return Refusal(RefusalCode.SETTING_NOT_KEPT, {"generation": 1})
+        if (lacks := self.why_not_by_firmware(mounting)) is not None:
+            return lacks
+        if operating_state.occupied is not None:
+            return operating_state.occupied
+        if not operating_state.control_certain:
+            return Refusal(RefusalCode.CONTROL_OFFSET_UNKNOWN)
+        return context.authority.why_not() or why_moving(context.state())
+
+    def why_not_by_firmware(self, mounting: Mounting) -> Refusal | None:
+        """The reason that lies in the arm's firmware against a mounting, or ``None``."""
+        if mounting is not Mounting.UPSIDE_DOWN:
+            return None
+        return why_not_by_firmware(self._context.state(), "has_upside_down")

@@ -1,0 +1,76 @@
+"""Which arm of the family a log holds, by the poses in it; its recording may say it itself."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Final
+
+from armui.arm.model_check import fitting_models
+from armui.protocol.addressing import Addressing
+from armui.protocol.codec import Codec, Message
+from armui.protocol.frame import Frame
+from armui.protocol.piper_model import PiperModel
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable, Mapping
+    from typing import Any
+
+    from armui.protocol.generation import Generation
+    from armui.session.frames import Channel
+    from armui.session.session import Session
+
+_PLACES: Final = (1.0, 0.0, 0.5, 0.25, 0.75)
+"""Parts of the log that are looked at: its ends first, where an arm often stands."""
+_ANGLES: Final = tuple(
+    (f"JointFeedback{pair}", f"J{joint}") for pair in ("12", "34", "56") for joint in pair
+)
+_POSE: Final = (
+    ("EndPose1", "X"), ("EndPose1", "Y"), ("EndPose2", "Z"),
+    ("EndPose2", "RX"), ("EndPose3", "RY"), ("EndPose3", "RZ"),
+)  # fmt: skip
+
+
+def model_of_log(
+    session: Session, channel: Channel, generation: Generation, feedback_offset: int
+) -> PiperModel | None:
+    """The model of the arm on a channel of a log; ``None`` where nothing tells.
+
+    What the operator had chosen goes first, as the recording's sidecar has it: the replay says,
+    as the program did live, where the arm's own word is another.
+    """
+    told = told_model(getattr(session, "lines", ()))
+    if told is not None:
+        return told
+    codec = Codec(generation, Addressing(feedback_offset))
+    for place in _PLACES:
+        at_s = session.start_s + place * (session.end_s - session.start_s)
+        fitting = _fitting(session, channel, codec, at_s)
+        if len(fitting) == 1:
+            return next(iter(fitting))
+    return None
+
+
+def told_model(lines: Iterable[Mapping[str, Any]]) -> PiperModel | None:
+    """What the lines of a sidecar say last; ``None`` where they say nothing that is understood."""
+    told = [line.get("model") for line in lines if line.get("kind") == "arm"]
+    known = [PiperModel(each) for each in told if each in list(PiperModel)]
+    return known[-1] if known else None
+
+
+def _fitting(
+    session: Session, channel: Channel, codec: Codec, at_s: float
+) -> frozenset[PiperModel]:
+    """The models that fit the angles and the pose heard last at a moment."""
+    last = session.snapshot_at(at_s)
+    if channel not in last.channel_names:
+        return frozenset()
+    heard: dict[str, Mapping[str, float]] = {}
+    own = last.channel_names.index(channel)
+    for row in range(len(last)):
+        if int(last.channels[row]) == own:
+            message = codec.decode(Frame(int(last.ids[row]), last.data(row)))
+            if isinstance(message, Message):
+                heard[message.name] = message.signals
+    if any(name not in heard for name, _signal in (*_ANGLES, *_POSE)):
+        return frozenset()
+    angles, pose = ([heard[name][signal] for name, signal in each] for each in (_ANGLES, _POSE))
+    return fitting_models(angles, pose, None)

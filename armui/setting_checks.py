@@ -1,0 +1,147 @@
+"""What a setting may be: its choices, its limits, and the check of a value."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Final, Literal, get_args
+
+from armui.arm.json_fields import finite
+from armui.arm.refusal import Refusal
+from armui.arm.refusal_codes import RefusalCode
+from armui.protocol.piper_model import PiperModel
+
+Language = Literal["zh", "en"]
+ThemeName = Literal["light", "dark", "system"]
+MountingName = Literal["", "level", "on_the_left_side", "on_the_right_side", "upside_down"]
+PictureDirection = Literal["iso", "front", "side", "top"]
+SessionFormat = Literal[".blf", ".asc", ".log", ".mf4"]
+GamepadMode = Literal["joint", "base", "tool"]
+GamepadButtons = Mapping[str, Mapping[str, str]]
+"""By the name of a device, which button (its name) does what (`armui.gamepad.layout.ACTIONS`)."""
+
+_MOST_SHOWN: Final = 60
+"""Characters of a value that is told to be wrong."""
+_LONGEST_PATH: Final = 4096
+_MOST_DEVICES: Final = 200
+_LONGEST_NAME: Final = 200
+_MOST_MODELS: Final = 1000
+
+JOG_STEP_MIN_DEG: Final = 0.001
+"""The resolution of an angle on the bus."""
+JOG_STEP_MAX_DEG: Final = 30.0
+
+TRAIL_LONGEST_S: Final = 600
+
+ROTATE_MIN_MB: Final = 1
+ROTATE_MAX_MB: Final = 4000
+"""What every file system takes."""
+
+TOOL_LONGEST_MM: Final = 500.0
+_TOOL_LONGEST: Final = (TOOL_LONGEST_MM,) * 3 + (180.0,) * 3
+
+
+def check(name: str, value: object) -> Refusal | None:
+    """Whether a setting may have a value: None, or the reason against it."""
+    if name == "jog_step_deg":
+        return _check_jog_step(value)
+    if name == "tool":
+        return _check_tool(value)
+    allowed = {
+        "language": value in get_args(Language),
+        "theme": value in get_args(ThemeName),
+        "mounting": value in get_args(MountingName),
+        "stop_again": isinstance(value, bool),
+        "urdf_path": value is None or _is_path(value),
+        "session_folder": value is None or _is_path(value),
+        "session_format": value in get_args(SessionFormat),
+        "session_rotate_mb": _is_whole(value, ROTATE_MIN_MB, ROTATE_MAX_MB),
+        "session_save_at_faults": isinstance(value, bool),
+        "has_jogged": isinstance(value, bool),
+        "picture_direction": value in get_args(PictureDirection),
+        "picture_orthographic": isinstance(value, bool),
+        "picture_tool_frame": isinstance(value, bool),
+        "picture_trail_s": _is_whole(value, 0, TRAIL_LONGEST_S),
+        "gamepad": isinstance(value, bool),
+        "gamepad_mode": value in get_args(GamepadMode),
+        "gamepad_one_axis": isinstance(value, bool),
+        "gamepad_buttons": _are_buttons(value),
+        "models": _are_models(value),
+    }
+    if allowed.get(name, False):
+        return None
+    return Refusal(RefusalCode.SETTING_BAD, {"field": name, "value": shown(value)})
+
+
+def shown(value: object) -> str:
+    """A value for a sentence, whatever it is: cut where it is long."""
+    try:
+        text = str(value)
+    except (ValueError, RecursionError):  # a number of thousands of digits; lists in lists in lists
+        text = f"({type(value).__name__})"
+    return text if len(text) <= _MOST_SHOWN else text[:_MOST_SHOWN] + "…"
+
+
+def _is_path(value: object) -> bool:
+    """Whether a value can be the name of a file, here and in Qt."""
+    if not isinstance(value, str) or not 0 < len(value) <= _LONGEST_PATH or "\0" in value:
+        return False
+    try:
+        value.encode("utf-8")
+    except UnicodeEncodeError:
+        return False
+    return True
+
+
+def _is_whole(value: object, least: int, most: int) -> bool:
+    return isinstance(value, int) and not isinstance(value, bool) and least <= value <= most
+
+
+def _are_buttons(value: object) -> bool:
+    """Names to names to names, none of them longer than any device has."""
+    if not isinstance(value, Mapping) or len(value) > _MOST_DEVICES:
+        return False
+    return all(
+        _is_name(device)
+        and isinstance(buttons, Mapping)
+        and all(_is_name(what) and _is_name(button) for what, button in buttons.items())
+        for device, buttons in value.items()
+    )
+
+
+def _are_models(value: object) -> bool:
+    """Whether a value says of arms which models they are."""
+    return (
+        isinstance(value, dict)
+        and len(value) <= _MOST_MODELS
+        and all(isinstance(key, str) and len(key) <= _LONGEST_PATH for key in value)
+        and all(model in list(PiperModel) for model in value.values())
+    )
+
+
+def _is_name(value: object) -> bool:
+    return isinstance(value, str) and len(value) <= _LONGEST_NAME
+
+
+def _check_jog_step(value: object) -> Refusal | None:
+    figure = finite(value)
+    if figure is None:
+        return Refusal(RefusalCode.JOG_STEP_NOT_A_NUMBER, {"value": shown(value)})
+    if not JOG_STEP_MIN_DEG <= figure <= JOG_STEP_MAX_DEG:
+        bounds = {"minimum": JOG_STEP_MIN_DEG, "maximum": JOG_STEP_MAX_DEG}
+        return Refusal(RefusalCode.JOG_STEP_OUT_OF_RANGE, {"value": figure, **bounds})
+    return None
+
+
+def _check_tool(value: object) -> Refusal | None:
+    """Six finite figures: three lengths of a tool this arm can carry, three angles."""
+    figures = list(value) if isinstance(value, list | tuple) else []
+    if len(figures) != len(_TOOL_LONGEST):
+        figures = [value] * len(_TOOL_LONGEST)
+    for figure, longest in zip(figures, _TOOL_LONGEST, strict=True):
+        size = finite(figure)
+        if size is None or abs(size) > longest:
+            return Refusal(
+                RefusalCode.TOOL_NOT_POSSIBLE,
+                {"value": shown(figure), "maximum": round(TOOL_LONGEST_MM)},
+            )
+    return None

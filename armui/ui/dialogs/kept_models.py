@@ -1,0 +1,65 @@
+"""Which model was chosen for which arm: kept by the adapter's serial number and the node number."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Final
+
+from armui.protocol.piper_model import PiperModel
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+    from armui.arm.device import Device
+    from armui.arm.refusal import Refusal
+    from armui.settings import SettingsStore
+
+MOST: Final = 200
+"""Arms that are remembered; those connected longest ago are forgotten."""
+
+
+class KeptModels:
+    """The choices in the settings.
+
+    Args:
+        store: The settings; ``None``: nothing is kept.
+    """
+
+    def __init__(self, store: SettingsStore | None = None) -> None:
+        self._store = store
+
+    def of(self, device: Device, node: str = "") -> PiperModel | None:
+        """The model that was chosen last for an arm; ``None``: none was.
+
+        Args:
+            device: The way to it.
+            node: Its node number, where it is known: two arms may be used on one adapter in turn.
+        """
+        kept = self._kept()
+        model = kept.get(_key(device, node)) if node else None
+        model = model or kept.get(_key(device))
+        return None if model is None else PiperModel(model)
+
+    def keep(self, device: Device, node: str = "") -> Refusal | None:
+        """Keep the model chosen for a device; ``None``, or why it could not be written."""
+        if self._store is None:
+            return None
+        kept = dict(self._kept())
+        for key in {_key(device), _key(device, node)}:
+            kept.pop(key, None)
+            kept[key] = device.model.value
+        newest = dict(list(kept.items())[-MOST:])
+        return None if newest == self._kept() else self._store.change(models=newest)
+
+    def _kept(self) -> Mapping[str, str]:
+        return {} if self._store is None else self._store.settings.models
+
+
+def last_model(models: Mapping[str, str]) -> PiperModel:
+    """The model that was chosen last of all; the PiPER where none was."""
+    return PiperModel(next(reversed(list(models.values())), PiperModel.PIPER))
+
+
+def _key(device: Device, node: str = "") -> str:
+    """An adapter without a serial number is known by its place."""
+    name = device.serial or f"{device.interface} {device.channel}"
+    return f"{name} / {node}" if node else name

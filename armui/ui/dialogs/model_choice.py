@@ -1,0 +1,139 @@
+"""Which arm of the family is at a device: chosen by the operator before it is connected."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Final
+
+from PySide6.QtCore import Signal
+from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QWidget
+
+from armui.arm.models import all_models, model_data
+from armui.protocol.piper_model import PiperModel
+from armui.ui.dialogs.device_model import same_device
+from armui.ui.theme import colors_of
+from armui.ui.widgets import icons
+from armui.ui.widgets.layouts import fill
+from armui.ui.widgets.text_label import text_label
+from armui.ui.widgets.translated import Translated
+
+if TYPE_CHECKING:
+    from armui.arm.device import Device
+    from armui.control.operating_state import OperatingState
+    from armui.ui.dialogs.kept_models import KeptModels
+
+_ICON_PX: Final = 16
+
+
+class ModelChoice(Translated, QWidget):
+    """A list of the models, and what is known of the choice.
+
+    Args:
+        kept: Which model was chosen for which arm.
+        parent: Qt's.
+
+    Signals:
+        chosen: Another model was chosen.
+    """
+
+    chosen = Signal()
+
+    def __init__(self, kept: KeptModels, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._kept = kept
+        self._device: Device | None = None
+        self._now: OperatingState | None = None
+        self._label = QLabel()
+        self.box = QComboBox()
+        self.box.setObjectName("model_box")
+        self.box.setMinimumWidth(140)
+        for model, data in all_models().items():
+            self.box.addItem(data.name, model)
+        self._label.setBuddy(self.box)
+        self.hint = text_label("model_hint", rank="muted", wraps=True)
+        self._icon = QLabel()
+        row = QHBoxLayout(self)
+        row.setContentsMargins(0, 0, 0, 0)
+        fill(row, self._label, self.box, 8, self._icon, (self.hint, 1))
+        self.box.currentIndexChanged.connect(self._on_chosen)
+        self.retranslate_ui()
+
+    @property
+    def model(self) -> PiperModel:
+        """The model that is chosen."""
+        return PiperModel(self.box.currentData())
+
+    def show_device(self, device: Device | None, now: OperatingState) -> None:
+        """Offer what was chosen for a device: in this connection, or the last time.
+
+        Args:
+            device: The one that is selected.
+            now: The connection.
+        """
+        self._device, self._now = device, now
+        if device is None:
+            return
+        kept = self._kept.of(device) or PiperModel.PIPER
+        shown = now.model if same_device(device, now.device) else kept
+        self.box.setCurrentIndex(self.box.findData(shown))
+        self._explain()
+
+    def show_fit(self, device: Device | None, now: OperatingState) -> None:
+        """Say what the arm itself tells."""
+        self._device, self._now = device, now
+        self._explain()
+
+    def keep(self, device: Device) -> None:
+        """The device is about to be connected as the model that is chosen."""
+        self._kept.keep(device)
+
+    def _on_chosen(self) -> None:
+        self._explain()
+        self.chosen.emit()
+
+    def _explain(self) -> None:
+        now, device = self._now, self._device
+        text, wrong = "", False
+        if now is not None and device is not None and same_device(device, now.device):
+            text, wrong = self._of_connected(now), now.model_fit.wrong is not None
+        elif device is not None and device.simulated:
+            text = self.tr("The simulated arm is this model.")
+        self._icon.setVisible(wrong)
+        if wrong:
+            color, ratio = colors_of(self).warn, self.devicePixelRatioF()
+            self._icon.setPixmap(icons.pixmap("warning", color, _ICON_PX, ratio))
+        self.hint.setText(text or self.tr("No frame names the model: it is compared afterwards."))
+
+    def _of_connected(self, now: OperatingState) -> str:
+        fit = now.model_fit
+        if fit.wrong is not None and fit.other is not None:
+            return self.tr(
+                "The pose this arm reports is that of a {fits}: choose it and press Connect."
+            ).format(fits=model_data(fit.other).name)
+        if fit.wrong is not None:
+            return self.tr("The pose this arm reports fits none of the models.")
+        if fit.confirmed:
+            return self.tr("Confirmed by the pose the arm reports.")
+        if fit.fitting is not None:
+            return self.tr("Fits the pose the arm reports; so do others. Move a joint to decide.")
+        return self.tr("Not compared yet: the arm must stand still.")
+
+    def line_up(self, label: QLabel) -> None:
+        """Let the label of the row below take as much room as the one here."""
+        width = max(self._label.sizeHint().width(), label.sizeHint().width())
+        self._label.setFixedWidth(width)
+        label.setFixedWidth(width)
+
+    def _recolor(self) -> None:
+        self._explain()
+
+    def retranslate_ui(self) -> None:
+        """Put the words into the operator's language."""
+        self._label.setText(self.tr("Model of the arm"))
+        self.box.setAccessibleName(self.tr("Model of the arm"))
+        self.box.setToolTip(
+            self.tr(
+                "Its lengths decide where the tool is. The limits of the joints are always read "
+                "from the arm."
+            )
+        )
+        self._explain()

@@ -1,0 +1,140 @@
+"""Shows one section of the guide, its pictures as wide as there is room."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import Any, Final
+
+from PySide6.QtCore import Qt, QTimer, QUrl, Signal
+from PySide6.QtGui import QColor, QImage, QResizeEvent, QTextCursor
+from PySide6.QtWidgets import QTextBrowser, QTextEdit
+
+from armui.arm.refusal import Refusal
+from armui.ui.background import Background, Job
+from armui.ui.guide.text import FOLDER, GuideSection
+from armui.ui.theme import colors_of
+
+_SIDE_PX: Final = 48
+_SETTLED_MS: Final = 150
+_NOTHING: Final = QImage()
+
+
+class GuideBrowser(QTextBrowser):
+    """Reads no file itself: pictures come from another thread, and are there when they are.
+
+    Args:
+        background: Where pictures are read.
+        folder: The guide's.
+
+    Signals:
+        section_wanted: A link to another section was clicked: its name.
+    """
+
+    section_wanted = Signal(str)
+
+    def __init__(self, background: Background, folder: Path = FOLDER) -> None:
+        super().__init__()
+        self._background = background
+        self._folder = folder
+        self._section: GuideSection | None = None
+        self._words: tuple[str, ...] = ()
+        self._pictures: dict[str, QImage] = {}
+        self._fitted: dict[str, QImage] = {}
+        self._job: Job[dict[str, bytes]] | None = None
+        self.setOpenLinks(False)
+        # Tab leaves it: where its links lead, the contents do, too
+        flags = self.textInteractionFlags()
+        self.setTextInteractionFlags(flags & ~Qt.TextInteractionFlag.LinksAccessibleByKeyboard)
+        self.anchorClicked.connect(self._on_link)
+        self._resized = QTimer(self, interval=_SETTLED_MS, singleShot=True)
+        self._resized.timeout.connect(lambda: self._show(keep_place=True))
+
+    @property
+    def section(self) -> GuideSection | None:
+        """What it shows."""
+        return self._section
+
+    def picture_width(self, name: str) -> float:
+        """How wide a picture is shown, in pixels; 0: it is not."""
+        picture = self._fitted.get(name)
+        return 0.0 if picture is None else picture.deviceIndependentSize().width()
+
+    def show_section(self, section: GuideSection, words: tuple[str, ...] = ()) -> None:
+        """Show a section, and mark words in it."""
+        self._section, self._words = section, words
+        self._show(keep_place=False)
+        missing = [name for name in section.pictures if name not in self._pictures]
+        if missing:
+            if self._job is not None:
+                self._job.wanted = False
+            self._job = Job(self._take_pictures)
+            self._background.begin_here(self._job, read_pictures, self._folder, missing)
+
+    def _take_pictures(self, read: Mapping[str, bytes] | Refusal) -> None:
+        if isinstance(read, Refusal):
+            return
+        for name, data in read.items():
+            picture = QImage.fromData(data)
+            if not picture.isNull():
+                self._pictures[name] = picture
+        self._show(keep_place=True)
+
+    def _show(self, *, keep_place: bool) -> None:
+        if self._section is None:
+            return
+        at = self.verticalScrollBar().value() if keep_place else 0
+        self._fitted = {
+            name: self._fit(picture)
+            for name, picture in self._pictures.items()
+            if name in self._section.pictures
+        }
+        self.setMarkdown(self._section.text)
+        self._mark_words()
+        self.verticalScrollBar().setValue(at)
+
+    def _fit(self, picture: QImage) -> QImage:
+        """A picture no wider than the window, sharp on its screen."""
+        ratio = self.devicePixelRatioF()
+        room = round((self.viewport().width() - _SIDE_PX) * ratio)
+        if picture.width() > room > 0:
+            picture = picture.scaledToWidth(room, Qt.TransformationMode.SmoothTransformation)
+        else:
+            picture = picture.copy()
+        picture.setDevicePixelRatio(ratio)
+        return picture
+
+    def _mark_words(self) -> None:
+        marks = []
+        for word in self._words:
+            cursor = QTextCursor(self.document())
+            while not (cursor := self.document().find(word, cursor)).isNull():
+                mark = QTextEdit.ExtraSelection()
+                mark.cursor = cursor
+                mark.format.setBackground(QColor(colors_of(self).warn_pale))
+                marks.append(mark)
+        self.setExtraSelections(marks)
+
+    def _on_link(self, url: QUrl) -> None:
+        if url.hasFragment():
+            self.section_wanted.emit(url.fragment())
+
+    def loadResource(self, _kind: int, name: QUrl | str) -> Any:  # noqa: N802 - the name Qt calls
+        """What was not brought from the other thread is not there: no file is looked for here."""
+        return self._fitted.get(QUrl(name).toString(), _NOTHING)
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Pictures follow the width, once it stands."""
+        super().resizeEvent(event)
+        if event.size().width() != event.oldSize().width():
+            self._resized.start()
+
+
+def read_pictures(folder: Path, names: Sequence[str]) -> dict[str, bytes]:
+    """The files of pictures that are there; not in the GUI thread."""
+    found = {}
+    for name in names:
+        file = folder / name
+        if file.is_file():
+            found[name] = file.read_bytes()
+    return found

@@ -1,0 +1,149 @@
+"""The window 使用指南: contents and a search on the left, a section on the right (F1)."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING, Final
+
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QLineEdit, QListWidget, QListWidgetItem, QSplitter, QWidget
+
+from armui.arm.refusal import Refusal
+from armui.control.events import Level
+from armui.ui import words
+from armui.ui.background import Background, Job
+from armui.ui.dialogs.base import ArmDialog
+from armui.ui.guide.guide_browser import GuideBrowser
+from armui.ui.guide.place import FIRST
+from armui.ui.guide.text import GuideSection, read_guide, search
+from armui.ui.widgets.buttons import named
+from armui.ui.widgets.layouts import in_column
+from armui.ui.widgets.message_line import MessageLine
+
+if TYPE_CHECKING:
+    from armui.control.arm_controller import ArmController
+
+_SIZE_PX: Final = (1000, 720)
+_CONTENTS_PX: Final = 250
+_INDENT: Final = "    "
+
+
+class GuideWindow(ArmDialog):
+    """Reads the guide of the language that is shown, in another thread.
+
+    Args:
+        controller: Whom the emergency stop tells.
+        background: Where files are read.
+        parent: The main window.
+        read: Reads the sections of a language.
+    """
+
+    def __init__(
+        self,
+        controller: ArmController,
+        background: Background,
+        parent: QWidget | None = None,
+        read: Callable[[str], list[GuideSection]] = read_guide,
+    ) -> None:
+        super().__init__(controller, parent)
+        self.setObjectName("guide_window")
+        self._background = background
+        self._read = read
+        self._sections: list[GuideSection] = []
+        self._language = ""
+        self._wanted = FIRST
+        self._job: Job[list[GuideSection]] | None = None
+        self.search = named("guide_search", QLineEdit())
+        self.search.setClearButtonEnabled(True)
+        self.contents = named("guide_contents", QListWidget())
+        self.browser = named("guide_text", GuideBrowser(background))
+        self._message = named("guide_message", MessageLine())
+        self._message.hide()
+        left = QWidget()
+        in_column(self.search, (self.contents, 1), on=left, spacing=8, margins=0)
+        splitter = QSplitter(Qt.Orientation.Horizontal)
+        splitter.addWidget(left)
+        splitter.addWidget(self.browser)
+        splitter.setStretchFactor(1, 1)
+        splitter.setChildrenCollapsible(False)
+        splitter.setSizes([_CONTENTS_PX, _SIZE_PX[0] - _CONTENTS_PX])
+        self.body.addWidget(self._message)
+        self.body.addWidget(splitter, 1)
+        self.resize(*_SIZE_PX)
+        self.search.textChanged.connect(self._show_contents)
+        self.contents.currentItemChanged.connect(self._on_chosen)
+        self.browser.section_wanted.connect(self.show_section)
+        self.retranslate_ui()
+
+    def show_section(self, anchor: str) -> None:
+        """Open the guide at a section."""
+        self._wanted = anchor
+        self.search.clear()
+        self._choose()
+
+    @property
+    def shown(self) -> str:
+        """The section that is shown; empty: none yet."""
+        section = self.browser.section
+        return "" if section is None else section.anchor
+
+    # -- reading ------------------------------------------------------------------------------
+
+    def _load(self, language: str) -> None:
+        if self._job is not None:
+            self._job.wanted = False
+        self._language = language
+        self._job = Job(self._take)
+        self._background.begin_here(self._job, self._read, language)
+
+    def _take(self, read: list[GuideSection] | Refusal) -> None:
+        if isinstance(read, Refusal):
+            self._message.show_message(words.refusal(read), Level.FAULT)
+            self._message.show()
+            return
+        self._message.hide()
+        self._sections = read
+        self._show_contents()
+        self._choose()
+
+    # -- showing ------------------------------------------------------------------------------
+
+    def _show_contents(self) -> None:
+        found: Sequence[GuideSection] = search(self._sections, self.search.text())
+        blocked = self.contents.blockSignals(True)
+        self.contents.clear()
+        for section in found:
+            item = QListWidgetItem(_INDENT * max(0, section.level - 2) + section.title)
+            item.setData(Qt.ItemDataRole.UserRole, section)
+            self.contents.addItem(item)
+        self.contents.blockSignals(blocked)
+        if self.search.text().strip() and found:
+            self.contents.setCurrentRow(0)
+
+    def _choose(self) -> None:
+        for row in range(self.contents.count()):
+            section = self.contents.item(row).data(Qt.ItemDataRole.UserRole)
+            if section.anchor == self._wanted:
+                self.contents.setCurrentRow(row)
+                return
+        if self.contents.count():
+            self.contents.setCurrentRow(0)
+
+    def _on_chosen(self, item: QListWidgetItem | None) -> None:
+        if item is not None:
+            section: GuideSection = item.data(Qt.ItemDataRole.UserRole)
+            if not self.search.text().strip():
+                self._wanted = section.anchor
+            self.browser.show_section(section, tuple(self.search.text().split()))
+
+    def retranslate_ui(self) -> None:
+        """Put every word into the operator's language."""
+        self.set_title(self.tr("User guide"))
+        self.search.setPlaceholderText(self.tr("Search the guide"))
+        self.search.setAccessibleName(self.tr("Search the guide"))
+        self.contents.setAccessibleName(self.tr("Contents"))
+        self.browser.setAccessibleName(self.tr("Text of the guide"))
+        # Translators: the code of the language that is shown, "zh" for Chinese
+        language = "zh" if self.tr("en") == "zh" else "en"
+        if language != self._language:
+            self._load(language)

@@ -1,0 +1,85 @@
+"""The text of the guide in sections, each with the name by which it is opened. Pure."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Final
+
+from armui.system import paths
+
+FOLDER: Final = paths.RESOURCES / "guide"
+
+_ANCHOR: Final = re.compile(r'^<a id="([a-z_]+)"></a>$', re.MULTILINE)
+_HEADING: Final = re.compile(r"^(#+) (.+)$", re.MULTILINE)
+_PICTURE: Final = re.compile(r"!\[[^\]]*\]\(([^)]+)\)")
+_MARKUP: Final = re.compile(r"[*`_|#>\[\]()!-]")
+
+
+@dataclass(frozen=True, slots=True)
+class GuideSection:
+    """A part of the guide that is shown by itself.
+
+    Attributes:
+        anchor: Its name, the same in both languages.
+        title: Its heading.
+        level: 1 for the whole guide's first page, 2 for a chapter, 3 for a part of one.
+        text: The whole of it as Markdown, its heading included.
+    """
+
+    anchor: str
+    title: str
+    level: int
+    text: str
+
+    @property
+    def pictures(self) -> tuple[str, ...]:
+        """The files of its pictures, as the text names them."""
+        return tuple(_PICTURE.findall(self.text))
+
+
+def parse(text: str) -> list[GuideSection]:
+    """Divide the guide at its anchors; what stands before the first one is left out.
+
+    Raises:
+        ValueError: A section has no heading.
+    """
+    found = list(_ANCHOR.finditer(text))
+    ends = [*(each.start() for each in found[1:]), len(text)]
+    sections = []
+    for anchor, end in zip(found, ends, strict=True):
+        body = text[anchor.end() : end].strip() + "\n"
+        heading = _HEADING.search(body)
+        if heading is None:
+            raise ValueError(f"section {anchor[1]} has no heading")
+        sections.append(GuideSection(anchor[1], heading[2].strip(), len(heading[1]), body))
+    return sections
+
+
+def read_guide(language: str, folder: Path = FOLDER) -> list[GuideSection]:
+    """Read the guide of a language; not in the GUI thread.
+
+    Raises:
+        OSError: It cannot be read.
+        ValueError: It is not as it should be.
+    """
+    return parse((folder / f"{language}.md").read_text(encoding="utf-8"))
+
+
+def search(sections: Sequence[GuideSection], query: str) -> list[GuideSection]:
+    """Those in which every word of a query stands; the ones with it in their titles first."""
+    words = query.lower().split()
+    if not words:
+        return list(sections)
+    found = [
+        section
+        for section in sections
+        if all(word in _MARKUP.sub("", section.text).lower() for word in words)
+    ]
+    return sorted(found, key=lambda section: not _in_title(section, words))
+
+
+def _in_title(section: GuideSection, words: Sequence[str]) -> bool:
+    return all(word in section.title.lower() for word in words)

@@ -1,0 +1,117 @@
+"""The drawer below panels and picture: 曲线, 事件 and 总线, one at a time; folded away at first."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Final
+
+from PySide6.QtCore import QCoreApplication, QSize, Qt, Signal
+from PySide6.QtWidgets import QButtonGroup, QToolButton, QWidget
+
+from armui.ui.shell.watch_menu import WatchEntry
+from armui.ui.theme import colors_of
+from armui.ui.widgets import icons
+from armui.ui.widgets.buttons import caption, choice_button, describe, named
+from armui.ui.widgets.layouts import STRETCH, in_column, in_row
+from armui.ui.widgets.page import Page
+from armui.ui.widgets.page_stack import PageStack
+from armui.ui.widgets.translated import Translated
+
+_ICON_PX: Final = 16
+DRAWER_PX: Final = 300
+_LEAST_PX: Final = 190
+
+
+class Drawer(Translated, QWidget):
+    """A tab a page; each is made when it is first wanted.
+
+    Args:
+        entries: The pages by their keys, and what opens each.
+
+    Signals:
+        take_out_wanted: The page that is seen shall stand in a window of its own.
+        turned: It was opened (``True``) or folded away.
+    """
+
+    take_out_wanted = Signal(object)
+    turned = Signal(bool)
+
+    def __init__(self, entries: Sequence[WatchEntry]) -> None:
+        super().__init__()
+        self.setObjectName("drawer")
+        self.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
+        self.setMinimumHeight(_LEAST_PX)
+        self._entries = tuple(entries)
+        self._group = QButtonGroup(self)
+        self._tabs = {entry.key: choice_button(f"drawer_{entry.key}") for entry in entries}
+        self._stack = PageStack()
+        self._take_out = named("drawer_take_out", QToolButton())
+        self._fold = named("drawer_fold", QToolButton())
+        for entry in self._entries:
+            tab = self._tabs[entry.key]
+            self._group.addButton(tab)
+            tab.clicked.connect(lambda _on=False, entry=entry: self._on_tab(entry))
+        for button in (self._take_out, self._fold):
+            button.setIconSize(QSize(_ICON_PX, _ICON_PX))
+        head = in_row(*self._tabs.values(), STRETCH, self._take_out, self._fold, spacing=6)
+        in_column(head, (self._stack, 1), on=self, spacing=6, margins=(16, 6, 16, 8))
+        self._take_out.clicked.connect(self._on_take_out)
+        self._fold.clicked.connect(self.fold)
+        self.hide()
+        self.retranslate_ui()
+        self._recolor()
+
+    @property
+    def current(self) -> Page | None:
+        """The page that is seen, or would be if the drawer were open."""
+        return self._stack.current
+
+    def show_page(self, page: Page) -> None:
+        """Open the drawer at a page."""
+        self._stack.show_page(page)
+        self._tabs[page.key].setChecked(True)
+        if self.isHidden():
+            self.show()
+            self.turned.emit(True)
+        page.take_focus()
+
+    def drop_page(self, page: Page) -> None:
+        """Let go of a page; if it was the one that is seen, the drawer is folded away."""
+        if not self._stack.holds(page):
+            return
+        if page is self.current:
+            self.fold()
+        self._stack.drop_page(page)
+
+    def fold(self) -> None:
+        """Put it away; what is not seen does no work."""
+        if not self.isHidden():
+            self.hide()
+            self.turned.emit(False)
+
+    def _on_tab(self, entry: WatchEntry) -> None:
+        """A page that was taken out stays where it is: the tab of the one seen here is down."""
+        entry.open_window()
+        if self.current is not None:
+            self._tabs[self.current.key].setChecked(True)
+
+    def _on_take_out(self) -> None:
+        if self.current is not None:
+            self.take_out_wanted.emit(self.current)
+
+    def retranslate_ui(self) -> None:
+        """Put every word into the operator's language."""
+        for entry in self._entries:
+            caption(
+                self._tabs[entry.key],
+                QCoreApplication.translate("WatchMenu", entry.title),
+                tip=QCoreApplication.translate("WatchMenu", entry.tip),
+            )
+        tip = self.tr("Takes this page out into a window of its own, for a second screen.")
+        describe(self._take_out, self.tr("Own window"), tip)
+        describe(self._fold, self.tr("Fold away"), self.tr("Folds the drawer away (Esc)"))
+
+    def _recolor(self) -> None:
+        ink = colors_of(self).muted
+        self._take_out.setIcon(icons.icon("take_out", ink))
+        self._fold.setIcon(icons.icon("fold", ink))

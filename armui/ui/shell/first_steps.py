@@ -1,0 +1,46 @@
+"""The first start: what to press next is lit, until the arm has been moved for the first time."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Final
+
+from PySide6.QtCore import QObject
+from PySide6.QtWidgets import QPushButton, QWidget
+
+from armui.control.motion.motion_command import Mover
+from armui.control.operating_state import LinkState
+from armui.ui.widgets.buttons import show_primary
+
+if TYPE_CHECKING:
+    from armui.control.arm_controller import ArmController
+    from armui.control.operating_state import OperatingState
+    from armui.settings import SettingsStore
+
+_FIRST_JOG: Final = "jog_plus_1"
+
+
+class FirstSteps(QObject):
+    """Lights the first jog. Connecting and enabling are lit by the line of the next step, always.
+
+    Args:
+        window: The main window, in which the button is.
+        controller: Tells when the arm may be moved, and when it is.
+        store: Remembers that this is no first start any more.
+    """
+
+    def __init__(self, window: QWidget, controller: ArmController, store: SettingsStore) -> None:
+        super().__init__(window)
+        self._window = window
+        self._store = store
+        self._done = store.settings.has_jogged
+        if not store.settings.has_jogged:
+            controller.operating_state_changed.connect(self._follow)
+
+    def _follow(self, now: OperatingState) -> None:
+        self._done = self._done or (now.moving and now.mover is Mover.OURS)
+        if self._done and now.link is LinkState.NO_DEVICE and not self._store.settings.has_jogged:
+            self._store.change(has_jogged=True)  # no file is written while a device is open
+        button = self._window.findChild(QPushButton, _FIRST_JOG)
+        if button is not None:
+            wanted = now.cannot_move is None and not self._done
+            show_primary(button, wanted=wanted)

@@ -1,0 +1,61 @@
+"""Which robot description the 3D picture shows: the operator's own file, or that of the model."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QObject
+
+from armui.arm.models import robot_description
+from armui.protocol.piper_model import PiperModel
+
+if TYPE_CHECKING:
+    from armui.control.arm_controller import ArmController
+    from armui.control.operating_state import OperatingState
+    from armui.viewport.view import ArmView
+
+
+class RobotInView(QObject):
+    """Has the picture follow the model that is connected.
+
+    Args:
+        view: The 3D picture.
+        controller: Knows which model that is.
+        urdf_path: The operator's own robot description, which goes before it.
+        parent: Qt's.
+    """
+
+    def __init__(
+        self,
+        view: ArmView,
+        controller: ArmController,
+        urdf_path: str | None = None,
+        parent: QObject | None = None,
+    ) -> None:
+        super().__init__(parent)
+        self._view = view
+        self._controller = controller
+        self._urdf_path = urdf_path
+        self._shown = Path(urdf_path) if urdf_path else robot_description(PiperModel.PIPER)
+        controller.operating_state_changed.connect(self._on_operating_state_changed)
+        self._show(controller.operating_state.model)
+
+    @property
+    def path(self) -> Path:
+        """The robot description that is shown."""
+        return self._shown
+
+    def choose(self, urdf_path: str | None) -> None:
+        """Show the operator's own robot description; ``None``: the model's."""
+        self._urdf_path = urdf_path
+        self._show(self._controller.operating_state.model)
+
+    def _on_operating_state_changed(self, now: OperatingState) -> None:
+        self._show(now.model)
+
+    def _show(self, model: PiperModel) -> None:
+        path = Path(self._urdf_path) if self._urdf_path else robot_description(model)
+        if path != self._shown:
+            self._shown = path
+            self._view.set_robot(path)

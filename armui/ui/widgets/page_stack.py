@@ -1,0 +1,88 @@
+"""Pages in one place, one of them seen; what is too high for the room there is scrolls."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QEvent, QSize, Qt
+from PySide6.QtGui import QResizeEvent
+from PySide6.QtWidgets import QFrame, QScrollArea, QStackedWidget, QWidget
+
+from armui.ui.widgets.page import Page
+
+
+class _Room(QWidget):
+    """Needs the least room of the page that is seen, not that of the largest, nor what it likes."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.stack = QStackedWidget(self)
+
+    def minimumSizeHint(self) -> QSize:
+        """That of the page that is seen, in the width there is."""
+        page = self.stack.currentWidget()
+        if page is None:
+            return QSize(0, 0)
+        least, layout = page.minimumSizeHint(), page.layout()
+        if layout is not None and layout.hasHeightForWidth():
+            least.setHeight(layout.minimumHeightForWidth(max(self.width(), least.width())))
+        return least
+
+    def sizeHint(self) -> QSize:
+        """The same."""
+        return self.minimumSizeHint()
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """In another width the lines of controls are others."""
+        super().resizeEvent(event)
+        self.stack.setGeometry(self.rect())
+        if event.size().width() != event.oldSize().width():
+            self.updateGeometry()
+
+    def event(self, event: QEvent) -> bool:
+        """Something in the page needs more room, or less."""
+        if event.type() == QEvent.Type.LayoutRequest:
+            self.updateGeometry()
+        return super().event(event)
+
+
+class PageStack(QScrollArea):
+    """Never asks for more height than there is: a low window keeps its status bar in sight."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._room = _Room()
+        self._stack = self._room.stack
+        self.setWidgetResizable(True)
+        self.setFrameShape(QFrame.Shape.NoFrame)
+        self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+        self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self.setWidget(self._room)
+        self.viewport().setAutoFillBackground(False)
+        self._room.setAutoFillBackground(False)
+
+    @property
+    def current(self) -> Page | None:
+        """The page that is seen, or would be if the stack were."""
+        page = self._stack.currentWidget()
+        return page if isinstance(page, Page) else None
+
+    def holds(self, page: Page) -> bool:
+        """Whether a page is one of these."""
+        return self._stack.indexOf(page) >= 0
+
+    def show_page(self, page: Page) -> None:
+        """Show a page, which becomes one of these."""
+        if not self.holds(page):
+            self._stack.addWidget(page)
+        self._stack.setCurrentWidget(page)
+        self._room.updateGeometry()
+
+    def drop_page(self, page: Page) -> None:
+        """Let go of a page, which is hidden then and belongs to the window."""
+        self._stack.removeWidget(page)
+        page.hide()
+        page.setParent(self.window())
+        self._room.updateGeometry()
+
+    def minimumSizeHint(self) -> QSize:
+        """As wide as the page needs; as low as may be."""
+        return QSize(self._room.minimumSizeHint().width(), 0)

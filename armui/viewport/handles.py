@@ -1,0 +1,134 @@
+"""The handles of a view: which there are, which one is held, and what the pointer does to it."""
+
+from __future__ import annotations
+
+import enum
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, NamedTuple
+
+from armui.viewport.grips import Grip, GripDrag, grip_at, joint_grips, tool_grips
+from armui.viewport.robot_shape import Rows, composed
+from armui.viewport.strokes import Stroke
+
+if TYPE_CHECKING:
+    from armui.viewport.palette import ScenePalette
+    from armui.viewport.projection import Projection
+    from armui.viewport.robot_shape import RobotShape
+
+_PLAIN_PX, _HELD_PX = 3.0, 5.5
+
+
+class HandleKind(enum.Enum):
+    """What can be taken hold of."""
+
+    TOOL = "tool"
+    """The tool, along and about the axes of the base."""
+    TOOL_FRAME = "tool_frame"
+    """The tool, along and about its own axes."""
+    JOINTS = "joints"
+    """Each joint."""
+
+
+@dataclass(frozen=True)
+class HandlePlace:
+    """Where handles are wanted.
+
+    Attributes:
+        angles_deg: Of the arm, or of its ghost, that is to be dragged.
+        kind: Which handles.
+    """
+
+    angles_deg: tuple[float, ...]
+    kind: HandleKind
+
+
+class Dragged(NamedTuple):
+    """A handle that is carried.
+
+    Attributes:
+        grip: Which.
+        amount: How far since it was taken hold of: mm along an axis, degrees about one.
+    """
+
+    grip: Grip
+    amount: float
+
+
+class Handles:
+    """Keeps the handles of one view."""
+
+    def __init__(self) -> None:
+        self._place: HandlePlace | None = None
+        self._drag: GripDrag | None = None
+        self._hovered: tuple[object, int] | None = None
+
+    @property
+    def place(self) -> HandlePlace | None:
+        """Where they are wanted."""
+        return self._place
+
+    @property
+    def is_held(self) -> bool:
+        """Whether one of them is held."""
+        return self._drag is not None
+
+    def set_place(self, place: HandlePlace | None) -> bool:
+        """Stand elsewhere, or nowhere; whether that is anything new."""
+        is_new = place != self._place
+        self._place = place
+        if place is None:
+            self._drag = self._hovered = None
+        return is_new
+
+    def grips(
+        self, shape: RobotShape, tool: Rows, projection: Projection, palette: ScenePalette
+    ) -> list[Grip]:
+        """All that can be taken hold of now."""
+        place = self._place
+        if place is None:
+            return []
+        if place.kind is HandleKind.JOINTS:
+            return joint_grips(shape, place.angles_deg, projection, palette)
+        at = composed(shape.flange(shape.links(place.angles_deg)), tool)
+        frame = at if place.kind is HandleKind.TOOL_FRAME else None
+        return tool_grips(at, frame, projection, palette)
+
+    def strokes(self, grips: list[Grip]) -> list[Stroke]:
+        """The lines to be drawn; the one that is held, or under the pointer, stands out."""
+        held = self._hovered if self._drag is None else _name(self._drag.grip)
+        return [
+            Stroke(grip.places, grip.color, _HELD_PX if _name(grip) == held else _PLAIN_PX)
+            for grip in grips
+        ]
+
+    def hover(
+        self, grips: list[Grip], projection: Projection, x_px: float, y_px: float
+    ) -> tuple[bool, bool]:
+        """The pointer moves freely: whether it is over a handle, and whether that is new."""
+        grip = grip_at(grips, projection, x_px, y_px)
+        before, self._hovered = self._hovered, None if grip is None else _name(grip)
+        return grip is not None, self._hovered != before
+
+    def take(
+        self, grips: list[Grip], projection: Projection, x_px: float, y_px: float
+    ) -> Grip | None:
+        """The button goes down: the handle that is held from now on."""
+        grip = grip_at(grips, projection, x_px, y_px)
+        self._drag = None if grip is None else GripDrag(grip, projection, x_px, y_px)
+        return grip
+
+    def carry(self, x_px: float, y_px: float) -> Dragged | None:
+        """The pointer moves with the handle that is held."""
+        if self._drag is None:
+            return None
+        amount = self._drag.amount(x_px, y_px)
+        return None if amount is None else Dragged(self._drag.grip, amount)
+
+    def let_go(self) -> bool:
+        """The button comes up; whether a handle was held."""
+        was_held, self._drag = self._drag is not None, None
+        return was_held
+
+
+def _name(grip: Grip) -> tuple[object, int]:
+    return grip.kind, grip.number

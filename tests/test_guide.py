@@ -1,0 +1,187 @@
+"""The user guide: complete, the same in both languages, and opened at the right place."""
+
+import ast
+import re
+from pathlib import Path
+
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication
+
+from armui.ui.actions.keys import SHORTCUTS
+from armui.ui.actions.places import PANELS
+from armui.ui.background import Background
+from armui.ui.dialogs.settings import SettingsDialog
+from armui.ui.guide.guide_window import GuideWindow
+from armui.ui.guide.place import sections_named, windows_named
+from armui.ui.guide.text import FOLDER, parse, read_guide, search
+from armui.ui.widgets.message_line import MessageLine
+from tests.app_driver import AtOnce
+
+LANGUAGES = ("zh", "en")
+MANUAL = [f"M{number}" for number in range(1, 27)]
+PROTOCOL = [f"P{number}" for number in range(1, 10)]
+BEYOND = [f"B{number}" for number in (*range(1, 19), 20, 21, 22, 28)]
+"""What the program has of the functions that go beyond the manual and the protocol."""
+MOST_BYTES = 100_000
+ROOT = Path(__file__).resolve().parents[1]
+
+
+@pytest.fixture(params=LANGUAGES)
+def sections(request):
+    return read_guide(request.param)
+
+
+@pytest.mark.parametrize("number", [*MANUAL, *PROTOCOL, *BEYOND])
+def test_every_function_stands_in_it(sections, number):
+    assert any(re.search(rf"\b{number}\b", section.text) for section in sections)
+
+
+def test_both_languages_have_the_same_sections_and_functions():
+    zh, en = (read_guide(language) for language in LANGUAGES)
+    assert [(each.anchor, each.level) for each in zh] == [(each.anchor, each.level) for each in en]
+    for one, other in zip(zh, en, strict=True):
+        numbers = [re.findall(r"\b[MPB]\d+\b", each.text) for each in (one, other)]
+        assert numbers[0] == numbers[1], one.anchor
+
+
+def test_every_place_leads_to_a_section(sections):
+    assert sections_named() <= {section.anchor for section in sections}
+
+
+def test_every_window_and_page_has_a_section():
+    """Questions and their like belong to the place that asks."""
+    asking = {"ConfirmDialog", "SaveQuestion", "CloseQuestion", "UnsavedQuestion", "FileDialog"}
+    holding = {"ArmDialog", "Page", "PageWindow", "GuideWindow", "MainWindow"}
+    classes = set()
+    for path in (ROOT / "armui" / "ui").rglob("*.py"):
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+            if isinstance(node, ast.ClassDef):
+                bases = {each.id for each in node.bases if isinstance(each, ast.Name)}
+                if bases & {"ArmDialog", "Page"}:
+                    classes.add(node.name)
+    assert classes - asking - holding == windows_named()
+
+
+def test_links_lead_somewhere(sections):
+    anchors = {section.anchor for section in sections}
+    for section in sections:
+        for link in re.findall(r"\]\(#([^)]+)\)", section.text):
+            assert link in anchors, section.anchor
+
+
+def test_every_picture_is_there_small_and_used():
+    named = set()
+    for language in LANGUAGES:
+        for section in read_guide(language):
+            for picture in section.pictures:
+                assert picture.endswith(f"-{language}.png")
+                assert (FOLDER / picture).stat().st_size <= MOST_BYTES, picture
+                named.add(FOLDER / picture)
+    assert named == set((FOLDER / "pictures").iterdir())
+
+
+def test_the_keys_of_every_window_stand_in_it(sections):
+    text = next(section.text for section in sections if section.anchor == "keys")
+    for shortcut in SHORTCUTS.values():
+        if shortcut.place in ("window", "motion") or shortcut.name == "everywhere.palette":
+            keys = shortcut.keys.replace("Return", "回车") if "回车" in text else shortcut.keys
+            assert keys in text, shortcut.name
+
+
+# Reading it ---------------------------------------------------------------------------------------
+
+
+def test_a_section_ends_where_the_next_begins():
+    first, second = parse('x\n<a id="one"></a>\n\n## One\n\na\n\n<a id="two"></a>\n### Two\nb')
+    assert (first.anchor, first.title, first.level, first.text) == (
+        "one",
+        "One",
+        2,
+        "## One\n\na\n",
+    )
+    assert (second.title, second.level) == ("Two", 3)
+
+
+def test_a_section_without_a_heading_is_a_mistake():
+    with pytest.raises(ValueError, match="one"):
+        parse('<a id="one"></a>\ntext\n')
+
+
+def test_the_search_wants_every_word_and_puts_titles_first():
+    guide = read_guide("en")
+    assert search(guide, "bus monitor")[0].anchor == "bus"
+    assert search(guide, "gripper zebra") == []
+    assert search(guide, "  ") == guide
+
+
+# The window ---------------------------------------------------------------------------------------
+
+
+def open_guide(app_driver, window=None):
+    window = window or app_driver.window
+    window.activateWindow()
+    app_driver.wait(window.isActiveWindow)
+    QTest.keyClick(window, Qt.Key.Key_F1)
+    guide = app_driver.dialog(GuideWindow)
+    app_driver.wait(lambda: guide.shown != "")
+    return guide
+
+
+def test_f1_opens_it_at_the_panel(app_driver):
+    for panel in PANELS:
+        app_driver.click(f"menu_{panel}")
+        guide = open_guide(app_driver)
+        assert guide.shown == panel
+        guide.close()
+
+
+def test_f1_opens_it_at_the_dialog(app_driver):
+    app_driver.window.open_settings_dialog()
+    guide = open_guide(app_driver, app_driver.dialog(SettingsDialog))
+    assert guide.shown == "settings"
+
+
+def test_f1_in_the_guide_leaves_it_as_it_is(app_driver):
+    guide = open_guide(app_driver)
+    guide.show_section("bus")
+    open_guide(app_driver, guide)
+    assert guide.shown == "bus"
+
+
+def test_contents_search_and_links(app_driver):
+    guide = open_guide(app_driver)
+    QTest.keyClicks(guide.search, "jitter")
+    assert guide.shown == "bus"
+    assert guide.browser.extraSelections()
+    guide.browser.section_wanted.emit("keys")
+    assert guide.shown == "keys"
+    assert guide.search.text() == ""
+    QTest.keyClick(guide.contents, Qt.Key.Key_Up)
+    assert guide.shown == "gamepad"
+
+
+def test_it_speaks_the_language_of_the_window(app_driver):
+    guide = open_guide(app_driver)
+    guide.show_section("motor")
+    app_driver.store.change(language="zh")
+    app_driver.wait(lambda: "电机设置" in guide.browser.toPlainText())
+
+
+def test_pictures_are_shown_as_wide_as_there_is_room(app_driver):
+    guide = open_guide(app_driver)
+    guide.show_section("motion")
+    app_driver.wait(lambda: guide.browser.picture_width("pictures/motion-en.png") > 0)
+    width = guide.browser.picture_width("pictures/motion-en.png")
+    assert 0 < width <= guide.browser.viewport().width()
+
+
+def test_a_guide_that_cannot_be_read_says_so(app_driver):
+    def fails(_language):
+        raise OSError("gone")
+
+    guide = GuideWindow(app_driver.controller, Background(AtOnce()), app_driver.window, read=fails)
+    guide.open()
+    QApplication.processEvents()
+    assert "gone" in guide.findChild(MessageLine, "guide_message").text()
