@@ -1,4 +1,5 @@
-<?xml version='1.0' encoding='utf-8'?>
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
 <TS version="2.1" language="zh_CN" sourcelanguage="en_US">
 <context>
     <name>AboutArm</name>
@@ -126,7 +127,7 @@
         <source>unknown</source>
         <translation>未知</translation>
     </message>
-<message>
+    <message>
         <source>{model}, as chosen; not compared yet</source>
         <translation>{model}（操作者选择，尚未核对）</translation>
     </message>
@@ -189,15 +190,15 @@
         <translation>给电机上电，电机保持当前位置。</translation>
     </message>
     <message>
-        <source>Takes the motor's power: the arm drops. Asks first.</source>
+        <source>Takes the motor&apos;s power: the arm drops. Asks first.</source>
         <translation>切断电机动力，机械臂会下落。执行前会询问。</translation>
     </message>
     <message>
-        <source>Makes the present position the joint's zero. Asks first.</source>
+        <source>Makes the present position the joint&apos;s zero. Asks first.</source>
         <translation>将关节当前位置设为零点。执行前会询问。</translation>
     </message>
     <message>
-        <source>Clears the error of the joint's driver; nothing moves.</source>
+        <source>Clears the error of the joint&apos;s driver; nothing moves.</source>
         <translation>清除关节驱动器的错误，机械臂不会运动。</translation>
     </message>
     <message>
@@ -226,6 +227,104 @@
     </message>
 </context>
 <context>
+    <name>Action</name>
+    <message>
+        <source>Enable or disable all motors</source>
+        <translation>全部电机使能或失能</translation>
+    </message>
+    <message>
+        <source>Joint status</source>
+        <translation>关节状态</translation>
+    </message>
+    <message>
+        <source>Session recordings</source>
+        <translation>会话记录</translation>
+    </message>
+    <message>
+        <source>Replay a recording</source>
+        <translation>回放会话记录</translation>
+    </message>
+    <message>
+        <source>Export a recording</source>
+        <translation>导出会话记录</translation>
+    </message>
+    <message>
+        <source>Back up, compare, restore parameters</source>
+        <translation>参数备份、比较、恢复</translation>
+    </message>
+    <message>
+        <source>Language: Chinese or English</source>
+        <translation>语言：中文或英文</translation>
+    </message>
+    <message>
+        <source>Theme: light or dark</source>
+        <translation>主题：浅色或深色</translation>
+    </message>
+    <message>
+        <source>User guide</source>
+        <translation>使用指南</translation>
+    </message>
+    <message>
+        <source>Keyboard shortcuts</source>
+        <translation>快捷键</translation>
+    </message>
+    <message>
+        <source>Close the program</source>
+        <translation>退出程序</translation>
+    </message>
+    <message>
+        <source>MOVE P: to the pose</source>
+        <translation>MOVE P 运动到位姿</translation>
+    </message>
+    <message>
+        <source>MOVE L: on a straight line to the pose</source>
+        <translation>MOVE L 直线运动到位姿</translation>
+    </message>
+    <message>
+        <source>MOVE C: along the arc</source>
+        <translation>MOVE C 沿圆弧运动</translation>
+    </message>
+    <message>
+        <source>Master arm (teaching input arm)</source>
+        <translation>主臂（示教输入臂）</translation>
+    </message>
+    <message>
+        <source>Slave arm (motion output arm)</source>
+        <translation>从臂（运动输出臂）</translation>
+    </message>
+    <message>
+        <source>Pause the planned motion</source>
+        <translation>暂停规划轨迹</translation>
+    </message>
+    <message>
+        <source>Continue the held motion</source>
+        <translation>继续被保持的运动</translation>
+    </message>
+    <message>
+        <source>Terminate the planned motion</source>
+        <translation>终止规划轨迹</translation>
+    </message>
+    <message>
+        <source>Target of</source>
+        <translation>目标</translation>
+    </message>
+    <message>
+        <source>Lamps of</source>
+        <translation>灯光</translation>
+    </message>
+    <message>
+        <source>Press Edit in the panel first.</source>
+        <translation>请先在该面板中按“编辑”。</translation>
+    </message>
+</context>
+<context>
+    <name>AdapterTrouble</name>
+    <message>
+        <source>en</source>
+        <translation>zh</translation>
+    </message>
+</context>
+<context>
     <name>ArcBox</name>
     <message>
         <source>start</source>
@@ -250,10 +349,6 @@
     <message>
         <source>Moves from the start over the middle to the end. Some firmware has no arc.</source>
         <translation>从起点经中点运动到终点。部分固件不支持圆弧。</translation>
-    </message>
-    <message>
-        <source>Arc by three poses</source>
-        <translation>三点圆弧</translation>
     </message>
     <message>
         <source>Capture start</source>
@@ -429,6 +524,13 @@
     </message>
 </context>
 <context>
+    <name>AxisRows</name>
+    <message>
+        <source>Of the speed at the top; without the trigger a fifth</source>
+        <translation>顶部配速的百分比；不扣扳机时为五分之一</translation>
+    </message>
+</context>
+<context>
     <name>BackupDialog</name>
     <message>
         <source>Parameter backup</source>
@@ -511,12 +613,8 @@
         <translation>{count} 个参数中有 {failed} 个未恢复。</translation>
     </message>
     <message>
-        <source>No file is open; the arm's own values are shown.</source>
+        <source>No file is open; the arm&apos;s own values are shown.</source>
         <translation>未打开文件；显示的是机械臂当前的值。</translation>
-    </message>
-    <message>
-        <source>{name}: saved {time}, {device}, generation {generation}, {firmware}</source>
-        <translation>{name}：保存于 {time}，{device}，第 {generation} 代，{firmware}</translation>
     </message>
     <message>
         <source>Stop reading</source>
@@ -534,7 +632,7 @@
         <source>Choose what differs in the table first.</source>
         <translation>请先在表中勾选不同的参数。</translation>
     </message>
-<message>
+    <message>
         <source>{name}: saved {time}, {model}, {device}, generation {generation}, {firmware}</source>
         <translation>{name}：保存于 {time}，{model}，{device}，第 {generation} 代，{firmware}</translation>
     </message>
@@ -639,7 +737,7 @@
         <translation>仲裁失败：优先级更高的帧先发出，属正常现象</translation>
     </message>
     <message>
-        <source>the adapter's CAN controller reports</source>
+        <source>the adapter&apos;s CAN controller reports</source>
         <translation>适配器的 CAN 控制器有报告</translation>
     </message>
     <message>
@@ -671,7 +769,7 @@
         <translation>收发器：请检查 CAN_H、CAN_L 是否短路或断路</translation>
     </message>
     <message>
-        <source>nobody acknowledges: check the arm's power, the cable and the bit rate</source>
+        <source>nobody acknowledges: check the arm&apos;s power, the cable and the bit rate</source>
         <translation>无人应答：请检查机械臂电源、线缆和波特率</translation>
     </message>
     <message>
@@ -742,7 +840,7 @@
         <translation>该帧的含义；下方是其中的信号</translation>
     </message>
     <message>
-        <source>By the identifier: what is not this program's and no arm sends is another host's</source>
+        <source>By the identifier: what is not this program&apos;s and no arm sends is another host&apos;s</source>
         <translation>按 ID 判断：既不是本程序发送、也不是机械臂会发送的帧，属于其他上位机</translation>
     </message>
     <message>
@@ -772,6 +870,49 @@
     <message>
         <source>Says</source>
         <translation>内容</translation>
+    </message>
+</context>
+<context>
+    <name>BusPage</name>
+    <message>
+        <source>Counted since {time}, when opened or cleared: {count} frames</source>
+        <translation>自 {time}（打开或清空）起统计：{count} 帧</translation>
+    </message>
+    <message>
+        <source>Paused: the figures are those of {time}</source>
+        <translation>已暂停：显示的是 {time} 的数值</translation>
+    </message>
+    <message>
+        <source>Generation not known yet: read as generation 2</source>
+        <translation>协议代次未知：暂按第 2 代解读</translation>
+    </message>
+    <message>
+        <source>Show as curve</source>
+        <translation>显示为曲线</translation>
+    </message>
+    <message>
+        <source>Show this identifier alone</source>
+        <translation>只显示该 ID</translation>
+    </message>
+    <message>
+        <source>Copy {frame}</source>
+        <translation>复制 {frame}</translation>
+    </message>
+    <message>
+        <source>Into the fields for sending</source>
+        <translation>填入发送栏</translation>
+    </message>
+    <message>
+        <source>Bus monitor</source>
+        <translation>总线监视</translation>
+    </message>
+    <message>
+        <source>Frames by identifier</source>
+        <translation>按 ID 排列的帧</translation>
+    </message>
+    <message>
+        <source>Frames in order of time</source>
+        <translation>按时间排列的帧</translation>
     </message>
 </context>
 <context>
@@ -817,51 +958,27 @@
         <translation>开始统计以来适配器报告的总线错误</translation>
     </message>
     <message>
-        <source>Lost by the system's queue or by the adapter since the counting began</source>
+        <source>Lost by the system&apos;s queue or by the adapter since the counting began</source>
         <translation>开始统计以来被系统队列或适配器丢失的帧</translation>
     </message>
 </context>
 <context>
-    <name>BusWindow</name>
+    <name>ButtonRows</name>
     <message>
-        <source>Counted since {time}, when opened or cleared: {count} frames</source>
-        <translation>自 {time}（打开或清空）起统计：{count} 帧</translation>
+        <source>Pressed: {buttons}</source>
+        <translation>按下：{buttons}</translation>
     </message>
     <message>
-        <source>Paused: the figures are those of {time}</source>
-        <translation>已暂停：显示的是 {time} 的数值</translation>
+        <source>No button</source>
+        <translation>不分配</translation>
     </message>
     <message>
-        <source>Generation not known yet: read as generation 2</source>
-        <translation>协议代次未知：暂按第 2 代解读</translation>
+        <source>The buttons as they are at first</source>
+        <translation>恢复为初始的按键分配</translation>
     </message>
     <message>
-        <source>Show as curve</source>
-        <translation>显示为曲线</translation>
-    </message>
-    <message>
-        <source>Show this identifier alone</source>
-        <translation>只显示该 ID</translation>
-    </message>
-    <message>
-        <source>Copy {frame}</source>
-        <translation>复制 {frame}</translation>
-    </message>
-    <message>
-        <source>Into the fields for sending</source>
-        <translation>填入发送栏</translation>
-    </message>
-    <message>
-        <source>Bus monitor</source>
-        <translation>总线监视</translation>
-    </message>
-    <message>
-        <source>Frames by identifier</source>
-        <translation>按 ID 排列的帧</translation>
-    </message>
-    <message>
-        <source>Frames in order of time</source>
-        <translation>按时间排列的帧</translation>
+        <source>Restore</source>
+        <translation>恢复默认</translation>
     </message>
 </context>
 <context>
@@ -969,7 +1086,14 @@
     </message>
 </context>
 <context>
-    <name>ColumnsDialog</name>
+    <name>ColumnsOffer</name>
+    <message>
+        <source>Import by columns…</source>
+        <translation>按列导入…</translation>
+    </message>
+</context>
+<context>
+    <name>ColumnsPage</name>
     <message>
         <source>Importing {count} rows…</source>
         <translation>正在导入 {count} 行…</translation>
@@ -1028,10 +1152,33 @@
     </message>
 </context>
 <context>
-    <name>ColumnsOffer</name>
+    <name>CommandPalette</name>
     <message>
-        <source>Import by columns…</source>
-        <translation>按列导入…</translation>
+        <source>Nothing is called so. Chinese, English, pinyin and initials are found.</source>
+        <translation>没有这样的名称。可按中文、英文、拼音或拼音首字母查找。</translation>
+    </message>
+    <message>
+        <source>Commands</source>
+        <translation>命令</translation>
+    </message>
+    <message>
+        <source>Name, pinyin or initials, in Chinese or English</source>
+        <translation>名称、拼音或首字母，中英文均可</translation>
+    </message>
+    <message>
+        <source>Search for a command</source>
+        <translation>查找命令</translation>
+    </message>
+    <message>
+        <source>Commands found</source>
+        <translation>找到的命令</translation>
+    </message>
+</context>
+<context>
+    <name>CommandsButton</name>
+    <message>
+        <source>Commands</source>
+        <translation>命令</translation>
     </message>
 </context>
 <context>
@@ -1065,7 +1212,7 @@
         <translation>正在打开 CAN 设备。</translation>
     </message>
     <message>
-        <source>The CAN device is open, but no arm is heard on it. Check the arm's power, the cable and the bit rate.</source>
+        <source>The CAN device is open, but no arm is heard on it. Check the arm&apos;s power, the cable and the bit rate.</source>
         <translation>CAN 设备已打开，但没有收到机械臂的反馈。请检查机械臂电源、线缆和波特率。</translation>
     </message>
     <message>
@@ -1428,6 +1575,51 @@
     </message>
 </context>
 <context>
+    <name>DragAssistanceDialog</name>
+    <message>
+        <source>Drag teaching</source>
+        <translation>示教</translation>
+    </message>
+</context>
+<context>
+    <name>DragAssistancePanel</name>
+    <message>
+        <source>Drag assistance</source>
+        <translation>拖动助力</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>全部</translation>
+    </message>
+    <message>
+        <source>All joints: level</source>
+        <translation>所有关节：等级</translation>
+    </message>
+    <message>
+        <source>From 0, the joint does not help the hand, to 10, it helps most. Read and set with the arm at rest; keep a hand on it when it is led for the first time afterwards.</source>
+        <translation>0 表示该关节不助力，10 表示助力最大。请在机械臂静止时读取和设置；更改后首次拖动时请始终用手扶住机械臂。</translation>
+    </message>
+</context>
+<context>
+    <name>Drawer</name>
+    <message>
+        <source>Takes this page out into a window of its own, for a second screen.</source>
+        <translation>把本页移到独立窗口，例如放到第二块屏幕上。</translation>
+    </message>
+    <message>
+        <source>Own window</source>
+        <translation>独立窗口</translation>
+    </message>
+    <message>
+        <source>Fold away</source>
+        <translation>收起</translation>
+    </message>
+    <message>
+        <source>Folds the drawer away (Esc)</source>
+        <translation>收起抽屉 (Esc)</translation>
+    </message>
+</context>
+<context>
     <name>DropStrip</name>
     <message>
         <source>Drag a quantity into a plot, or here for a plot of its own</source>
@@ -1508,13 +1700,43 @@
         <source>Check</source>
         <translation>检查</translation>
     </message>
-<message>
+    <message>
         <source>Jog</source>
         <translation>点动</translation>
     </message>
 </context>
 <context>
-    <name>EditorWindow</name>
+    <name>EditorHint</name>
+    <message>
+        <source>Insert current pose</source>
+        <translation>插入当前位姿</translation>
+    </message>
+    <message>
+        <source>Enter a point</source>
+        <translation>手动输入一点</translation>
+    </message>
+    <message>
+        <source>No points yet</source>
+        <translation>还没有点</translation>
+    </message>
+    <message>
+        <source>Bring the arm to the first point, by the jog buttons or by hand, and insert where it is. Or enter a point as figures. Then the next one.</source>
+        <translation>用点动按钮或用手把机械臂带到第一个点，再插入当前位姿；也可以直接输入数值。</translation>
+    </message>
+</context>
+<context>
+    <name>EditorJog</name>
+    <message>
+        <source>Insert current pose</source>
+        <translation>插入当前位姿</translation>
+    </message>
+    <message>
+        <source>Makes a point of where the arm is now, after the chosen row.</source>
+        <translation>在所选行之后，把机械臂当前位姿插入为一个点。</translation>
+    </message>
+</context>
+<context>
+    <name>EditorPage</name>
     <message>
         <source>Note</source>
         <translation>备注</translation>
@@ -1526,22 +1748,6 @@
     <message>
         <source>These changes were not saved when the program ended. Save them, or undo them.</source>
         <translation>程序结束时这些更改未保存。请保存，或撤销。</translation>
-    </message>
-    <message>
-        <source>Not found</source>
-        <translation>未找到</translation>
-    </message>
-    <message>
-        <source>{place} of {count}</source>
-        <translation>第 {place} 处，共 {count} 处</translation>
-    </message>
-    <message>
-        <source>Replace</source>
-        <translation>替换</translation>
-    </message>
-    <message>
-        <source>{count} replaced</source>
-        <translation>已替换 {count} 处</translation>
     </message>
     <message>
         <source>Ended at row {row}. {reason}</source>
@@ -1806,6 +2012,41 @@
     </message>
 </context>
 <context>
+    <name>EventPage</name>
+    <message>
+        <source>Show in the curves</source>
+        <translation>在曲线中显示</translation>
+    </message>
+    <message>
+        <source>Show its end in the curves</source>
+        <translation>在曲线中显示其结束</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>复制</translation>
+    </message>
+    <message>
+        <source>Only this kind</source>
+        <translation>仅此类别</translation>
+    </message>
+    <message>
+        <source>Only from here</source>
+        <translation>仅此来源</translation>
+    </message>
+    <message>
+        <source>Show all</source>
+        <translation>显示全部</translation>
+    </message>
+    <message>
+        <source>Events</source>
+        <translation>事件</translation>
+    </message>
+    <message>
+        <source>Double-click: show the moment in the curves</source>
+        <translation>双击：在曲线中显示该时刻</translation>
+    </message>
+</context>
+<context>
     <name>EventTable</name>
     <message>
         <source>Time</source>
@@ -1877,41 +2118,6 @@
     </message>
 </context>
 <context>
-    <name>EventWindow</name>
-    <message>
-        <source>Show in the curves</source>
-        <translation>在曲线中显示</translation>
-    </message>
-    <message>
-        <source>Show its end in the curves</source>
-        <translation>在曲线中显示其结束</translation>
-    </message>
-    <message>
-        <source>Copy</source>
-        <translation>复制</translation>
-    </message>
-    <message>
-        <source>Only this kind</source>
-        <translation>仅此类别</translation>
-    </message>
-    <message>
-        <source>Only from here</source>
-        <translation>仅此来源</translation>
-    </message>
-    <message>
-        <source>Show all</source>
-        <translation>显示全部</translation>
-    </message>
-    <message>
-        <source>Events</source>
-        <translation>事件</translation>
-    </message>
-    <message>
-        <source>Double-click: show the moment in the curves</source>
-        <translation>双击：在曲线中显示该时刻</translation>
-    </message>
-</context>
-<context>
     <name>ExportDialog</name>
     <message>
         <source>Export a recording</source>
@@ -1962,10 +2168,6 @@
         <translation>文本表格：每收到一组关节角度为一行，其余各列为当时最近收到的值。适用于电子表格和脚本。</translation>
     </message>
     <message>
-        <source>A folder with a file for each message: every frame with its time, decoded into signals with their units.</source>
-        <translation>一个文件夹，每种报文一个文件：每一帧带时间，解码为带单位的信号。</translation>
-    </message>
-    <message>
         <source>The same table with types and units, small and quick to open. For pandas and the like; needs the package pyarrow.</source>
         <translation>同一表格，带类型和单位，文件小、打开快。适用于 pandas 等工具；需要安装 pyarrow 包。</translation>
     </message>
@@ -1982,7 +2184,7 @@
         <translation>日志中没有任何帧。未写入文件。</translation>
     </message>
     <message>
-        <source>No frame of the log is an arm's. No file was written. Another channel?</source>
+        <source>No frame of the log is an arm&apos;s. No file was written. Another channel?</source>
         <translation>日志中没有机械臂的帧。未写入文件。是否应选择其他通道？</translation>
     </message>
     <message>
@@ -2006,8 +2208,8 @@
         <translation>无法写入 {target}：{detail}</translation>
     </message>
     <message>
-        <source>Parquet needs the package pyarrow: pip install 'armui[parquet]'. CSV has the same table without it.</source>
-        <translation>Parquet 需要 pyarrow 包：pip install 'armui[parquet]'。CSV 无需它，内容是同一表格。</translation>
+        <source>Parquet needs the package pyarrow: pip install &apos;armui[parquet]&apos;. CSV has the same table without it.</source>
+        <translation>Parquet 需要 pyarrow 包：pip install &apos;armui[parquet]&apos;。CSV 无需它，内容是同一表格。</translation>
     </message>
     <message>
         <source>The export failed: {detail}</source>
@@ -2034,16 +2236,16 @@
         <translation>已读取 {frames:,} 帧，按第 {generation} 代协议解析。</translation>
     </message>
     <message>
-        <source>{count:,} of them are none of the arm's.</source>
+        <source>{count:,} of them are none of the arm&apos;s.</source>
         <translation>其中 {count:,} 帧不是机械臂的帧。</translation>
+    </message>
+    <message>
+        <source>A folder with a file for each message: every frame with its time, decoded into signals with their units.</source>
+        <translation>一个文件夹，每种报文一个文件：每一帧带时间，解码为带单位的信号。</translation>
     </message>
 </context>
 <context>
     <name>ExportForm</name>
-    <message>
-        <source>CSV per message</source>
-        <translation>CSV（按报文）</translation>
-    </message>
     <message>
         <source>Recording</source>
         <translation>记录</translation>
@@ -2133,16 +2335,20 @@
         <translation>CAN 日志</translation>
     </message>
     <message>
-        <source>Choose where the folder of the export shall be</source>
-        <translation>选择导出文件夹的位置</translation>
-    </message>
-    <message>
         <source>none chosen</source>
         <translation>未选择</translation>
     </message>
     <message>
         <source>beside the recording</source>
         <translation>与记录同一文件夹</translation>
+    </message>
+    <message>
+        <source>CSV per message</source>
+        <translation>CSV（按报文）</translation>
+    </message>
+    <message>
+        <source>Choose where the folder of the export shall be</source>
+        <translation>选择导出文件夹的位置</translation>
     </message>
 </context>
 <context>
@@ -2313,6 +2519,25 @@
     </message>
 </context>
 <context>
+    <name>Finder</name>
+    <message>
+        <source>Not found</source>
+        <translation>未找到</translation>
+    </message>
+    <message>
+        <source>{place} of {count}</source>
+        <translation>第 {place} 处，共 {count} 处</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>替换</translation>
+    </message>
+    <message>
+        <source>{count} replaced</source>
+        <translation>已替换 {count} 处</translation>
+    </message>
+</context>
+<context>
     <name>Finding</name>
     <message>
         <source>There is nothing to run. Add points, or record.</source>
@@ -2467,7 +2692,7 @@
         <translation>在下一个设定值到来之前关节失力：若没有设定值立即跟上，机械臂会坠落。请托住机械臂。之后只能通过复位恢复。</translation>
     </message>
     <message>
-        <source>Drives one motor past the arm's own planning and limits. With gains of 0 its joint has no strength and falls. Support the arm, keep away from it.</source>
+        <source>Drives one motor past the arm&apos;s own planning and limits. With gains of 0 its joint has no strength and falls. Support the arm, keep away from it.</source>
         <translation>绕过机械臂自身的规划和限位直接驱动一个电机。增益为 0 时该关节无力并坠落。请托住机械臂，并与其保持距离。</translation>
     </message>
     <message>
@@ -2708,7 +2933,7 @@
         <source>Firmware version</source>
         <translation>固件版本</translation>
     </message>
-<message>
+    <message>
         <source>CPV of J{joint}</source>
         <translation>J{joint} 的 CPV 指令</translation>
     </message>
@@ -2739,6 +2964,200 @@
     <message>
         <source>Answer: drag assistance</source>
         <translation>应答：拖动助力</translation>
+    </message>
+</context>
+<context>
+    <name>GamepadAction</name>
+    <message>
+        <source>Dead man (hold to move)</source>
+        <translation>使能键（按住才能动）</translation>
+    </message>
+    <message>
+        <source>Emergency stop</source>
+        <translation>急停</translation>
+    </message>
+    <message>
+        <source>Halt</source>
+        <translation>停住</translation>
+    </message>
+    <message>
+        <source>Next mode</source>
+        <translation>切换模式</translation>
+    </message>
+</context>
+<context>
+    <name>GamepadAxis</name>
+    <message>
+        <source>Left stick ↔</source>
+        <translation>左摇杆 ↔</translation>
+    </message>
+    <message>
+        <source>Left stick ↕</source>
+        <translation>左摇杆 ↕</translation>
+    </message>
+    <message>
+        <source>Right stick ↔</source>
+        <translation>右摇杆 ↔</translation>
+    </message>
+    <message>
+        <source>Right stick ↕</source>
+        <translation>右摇杆 ↕</translation>
+    </message>
+    <message>
+        <source>Right trigger</source>
+        <translation>右扳机（速度）</translation>
+    </message>
+    <message>
+        <source>D-pad ↕</source>
+        <translation>方向键 ↕</translation>
+    </message>
+    <message>
+        <source>D-pad ↔</source>
+        <translation>方向键 ↔</translation>
+    </message>
+    <message>
+        <source>Push away / pull</source>
+        <translation>前推 / 后拉</translation>
+    </message>
+    <message>
+        <source>Push left / right</source>
+        <translation>左推 / 右推</translation>
+    </message>
+    <message>
+        <source>Lift / press</source>
+        <translation>上提 / 下压</translation>
+    </message>
+    <message>
+        <source>Tilt left / right</source>
+        <translation>左倾 / 右倾</translation>
+    </message>
+    <message>
+        <source>Tilt away / towards</source>
+        <translation>前倾 / 后倾</translation>
+    </message>
+    <message>
+        <source>Turn</source>
+        <translation>旋转</translation>
+    </message>
+</context>
+<context>
+    <name>GamepadButton</name>
+    <message>
+        <source>Button {number}</source>
+        <translation>按键 {number}</translation>
+    </message>
+</context>
+<context>
+    <name>GamepadDialog</name>
+    <message>
+        <source>Not installed: {packages}. In a terminal: {command}</source>
+        <translation>未安装：{packages}。请在终端中运行：{command}</translation>
+    </message>
+    <message>
+        <source>Found, but cannot be used (layout not known, or no permission): {names}</source>
+        <translation>已发现但无法使用（布局未知或没有权限）：{names}</translation>
+    </message>
+    <message>
+        <source>No device found. Plug one in, or switch it on and pair it.</source>
+        <translation>未发现设备。请插入设备，或打开设备电源并配对。</translation>
+    </message>
+    <message>
+        <source>Gamepad and SpaceMouse</source>
+        <translation>手柄与 SpaceMouse</translation>
+    </message>
+    <message>
+        <source>Jog by gamepad or SpaceMouse</source>
+        <translation>用手柄或 SpaceMouse 点动</translation>
+    </message>
+    <message>
+        <source>Only the axis that was pushed first moves, until all are at rest again</source>
+        <translation>只有最先推动的轴会动，直到所有轴都回中</translation>
+    </message>
+    <message>
+        <source>One axis at a time</source>
+        <translation>一次只动一个轴</translation>
+    </message>
+    <message>
+        <source>Device</source>
+        <translation>设备</translation>
+    </message>
+    <message>
+        <source>None found</source>
+        <translation>未发现</translation>
+    </message>
+    <message>
+        <source>Moves</source>
+        <translation>控制</translation>
+    </message>
+    <message>
+        <source>Axes</source>
+        <translation>摇杆与轴</translation>
+    </message>
+    <message>
+        <source>Buttons</source>
+        <translation>按键</translation>
+    </message>
+    <message>
+        <source>Nothing moves while this window is in front: try everything here. In the main window hold the dead-man button, then push an axis; letting go of either stops. The buttons for emergency stop and halt work at any time, in every window.</source>
+        <translation>本窗口在前时机械臂不会动，可以放心试按。在主窗口中先按住使能键，再推动摇杆；松开任何一个即停止。急停和停住按键在任何窗口中随时有效。</translation>
+    </message>
+    <message>
+        <source>Copy the command</source>
+        <translation>复制命令</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>关闭</translation>
+    </message>
+</context>
+<context>
+    <name>GamepadMode</name>
+    <message>
+        <source>Joints</source>
+        <translation>关节</translation>
+    </message>
+    <message>
+        <source>Base frame</source>
+        <translation>基坐标系</translation>
+    </message>
+    <message>
+        <source>Tool frame</source>
+        <translation>工具坐标系</translation>
+    </message>
+</context>
+<context>
+    <name>GamepadStrip</name>
+    <message>
+        <source>{device} · {mode} · hold {button} and push an axis to jog</source>
+        <translation>{device} · {mode} · 按住 {button} 并推动摇杆即可点动</translation>
+    </message>
+    <message>
+        <source>{device} · {mode} · dead man held, ready</source>
+        <translation>{device} · {mode} · 使能键已按住，可以推动摇杆</translation>
+    </message>
+    <message>
+        <source>{device} · {mode} · jogging {axes}</source>
+        <translation>{device} · {mode} · 正在点动 {axes}</translation>
+    </message>
+    <message>
+        <source>{device} · {mode} · let every axis back to its centre</source>
+        <translation>{device} · {mode} · 请先让所有摇杆回中</translation>
+    </message>
+    <message>
+        <source>{device} · let go of {button}, then press it anew</source>
+        <translation>{device} · 请松开 {button} 后重新按下</translation>
+    </message>
+    <message>
+        <source>Gamepad: {packages} not installed. Install with pip: armui[gamepad]</source>
+        <translation>手柄：未安装 {packages}，请用 pip 安装 armui[gamepad]</translation>
+    </message>
+    <message>
+        <source>Gamepad: {problem}</source>
+        <translation>手柄：{problem}</translation>
+    </message>
+    <message>
+        <source>Gamepad: none found. Plug one in or switch it on.</source>
+        <translation>手柄：未发现设备，请插入或打开设备电源。</translation>
     </message>
 </context>
 <context>
@@ -2929,6 +3348,29 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
     </message>
 </context>
 <context>
+    <name>GuideWindow</name>
+    <message>
+        <source>User guide</source>
+        <translation>使用指南</translation>
+    </message>
+    <message>
+        <source>Search the guide</source>
+        <translation>在指南中查找</translation>
+    </message>
+    <message>
+        <source>Contents</source>
+        <translation>目录</translation>
+    </message>
+    <message>
+        <source>Text of the guide</source>
+        <translation>指南正文</translation>
+    </message>
+    <message>
+        <source>en</source>
+        <translation>zh</translation>
+    </message>
+</context>
+<context>
     <name>HaltButton</name>
     <message>
         <source>Halt</source>
@@ -3072,7 +3514,7 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
         <source>X, Y and Z of the base, from the middle of its foot</source>
         <translation>基座坐标系的 X、Y、Z 轴，原点在底座中心</translation>
     </message>
-<message>
+    <message>
         <source>Ctrl+1 … Ctrl+4</source>
         <translation>Ctrl+1 … Ctrl+4</translation>
     </message>
@@ -3164,6 +3606,44 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
     <message>
         <source>outside its table: {signals}</source>
         <translation>超出取值表：{signals}</translation>
+    </message>
+</context>
+<context>
+    <name>JogBox</name>
+    <message>
+        <source>Joints</source>
+        <translation>关节</translation>
+    </message>
+    <message>
+        <source>Base axes</source>
+        <translation>基坐标系</translation>
+    </message>
+    <message>
+        <source>Tool axes</source>
+        <translation>工具坐标系</translation>
+    </message>
+    <message>
+        <source>Step of − and +</source>
+        <translation>− 和 + 的步长</translation>
+    </message>
+    <message>
+        <source>How far one press of − or + moves</source>
+        <translation>每按一次 − 或 + 移动多少</translation>
+    </message>
+</context>
+<context>
+    <name>JogCell</name>
+    <message>
+        <source>{name} minus</source>
+        <translation>{name} 减</translation>
+    </message>
+    <message>
+        <source>{name} plus</source>
+        <translation>{name} 加</translation>
+    </message>
+    <message>
+        <source>Measured {name}</source>
+        <translation>测得的 {name}</translation>
     </message>
 </context>
 <context>
@@ -3306,7 +3786,7 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
         <translation>6 个关节的角度限位、速度和加速度都将恢复为出厂值。为现场设置的限位（包括更窄的限位）会丢失：如以后还需要，请先保存参数备份。</translation>
     </message>
     <message>
-        <source>This arm's protocol (generation 1) has no command for it. Enter the values, or restore a backup.</source>
+        <source>This arm&apos;s protocol (generation 1) has no command for it. Enter the values, or restore a backup.</source>
         <translation>该机械臂的协议（第 1 代）没有此指令。请手动输入数值，或从备份恢复。</translation>
     </message>
 </context>
@@ -3454,7 +3934,7 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
         <source>Click here to jog by keys.</source>
         <translation>点击此处后可用键盘点动。</translation>
     </message>
-<message>
+    <message>
         <source>Jogging is not possible now.</source>
         <translation>现在不能点动。</translation>
     </message>
@@ -3761,7 +4241,7 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
     </message>
 </context>
 <context>
-    <name>LibraryWindow</name>
+    <name>LibraryPage</name>
     <message>
         <source>“{name}” is not saved yet. Open it and save it first.</source>
         <translation>“{name}”尚未保存，请先打开并保存。</translation>
@@ -4011,6 +4491,95 @@ Lamps give no feedback: this is only what will be sent.</source>
     </message>
 </context>
 <context>
+    <name>MeasureChoice</name>
+    <message>
+        <source>Tells the gripper an angle.</source>
+        <translation>按角度控制夹爪。</translation>
+    </message>
+    <message>
+        <source>Target as</source>
+        <translation>目标按</translation>
+    </message>
+    <message>
+        <source>Opening (mm)</source>
+        <translation>开度（mm）</translation>
+    </message>
+    <message>
+        <source>Angle (°)</source>
+        <translation>角度（°）</translation>
+    </message>
+</context>
+<context>
+    <name>ModelChoice</name>
+    <message>
+        <source>The simulated arm is this model.</source>
+        <translation>仿真机械臂即为所选型号。</translation>
+    </message>
+    <message>
+        <source>No frame names the model: it is compared afterwards.</source>
+        <translation>总线上没有型号信息：连接后会自动核对。</translation>
+    </message>
+    <message>
+        <source>The pose this arm reports is that of a {fits}: choose it and press Connect.</source>
+        <translation>该机械臂反馈的位姿属于 {fits}：请选择该型号并点击“连接”。</translation>
+    </message>
+    <message>
+        <source>The pose this arm reports fits none of the models.</source>
+        <translation>该机械臂反馈的位姿不符合任何型号。</translation>
+    </message>
+    <message>
+        <source>Confirmed by the pose the arm reports.</source>
+        <translation>与机械臂反馈的位姿一致，已确认。</translation>
+    </message>
+    <message>
+        <source>Fits the pose the arm reports; so do others. Move a joint to decide.</source>
+        <translation>符合机械臂反馈的位姿，但其它型号也符合。移动一个关节即可判定。</translation>
+    </message>
+    <message>
+        <source>Not compared yet: the arm must stand still.</source>
+        <translation>尚未核对：需要机械臂静止。</translation>
+    </message>
+    <message>
+        <source>Model of the arm</source>
+        <translation>机械臂型号</translation>
+    </message>
+    <message>
+        <source>Its lengths decide where the tool is. The limits of the joints are always read from the arm.</source>
+        <translation>型号决定各连杆长度，从而决定末端位置。关节限位始终从机械臂读取。</translation>
+    </message>
+</context>
+<context>
+    <name>ModelMark</name>
+    <message>
+        <source>{model}? The pose is that of a {other}</source>
+        <translation>{model}？位姿属于 {other}</translation>
+    </message>
+    <message>
+        <source>Click to connect it as a {other}.</source>
+        <translation>点击以 {other} 重新连接。</translation>
+    </message>
+    <message>
+        <source>{model}? The pose fits none</source>
+        <translation>{model}？位姿不符合任何型号</translation>
+    </message>
+    <message>
+        <source>The pose the arm reports fits none of the models.</source>
+        <translation>机械臂反馈的位姿不符合任何型号。</translation>
+    </message>
+    <message>
+        <source>Model of the arm, confirmed by the pose it reports.</source>
+        <translation>机械臂型号，与反馈的位姿一致，已确认。</translation>
+    </message>
+    <message>
+        <source>Model of the arm, as chosen; not compared yet.</source>
+        <translation>机械臂型号（操作者选择），尚未核对。</translation>
+    </message>
+    <message>
+        <source>Model of the arm: {text}</source>
+        <translation>机械臂型号：{text}</translation>
+    </message>
+</context>
+<context>
     <name>MotionEnd</name>
     <message>
         <source>the arm stands before its target</source>
@@ -4152,7 +4721,7 @@ Lamps give no feedback: this is only what will be sent.</source>
     </message>
     <message>
         <source>The limits move with the zero, and so does every stored trajectory. With a wrong zero the arm runs into its stops.
-Set it only at the mark of the joint's zero, with the arm standing still. The arm keeps it; there is no way back but to set it again.</source>
+Set it only at the mark of the joint&apos;s zero, with the arm standing still. The arm keeps it; there is no way back but to set it again.</source>
         <translation>限位和已存轨迹会随零点一起改变；零点设错，机械臂会撞上机械限位。
 请仅在关节对准零位标记且机械臂静止时设置。机械臂会保存该零点，只能通过重新设置更改。</translation>
     </message>
@@ -4217,6 +4786,70 @@ Set it only at the mark of the joint's zero, with the arm standing still. The ar
     </message>
 </context>
 <context>
+    <name>Mounting</name>
+    <message>
+        <source>Unchanged</source>
+        <translation>不变</translation>
+    </message>
+    <message>
+        <source>Level</source>
+        <translation>水平</translation>
+    </message>
+    <message>
+        <source>Left side</source>
+        <translation>左侧</translation>
+    </message>
+    <message>
+        <source>Right side</source>
+        <translation>右侧</translation>
+    </message>
+    <message>
+        <source>Upside down</source>
+        <translation>水平倒装</translation>
+    </message>
+</context>
+<context>
+    <name>MountingCard</name>
+    <message>
+        <source>Tell the arm its mounting: {mounting}</source>
+        <translation>告知机械臂安装方式：{mounting}</translation>
+    </message>
+    <message>
+        <source>The arm carries its own weight by what it believes of its mounting. If that is wrong it may sink or rise when it is led by hand, hold badly, and stop for collisions that are none.
+It takes this over at once. Compare with how the arm really stands, and keep clear.</source>
+        <translation>机械臂按所设的安装方式补偿自重。若设置错误，拖动时可能下沉或上浮，保持不稳，并可能误报碰撞而停止。
+设置立即生效。请核对机械臂的实际安装方式，并远离机械臂。</translation>
+    </message>
+    <message>
+        <source>Tells the arm how it is mounted. Asks first.</source>
+        <translation>告知机械臂其安装方式。会先询问。</translation>
+    </message>
+    <message>
+        <source>Choose how the arm is mounted first.</source>
+        <translation>请先选择机械臂的安装方式。</translation>
+    </message>
+    <message>
+        <source>nothing yet</source>
+        <translation>尚未发送</translation>
+    </message>
+    <message>
+        <source>Told last by this program: {mounting}</source>
+        <translation>本程序上次发送：{mounting}</translation>
+    </message>
+    <message>
+        <source>Mounting of the arm</source>
+        <translation>机械臂安装方式</translation>
+    </message>
+    <message>
+        <source>Confirm</source>
+        <translation>确认</translation>
+    </message>
+    <message>
+        <source>The arm does not answer this and cannot be asked for it: another program, or the arm itself after a power cut, may have another one.</source>
+        <translation>机械臂对此不应答，也无法查询：其他程序或断电后的机械臂可能采用不同的设置。</translation>
+    </message>
+</context>
+<context>
     <name>MoveMode</name>
     <message>
         <source>Point mode</source>
@@ -4270,7 +4903,7 @@ Set it only at the mark of the joint's zero, with the arm standing still. The ar
         <translation>机械臂已确认急停。</translation>
     </message>
     <message>
-        <source>The arm has NOT confirmed the emergency stop; it is sent again and again. Cut the arm's power if it moves.</source>
+        <source>The arm has NOT confirmed the emergency stop; it is sent again and again. Cut the arm&apos;s power if it moves.</source>
         <translation>机械臂尚未确认急停，正在反复发送。若机械臂仍在运动，请切断其电源。</translation>
     </message>
     <message>
@@ -4326,6 +4959,14 @@ Set it only at the mark of the joint's zero, with the arm standing still. The ar
         <translation>已没有其他程序控制机械臂。</translation>
     </message>
     <message>
+        <source>Connected as a {chosen}, but the pose it reports is that of a {fits}. Connect it as a {fits}.</source>
+        <translation>连接时选择的型号是 {chosen}，但其反馈的位姿属于 {fits}。请按 {fits} 重新连接。</translation>
+    </message>
+    <message>
+        <source>The pose the arm reports fits its angles in no model of the family, {chosen} included.</source>
+        <translation>机械臂反馈的位姿与关节角度不符合任何型号（包括 {chosen}）。</translation>
+    </message>
+    <message>
         <source>Taken over: this program may move the arm.</source>
         <translation>已接管：本程序可以移动机械臂。</translation>
     </message>
@@ -4358,7 +4999,7 @@ Set it only at the mark of the joint's zero, with the arm standing still. The ar
         <translation>6 个电机均已使能。</translation>
     </message>
     <message>
-        <source>These joints did not enable: {joints}. Press Enable again; if that fails, check their drivers and the arm's power.</source>
+        <source>These joints did not enable: {joints}. Press Enable again; if that fails, check their drivers and the arm&apos;s power.</source>
         <translation>以下关节未能使能：{joints}。请再按一次“使能”；若仍失败，请检查其驱动器和机械臂电源。</translation>
     </message>
     <message>
@@ -4414,7 +5055,7 @@ Set it only at the mark of the joint's zero, with the arm standing still. The ar
         <translation>末端负载未得到确认。{reason}</translation>
     </message>
     <message>
-        <source>Switching the feedback of the end's motion</source>
+        <source>Switching the feedback of the end&apos;s motion</source>
         <translation>正在切换末端速度/加速度反馈</translation>
     </message>
     <message>
@@ -4426,7 +5067,7 @@ Set it only at the mark of the joint's zero, with the arm standing still. The ar
         <translation>机械臂已停止上报末端速度/加速度。</translation>
     </message>
     <message>
-        <source>The feedback of the end's motion is not switched. {reason}</source>
+        <source>The feedback of the end&apos;s motion is not switched. {reason}</source>
         <translation>末端速度/加速度反馈未切换成功。{reason}</translation>
     </message>
     <message>
@@ -4590,7 +5231,7 @@ Set it only at the mark of the joint's zero, with the arm standing still. The ar
         <translation>回放中止。{reason}</translation>
     </message>
     <message>
-        <source>Recording the arm's motion</source>
+        <source>Recording the arm&apos;s motion</source>
         <translation>开始录制机械臂运动</translation>
     </message>
     <message>
@@ -4646,7 +5287,7 @@ Set it only at the mark of the joint's zero, with the arm standing still. The ar
         <translation>未读到以下关节的限位：{joints}。现按出厂限位检查；重新连接可再次读取。</translation>
     </message>
     <message>
-        <source>Joint {joint}: the limits stored in the arm cannot be true. The factory limits hold; set the joint's limits anew.</source>
+        <source>Joint {joint}: the limits stored in the arm cannot be true. The factory limits hold; set the joint&apos;s limits anew.</source>
         <translation>关节 {joint}：机械臂中保存的限位不合理。现按出厂限位检查；请重新设置该关节的限位。</translation>
     </message>
     <message>
@@ -4662,7 +5303,7 @@ Set it only at the mark of the joint's zero, with the arm standing still. The ar
         <translation>事件：{code}</translation>
     </message>
     <message>
-        <source>The emergency stop is NOT on the bus: no CAN device is open, or it does not take the frame. Cut the arm's power if it moves.</source>
+        <source>The emergency stop is NOT on the bus: no CAN device is open, or it does not take the frame. Cut the arm&apos;s power if it moves.</source>
         <translation>急停没有发到总线上：没有打开 CAN 设备，或设备不接收该帧。若机械臂在运动，请切断其电源。</translation>
     </message>
     <message>
@@ -4678,7 +5319,7 @@ Set it only at the mark of the joint's zero, with the arm standing still. The ar
         <translation>未完成的急停已撤回；机械臂没有停止。</translation>
     </message>
     <message>
-        <source>The arm on {device} has never confirmed its emergency stop, and another device is connected now. Cut that arm's power if it moves.</source>
+        <source>The arm on {device} has never confirmed its emergency stop, and another device is connected now. Cut that arm&apos;s power if it moves.</source>
         <translation>{device} 上的机械臂一直没有确认急停，而现在连接的是另一设备。若那台机械臂在运动，请切断其电源。</translation>
     </message>
     <message>
@@ -4726,7 +5367,7 @@ Set it only at the mark of the joint's zero, with the arm standing still. The ar
         <translation>机械臂未确认恢复出厂值。{reason}</translation>
     </message>
     <message>
-        <source>Sent by hand: {frame}. It counts as another program's command.</source>
+        <source>Sent by hand: {frame}. It counts as another program&apos;s command.</source>
         <translation>手动发送：{frame}。按其他程序的指令处理。</translation>
     </message>
     <message>
@@ -4753,14 +5394,6 @@ Set it only at the mark of the joint's zero, with the arm standing still. The ar
         <source>What just happened could not be saved: {reason}</source>
         <translation>无法保存刚才发生的事：{reason}</translation>
     </message>
-<message>
-        <source>Connected as a {chosen}, but the pose it reports is that of a {fits}. Connect it as a {fits}.</source>
-        <translation>连接时选择的型号是 {chosen}，但其反馈的位姿属于 {fits}。请按 {fits} 重新连接。</translation>
-    </message>
-    <message>
-        <source>The pose the arm reports fits its angles in no model of the family, {chosen} included.</source>
-        <translation>机械臂反馈的位姿与关节角度不符合任何型号（包括 {chosen}）。</translation>
-    </message>
     <message>
         <source>{device} jogs {axes} (joints)</source>
         <translation>{device} 点动 {axes}（关节）</translation>
@@ -4773,8 +5406,8 @@ Set it only at the mark of the joint's zero, with the arm standing still. The ar
         <source>{device} jogs {axes} (tool frame)</source>
         <translation>{device} 点动 {axes}（工具坐标系）</translation>
     </message>
-<message>
-        <source>Told the arm to leave the other program's mode and to hold where it stands.</source>
+    <message>
+        <source>Told the arm to leave the other program&apos;s mode and to hold where it stands.</source>
         <translation>已通知机械臂退出另一程序的模式，并保持在当前位置。</translation>
     </message>
     <message>
@@ -4837,7 +5470,7 @@ Set it only at the mark of the joint's zero, with the arm standing still. The ar
         <translation>无法识别的报文：{kind}（最近 {id}）</translation>
     </message>
     <message>
-        <source>The arm's status frames come more rarely: {share} % fewer than before</source>
+        <source>The arm&apos;s status frames come more rarely: {share} % fewer than before</source>
         <translation>机械臂状态报文变少：比之前少 {share} %</translation>
     </message>
     <message>
@@ -4906,6 +5539,40 @@ Set it only at the mark of the joint's zero, with the arm standing still. The ar
     <message>
         <source>high-follow</source>
         <translation>高跟随</translation>
+    </message>
+</context>
+<context>
+    <name>PageBar</name>
+    <message>
+        <source>the panel</source>
+        <translation>面板</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>返回</translation>
+    </message>
+    <message>
+        <source>Back to {where} (Esc)</source>
+        <translation>返回{where} (Esc)</translation>
+    </message>
+    <message>
+        <source>Own window</source>
+        <translation>独立窗口</translation>
+    </message>
+    <message>
+        <source>Takes this page out into a window of its own, for a second screen.</source>
+        <translation>把本页移到独立窗口，例如放到第二块屏幕上。</translation>
+    </message>
+</context>
+<context>
+    <name>PageWindow</name>
+    <message>
+        <source>Put back</source>
+        <translation>放回</translation>
+    </message>
+    <message>
+        <source>Puts this page back beside the 3D picture.</source>
+        <translation>把本页放回 3D 画面旁边。</translation>
     </message>
 </context>
 <context>
@@ -5034,7 +5701,7 @@ Set it only at the mark of the joint's zero, with the arm standing still. The ar
         <source>Possible: {minimum} to {maximum}</source>
         <translation>可设范围：{minimum} 至 {maximum}</translation>
     </message>
-<message>
+    <message>
         <source>Drag assistance</source>
         <translation>拖动助力</translation>
     </message>
@@ -5111,6 +5778,60 @@ Set it only at the mark of the joint's zero, with the arm standing still. The ar
     <message>
         <source>Shows what the arm holds again.</source>
         <translation>重新显示机械臂中的值。</translation>
+    </message>
+</context>
+<context>
+    <name>PictureExport</name>
+    <message>
+        <source>Picture copied</source>
+        <translation>画面已复制</translation>
+    </message>
+    <message>
+        <source>Save picture</source>
+        <translation>保存画面</translation>
+    </message>
+    <message>
+        <source>There is no picture of now to be taken: wait until it is drawn.</source>
+        <translation>当前画面尚未绘制完成，请稍候再试。</translation>
+    </message>
+    <message>
+        <source>Not saved: {path}. {reason}</source>
+        <translation>未保存：{path}。{reason}</translation>
+    </message>
+    <message>
+        <source>Saved: {path}</source>
+        <translation>已保存：{path}</translation>
+    </message>
+</context>
+<context>
+    <name>Place</name>
+    <message>
+        <source>In every window</source>
+        <translation>所有窗口</translation>
+    </message>
+    <message>
+        <source>Main window</source>
+        <translation>主窗口</translation>
+    </message>
+    <message>
+        <source>3D view</source>
+        <translation>3D 视图</translation>
+    </message>
+    <message>
+        <source>Jogging by keys</source>
+        <translation>键盘点动</translation>
+    </message>
+    <message>
+        <source>Panels with parameters</source>
+        <translation>参数面板</translation>
+    </message>
+    <message>
+        <source>Trajectory editor</source>
+        <translation>轨迹编辑器</translation>
+    </message>
+    <message>
+        <source>Replay</source>
+        <translation>回放</translation>
     </message>
 </context>
 <context>
@@ -5228,7 +5949,7 @@ Set it only at the mark of the joint's zero, with the arm standing still. The ar
     </message>
 </context>
 <context>
-    <name>PlotWindow</name>
+    <name>PlotPage</name>
     <message>
         <source>The arrangement of the plots could not be kept: {text}</source>
         <translation>无法保存曲线布局：{text}</translation>
@@ -5372,6 +6093,13 @@ Set it only at the mark of the joint's zero, with the arm standing still. The ar
     </message>
 </context>
 <context>
+    <name>PointTarget</name>
+    <message>
+        <source>Drag in the picture</source>
+        <translation>在画面中拖动</translation>
+    </message>
+</context>
+<context>
     <name>PointsModel</name>
     <message>
         <source>J{joint} all</source>
@@ -5412,6 +6140,17 @@ Set it only at the mark of the joint's zero, with the arm standing still. The ar
     <message>
         <source>Move</source>
         <translation>移动</translation>
+    </message>
+</context>
+<context>
+    <name>PoseExtras</name>
+    <message>
+        <source>Arc by three poses</source>
+        <translation>三点圆弧</translation>
+    </message>
+    <message>
+        <source>Tool centre point</source>
+        <translation>工具中心点</translation>
     </message>
 </context>
 <context>
@@ -5670,7 +6409,7 @@ Set it only at the mark of the joint's zero, with the arm standing still. The ar
         <translation>{name}（本程序指令）</translation>
     </message>
     <message>
-        <source>{name}, other host's command</source>
+        <source>{name}, other host&apos;s command</source>
         <translation>{name}（其他主机指令）</translation>
     </message>
     <message>
@@ -5682,7 +6421,7 @@ Set it only at the mark of the joint's zero, with the arm standing still. The ar
         <translation>本程序指令</translation>
     </message>
     <message>
-        <source>other host's command</source>
+        <source>other host&apos;s command</source>
         <translation>其他主机指令</translation>
     </message>
     <message>
@@ -5859,7 +6598,7 @@ Set it only at the mark of the joint's zero, with the arm standing still. The ar
     </message>
 </context>
 <context>
-    <name>RecordingWindow</name>
+    <name>RecordingPage</name>
     <message>
         <source>Recording</source>
         <translation>录制</translation>
@@ -6019,7 +6758,7 @@ Set it only at the mark of the joint's zero, with the arm standing still. The ar
         <source>Withdraw…</source>
         <translation>撤回…</translation>
     </message>
-<message>
+    <message>
         <source>Take back…</source>
         <translation>收回控制…</translation>
     </message>
@@ -6070,7 +6809,7 @@ Lead it near its rest pose, then stop recording.</source>
         <source>The arm is not stopped: it goes on with whatever it is doing, and obeys again. Look at the arm before.</source>
         <translation>机械臂不会停止：它将继续正在做的动作，并重新服从指令。请先看清机械臂。</translation>
     </message>
-<message>
+    <message>
         <source>Take the arm back</source>
         <translation>收回机械臂的控制</translation>
     </message>
@@ -6102,10 +6841,6 @@ The other program must have ended.</source>
 </context>
 <context>
     <name>RecoveryStep</name>
-    <message>
-        <source>No arm is connected.</source>
-        <translation>未连接机械臂。</translation>
-    </message>
     <message>
         <source>The device is being opened.</source>
         <translation>正在打开设备。</translation>
@@ -6171,7 +6906,7 @@ The other program must have ended.</source>
         <translation>关节 {joints} 堵转。请解除卡阻，然后清除错误。</translation>
     </message>
     <message>
-        <source>Sensor fault, joint {joints}. Clear the error; if it comes back, check the joint's encoder.</source>
+        <source>Sensor fault, joint {joints}. Clear the error; if it comes back, check the joint&apos;s encoder.</source>
         <translation>关节 {joints} 传感器异常。请清除错误；若再次出现，请检查该关节编码器。</translation>
     </message>
     <message>
@@ -6187,7 +6922,7 @@ The other program must have ended.</source>
         <translation>机械臂报告关节状态异常。请查看关节状态，然后清除错误。</translation>
     </message>
     <message>
-        <source>A joint's brake is not released. Hold the arm, then reset it.</source>
+        <source>A joint&apos;s brake is not released. Hold the arm, then reset it.</source>
         <translation>关节抱闸未打开。请扶住机械臂，然后复位。</translation>
     </message>
     <message>
@@ -6225,10 +6960,6 @@ The other program must have ended.</source>
     <message>
         <source>The arm was told to end its motion and still moves. Stop it, or cut its power.</source>
         <translation>已命令机械臂终止运动，但它仍在动。请急停，或切断其电源。</translation>
-    </message>
-    <message>
-        <source>Another program drives the arm in {other_mode} mode. Nothing is sent: a mode word would let the arm fall.</source>
-        <translation>另一个程序以 {other_mode} 模式驱动机械臂。本程序不发送任何运动指令：新的模式指令会使机械臂失力坠落。</translation>
     </message>
     <message>
         <source>Another program controls the arm since {since} ({frames}, {rate} frames/s).</source>
@@ -6307,7 +7038,7 @@ The other program must have ended.</source>
         <translation>机械臂发生碰撞。请移开障碍物，然后清除错误。</translation>
     </message>
     <message>
-        <source>A stop is outstanding: it goes out once the CAN device is back. Cut the arm's power if it moves.</source>
+        <source>A stop is outstanding: it goes out once the CAN device is back. Cut the arm&apos;s power if it moves.</source>
         <translation>有一次急停未完成：CAN 设备恢复后立即发出。若机械臂在运动，请切断其电源。</translation>
     </message>
     <message>
@@ -6318,11 +7049,11 @@ The other program must have ended.</source>
         <source>A stop is outstanding: the arm was away and has not confirmed it. Press the emergency stop to send it now, or withdraw it.</source>
         <translation>有一次急停未完成：机械臂曾离线，没有确认。按急停立即发送，或撤回。</translation>
     </message>
-<message>
+    <message>
         <source>No arm is connected. Connect one, or the simulated arm to try everything out.</source>
         <translation>未连接机械臂。请连接机械臂，或先用仿真机械臂试用全部功能。</translation>
     </message>
-<message>
+    <message>
         <source>Another program drives the arm in {other_mode} mode. Nothing is sent by itself: a new mode leaves the joints limp. Stop that program first.</source>
         <translation>另一程序正以{other_mode}模式驱动机械臂。本程序不会自行发送任何指令：切换模式会使关节失力。请先停止该程序。</translation>
     </message>
@@ -6354,7 +7085,7 @@ The other program must have ended.</source>
         <translation>以下关节的电机未使能：{joints}。请先按“使能”。</translation>
     </message>
     <message>
-        <source>Not every motor has reported yet whether it is enabled. Wait a moment; if it stays so, check the arm's power and the CAN cable.</source>
+        <source>Not every motor has reported yet whether it is enabled. Wait a moment; if it stays so, check the arm&apos;s power and the CAN cable.</source>
         <translation>尚未收到全部电机的使能状态。请稍候；若一直如此，请检查机械臂电源和 CAN 线。</translation>
     </message>
     <message>
@@ -6462,7 +7193,7 @@ The other program must have ended.</source>
         <translation>{axis}：“{value}”不是数值。请输入毫米或度的数字，例如 12.5。</translation>
     </message>
     <message>
-        <source>The target is {missing} mm out of the arm's reach. Choose one nearer to the arm, or turn the tool.</source>
+        <source>The target is {missing} mm out of the arm&apos;s reach. Choose one nearer to the arm, or turn the tool.</source>
         <translation>目标超出可达范围 {missing} mm。请选择更近的位置，或改变末端姿态。</translation>
     </message>
     <message>
@@ -6494,8 +7225,12 @@ The other program must have ended.</source>
         <translation>尚未记录：{point}。请把机械臂移到该处并按对应按钮。</translation>
     </message>
     <message>
-        <source>The pose the arm reports does not fit its joint angles: the program cannot compute its way. Check the joints' zeros; the joints can still be moved one by one.</source>
+        <source>The pose the arm reports does not fit its joint angles: the program cannot compute its way. Check the joints&apos; zeros; the joints can still be moved one by one.</source>
         <translation>机械臂上报的位姿与关节角度不符，程序无法计算路径。请检查各关节零点；仍可单独移动各关节。</translation>
+    </message>
+    <message>
+        <source>This arm was connected as a {chosen}, but the pose it reports is that of a {fits}: the program would compute with the wrong lengths. Connect it as a {fits}; until then the joints can be moved one by one.</source>
+        <translation>该机械臂按 {chosen} 连接，但其反馈的位姿属于 {fits}：程序会用错误的连杆长度计算。请按 {fits} 重新连接；在此之前可以逐个移动关节。</translation>
     </message>
     <message>
         <source>Tool centre point: {value} is not possible. Enter lengths up to {maximum} mm and angles up to 180°.</source>
@@ -6546,7 +7281,7 @@ The other program must have ended.</source>
         <translation>{gripper}：“{value}”不是数字，请输入 {minimum} 至 {maximum} {unit} 之间的值。</translation>
     </message>
     <message>
-        <source>Whether these joints stand still is not known: {joints}. Their drivers report no speed: check the arm's power and the CAN cable.</source>
+        <source>Whether these joints stand still is not known: {joints}. Their drivers report no speed: check the arm&apos;s power and the CAN cable.</source>
         <translation>无法确认以下关节是否静止：{joints}。其驱动器未上报速度，请检查机械臂电源和 CAN 线缆。</translation>
     </message>
     <message>
@@ -6578,11 +7313,11 @@ The other program must have ended.</source>
         <translation>设备 {device} 正被其它程序占用。请关闭该程序后重新连接。</translation>
     </message>
     <message>
-        <source>{device} is switched off in the system. Switch it on in a terminal (with your interface's name for can0): sudo ip link set can0 up type can bitrate 1000000</source>
+        <source>{device} is switched off in the system. Switch it on in a terminal (with your interface&apos;s name for can0): sudo ip link set can0 up type can bitrate 1000000</source>
         <translation>设备 {device} 在系统中未启用。请在终端中启用（将 can0 换成实际的接口名）：sudo ip link set can0 up type can bitrate 1000000</translation>
     </message>
     <message>
-        <source>You may not open {device}. On Linux add your account to the group dialout (serial adapters) or install the adapter's udev rule (USB adapters), then log in again.</source>
+        <source>You may not open {device}. On Linux add your account to the group dialout (serial adapters) or install the adapter&apos;s udev rule (USB adapters), then log in again.</source>
         <translation>没有权限打开设备 {device}。Linux 下：串口适配器请将当前用户加入 dialout 组，USB 适配器请安装其 udev 规则，然后重新登录。</translation>
     </message>
     <message>
@@ -6594,7 +7329,7 @@ The other program must have ended.</source>
         <translation>设备 {device} 需要的 Python 软件包尚未安装。请在终端中安装：pip install {package}</translation>
     </message>
     <message>
-        <source>The driver for {device} ({interface}) is missing. Install the driver of the adapter's maker; for socketcan load the kernel's modules: sudo modprobe can_raw</source>
+        <source>The driver for {device} ({interface}) is missing. Install the driver of the adapter&apos;s maker; for socketcan load the kernel&apos;s modules: sudo modprobe can_raw</source>
         <translation>缺少设备 {device}（{interface}）的驱动。请安装适配器厂家的驱动；使用 socketcan 时请加载内核模块：sudo modprobe can_raw</translation>
     </message>
     <message>
@@ -6698,7 +7433,7 @@ The other program must have ended.</source>
         <translation>{parameter}：不能设为 {value}，请从 {choices} 中选择。</translation>
     </message>
     <message>
-        <source>This arm's protocol (generation {generation}) has no such settings; generation 2 has.</source>
+        <source>This arm&apos;s protocol (generation {generation}) has no such settings; generation 2 has.</source>
         <translation>本机械臂的协议（第 {generation} 代）没有这些参数，第 2 代才有。</translation>
     </message>
     <message>
@@ -6742,7 +7477,7 @@ The other program must have ended.</source>
         <translation>未运行：检查之后机械臂又移动了 {value}°。请再次点击发送。</translation>
     </message>
     <message>
-        <source>Not run: the arm's joint limits are others than those of the check. Send again.</source>
+        <source>Not run: the arm&apos;s joint limits are others than those of the check. Send again.</source>
         <translation>未运行：机械臂的关节限位与检查时不同。请再次点击发送。</translation>
     </message>
     <message>
@@ -6818,7 +7553,7 @@ The other program must have ended.</source>
         <translation>机械臂尚未反馈末端位姿，圆弧没有起点，请稍候。</translation>
     </message>
     <message>
-        <source>Row {row}: this arm's protocol moves the gripper by other figures (generation 1 by an angle, generation 2 by an opening). Change the gripper's action.</source>
+        <source>Row {row}: this arm&apos;s protocol moves the gripper by other figures (generation 1 by an angle, generation 2 by an opening). Change the gripper&apos;s action.</source>
         <translation>第 {row} 行：本机械臂协议的夹爪参数不同（第一代用角度，第二代用开度），请修改夹爪动作。</translation>
     </message>
     <message>
@@ -7042,11 +7777,11 @@ The other program must have ended.</source>
         <translation>“{name}”未保存：{text}。原有内容未变。请检查磁盘后重新保存。</translation>
     </message>
     <message>
-        <source>Not deleted: {name}: {text}. Check the rights to the library's folder.</source>
+        <source>Not deleted: {name}: {text}. Check the rights to the library&apos;s folder.</source>
         <translation>未删除：{name}：{text}。请检查轨迹库文件夹的权限。</translation>
     </message>
     <message>
-        <source>Not brought back: {name}: {text}. Check the rights to the library's folder.</source>
+        <source>Not brought back: {name}: {text}. Check the rights to the library&apos;s folder.</source>
         <translation>未恢复：{name}：{text}。请检查轨迹库文件夹的权限。</translation>
     </message>
     <message>
@@ -7076,10 +7811,6 @@ The other program must have ended.</source>
     <message>
         <source>A leader arm moves this arm ({frames}). Switch the leader off, or make it a motion output. The stop works at any time.</source>
         <translation>主臂正在带动本机械臂（{frames}）。请关闭主臂，或将其设为运动输出臂。急停随时有效。</translation>
-    </message>
-    <message>
-        <source>Another program drives the arm in {other_mode} mode: any mode word would leave its joints limp and it would fall. End that program, support the arm and reset it.</source>
-        <translation>另一个程序以 {other_mode} 模式驱动机械臂：任何新的模式指令都会使关节失力，机械臂坠落。请结束该程序，托住机械臂后复位。</translation>
     </message>
     <message>
         <source>The other program is still sending ({frames}): it can be taken over half a second after its last frame. Against a stream only the stop wins.</source>
@@ -7118,7 +7849,7 @@ The other program must have ended.</source>
         <translation>机械臂是否在当前标识符上接收指令尚未证实，因此不让它运动；急停和停住仍能到达。证实方法：让机械臂处于待机，在联动控制中重新设置偏移，得到应答后即生效。</translation>
     </message>
     <message>
-        <source>For half a second {device} could send nothing, because nobody on the bus acknowledges. Check the arm's power, the CAN cable, the terminating resistors and the bit rate (1 Mbit/s).</source>
+        <source>For half a second {device} could send nothing, because nobody on the bus acknowledges. Check the arm&apos;s power, the CAN cable, the terminating resistors and the bit rate (1 Mbit/s).</source>
         <translation>{device} 已有半秒发不出任何帧，因为总线上无人应答。请检查机械臂电源、CAN 线、终端电阻和波特率（1 Mbit/s）。</translation>
     </message>
     <message>
@@ -7178,11 +7909,11 @@ The other program must have ended.</source>
         <translation>数据：{count} 字节超出一帧的容量。最多输入 8 字节。</translation>
     </message>
     <message>
-        <source>{frame} is what an arm itself says: two senders of one identifier disturb the bus, and others would take it for the arm's word. Choose an identifier that hosts send.</source>
+        <source>{frame} is what an arm itself says: two senders of one identifier disturb the bus, and others would take it for the arm&apos;s word. Choose an identifier that hosts send.</source>
         <translation>{frame} 是机械臂自己发送的帧：同一 ID 有两个发送方会干扰总线，其他程序也会误以为是机械臂的反馈。请选择由上位机发送的 ID。</translation>
     </message>
     <message>
-        <source>{frame} is kept for firmware upgrades: what it does is not public, and it may leave the arm without firmware. Use the maker's upgrade program.</source>
+        <source>{frame} is kept for firmware upgrades: what it does is not public, and it may leave the arm without firmware. Use the maker&apos;s upgrade program.</source>
         <translation>{frame} 保留用于固件升级：其作用没有公开资料，可能使机械臂失去固件。请使用厂家的升级程序。</translation>
     </message>
     <message>
@@ -7230,8 +7961,8 @@ The other program must have ended.</source>
         <translation>无法在 {folder} 中记录会话：{text}。此前写入的内容可以读取。请选择其他文件夹，或重试。</translation>
     </message>
     <message>
-        <source>“{name}” cannot be the name of a recording. Leave out / \ : * ? " &lt; &gt; | and a dot at the beginning or the end; 120 characters at most.</source>
-        <translation>“{name}”不能作为记录的名称。请勿使用 / \ : * ? " &lt; &gt; |，首尾不能是句点，最多 120 个字符。</translation>
+        <source>“{name}” cannot be the name of a recording. Leave out / \ : * ? &quot; &lt; &gt; | and a dot at the beginning or the end; 120 characters at most.</source>
+        <translation>“{name}”不能作为记录的名称。请勿使用 / \ : * ? &quot; &lt; &gt; |，首尾不能是句点，最多 120 个字符。</translation>
     </message>
     <message>
         <source>There is a file called “{name}” in the folder already. Choose another name.</source>
@@ -7273,10 +8004,6 @@ The other program must have ended.</source>
         <source>{name} can be read no further: {text}. Open it again; if that does not help, copy it to another disk first.</source>
         <translation>无法继续读取 {name}：{text}。请重新打开；若仍不行，请先将其复制到其他磁盘。</translation>
     </message>
-<message>
-        <source>This arm was connected as a {chosen}, but the pose it reports is that of a {fits}: the program would compute with the wrong lengths. Connect it as a {fits}; until then the joints can be moved one by one.</source>
-        <translation>该机械臂按 {chosen} 连接，但其反馈的位姿属于 {fits}：程序会用错误的连杆长度计算。请按 {fits} 重新连接；在此之前可以逐个移动关节。</translation>
-    </message>
     <message>
         <source>{name} is gone. Plug it in again or switch it on.</source>
         <translation>{name} 已断开。请重新插入或打开电源。</translation>
@@ -7293,8 +8020,8 @@ The other program must have ended.</source>
         <source>The main window is not in front, or a menu is open in it. Click into it, then press anew.</source>
         <translation>主窗口不在最前，或其中打开了菜单。请点击主窗口，然后重新按下。</translation>
     </message>
-<message>
-        <source>The arm's firmware {firmware} does not have this: it came with {since}. Updates come from the maker's support.</source>
+    <message>
+        <source>The arm&apos;s firmware {firmware} does not have this: it came with {since}. Updates come from the maker&apos;s support.</source>
         <translation>机械臂固件 {firmware} 不支持此功能：自 {since} 起支持。升级请联系厂家支持。</translation>
     </message>
     <message>
@@ -7302,7 +8029,7 @@ The other program must have ended.</source>
         <translation>机械臂尚未报告固件版本，而此功能自 {since} 起支持。请重新连接以查询。</translation>
     </message>
     <message>
-        <source>The arm's control mode is not known, or another one has the command: it would be changed along with this. Bring the arm to standby or CAN control first.</source>
+        <source>The arm&apos;s control mode is not known, or another one has the command: it would be changed along with this. Bring the arm to standby or CAN control first.</source>
         <translation>机械臂的控制模式未知，或由其他方控制：此操作会同时更改它。请先使机械臂进入待机或 CAN 控制模式。</translation>
     </message>
     <message>
@@ -7508,15 +8235,62 @@ The other program must have ended.</source>
     </message>
 </context>
 <context>
-    <name>RunStrip</name>
+    <name>RunBar</name>
+    <message>
+        <source>A run is under way.</source>
+        <translation>正在运行。</translation>
+    </message>
     <message>
         <source>Checking…</source>
         <translation>正在检查…</translation>
     </message>
     <message>
-        <source>{name}: point {row} of {count}</source>
-        <translation>{name}：第 {row}/{count} 点</translation>
+        <source>Go on from row {row}</source>
+        <translation>从第 {row} 行继续</translation>
     </message>
+    <message>
+        <source>Send</source>
+        <translation>发送</translation>
+    </message>
+    <message>
+        <source>Call off</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>Once</source>
+        <translation>单次</translation>
+    </message>
+    <message>
+        <source>Times</source>
+        <translation>多次</translation>
+    </message>
+    <message>
+        <source>In a loop</source>
+        <translation>循环</translation>
+    </message>
+    <message>
+        <source>How often</source>
+        <translation>运行次数</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>速度</translation>
+    </message>
+    <message>
+        <source>Of each point&apos;s own speed</source>
+        <translation>相对于各点自身速度的百分比</translation>
+    </message>
+    <message>
+        <source>From row</source>
+        <translation>起始行</translation>
+    </message>
+    <message>
+        <source>Step by step</source>
+        <translation>单步运行</translation>
+    </message>
+</context>
+<context>
+    <name>RunStrip</name>
     <message>
         <source>cycle {cycle} of {cycles}</source>
         <translation>第 {cycle}/{cycles} 次</translation>
@@ -7558,10 +8332,6 @@ The other program must have ended.</source>
         <translation>因故障结束</translation>
     </message>
     <message>
-        <source>Go on from row {row}</source>
-        <translation>从第 {row} 行继续</translation>
-    </message>
-    <message>
         <source>Next step</source>
         <translation>下一步</translation>
     </message>
@@ -7574,46 +8344,10 @@ The other program must have ended.</source>
         <translation>暂停</translation>
     </message>
     <message>
-        <source>Send</source>
-        <translation>发送</translation>
-    </message>
-    <message>
         <source>End run</source>
         <translation>结束运行</translation>
     </message>
     <message>
-        <source>Once</source>
-        <translation>单次</translation>
-    </message>
-    <message>
-        <source>Times</source>
-        <translation>多次</translation>
-    </message>
-    <message>
-        <source>In a loop</source>
-        <translation>循环</translation>
-    </message>
-    <message>
-        <source>How often</source>
-        <translation>运行次数</translation>
-    </message>
-    <message>
-        <source>Speed</source>
-        <translation>速度</translation>
-    </message>
-    <message>
-        <source>Of each point's own speed</source>
-        <translation>相对于各点自身速度的百分比</translation>
-    </message>
-    <message>
-        <source>From row</source>
-        <translation>起始行</translation>
-    </message>
-    <message>
-        <source>Step by step</source>
-        <translation>单步运行</translation>
-    </message>
-<message>
         <source>Close</source>
         <translation>关闭</translation>
     </message>
@@ -7625,7 +8359,7 @@ The other program must have ended.</source>
         <source>point {row} of {count}</source>
         <translation>第 {row}/{count} 点</translation>
     </message>
-<message>
+    <message>
         <source>Progress of the run</source>
         <translation>运行进度</translation>
     </message>
@@ -7652,7 +8386,7 @@ The other program must have ended.</source>
         <translation>已发送：{frame}。</translation>
     </message>
     <message>
-        <source>A frame sent by hand is checked for nothing but its form, and counts as another program's: what this program is doing ends.</source>
+        <source>A frame sent by hand is checked for nothing but its form, and counts as another program&apos;s: what this program is doing ends.</source>
         <translation>手动发送的帧只检查格式，并按其他程序的指令处理：本程序正在进行的运动会结束。</translation>
     </message>
     <message>
@@ -7893,7 +8627,7 @@ The other program must have ended.</source>
         <source>saving at faults and stops</source>
         <translation>故障或急停时自动保存</translation>
     </message>
-<message>
+    <message>
         <source>view of the 3D picture</source>
         <translation>3D 画面的视角</translation>
     </message>
@@ -7925,7 +8659,7 @@ The other program must have ended.</source>
         <source>buttons of the gamepads</source>
         <translation>手柄按键</translation>
     </message>
-<message>
+    <message>
         <source>models of the arms</source>
         <translation>机械臂型号</translation>
     </message>
@@ -8012,7 +8746,7 @@ The other program must have ended.</source>
         <source>Such a stop is always told as a fault. With this, it is also sent again by itself.</source>
         <translation>这种情况总会作为故障提示。勾选后还会自动再次发送急停。</translation>
     </message>
-<message>
+    <message>
         <source>Gamepad, SpaceMouse</source>
         <translation>手柄、SpaceMouse</translation>
     </message>
@@ -8027,6 +8761,84 @@ The other program must have ended.</source>
     <message>
         <source>off</source>
         <translation>已关闭</translation>
+    </message>
+</context>
+<context>
+    <name>Shortcut</name>
+    <message>
+        <source>Command palette: find every function by its name</source>
+        <translation>命令面板：按名称查找任何功能</translation>
+    </message>
+    <message>
+        <source>User guide, at the place where you are</source>
+        <translation>使用指南，打开当前所在处的章节</translation>
+    </message>
+    <message>
+        <source>This list</source>
+        <translation>本列表</translation>
+    </message>
+    <message>
+        <source>Pause, go on</source>
+        <translation>暂停、继续</translation>
+    </message>
+    <message>
+        <source>Copy the chosen rows</source>
+        <translation>复制所选行</translation>
+    </message>
+    <message>
+        <source>Play, pause</source>
+        <translation>播放、暂停</translation>
+    </message>
+    <message>
+        <source>One frame back</source>
+        <translation>后退一帧</translation>
+    </message>
+    <message>
+        <source>One frame on</source>
+        <translation>前进一帧</translation>
+    </message>
+    <message>
+        <source>Halt: ends any motion, the motors keep their power</source>
+        <translation>停住：结束任何运动，电机保持通电</translation>
+    </message>
+    <message>
+        <source>To the next control; with Shift to the one before</source>
+        <translation>到下一个控件；加 Shift 到上一个</translation>
+    </message>
+    <message>
+        <source>Close the dialog</source>
+        <translation>关闭对话框</translation>
+    </message>
+    <message>
+        <source>With Space held: J1 to J6 up, down</source>
+        <translation>按住空格：J1 至 J6 增、减</translation>
+    </message>
+    <message>
+        <source>With Space held: X, Y, Z of the tool</source>
+        <translation>按住空格：末端 X、Y、Z</translation>
+    </message>
+    <message>
+        <source>With Space held: RX, RY, RZ of the tool</source>
+        <translation>按住空格：末端 RX、RY、RZ</translation>
+    </message>
+    <message>
+        <source>Edit the points of the chosen trajectory</source>
+        <translation>编辑所选轨迹的点</translation>
+    </message>
+    <message>
+        <source>On the time line: through the recording</source>
+        <translation>在时间轴上：在记录中移动</translation>
+    </message>
+</context>
+<context>
+    <name>ShortcutList</name>
+    <message>
+        <source>Keyboard shortcuts</source>
+        <translation>快捷键</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>关闭</translation>
     </message>
 </context>
 <context>
@@ -8171,7 +8983,7 @@ The other program must have ended.</source>
         <translation>已使能</translation>
     </message>
     <message>
-        <source>Feedback of the end's motion</source>
+        <source>Feedback of the end&apos;s motion</source>
         <translation>末端运动反馈</translation>
     </message>
     <message>
@@ -8406,7 +9218,7 @@ The other program must have ended.</source>
         <source>Byte {place}</source>
         <translation>字节 {place}</translation>
     </message>
-<message>
+    <message>
         <source>Acceleration</source>
         <translation>加速度</translation>
     </message>
@@ -8869,7 +9681,7 @@ The other program must have ended.</source>
         <source>Yes</source>
         <translation>是</translation>
     </message>
-<message>
+    <message>
         <source>Acceleration</source>
         <translation>加速度</translation>
     </message>
@@ -8957,7 +9769,7 @@ The other program must have ended.</source>
         <translation>机械臂反馈的速度百分比</translation>
     </message>
     <message>
-        <source>Speed of motions, 0–100 % of the arm's highest; 0 % means no motion.</source>
+        <source>Speed of motions, 0–100 % of the arm&apos;s highest; 0 % means no motion.</source>
         <translation>运动速度，为最大速度的 0～100 %；0 % 时不运动。</translation>
     </message>
     <message>
@@ -8999,7 +9811,7 @@ The other program must have ended.</source>
         <source>Last event</source>
         <translation>最近事件</translation>
     </message>
-<message>
+    <message>
         <source>{mode} by another program</source>
         <translation>{mode}（另一程序）</translation>
     </message>
@@ -9208,7 +10020,7 @@ The other program must have ended.</source>
         <source>Works on motions under way. The arm does not report it: watch the arm.</source>
         <translation>对正在进行的运动有效。机械臂不反馈此指令，请观察机械臂。</translation>
     </message>
-<message>
+    <message>
         <source>Drag assistance…</source>
         <translation>拖动助力…</translation>
     </message>
@@ -9384,7 +10196,7 @@ Afterwards the motors must be enabled again.</source>
         <translation>录制</translation>
     </message>
     <message>
-        <source>reading or saving the arm's settings</source>
+        <source>reading or saving the arm&apos;s settings</source>
         <translation>读取或保存机械臂参数</translation>
     </message>
     <message>
@@ -9400,7 +10212,7 @@ Afterwards the motors must be enabled again.</source>
         <translation>设置零点</translation>
     </message>
     <message>
-        <source>clearing a joint's error</source>
+        <source>clearing a joint&apos;s error</source>
         <translation>清除关节错误</translation>
     </message>
     <message>
@@ -9427,856 +10239,8 @@ Afterwards the motors must be enabled again.</source>
     </message>
 </context>
 <context>
-    <name>ViewRegion</name>
+    <name>ViewBar</name>
     <message>
-        <source>Help</source>
-        <translation>使用帮助</translation>
-    </message>
-    <message>
-        <source>How to use the 3D view</source>
-        <translation>3D 区域的使用方法</translation>
-    </message>
-    <message>
-        <source>Reset view</source>
-        <translation>视角还原</translation>
-    </message>
-    <message>
-        <source>Shows the arm as at the beginning</source>
-        <translation>还原最初的 3D 显示视角</translation>
-    </message>
-    <message>
-        <source>Settings</source>
-        <translation>设置</translation>
-    </message>
-    <message>
-        <source>Language, theme, jog step, 3D model</source>
-        <translation>语言、主题、点动步长、3D 模型</translation>
-    </message>
-</context>
-<context>
-    <name>WatchMenu</name>
-    <message>
-        <source>Curves</source>
-        <translation>曲线</translation>
-    </message>
-    <message>
-        <source>What was heard and commanded in the last half hour. The right button on any figure shows it here.</source>
-        <translation>最近半小时的反馈与指令。在任意数值上按右键即可在此显示。</translation>
-    </message>
-    <message>
-        <source>Events</source>
-        <translation>事件</translation>
-    </message>
-    <message>
-        <source>What happened: every command and what became of it, every change of the arm's status, every fault with its beginning and its end.</source>
-        <translation>发生过的一切：每条指令及其结果、机械臂的每次状态变化、每个故障的开始与结束。</translation>
-    </message>
-    <message>
-        <source>Bus</source>
-        <translation>总线</translation>
-    </message>
-    <message>
-        <source>Every frame on the CAN bus: what it says, how often it comes, who sends it.</source>
-        <translation>CAN 总线上的每一帧：含义、频率以及由谁发送。</translation>
-    </message>
-    <message>
-        <source>Record</source>
-        <translation>会话</translation>
-    </message>
-    <message>
-        <source>Record everything on the bus, save what just happened, replay what was recorded, here or by another program.</source>
-        <translation>记录总线上的一切，保存刚才发生的事，回放本程序或其他程序的记录。</translation>
-    </message>
-</context>
-<context><name>Action</name><message>
-        <source>Enable or disable all motors</source>
-        <translation>全部电机使能或失能</translation>
-    </message>
-    <message>
-        <source>Joint status</source>
-        <translation>关节状态</translation>
-    </message>
-    <message>
-        <source>Session recordings</source>
-        <translation>会话记录</translation>
-    </message>
-    <message>
-        <source>Replay a recording</source>
-        <translation>回放会话记录</translation>
-    </message>
-    <message>
-        <source>Export a recording</source>
-        <translation>导出会话记录</translation>
-    </message>
-    <message>
-        <source>Back up, compare, restore parameters</source>
-        <translation>参数备份、比较、恢复</translation>
-    </message>
-    <message>
-        <source>Language: Chinese or English</source>
-        <translation>语言：中文或英文</translation>
-    </message>
-    <message>
-        <source>Theme: light or dark</source>
-        <translation>主题：浅色或深色</translation>
-    </message>
-    <message>
-        <source>User guide</source>
-        <translation>使用指南</translation>
-    </message>
-    <message>
-        <source>Keyboard shortcuts</source>
-        <translation>快捷键</translation>
-    </message>
-    <message>
-        <source>Close the program</source>
-        <translation>退出程序</translation>
-    </message>
-    <message>
-        <source>MOVE P: to the pose</source>
-        <translation>MOVE P 运动到位姿</translation>
-    </message>
-    <message>
-        <source>MOVE L: on a straight line to the pose</source>
-        <translation>MOVE L 直线运动到位姿</translation>
-    </message>
-    <message>
-        <source>MOVE C: along the arc</source>
-        <translation>MOVE C 沿圆弧运动</translation>
-    </message>
-    <message>
-        <source>Master arm (teaching input arm)</source>
-        <translation>主臂（示教输入臂）</translation>
-    </message>
-    <message>
-        <source>Slave arm (motion output arm)</source>
-        <translation>从臂（运动输出臂）</translation>
-    </message>
-    <message>
-        <source>Pause the planned motion</source>
-        <translation>暂停规划轨迹</translation>
-    </message>
-    <message>
-        <source>Continue the held motion</source>
-        <translation>继续被保持的运动</translation>
-    </message>
-    <message>
-        <source>Terminate the planned motion</source>
-        <translation>终止规划轨迹</translation>
-    </message>
-    <message>
-        <source>Target of</source>
-        <translation>目标</translation>
-    </message>
-    <message>
-        <source>Lamps of</source>
-        <translation>灯光</translation>
-    </message>
-    <message>
-        <source>Press Edit in the panel first.</source>
-        <translation>请先在该面板中按“编辑”。</translation>
-    </message>
-</context><context><name>AxisRows</name><message>
-        <source>Of the speed at the top; without the trigger a fifth</source>
-        <translation>顶部配速的百分比；不扣扳机时为五分之一</translation>
-    </message>
-</context><context><name>ButtonRows</name><message>
-        <source>Pressed: {buttons}</source>
-        <translation>按下：{buttons}</translation>
-    </message>
-    <message>
-        <source>No button</source>
-        <translation>不分配</translation>
-    </message>
-    <message>
-        <source>The buttons as they are at first</source>
-        <translation>恢复为初始的按键分配</translation>
-    </message>
-    <message>
-        <source>Restore</source>
-        <translation>恢复默认</translation>
-    </message>
-</context><context><name>ColumnsPage</name><message>
-        <source>Importing {count} rows…</source>
-        <translation>正在导入 {count} 行…</translation>
-    </message>
-    <message>
-        <source>Not imported. {reason}</source>
-        <translation>未导入。{reason}</translation>
-    </message>
-    <message>
-        <source>Giving up the import…</source>
-        <translation>正在取消导入…</translation>
-    </message>
-    <message>
-        <source>Import by columns</source>
-        <translation>按列导入</translation>
-    </message>
-    <message>
-        <source>Name</source>
-        <translation>名称</translation>
-    </message>
-    <message>
-        <source>Becomes</source>
-        <translation>导入为</translation>
-    </message>
-    <message>
-        <source>Recording</source>
-        <translation>录制轨迹</translation>
-    </message>
-    <message>
-        <source>Points, {move}</source>
-        <translation>轨迹点，{move}</translation>
-    </message>
-    <message>
-        <source>Speed</source>
-        <translation>速度</translation>
-    </message>
-    <message>
-        <source>Of points for which no column says it</source>
-        <translation>用于未由列给出速度的轨迹点</translation>
-    </message>
-    <message>
-        <source>Import</source>
-        <translation>导入</translation>
-    </message>
-    <message>
-        <source>Cancel</source>
-        <translation>取消</translation>
-    </message>
-    <message>
-        <source>{file}: {count} columns, {rows} rows; the first rows are shown</source>
-        <translation>{file}：{count} 列，{rows} 行；下面显示前几行</translation>
-    </message>
-    <message>
-        <source>; {count} further columns are left out</source>
-        <translation>；另有 {count} 列未显示</translation>
-    </message>
-</context><context><name>CommandPalette</name><message>
-        <source>Nothing is called so. Chinese, English, pinyin and initials are found.</source>
-        <translation>没有这样的名称。可按中文、英文、拼音或拼音首字母查找。</translation>
-    </message>
-    <message>
-        <source>Commands</source>
-        <translation>命令</translation>
-    </message>
-    <message>
-        <source>Name, pinyin or initials, in Chinese or English</source>
-        <translation>名称、拼音或首字母，中英文均可</translation>
-    </message>
-    <message>
-        <source>Search for a command</source>
-        <translation>查找命令</translation>
-    </message>
-    <message>
-        <source>Commands found</source>
-        <translation>找到的命令</translation>
-    </message>
-</context><context><name>CommandsButton</name><message>
-        <source>Commands</source>
-        <translation>命令</translation>
-    </message>
-</context><context><name>EditorHint</name><message>
-        <source>Insert current pose</source>
-        <translation>插入当前位姿</translation>
-    </message>
-    <message>
-        <source>Enter a point</source>
-        <translation>手动输入一点</translation>
-    </message>
-    <message>
-        <source>No points yet</source>
-        <translation>还没有点</translation>
-    </message>
-    <message>
-        <source>Bring the arm to the first point, by the jog buttons or by hand, and insert where it is. Or enter a point as figures. Then the next one.</source>
-        <translation>用点动按钮或用手把机械臂带到第一个点，再插入当前位姿；也可以直接输入数值。</translation>
-    </message>
-</context><context><name>EditorJog</name><message>
-        <source>Insert current pose</source>
-        <translation>插入当前位姿</translation>
-    </message>
-    <message>
-        <source>Makes a point of where the arm is now, after the chosen row.</source>
-        <translation>在所选行之后，把机械臂当前位姿插入为一个点。</translation>
-    </message>
-</context><context><name>EditorPage</name><message>
-        <source>Note</source>
-        <translation>备注</translation>
-    </message>
-    <message>
-        <source>Unsaved changes</source>
-        <translation>未保存的修改</translation>
-    </message>
-    <message>
-        <source>These changes were not saved when the program ended. Save them, or undo them.</source>
-        <translation>程序结束时这些更改未保存。请保存，或撤销。</translation>
-    </message>
-    <message>
-        <source>Ended at row {row}. {reason}</source>
-        <translation>在第 {row} 行结束。{reason}</translation>
-    </message>
-    <message>
-        <source>Saved.</source>
-        <translation>已保存。</translation>
-    </message>
-    <message>
-        <source>Not pasted. {reason}</source>
-        <translation>未粘贴。{reason}</translation>
-    </message>
-    <message>
-        <source>What this trajectory is for</source>
-        <translation>该轨迹的用途</translation>
-    </message>
-    <message>
-        <source>Points</source>
-        <translation>轨迹点</translation>
-    </message>
-    <message>
-        <source>Saved. Another program had changed “{name}” since it was opened here: what it saved is in the library under “Recently deleted…”.</source>
-        <translation>已保存。“{name}”在此处打开后被另一个程序修改过：其保存的内容可在轨迹库的“最近删除…”中找到。</translation>
-    </message>
-</context><context><name>Finder</name><message>
-        <source>Not found</source>
-        <translation>未找到</translation>
-    </message>
-    <message>
-        <source>{place} of {count}</source>
-        <translation>第 {place} 处，共 {count} 处</translation>
-    </message>
-    <message>
-        <source>Replace</source>
-        <translation>替换</translation>
-    </message>
-    <message>
-        <source>{count} replaced</source>
-        <translation>已替换 {count} 处</translation>
-    </message>
-</context><context><name>GamepadAction</name><message>
-        <source>Dead man (hold to move)</source>
-        <translation>使能键（按住才能动）</translation>
-    </message>
-    <message>
-        <source>Emergency stop</source>
-        <translation>急停</translation>
-    </message>
-    <message>
-        <source>Halt</source>
-        <translation>停住</translation>
-    </message>
-    <message>
-        <source>Next mode</source>
-        <translation>切换模式</translation>
-    </message>
-</context><context><name>GamepadAxis</name><message>
-        <source>Left stick ↔</source>
-        <translation>左摇杆 ↔</translation>
-    </message>
-    <message>
-        <source>Left stick ↕</source>
-        <translation>左摇杆 ↕</translation>
-    </message>
-    <message>
-        <source>Right stick ↔</source>
-        <translation>右摇杆 ↔</translation>
-    </message>
-    <message>
-        <source>Right stick ↕</source>
-        <translation>右摇杆 ↕</translation>
-    </message>
-    <message>
-        <source>Right trigger</source>
-        <translation>右扳机（速度）</translation>
-    </message>
-    <message>
-        <source>D-pad ↕</source>
-        <translation>方向键 ↕</translation>
-    </message>
-    <message>
-        <source>D-pad ↔</source>
-        <translation>方向键 ↔</translation>
-    </message>
-    <message>
-        <source>Push away / pull</source>
-        <translation>前推 / 后拉</translation>
-    </message>
-    <message>
-        <source>Push left / right</source>
-        <translation>左推 / 右推</translation>
-    </message>
-    <message>
-        <source>Lift / press</source>
-        <translation>上提 / 下压</translation>
-    </message>
-    <message>
-        <source>Tilt left / right</source>
-        <translation>左倾 / 右倾</translation>
-    </message>
-    <message>
-        <source>Tilt away / towards</source>
-        <translation>前倾 / 后倾</translation>
-    </message>
-    <message>
-        <source>Turn</source>
-        <translation>旋转</translation>
-    </message>
-</context><context><name>GamepadButton</name><message>
-        <source>Button {number}</source>
-        <translation>按键 {number}</translation>
-    </message>
-</context><context><name>GamepadDialog</name><message>
-        <source>Not installed: {packages}. In a terminal: {command}</source>
-        <translation>未安装：{packages}。请在终端中运行：{command}</translation>
-    </message>
-    <message>
-        <source>Found, but cannot be used (layout not known, or no permission): {names}</source>
-        <translation>已发现但无法使用（布局未知或没有权限）：{names}</translation>
-    </message>
-    <message>
-        <source>No device found. Plug one in, or switch it on and pair it.</source>
-        <translation>未发现设备。请插入设备，或打开设备电源并配对。</translation>
-    </message>
-    <message>
-        <source>Gamepad and SpaceMouse</source>
-        <translation>手柄与 SpaceMouse</translation>
-    </message>
-    <message>
-        <source>Jog by gamepad or SpaceMouse</source>
-        <translation>用手柄或 SpaceMouse 点动</translation>
-    </message>
-    <message>
-        <source>Only the axis that was pushed first moves, until all are at rest again</source>
-        <translation>只有最先推动的轴会动，直到所有轴都回中</translation>
-    </message>
-    <message>
-        <source>One axis at a time</source>
-        <translation>一次只动一个轴</translation>
-    </message>
-    <message>
-        <source>Device</source>
-        <translation>设备</translation>
-    </message>
-    <message>
-        <source>None found</source>
-        <translation>未发现</translation>
-    </message>
-    <message>
-        <source>Moves</source>
-        <translation>控制</translation>
-    </message>
-    <message>
-        <source>Axes</source>
-        <translation>摇杆与轴</translation>
-    </message>
-    <message>
-        <source>Buttons</source>
-        <translation>按键</translation>
-    </message>
-    <message>
-        <source>Nothing moves while this window is in front: try everything here. In the main window hold the dead-man button, then push an axis; letting go of either stops. The buttons for emergency stop and halt work at any time, in every window.</source>
-        <translation>本窗口在前时机械臂不会动，可以放心试按。在主窗口中先按住使能键，再推动摇杆；松开任何一个即停止。急停和停住按键在任何窗口中随时有效。</translation>
-    </message>
-    <message>
-        <source>Copy the command</source>
-        <translation>复制命令</translation>
-    </message>
-    <message>
-        <source>Close</source>
-        <translation>关闭</translation>
-    </message>
-</context><context><name>GamepadMode</name><message>
-        <source>Joints</source>
-        <translation>关节</translation>
-    </message>
-    <message>
-        <source>Base frame</source>
-        <translation>基坐标系</translation>
-    </message>
-    <message>
-        <source>Tool frame</source>
-        <translation>工具坐标系</translation>
-    </message>
-</context><context><name>GamepadStrip</name><message>
-        <source>{device} · {mode} · hold {button} and push an axis to jog</source>
-        <translation>{device} · {mode} · 按住 {button} 并推动摇杆即可点动</translation>
-    </message>
-    <message>
-        <source>{device} · {mode} · dead man held, ready</source>
-        <translation>{device} · {mode} · 使能键已按住，可以推动摇杆</translation>
-    </message>
-    <message>
-        <source>{device} · {mode} · jogging {axes}</source>
-        <translation>{device} · {mode} · 正在点动 {axes}</translation>
-    </message>
-    <message>
-        <source>{device} · {mode} · let every axis back to its centre</source>
-        <translation>{device} · {mode} · 请先让所有摇杆回中</translation>
-    </message>
-    <message>
-        <source>{device} · let go of {button}, then press it anew</source>
-        <translation>{device} · 请松开 {button} 后重新按下</translation>
-    </message>
-    <message>
-        <source>Gamepad: {packages} not installed. Install with pip: armui[gamepad]</source>
-        <translation>手柄：未安装 {packages}，请用 pip 安装 armui[gamepad]</translation>
-    </message>
-    <message>
-        <source>Gamepad: {problem}</source>
-        <translation>手柄：{problem}</translation>
-    </message>
-    <message>
-        <source>Gamepad: none found. Plug one in or switch it on.</source>
-        <translation>手柄：未发现设备，请插入或打开设备电源。</translation>
-    </message>
-</context><context><name>JogBox</name><message>
-        <source>Joints</source>
-        <translation>关节</translation>
-    </message>
-    <message>
-        <source>Base axes</source>
-        <translation>基坐标系</translation>
-    </message>
-    <message>
-        <source>Tool axes</source>
-        <translation>工具坐标系</translation>
-    </message>
-    <message>
-        <source>Step of − and +</source>
-        <translation>− 和 + 的步长</translation>
-    </message>
-    <message>
-        <source>How far one press of − or + moves</source>
-        <translation>每按一次 − 或 + 移动多少</translation>
-    </message>
-</context><context><name>JogCell</name><message>
-        <source>{name} minus</source>
-        <translation>{name} 减</translation>
-    </message>
-    <message>
-        <source>{name} plus</source>
-        <translation>{name} 加</translation>
-    </message>
-    <message>
-        <source>Measured {name}</source>
-        <translation>测得的 {name}</translation>
-    </message>
-</context><context><name>LibraryPage</name><message>
-        <source>“{name}” is not saved yet. Open it and save it first.</source>
-        <translation>“{name}”尚未保存，请先打开并保存。</translation>
-    </message>
-    <message>
-        <source>“{name}” ended at row {row}. {reason}</source>
-        <translation>“{name}”在第 {row} 行结束。{reason}</translation>
-    </message>
-    <message>
-        <source>Trajectory library</source>
-        <translation>轨迹库</translation>
-    </message>
-</context><context><name>PageBar</name><message>
-        <source>the panel</source>
-        <translation>面板</translation>
-    </message>
-    <message>
-        <source>Back</source>
-        <translation>返回</translation>
-    </message>
-    <message>
-        <source>Back to {where} (Esc)</source>
-        <translation>返回{where} (Esc)</translation>
-    </message>
-    <message>
-        <source>Own window</source>
-        <translation>独立窗口</translation>
-    </message>
-    <message>
-        <source>Takes this page out into a window of its own, for a second screen.</source>
-        <translation>把本页移到独立窗口，例如放到第二块屏幕上。</translation>
-    </message>
-</context><context><name>PageWindow</name><message>
-        <source>Put back</source>
-        <translation>放回</translation>
-    </message>
-    <message>
-        <source>Puts this page back beside the 3D picture.</source>
-        <translation>把本页放回 3D 画面旁边。</translation>
-    </message>
-</context><context><name>PictureExport</name><message>
-        <source>Picture copied</source>
-        <translation>画面已复制</translation>
-    </message>
-    <message>
-        <source>Save picture</source>
-        <translation>保存画面</translation>
-    </message>
-    <message>
-        <source>There is no picture of now to be taken: wait until it is drawn.</source>
-        <translation>当前画面尚未绘制完成，请稍候再试。</translation>
-    </message>
-    <message>
-        <source>Not saved: {path}. {reason}</source>
-        <translation>未保存：{path}。{reason}</translation>
-    </message>
-    <message>
-        <source>Saved: {path}</source>
-        <translation>已保存：{path}</translation>
-    </message>
-</context><context><name>Place</name><message>
-        <source>In every window</source>
-        <translation>所有窗口</translation>
-    </message>
-    <message>
-        <source>Main window</source>
-        <translation>主窗口</translation>
-    </message>
-    <message>
-        <source>3D view</source>
-        <translation>3D 视图</translation>
-    </message>
-    <message>
-        <source>Jogging by keys</source>
-        <translation>键盘点动</translation>
-    </message>
-    <message>
-        <source>Panels with parameters</source>
-        <translation>参数面板</translation>
-    </message>
-    <message>
-        <source>Trajectory editor</source>
-        <translation>轨迹编辑器</translation>
-    </message>
-    <message>
-        <source>Replay</source>
-        <translation>回放</translation>
-    </message>
-</context><context><name>PoseExtras</name><message>
-        <source>Arc by three poses</source>
-        <translation>三点圆弧</translation>
-    </message>
-    <message>
-        <source>Tool centre point</source>
-        <translation>工具中心点</translation>
-    </message>
-</context><context><name>RecordingPage</name><message>
-        <source>Recording</source>
-        <translation>录制</translation>
-    </message>
-    <message>
-        <source>Nothing was recorded: the arm told no angles.</source>
-        <translation>未录到数据：机械臂没有反馈关节角度。</translation>
-    </message>
-    <message>
-        <source>Working…</source>
-        <translation>正在处理…</translation>
-    </message>
-    <message>
-        <source>Nothing is left: correct the marked fields.</source>
-        <translation>没有剩余数据：请修正标记的输入框。</translation>
-    </message>
-    <message>
-        <source>{kept} of {count} samples, {time}</source>
-        <translation>保留 {kept}/{count} 个采样，{time}</translation>
-    </message>
-    <message>
-        <source>The path is shown in the 3D view.</source>
-        <translation>路径已显示在三维视图中。</translation>
-    </message>
-    <message>
-        <source>Saved as “{name}”.</source>
-        <translation>已保存为“{name}”。</translation>
-    </message>
-    <message>
-        <source>Stop recording</source>
-        <translation>停止录制</translation>
-    </message>
-    <message>
-        <source>Record</source>
-        <translation>录制</translation>
-    </message>
-    <message>
-        <source>Recording: {time}, {count} samples</source>
-        <translation>正在录制：{time}，{count} 个采样</translation>
-    </message>
-    <message>
-        <source> ({count} lost)</source>
-        <translation>（丢失 {count} 个）</translation>
-    </message>
-    <message>
-        <source>Lead the arm by hand, or move it by anything, while it records.</source>
-        <translation>录制期间可拖动机械臂，或以任意方式使其运动。</translation>
-    </message>
-    <message>
-        <source>Recorded: {time}, {count} samples</source>
-        <translation>已录制：{time}，{count} 个采样</translation>
-    </message>
-    <message>
-        <source>Recording anew takes the place of what is not saved</source>
-        <translation>重新录制将覆盖未保存的内容</translation>
-    </message>
-    <message>
-        <source>Name</source>
-        <translation>名称</translation>
-    </message>
-    <message>
-        <source>From</source>
-        <translation>起始</translation>
-    </message>
-    <message>
-        <source>To</source>
-        <translation>结束</translation>
-    </message>
-    <message>
-        <source>Tolerance</source>
-        <translation>容差</translation>
-    </message>
-    <message>
-        <source>How far a joint may be off where samples are left out, in degrees</source>
-        <translation>省略采样处关节允许的偏差，单位为度</translation>
-    </message>
-    <message>
-        <source>Preview</source>
-        <translation>预览</translation>
-    </message>
-    <message>
-        <source>The path in the 3D view, and a ghost arm; the real arm stays where it is</source>
-        <translation>在三维视图中显示路径和虚影机械臂；真实机械臂不会运动</translation>
-    </message>
-    <message>
-        <source>Save as recording</source>
-        <translation>保存为录制</translation>
-    </message>
-    <message>
-        <source>Save as points</source>
-        <translation>保存为轨迹点</translation>
-    </message>
-    <message>
-        <source>The arm comes to rest in every point</source>
-        <translation>机械臂会在每个点停下</translation>
-    </message>
-</context><context><name>RunBar</name><message>
-        <source>A run is under way.</source>
-        <translation>正在运行。</translation>
-    </message>
-    <message>
-        <source>Checking…</source>
-        <translation>正在检查…</translation>
-    </message>
-    <message>
-        <source>Go on from row {row}</source>
-        <translation>从第 {row} 行继续</translation>
-    </message>
-    <message>
-        <source>Send</source>
-        <translation>发送</translation>
-    </message>
-    <message>
-        <source>Call off</source>
-        <translation>取消</translation>
-    </message>
-    <message>
-        <source>Once</source>
-        <translation>单次</translation>
-    </message>
-    <message>
-        <source>Times</source>
-        <translation>多次</translation>
-    </message>
-    <message>
-        <source>In a loop</source>
-        <translation>循环</translation>
-    </message>
-    <message>
-        <source>How often</source>
-        <translation>运行次数</translation>
-    </message>
-    <message>
-        <source>Speed</source>
-        <translation>速度</translation>
-    </message>
-    <message>
-        <source>Of each point's own speed</source>
-        <translation>相对于各点自身速度的百分比</translation>
-    </message>
-    <message>
-        <source>From row</source>
-        <translation>起始行</translation>
-    </message>
-    <message>
-        <source>Step by step</source>
-        <translation>单步运行</translation>
-    </message>
-</context><context><name>Shortcut</name><message>
-        <source>Command palette: find every function by its name</source>
-        <translation>命令面板：按名称查找任何功能</translation>
-    </message>
-    <message>
-        <source>User guide, at the place where you are</source>
-        <translation>使用指南，打开当前所在处的章节</translation>
-    </message>
-    <message>
-        <source>This list</source>
-        <translation>本列表</translation>
-    </message>
-    <message>
-        <source>Pause, go on</source>
-        <translation>暂停、继续</translation>
-    </message>
-    <message>
-        <source>Copy the chosen rows</source>
-        <translation>复制所选行</translation>
-    </message>
-    <message>
-        <source>Play, pause</source>
-        <translation>播放、暂停</translation>
-    </message>
-    <message>
-        <source>One frame back</source>
-        <translation>后退一帧</translation>
-    </message>
-    <message>
-        <source>One frame on</source>
-        <translation>前进一帧</translation>
-    </message>
-    <message>
-        <source>Halt: ends any motion, the motors keep their power</source>
-        <translation>停住：结束任何运动，电机保持通电</translation>
-    </message>
-    <message>
-        <source>To the next control; with Shift to the one before</source>
-        <translation>到下一个控件；加 Shift 到上一个</translation>
-    </message>
-    <message>
-        <source>Close the dialog</source>
-        <translation>关闭对话框</translation>
-    </message>
-    <message>
-        <source>With Space held: J1 to J6 up, down</source>
-        <translation>按住空格：J1 至 J6 增、减</translation>
-    </message>
-    <message>
-        <source>With Space held: X, Y, Z of the tool</source>
-        <translation>按住空格：末端 X、Y、Z</translation>
-    </message>
-    <message>
-        <source>With Space held: RX, RY, RZ of the tool</source>
-        <translation>按住空格：末端 RX、RY、RZ</translation>
-    </message>
-    <message>
-        <source>Edit the points of the chosen trajectory</source>
-        <translation>编辑所选轨迹的点</translation>
-    </message>
-    <message>
-        <source>On the time line: through the recording</source>
-        <translation>在时间轴上：在记录中移动</translation>
-    </message>
-</context><context><name>ShortcutList</name><message>
-        <source>Keyboard shortcuts</source>
-        <translation>快捷键</translation>
-    </message>
-    <message>
-        <source>Close</source>
-        <translation>关闭</translation>
-    </message>
-</context><context><name>ViewBar</name><message>
         <source>Front view</source>
         <translation>前视图</translation>
     </message>
@@ -10384,7 +10348,7 @@ Afterwards the motors must be enabled again.</source>
         <source>Views, and what is drawn in the picture</source>
         <translation>视角以及画面中显示的内容</translation>
     </message>
-<message>
+    <message>
         <source>No handles</source>
         <translation>不显示手柄</translation>
     </message>
@@ -10408,7 +10372,72 @@ Afterwards the motors must be enabled again.</source>
         <source>Drags the target, or the chosen point, in the picture; the arm does not move. Ctrl: coarse steps, Shift: fine steps, Esc: give up</source>
         <translation>在画面中拖动目标或所选点，机械臂不会运动。Ctrl：大步进，Shift：小步进，Esc：放弃</translation>
     </message>
-</context><context><name>WindowActions</name><message>
+</context>
+<context>
+    <name>ViewRegion</name>
+    <message>
+        <source>Help</source>
+        <translation>使用帮助</translation>
+    </message>
+    <message>
+        <source>How to use the 3D view</source>
+        <translation>3D 区域的使用方法</translation>
+    </message>
+    <message>
+        <source>Reset view</source>
+        <translation>视角还原</translation>
+    </message>
+    <message>
+        <source>Shows the arm as at the beginning</source>
+        <translation>还原最初的 3D 显示视角</translation>
+    </message>
+    <message>
+        <source>Settings</source>
+        <translation>设置</translation>
+    </message>
+    <message>
+        <source>Language, theme, jog step, 3D model</source>
+        <translation>语言、主题、点动步长、3D 模型</translation>
+    </message>
+</context>
+<context>
+    <name>WatchMenu</name>
+    <message>
+        <source>Curves</source>
+        <translation>曲线</translation>
+    </message>
+    <message>
+        <source>What was heard and commanded in the last half hour. The right button on any figure shows it here.</source>
+        <translation>最近半小时的反馈与指令。在任意数值上按右键即可在此显示。</translation>
+    </message>
+    <message>
+        <source>Events</source>
+        <translation>事件</translation>
+    </message>
+    <message>
+        <source>What happened: every command and what became of it, every change of the arm&apos;s status, every fault with its beginning and its end.</source>
+        <translation>发生过的一切：每条指令及其结果、机械臂的每次状态变化、每个故障的开始与结束。</translation>
+    </message>
+    <message>
+        <source>Bus</source>
+        <translation>总线</translation>
+    </message>
+    <message>
+        <source>Every frame on the CAN bus: what it says, how often it comes, who sends it.</source>
+        <translation>CAN 总线上的每一帧：含义、频率以及由谁发送。</translation>
+    </message>
+    <message>
+        <source>Record</source>
+        <translation>会话</translation>
+    </message>
+    <message>
+        <source>Record everything on the bus, save what just happened, replay what was recorded, here or by another program.</source>
+        <translation>记录总线上的一切，保存刚才发生的事，回放本程序或其他程序的记录。</translation>
+    </message>
+</context>
+<context>
+    <name>WindowActions</name>
+    <message>
         <source>The arm is not stopped.</source>
         <translation>机械臂未处于急停。</translation>
     </message>
@@ -10416,286 +10445,5 @@ Afterwards the motors must be enabled again.</source>
         <source>There is no next step now.</source>
         <translation>现在没有下一步。</translation>
     </message>
-</context><context><name>AdapterTrouble</name><message>
-        <source>en</source>
-        <translation>zh</translation>
-    </message>
-</context><context><name>BusPage</name><message>
-        <source>Counted since {time}, when opened or cleared: {count} frames</source>
-        <translation>自 {time}（打开或清空）起统计：{count} 帧</translation>
-    </message>
-    <message>
-        <source>Paused: the figures are those of {time}</source>
-        <translation>已暂停：显示的是 {time} 的数值</translation>
-    </message>
-    <message>
-        <source>Generation not known yet: read as generation 2</source>
-        <translation>协议代次未知：暂按第 2 代解读</translation>
-    </message>
-    <message>
-        <source>Show as curve</source>
-        <translation>显示为曲线</translation>
-    </message>
-    <message>
-        <source>Show this identifier alone</source>
-        <translation>只显示该 ID</translation>
-    </message>
-    <message>
-        <source>Copy {frame}</source>
-        <translation>复制 {frame}</translation>
-    </message>
-    <message>
-        <source>Into the fields for sending</source>
-        <translation>填入发送栏</translation>
-    </message>
-    <message>
-        <source>Bus monitor</source>
-        <translation>总线监视</translation>
-    </message>
-    <message>
-        <source>Frames by identifier</source>
-        <translation>按 ID 排列的帧</translation>
-    </message>
-    <message>
-        <source>Frames in order of time</source>
-        <translation>按时间排列的帧</translation>
-    </message>
-</context><context><name>DragAssistanceDialog</name><message>
-        <source>Drag teaching</source>
-        <translation>示教</translation>
-    </message>
-</context><context><name>DragAssistancePanel</name><message>
-        <source>Drag assistance</source>
-        <translation>拖动助力</translation>
-    </message>
-    <message>
-        <source>All</source>
-        <translation>全部</translation>
-    </message>
-    <message>
-        <source>All joints: level</source>
-        <translation>所有关节：等级</translation>
-    </message>
-    <message>
-        <source>From 0, the joint does not help the hand, to 10, it helps most. Read and set with the arm at rest; keep a hand on it when it is led for the first time afterwards.</source>
-        <translation>0 表示该关节不助力，10 表示助力最大。请在机械臂静止时读取和设置；更改后首次拖动时请始终用手扶住机械臂。</translation>
-    </message>
-</context><context><name>Drawer</name><message>
-        <source>Takes this page out into a window of its own, for a second screen.</source>
-        <translation>把本页移到独立窗口，例如放到第二块屏幕上。</translation>
-    </message>
-    <message>
-        <source>Own window</source>
-        <translation>独立窗口</translation>
-    </message>
-    <message>
-        <source>Fold away</source>
-        <translation>收起</translation>
-    </message>
-    <message>
-        <source>Folds the drawer away (Esc)</source>
-        <translation>收起抽屉 (Esc)</translation>
-    </message>
-</context><context><name>EventPage</name><message>
-        <source>Show in the curves</source>
-        <translation>在曲线中显示</translation>
-    </message>
-    <message>
-        <source>Show its end in the curves</source>
-        <translation>在曲线中显示其结束</translation>
-    </message>
-    <message>
-        <source>Copy</source>
-        <translation>复制</translation>
-    </message>
-    <message>
-        <source>Only this kind</source>
-        <translation>仅此类别</translation>
-    </message>
-    <message>
-        <source>Only from here</source>
-        <translation>仅此来源</translation>
-    </message>
-    <message>
-        <source>Show all</source>
-        <translation>显示全部</translation>
-    </message>
-    <message>
-        <source>Events</source>
-        <translation>事件</translation>
-    </message>
-    <message>
-        <source>Double-click: show the moment in the curves</source>
-        <translation>双击：在曲线中显示该时刻</translation>
-    </message>
-</context><context><name>GuideWindow</name><message>
-        <source>User guide</source>
-        <translation>使用指南</translation>
-    </message>
-    <message>
-        <source>Search the guide</source>
-        <translation>在指南中查找</translation>
-    </message>
-    <message>
-        <source>Contents</source>
-        <translation>目录</translation>
-    </message>
-    <message>
-        <source>Text of the guide</source>
-        <translation>指南正文</translation>
-    </message>
-    <message>
-        <source>en</source>
-        <translation>zh</translation>
-    </message>
-</context><context><name>MeasureChoice</name><message>
-        <source>Tells the gripper an angle.</source>
-        <translation>按角度控制夹爪。</translation>
-    </message>
-    <message>
-        <source>Target as</source>
-        <translation>目标按</translation>
-    </message>
-    <message>
-        <source>Opening (mm)</source>
-        <translation>开度（mm）</translation>
-    </message>
-    <message>
-        <source>Angle (°)</source>
-        <translation>角度（°）</translation>
-    </message>
-</context><context><name>ModelChoice</name><message>
-        <source>The simulated arm is this model.</source>
-        <translation>仿真机械臂即为所选型号。</translation>
-    </message>
-    <message>
-        <source>No frame names the model: it is compared afterwards.</source>
-        <translation>总线上没有型号信息：连接后会自动核对。</translation>
-    </message>
-    <message>
-        <source>The pose this arm reports is that of a {fits}: choose it and press Connect.</source>
-        <translation>该机械臂反馈的位姿属于 {fits}：请选择该型号并点击“连接”。</translation>
-    </message>
-    <message>
-        <source>The pose this arm reports fits none of the models.</source>
-        <translation>该机械臂反馈的位姿不符合任何型号。</translation>
-    </message>
-    <message>
-        <source>Confirmed by the pose the arm reports.</source>
-        <translation>与机械臂反馈的位姿一致，已确认。</translation>
-    </message>
-    <message>
-        <source>Fits the pose the arm reports; so do others. Move a joint to decide.</source>
-        <translation>符合机械臂反馈的位姿，但其它型号也符合。移动一个关节即可判定。</translation>
-    </message>
-    <message>
-        <source>Not compared yet: the arm must stand still.</source>
-        <translation>尚未核对：需要机械臂静止。</translation>
-    </message>
-    <message>
-        <source>Model of the arm</source>
-        <translation>机械臂型号</translation>
-    </message>
-    <message>
-        <source>Its lengths decide where the tool is. The limits of the joints are always read from the arm.</source>
-        <translation>型号决定各连杆长度，从而决定末端位置。关节限位始终从机械臂读取。</translation>
-    </message>
-</context><context><name>ModelMark</name><message>
-        <source>{model}? The pose is that of a {other}</source>
-        <translation>{model}？位姿属于 {other}</translation>
-    </message>
-    <message>
-        <source>Click to connect it as a {other}.</source>
-        <translation>点击以 {other} 重新连接。</translation>
-    </message>
-    <message>
-        <source>{model}? The pose fits none</source>
-        <translation>{model}？位姿不符合任何型号</translation>
-    </message>
-    <message>
-        <source>The pose the arm reports fits none of the models.</source>
-        <translation>机械臂反馈的位姿不符合任何型号。</translation>
-    </message>
-    <message>
-        <source>Model of the arm, confirmed by the pose it reports.</source>
-        <translation>机械臂型号，与反馈的位姿一致，已确认。</translation>
-    </message>
-    <message>
-        <source>Model of the arm, as chosen; not compared yet.</source>
-        <translation>机械臂型号（操作者选择），尚未核对。</translation>
-    </message>
-    <message>
-        <source>Model of the arm: {text}</source>
-        <translation>机械臂型号：{text}</translation>
-    </message>
-</context><context><name>Mounting</name><message>
-        <source>Unchanged</source>
-        <translation>不变</translation>
-    </message>
-    <message>
-        <source>Level</source>
-        <translation>水平</translation>
-    </message>
-    <message>
-        <source>Left side</source>
-        <translation>左侧</translation>
-    </message>
-    <message>
-        <source>Right side</source>
-        <translation>右侧</translation>
-    </message>
-    <message>
-        <source>Upside down</source>
-        <translation>水平倒装</translation>
-    </message>
-</context><context><name>MountingCard</name><message>
-        <source>Tell the arm its mounting: {mounting}</source>
-        <translation>告知机械臂安装方式：{mounting}</translation>
-    </message>
-    <message>
-        <source>The arm carries its own weight by what it believes of its mounting. If that is wrong it may sink or rise when it is led by hand, hold badly, and stop for collisions that are none.
-It takes this over at once. Compare with how the arm really stands, and keep clear.</source>
-        <translation>机械臂按所设的安装方式补偿自重。若设置错误，拖动时可能下沉或上浮，保持不稳，并可能误报碰撞而停止。
-设置立即生效。请核对机械臂的实际安装方式，并远离机械臂。</translation>
-    </message>
-    <message>
-        <source>Tells the arm how it is mounted. Asks first.</source>
-        <translation>告知机械臂其安装方式。会先询问。</translation>
-    </message>
-    <message>
-        <source>Choose how the arm is mounted first.</source>
-        <translation>请先选择机械臂的安装方式。</translation>
-    </message>
-    <message>
-        <source>nothing yet</source>
-        <translation>尚未发送</translation>
-    </message>
-    <message>
-        <source>Told last by this program: {mounting}</source>
-        <translation>本程序上次发送：{mounting}</translation>
-    </message>
-    <message>
-        <source>Mounting of the arm</source>
-        <translation>机械臂安装方式</translation>
-    </message>
-    <message>
-        <source>Confirm</source>
-        <translation>确认</translation>
-    </message>
-    <message>
-        <source>The arm does not answer this and cannot be asked for it: another program, or the arm itself after a power cut, may have another one.</source>
-        <translation>机械臂对此不应答，也无法查询：其他程序或断电后的机械臂可能采用不同的设置。</translation>
-    </message>
-</context><context><name>PlotPage</name><message>
-        <source>The arrangement of the plots could not be kept: {text}</source>
-        <translation>无法保存曲线布局：{text}</translation>
-    </message>
-    <message>
-        <source>Curves</source>
-        <translation>曲线</translation>
-    </message>
-</context><context><name>PointTarget</name><message>
-        <source>Drag in the picture</source>
-        <translation>在画面中拖动</translation>
-    </message>
-</context></TS>
+</context>
+</TS>
