@@ -350,6 +350,10 @@ class FakeGripper:
     def figures(self) -> Figures:
         return figures_of(self._controller.operating_state.generation, self._controller.state)
 
+    @property
+    def tells_angle(self) -> bool:
+        return False
+
     def why_not(self, *, moving: bool, letting_go: bool = False) -> Refusal | None:
         return self._controller.operating_state.cannot_enable
 
