@@ -8,7 +8,7 @@ from typing import Final, Literal, get_args
 from armui.arm.json_fields import finite
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
-from armui.protocol.piper_model import are_models
+from armui.protocol.piper_model import PiperModel
 
 Language = Literal["zh", "en"]
 ThemeName = Literal["light", "dark", "system"]
@@ -24,6 +24,7 @@ _MOST_SHOWN: Final = 60
 _LONGEST_PATH: Final = 4096
 _MOST_DEVICES: Final = 200
 _LONGEST_NAME: Final = 200
+_MOST_MODELS: Final = 1000
 
 JOG_STEP_MIN_DEG: Final = 0.001
 """The resolution of an angle on the bus."""
@@ -64,7 +65,7 @@ def check(name: str, value: object) -> Refusal | None:
         "gamepad_mode": value in get_args(GamepadMode),
         "gamepad_one_axis": isinstance(value, bool),
         "gamepad_buttons": _are_buttons(value),
-        "models": are_models(value),
+        "models": _are_models(value),
     }
     if allowed.get(name, False):
         return None
@@ -104,6 +105,16 @@ def _are_buttons(value: object) -> bool:
         and isinstance(buttons, Mapping)
         and all(_is_name(what) and _is_name(button) for what, button in buttons.items())
         for device, buttons in value.items()
+    )
+
+
+def _are_models(value: object) -> bool:
+    """Whether a value says of arms which models they are."""
+    return (
+        isinstance(value, dict)
+        and len(value) <= _MOST_MODELS
+        and all(isinstance(key, str) and len(key) <= _LONGEST_PATH for key in value)
+        and all(model in list(PiperModel) for model in value.values())
     )
 
 

@@ -44,9 +44,9 @@ class ChannelSurvey:
         reason: Why, as the end of a sentence that begins "generation N, because".
         is_certain: Whether anything tells; if not, the operator should choose.
         feedback_offset: Added to the identifiers of its feedback (0x470).
-        model: Which arm of the family it is; ``None``: nothing tells.
         firmware: The version it names anywhere in the log, as ``S-V1.8-5``; "" where none was
             found.
+        model: Which arm of the family it is; ``None``: nothing tells.
     """
 
     channel: Channel
@@ -55,8 +55,8 @@ class ChannelSurvey:
     reason: str
     is_certain: bool
     feedback_offset: int
-    model: PiperModel | None = None
     firmware: str = ""
+    model: PiperModel | None = None
 
 
 def survey(session: Session) -> tuple[ChannelSurvey, ...]:
@@ -91,9 +91,9 @@ def _channel(session: Session, last: FrameBatch, channel: Channel) -> ChannelSur
         generation=verdict.generation,
         reason=verdict.reason,
         is_certain=detector.has_evidence,
+        firmware=_firmware(session, channel),
         feedback_offset=offset,
         model=model_of_log(session, channel, verdict.generation, offset) if known else None,
-        firmware=_firmware(session, channel),
     )
 
 

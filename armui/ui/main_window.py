@@ -11,13 +11,15 @@ from PySide6.QtCore import QRect, QSize
 from PySide6.QtGui import QCloseEvent, QContextMenuEvent, QShowEvent
 from PySide6.QtWidgets import QHBoxLayout, QVBoxLayout, QWidget
 
+from armui.arm.state import ArmState
 from armui.control.devices.joint_monitor import JointMonitor
-from armui.control.operating_state import StopState
+from armui.control.operating_state import OperatingState, StopState
 from armui.ui.actions.window_actions import WindowActions
 from armui.ui.background import Background
 from armui.ui.gamepad.gamepad_strip import GamepadStrip
 from armui.ui.panels.jogging.motion_panel import MotionPanel
 from armui.ui.picture.picture_work import PictureWork
+from armui.ui.shell.arm_in_view import show_in_view
 from armui.ui.shell.closing import close_unless_moving
 from armui.ui.shell.diagnosis_dialogs import DiagnosisDialogs
 from armui.ui.shell.drawer import Drawer
@@ -195,7 +197,8 @@ class MainWindow(Translated, KeepsFocus, QWidget):
         self._view.joint_picked.connect(self._panels.focus_joint)
         self._view.load_failed.connect(self._status_bar.show_problem)
         self._status_bar.event_wanted.connect(self._watch.show_events)
-        self._robot.follow(self)
+        self._controller.state_changed.connect(self._show_in_view)
+        self._controller.operating_state_changed.connect(self._on_operating_state_changed)
         self._unsubscribe = self._preferences.subscribe(self._on_settings_changed)
 
     # -- panels -------------------------------------------------------------------------------
@@ -228,6 +231,13 @@ class MainWindow(Translated, KeepsFocus, QWidget):
 
     # -- the arm in 3D ------------------------------------------------------------------------
 
+    def _on_operating_state_changed(self, _operating_state: OperatingState) -> None:
+        self._show_in_view(self._controller.state)
+
+    def _show_in_view(self, state: ArmState) -> None:
+        if self.isVisible():
+            show_in_view(self._view, state, self._controller.operating_state)
+
     def _recolor(self) -> None:
         dark = colors_of(self) is DARK
         self._view.set_theme(scene_palette.DARK if dark else scene_palette.LIGHT)
@@ -240,20 +250,19 @@ class MainWindow(Translated, KeepsFocus, QWidget):
             for panel in self._panels.panels:
                 if isinstance(panel, MotionPanel):
                     panel.set_jog_step(settings.jog_step_deg)
-        self._robot.choose(settings.urdf_path)
+        if old.urdf_path != settings.urdf_path:
+            self._robot.choose(settings.urdf_path)
 
     def open_connect_dialog(self) -> None:
         """Show the window 连接机械臂 (manual 1.0.1)."""
 
         def make() -> QDialog:
             from armui.ui.dialogs.connect import ConnectDialog  # noqa: PLC0415 - faster start
+            from armui.ui.dialogs.kept_models import KeptModels  # noqa: PLC0415 - as above
 
+            kept = KeptModels(self._preferences)
             dialog = ConnectDialog(
-                self._controller,
-                self,
-                self._leave_arm_then,
-                self._preferences,
-                self._background,
+                self._controller, self, self._leave_arm_then, kept, self._background
             )
             dialog.diagnosis_wanted.connect(self._diagnosis.open_doctor)
             return dialog
@@ -355,7 +364,7 @@ class MainWindow(Translated, KeepsFocus, QWidget):
     def showEvent(self, event: QShowEvent) -> None:
         """Catch up with what went by while the window was hidden."""
         super().showEvent(event)
-        self._robot.catch_up()
+        self._show_in_view(self._controller.state)
 
     def closeEvent(self, event: QCloseEvent) -> None:
         """Ask first while something is not saved, is under way, or the arm moves by itself."""

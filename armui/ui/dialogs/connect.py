@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import replace
-from typing import TYPE_CHECKING, Final
+from typing import Final
 
 from PySide6.QtCore import QItemSelection, QItemSelectionModel, Signal
 from PySide6.QtGui import QShowEvent
@@ -40,13 +40,10 @@ from armui.ui.widgets.plain_table import list_rows
 from armui.ui.widgets.progress import quiet_progress
 from armui.ui.widgets.text_label import text_label
 
-if TYPE_CHECKING:
-    from armui.settings import SettingsStore
-
 _BITRATES: Final = (DEFAULT_BITRATE, 500_000)
 """Today's hardware, and what generation 1's protocol text says."""
 
-_SIZE_PX: Final = (820, 640)
+_SIZE_PX: Final = (820, 560)
 
 Leaving = Callable[[QWidget, Callable[[], object]], object]
 """Given the window that asks and what to go on with, now or once the operator agrees."""
@@ -59,7 +56,7 @@ class ConnectDialog(ArmDialog):
         controller: Searches and connects.
         parent: The main window.
         before_leaving: Asks about what is not saved, before the arm is left for another or none.
-        preferences: Keeps which model was chosen for which arm.
+        kept_models: Which model was chosen for which arm.
         background: Where it is looked for what is wrong with an adapter; nothing is by default.
 
     Signals:
@@ -73,7 +70,7 @@ class ConnectDialog(ArmDialog):
         controller: ArmController,
         parent: QWidget | None = None,
         before_leaving: Leaving | None = None,
-        preferences: SettingsStore | None = None,
+        kept_models: KeptModels | None = None,
         background: Background | None = None,
     ) -> None:
         super().__init__(controller, parent)
@@ -84,7 +81,7 @@ class ConnectDialog(ArmDialog):
         self._operating_state = controller.operating_state
         self._model = DeviceModel()
         self._searching = False
-        self._build(KeptModels(preferences))
+        self._build(kept_models or KeptModels())
         self.resize(*_SIZE_PX)
 
         self._model.modelAboutToBeReset.connect(self._keep_selection)
