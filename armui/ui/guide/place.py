@@ -21,6 +21,7 @@ _WINDOWS: Final[Mapping[str, str]] = {
     "CommandPalette": "keys",
     "ConnectDialog": "connect",
     "DoctorDialog": "doctor",
+    "DragAssistanceDialog": "teaching",
     "EditorPage": "editor",
     "EventPage": "events",
     "ExportDialog": "export",
