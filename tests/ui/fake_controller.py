@@ -354,6 +354,9 @@ class FakeGripper:
     def tells_angle(self) -> bool:
         return False
 
+    def why_no_angle(self) -> Refusal | None:
+        return None
+
     def why_not(self, *, moving: bool, letting_go: bool = False) -> Refusal | None:
         return self._controller.operating_state.cannot_enable
 
