@@ -22,7 +22,7 @@ from armui.control.operating_state import OperatingState
 from armui.control.parameters.setting_cell import SettingCellState
 from armui.control.parameters.setting_checks import Changes
 from armui.control.safety.recovery_steps import Action, Step, StepKind
-from armui.protocol.codes import ALL_JOINTS, LinkageRole, TeachingState, TrajectoryCommand
+from armui.protocol.codes import ALL_JOINTS, LinkageRole, Mounting, TeachingState, TrajectoryCommand
 from armui.telemetry.events import Asker, EventEntry, EventKind, EventLog
 from tests.ui.arm_states import arm_state, operating_state
 
@@ -58,6 +58,7 @@ class FakeController(QObject):
         self.zeroing = FakeZeroing(self)
         self.settings = FakeSettings(self)
         self.gripper = FakeGripper(self)
+        self.mounting = FakeMounting(self)
         self.linkage = FakeLinkage(self)
         self.events = EventLog()
         self.happenings = FakeHappenings(self.events)
@@ -338,6 +339,19 @@ class FakeLinkage:
 
     def release(self) -> Refusal | None:
         return self._controller._asked("release_linkage")
+
+
+class FakeMounting:
+    """How the arm of a fake controller is mounted."""
+
+    def __init__(self, controller: FakeController) -> None:
+        self._controller = controller
+
+    def why_not(self, mounting: Mounting) -> Refusal | None:
+        return self._controller.operating_state.cannot_enable
+
+    def why_not_by_firmware(self, mounting: Mounting) -> Refusal | None:
+        return None
 
 
 class FakeGripper:

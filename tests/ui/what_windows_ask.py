@@ -24,7 +24,7 @@ from armui.control.operating_state import OperatingState
 from armui.control.parameters.setting_cell import SettingCellState
 from armui.control.parameters.setting_checks import Changes
 from armui.control.safety.recovery_steps import Action, Step
-from armui.protocol.codes import ALL_JOINTS, LinkageRole, TeachingState, TrajectoryCommand
+from armui.protocol.codes import ALL_JOINTS, LinkageRole, Mounting, TeachingState, TrajectoryCommand
 from armui.telemetry.events import EventEntry, EventLog
 
 if TYPE_CHECKING:
@@ -144,6 +144,13 @@ class Gripper(Protocol):
     def move(self, travel: float, effort: float) -> Refusal | None: ...
 
 
+class MountingOrders(Protocol):
+    """How the arm is mounted."""
+
+    def why_not(self, mounting: Mounting) -> Refusal | None: ...
+    def why_not_by_firmware(self, mounting: Mounting) -> Refusal | None: ...
+
+
 class Sessions(Protocol):
     """Recordings of the session."""
 
@@ -218,6 +225,8 @@ class Controller(Protocol):
     def settings(self) -> Settings: ...
     @property
     def gripper(self) -> Gripper: ...
+    @property
+    def mounting(self) -> MountingOrders: ...
     @property
     def linkage(self) -> Linkage: ...
     @property
