@@ -97,7 +97,7 @@ def test_a_stop_that_is_not_confirmed_goes_everywhere(arm):
 def test_an_arm_left_with_offsets_is_found(any_rig):
     arm = any_rig
     arm.firmware.settings.linkage = LinkageSettings(OUTPUT, 0x10, 0x20)
-    arm.firmware._take_linkage()
+    arm.firmware._linkage.take_effect()
     arm.controller.connect_device(arm.device)
     arm.run_until(lambda: "linkage_found" in arm.codes())
     arm.run_until(lambda: arm.controller.state.angles_deg() is not None)

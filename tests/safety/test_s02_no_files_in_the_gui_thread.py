@@ -140,14 +140,15 @@ def test_the_library(live_driver, monkeypatch, tmp_path):
         window._exchange._write(["one", "two"], lambda name: tmp_path / f"{name}.csv")
         idle(app_driver)
         driver.choose("one")
-        window._strip.check()
+        window._run_bar.check()
         app_driver.wait(
             lambda: (
-                driver.rows()[driver.names().index("one")][4] != "–" and not window._strip._checking
+                driver.rows()[driver.names().index("one")][4] != "–"
+                and not window._run_bar._checking
             )
         )
-        window._strip._on_send()
-        app_driver.wait(lambda: not window._strip._checking)
+        window._run_bar._on_send()
+        app_driver.wait(lambda: not window._run_bar._checking)
         idle(app_driver)
     assert (tmp_path / "two.csv").exists()
     assert forbidden(seen) == []
@@ -166,8 +167,8 @@ def test_the_editor(live_driver, monkeypatch):
         app_driver.click(editor.findChild(QWidget, "editor_insert_measured"))
         editor._drafts._write_behind()
         idle(app_driver)
-        editor._strip.check()
-        app_driver.wait(lambda: not editor._strip._checking)
+        editor._run_bar.check()
+        app_driver.wait(lambda: not editor._run_bar._checking)
         editor.save()
         app_driver.wait(lambda: editor.document.saved)
         editor.document.set_note("mine", "note")

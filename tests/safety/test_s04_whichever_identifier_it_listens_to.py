@@ -17,7 +17,7 @@ STOP = bytes.fromhex("01 00 00 00 00 00 00 00")
 def keep_control_offset(rig, offset):
     """Give the arm a control offset from before, of which its feedback tells nothing."""
     rig.firmware.settings.linkage = LinkageSettings(OUTPUT, 0x00, offset)
-    rig.firmware._take_linkage()
+    rig.firmware._linkage.take_effect()
 
 
 @pytest.mark.parametrize("offset", [0x00, 0x10, 0x20])

@@ -22,7 +22,7 @@ def ready(rig, offset):
     """An enabled arm that listens under an offset of which its feedback tells nothing."""
     rig.lie(HERE)
     rig.firmware.settings.linkage = LinkageSettings(LinkageRole.MOTION_OUTPUT, 0x00, offset)
-    rig.firmware._take_linkage()
+    rig.firmware._linkage.take_effect()
     rig.connect()
     assert rig.controller.motors.enable() is None
     rig.run_until(lambda: all(rig.controller.operating_state.enabled))

@@ -162,7 +162,7 @@ def test_an_answer_without_a_readable_version_is_no_generation_1(rig):
     rig.run_until(lambda: rig.controller.operating_state.link is LinkState.ONLINE)
     cut = can.Message(arbitration_id=VERSION, data=b"\0\0\0\0S-V1", is_extended_id=False)
     rig._arm_bus.send(cut)
-    rig.run_until(lambda: rig.controller.operating_state.generation is not None, 2.0)
+    rig.run_until(lambda: rig.controller.operating_state.generation is not None, 5.0)
     assert rig.controller.operating_state.generation is Generation.TWO
 
 

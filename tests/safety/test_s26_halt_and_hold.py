@@ -86,7 +86,7 @@ def test_the_literal_frames_go_out_on_all_three_identifiers(rig):
 def test_it_reaches_an_arm_whose_control_offset_is_not_proven(any_rig):
     rig = any_rig
     rig.firmware.settings.linkage = LinkageSettings(LinkageRole.MOTION_OUTPUT, 0x10, 0x20)
-    rig.firmware._take_linkage()
+    rig.firmware._linkage.take_effect()
     rig.controller.connect_device(rig.device)
     rig.run_until(lambda: "linkage_found" in rig.codes())
     rig.run_until(lambda: "limits_read" in rig.codes())

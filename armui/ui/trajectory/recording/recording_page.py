@@ -177,7 +177,10 @@ class RecordingPage(Page):
     def _show_joined(self, recording: Recording) -> None:
         self._joining = False
         self._show_recording(recording)
-        if self._leaving:
+        self._go_on_leaving()
+
+    def _go_on_leaving(self) -> None:
+        if self._leaving and not self._joining and self._job is None:
             self._leaving = False
             self.leave()
 
@@ -228,6 +231,7 @@ class RecordingPage(Page):
         self._show_kept()
         if result is not None and then is not None:
             then(result)
+        self._go_on_leaving()
 
     def _show_kept(self) -> None:
         whole, result = self._recording, self._result
@@ -299,8 +303,8 @@ class RecordingPage(Page):
         """Close; a recording that runs is ended first, one that is not kept asks."""
         if self._controller.recorder.recording and self._recording is None:
             self._take()
-        if self._joining:
-            self._leaving = True  # asks as soon as what was recorded is there
+        if self._joining or self._job is not None:
+            self._leaving = True  # as soon as what was recorded is there, and what is kept of it
             return
         if not self._unsaved:
             super().leave()
