@@ -51,7 +51,7 @@ def test_a_slow_stream_speaks_at_once_and_then_every_period(rig, other_host):
 
 def test_a_host_in_mit_and_its_speed_without_it(rig, other_host):
     tell(rig.firmware, ENABLE)
-    other_host.speed(30, move=4, mit=True)
+    other_host.speed(30, move=6, mit=True)
     rig.step()
     assert rig.firmware.condition.direct
     other_host.speed(30)

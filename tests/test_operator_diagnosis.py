@@ -41,7 +41,7 @@ def test_the_diagnosis_looks_at_this_computer_in_a_process_of_its_own(app_driver
     report = dialog.report()
     assert "Python 3." in report
     assert "an arm of generation 2" in report
-    assert "Firmware S-V1.8-9." in report
+    assert "Firmware S-V1.8-9 (" in report
     assert dialog.findChild(MessageLine).text()
     # nothing was sent but what the program itself asks an arm that comes online
     assert "An arm answers." in report

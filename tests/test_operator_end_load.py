@@ -102,4 +102,4 @@ def test_without_an_arm(any_driver):
     any_driver.click("menu_end_load")
     for name in ("load_confirm_button", "end_feedback_button"):
         assert not any_driver.find(name).isEnabled()
-    assert "No arm is connected" in message(any_driver)
+    assert "No arm is connected" in any_driver.read("recovery_text")

@@ -196,7 +196,8 @@ def test_after_a_new_zero_nothing_old_is_gone_on_with(ready):
     ready.run_until(lambda: "zero_set_joint" in ready.codes())
     assert now(ready.controller.player.progress.phase) is RunPhase.IDLE
     assert not editor.findChild(QWidget, "run_resume").isVisible()
-    assert [ready.read(f"target_field_{joint}") for joint in range(1, 7)] == [""] * 6
+    measured = [f"{angle:.3f}" for angle in ready.firmware.joints_deg]
+    assert [ready.read(f"target_field_{joint}") for joint in range(1, 7)] == measured
     ready.ear.heard.clear()
     ready.run(1.0)
     assert ready.ear.heard == []

@@ -167,7 +167,7 @@ def test_a_link_lost_half_way_ends_the_waiting(enabled):
     assert "Waiting" in enabled.read("teaching_message")
     enabled.unplug(can.CanOperationError("gone", error_code=errno.ENODEV))
     enabled.wait(lambda: "link_lost" in enabled.codes())
-    assert "device is gone" in enabled.read("teaching_message")
+    assert "device is gone" in enabled.read("recovery_text")
     assert enabled.read("teaching_state") == "—"
     assert usable(enabled) == set()
     enabled.plug_in()

@@ -146,15 +146,22 @@ DIALOGS = {
     "palette": lambda driver: actions(driver).open_palette(),
     "shortcuts": lambda driver: actions(driver).open_shortcuts(),
     "guide": lambda driver: actions(driver).open_guide(),
-    "curves": lambda driver: driver.click("plots_button"),
-    "events": lambda driver: driver.click("events_button"),
-    "bus": lambda driver: driver.click("bus_button"),
     "recordings": lambda driver: driver.click("sessions_button"),
 }
 
 
+DRAWER = ("plots", "events", "bus")
+
+
 def actions(driver):
     return driver.window.findChild(WindowActions)
+
+
+@pytest.mark.parametrize("page", DRAWER)
+def test_in_the_pages_of_the_drawer(ready, page):
+    ready.click(f"{page}_button")
+    ready.run(0.1)
+    inspect(ready, ready.window)
 
 
 @pytest.mark.parametrize("dialog", DIALOGS)

@@ -101,7 +101,10 @@ class Panel(Translated, QWidget):
 
     def _unless_told(self, reason: Refusal | None) -> Refusal | None:
         """A standing reason, unless the line of the next step above the panel says it already."""
-        if self._operating_state.link is LinkState.NO_DEVICE:
+        now = self._operating_state
+        if reason not in (now.unreachable, now.cannot_enable, now.cannot_move):
+            return reason  # of this panel alone: no step leads out of it
+        if now.link is LinkState.NO_DEVICE:
             return None
         told = self._controller.recovery.step.kind not in _SAID_ONLY_HERE
         return None if told else reason

@@ -34,7 +34,7 @@ def test_our_arm_has_its_joints_colours_and_meshes():
     assert robot.root == "base_link"
     assert robot.arm_joints == tuple(f"joint{number}" for number in range(1, 7))
     shell, dark = parts_of(robot, "link2")
-    committed: Any = trimesh.load(URDF / "meshes" / "link2_shell.stl")
+    committed: Any = trimesh.load(URDF / "piper" / "meshes" / "link2_shell.stl")
     np.testing.assert_allclose(shell.surface.triangles, committed.triangles)
     assert min(shell.color) > 0.9
     assert max(dark.color) < 0.3
