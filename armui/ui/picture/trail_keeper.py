@@ -19,6 +19,8 @@ if TYPE_CHECKING:
     from armui.viewport.view import ArmView
 
 _MM: Final = 1000.0
+_BETWEEN_S: Final = 0.1
+"""A trail that grows is handed over this often: it is copied and drawn as a whole."""
 
 
 class TrailKeeper:
@@ -39,6 +41,8 @@ class TrailKeeper:
         self._trail = ToolTrail(length_s)
         self._device = controller.operating_state.device
         self._seen: tuple[tuple[float, ...] | None, tuple[float, ...] | None] = (None, None)
+        self._is_new = False
+        self._handed_over_s = 0.0
 
     def set_length(self, length_s: float) -> None:
         """Show so many seconds of motion; 0: nothing."""
@@ -63,6 +67,10 @@ class TrailKeeper:
             return
         if any(is_stale(heard, state, operating_state) for heard in state.joints_deg):
             return
+        now_s = state.last_feedback_s or 0.0
+        if self._is_new and not 0.0 <= now_s - self._handed_over_s < _BETWEEN_S:
+            self._is_new, self._handed_over_s = False, now_s
+            self._view.set_trail(self._trail.trail)
         setpoint_deg = self._controller.motion.setpoint_deg
         if look_alike(tuple(angles_deg), self._seen[0]) and setpoint_deg == self._seen[1]:
             return
@@ -71,8 +79,7 @@ class TrailKeeper:
         if driven_mm is None:
             return
         commanded_mm = None if setpoint_deg is None else self._tool_mm(setpoint_deg)
-        if self._trail.add(state.last_feedback_s or 0.0, driven_mm, commanded_mm):
-            self._view.set_trail(self._trail.trail)
+        self._is_new |= self._trail.add(now_s, driven_mm, commanded_mm)
 
     def _tool_mm(self, angles_deg: Sequence[float]) -> Vector | None:
         """Where the picture has the tool at six angles."""

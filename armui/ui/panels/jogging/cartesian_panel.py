@@ -214,9 +214,9 @@ class CartesianPanel(JogPanel):
 
     # -- what the arm says --------------------------------------------------------------------
 
-    def _on_state_changed(self, _state: ArmState) -> None:
+    def _on_state_changed(self, state: ArmState) -> None:
         if self.isVisible():
-            self._follow_arm()
+            self._follow_now_and_then(state)
             self._show_measured()
             self._show_message()
 

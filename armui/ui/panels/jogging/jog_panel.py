@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QFrame, QLabel, QLayout, QPushButton, QWidget
 
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
+from armui.arm.state import ArmState
 from armui.control.arm_controller import ArmController
 from armui.control.events import ZEROING_ENDED, Event, EventCode
 from armui.control.operating_state import OperatingState
@@ -24,6 +25,7 @@ from armui.ui.widgets.hold_guard import UNATTENDED_S
 from armui.ui.widgets.layouts import STRETCH, in_row
 
 _BUTTON_PX: Final = 38
+_FOLLOW_S: Final = 0.1
 
 
 class JogPanel(Panel):
@@ -52,6 +54,7 @@ class JogPanel(Panel):
         write_step: Callable[[float], str],
     ) -> None:
         super().__init__(controller, message_name)
+        self._followed_s = 0.0
         self._numbers = tuple(numbers)
         self._step_label = QLabel()
         self._step_box = named(f"{name}_step", StepBox(write_step))
@@ -124,6 +127,13 @@ class JogPanel(Panel):
     def _first_wrong(self) -> Refusal | None:
         """What is to be said against the targets as they stand in the fields."""
         raise NotImplementedError
+
+    def _follow_now_and_then(self, state: ArmState) -> None:
+        """Follow a moving arm no faster than fields can be read; painting them costs the most."""
+        at_s = state.last_feedback_s or 0.0
+        if not 0.0 < at_s - self._followed_s < _FOLLOW_S:
+            self._followed_s = at_s
+            self._follow_arm()
 
     def _follow_arm(self) -> None:
         """Show in the fields in which no target was given where the arm is."""

@@ -203,7 +203,7 @@ class MotionPanel(JogPanel):
     def _on_state_changed(self, state: ArmState) -> None:
         self._follow_device()
         if self.isVisible():
-            self._follow_arm()
+            self._follow_now_and_then(state)
             self._show_measured(state)
 
     def _show_measured(self, state: ArmState) -> None:
