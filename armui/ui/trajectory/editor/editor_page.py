@@ -247,9 +247,6 @@ class EditorPage(Page):
             self._show_failure,
         )
 
-    def _on_not_run(self, reason: Refusal) -> None:
-        self._say(words.refusal(reason), Level.WARNING)
-
     def _on_progress(self, progress: Progress) -> None:
         ours = progress.name == self.document.name
         under_way = ours and progress.phase not in OVER

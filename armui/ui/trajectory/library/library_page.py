@@ -298,9 +298,6 @@ class LibraryPage(Page):
         self._findings.setVisible(bool(checked.findings) or accept is not None)
         self.preview_wanted.emit(checked)
 
-    def _on_not_run(self, reason: Refusal) -> None:
-        self._say(words.refusal(reason), Level.WARNING)
-
     def _on_progress(self, progress: Progress) -> None:
         if progress.reason is not None:
             text = self.tr("“{name}” ended at row {row}. {reason}").format(

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import enum
 from collections.abc import Sequence
-from pathlib import Path
 from typing import TYPE_CHECKING, Any, Final
 
 from PySide6.QtCore import (
@@ -219,8 +218,3 @@ class SessionsModel(QAbstractTableModel):
             SessionColumn.STOPS: entry.stops,
         }
         return keys.get(column, self._text(entry, column).casefold())
-
-
-def folder_path(entry: RecordingEntry, folder: Path) -> Path:
-    """What is opened of a recording: its first file, or where it would be."""
-    return entry.path if entry.path is not None else folder / entry.name
