@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Final
 
-from PySide6.QtCore import QT_TRANSLATE_NOOP, QCoreApplication, QEvent, Signal
+from PySide6.QtCore import QT_TRANSLATE_NOOP, QCoreApplication, Signal
 from PySide6.QtWidgets import QComboBox, QHBoxLayout, QPushButton, QWidget
 
 from armui.ui.watch.plot_layout import SETS
 from armui.ui.watch.save_button import SaveButton
 from armui.ui.watch.time_frame import SPANS_S
+from armui.ui.widgets.translated import Translated
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -26,7 +27,7 @@ _SETS: Final[Mapping[str, object]] = {
 SAVES: Final = ("csv", "png", "svg", "copy_picture", "copy_values")
 
 
-class PlotBar(QWidget):
+class PlotBar(Translated, QWidget):
     """Commands a board, and shows how it stands.
 
     Args:
@@ -144,12 +145,6 @@ class PlotBar(QWidget):
         for name, text in texts.items():
             self.saves[name].setText(text)
         self.refresh()
-
-    def changeEvent(self, event: QEvent) -> None:
-        """Follow the language."""
-        if event.type() == QEvent.Type.LanguageChange:
-            self.retranslate_ui()
-        super().changeEvent(event)
 
 
 def _span_text(span_s: float) -> str:

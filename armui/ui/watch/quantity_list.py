@@ -5,13 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import TYPE_CHECKING, Final
 
-from PySide6.QtCore import QEvent, QModelIndex, QSortFilterProxyModel, Qt, QTimer, Signal
+from PySide6.QtCore import QModelIndex, QSortFilterProxyModel, Qt, QTimer, Signal
 from PySide6.QtGui import QColor, QStandardItem, QStandardItemModel
 from PySide6.QtWidgets import QAbstractItemView, QLineEdit, QTreeView, QVBoxLayout, QWidget
 
 from armui.telemetry.quantities import QUANTITIES, Source
 from armui.ui.theme import colors_of
 from armui.ui.watch.carrying import carry_away
+from armui.ui.widgets.translated import Translated
 from armui.ui.words import quantities as names
 
 if TYPE_CHECKING:
@@ -37,7 +38,7 @@ class _Tree(QTreeView):
             carry_away(self, list(dict.fromkeys(keys)))
 
 
-class QuantityList(QWidget):
+class QuantityList(Translated, QWidget):
     """A search field over a tree; what was never heard is muted.
 
     Args:
@@ -175,10 +176,5 @@ class QuantityList(QWidget):
         super().hideEvent(event)
         self._timer.stop()
 
-    def changeEvent(self, event: QEvent) -> None:
-        """Follow the language and the colours."""
-        if event.type() == QEvent.Type.LanguageChange:
-            self.retranslate_ui()
-        elif event.type() == QEvent.Type.PaletteChange:
-            self.show_heard()
-        super().changeEvent(event)
+    def _recolor(self) -> None:
+        self.show_heard()
