@@ -30,6 +30,9 @@ HORIZON_S: Final = 0.045
 BRAKING_S: Final = 0.045
 """A joint is jogged no faster than it can brake from within this time."""
 
+REST_S: Final = HORIZON_S + BRAKING_S
+"""After the last setpoint was heard the arm rests within this time."""
+
 _LEAST_SHARE: Final = 0.1
 """The lead shrinks no further with the speed: it must span some steps of the protocol."""
 

@@ -16,7 +16,6 @@ from armui.telemetry.bus_statistics import BusStatistics
 from armui.telemetry.bus_trace import TRACE_FRAMES, TraceSnapshot
 from armui.ui.actions.keys import keys_of
 from armui.ui.watch.bus.bus_summary import BusSummary
-from armui.ui.watch.bus.cells import Index
 from armui.ui.watch.bus.filter_bar import FilterBar
 from armui.ui.watch.bus.frame_model import FrameModel
 from armui.ui.watch.bus.frame_texts import FrameTexts
@@ -25,6 +24,7 @@ from armui.ui.watch.bus.send_box import SendBox
 from armui.ui.watch.bus.trace_model import TraceModel
 from armui.ui.widgets.curve_menu import show_curves
 from armui.ui.widgets.page import Page
+from armui.ui.widgets.table_model import Index
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence

@@ -11,14 +11,15 @@ from armui.ui.theme import colors_of
 from armui.ui.watch.bus import frame_model, trace_model
 from armui.ui.watch.bus.cells import KEY_ROLE, RowView, bytes_width
 from armui.ui.widgets import icons
+from armui.ui.widgets.table_model import Index
 
 if TYPE_CHECKING:
     from PySide6.QtGui import QKeyEvent, QMouseEvent, QPainter
     from PySide6.QtWidgets import QStyleOptionViewItem
 
-    from armui.ui.watch.bus.cells import Index
     from armui.ui.watch.bus.frame_model import FrameModel
     from armui.ui.watch.bus.trace_model import TraceModel
+    from armui.ui.widgets.table_model import Index
 
 _ICON_PX: Final = 16
 _PAD_PX: Final = 24
