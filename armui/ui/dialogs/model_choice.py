@@ -29,7 +29,6 @@ class ModelChoice(Translated, QWidget):
 
     Args:
         kept: Which model was chosen for which arm.
-        parent: Qt's.
 
     Signals:
         chosen: Another model was chosen.
@@ -37,8 +36,8 @@ class ModelChoice(Translated, QWidget):
 
     chosen = Signal()
 
-    def __init__(self, kept: KeptModels, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self, kept: KeptModels) -> None:
+        super().__init__()
         self._kept = kept
         self._device: Device | None = None
         self._now: OperatingState | None = None

@@ -45,10 +45,8 @@ class GamepadStrip(Translated, QWidget):
         store: Says whether they are switched on.
     """
 
-    def __init__(
-        self, controller: ArmController, store: SettingsStore, parent: QWidget | None = None
-    ) -> None:
-        super().__init__(parent)
+    def __init__(self, controller: ArmController, store: SettingsStore) -> None:
+        super().__init__()
         self.setObjectName("gamepad_strip")
         self._controller = controller
         self._view: PilotView | None = None

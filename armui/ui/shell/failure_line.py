@@ -14,8 +14,8 @@ from armui.ui.widgets.translated import Translated
 class FailureLine(Translated, QWidget):
     """Hidden until something goes wrong; shows the newest failure, and how often it happened."""
 
-    def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self) -> None:
+        super().__init__()
         self.setObjectName("failure_line")
         self._failure: Failure | None = None
         self._message = MessageLine()

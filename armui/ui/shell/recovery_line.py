@@ -55,13 +55,8 @@ class RecoveryLine(Translated, QWidget):
         open_connection: Opens the window in which a CAN device is chosen.
     """
 
-    def __init__(
-        self,
-        controller: ArmController,
-        open_connection: Callable[[], None],
-        parent: QWidget | None = None,
-    ) -> None:
-        super().__init__(parent)
+    def __init__(self, controller: ArmController, open_connection: Callable[[], None]) -> None:
+        super().__init__()
         self.setObjectName("recovery_line")
         self._controller = controller
         self._open_connection = open_connection

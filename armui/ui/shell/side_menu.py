@@ -49,13 +49,8 @@ class SideMenu(Translated, QWidget):
 
     chosen = Signal(int)
 
-    def __init__(
-        self,
-        entries: Sequence[MenuEntry],
-        at_bottom: Sequence[QWidget],
-        parent: QWidget | None = None,
-    ) -> None:
-        super().__init__(parent)
+    def __init__(self, entries: Sequence[MenuEntry], at_bottom: Sequence[QWidget]) -> None:
+        super().__init__()
         self.setObjectName("side_menu")
         self.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
         self._entries = tuple(entries)

@@ -33,8 +33,8 @@ class SpeedControl(Translated, QWidget):
     Dragging sends when the handle is let go; keys, clicks and the field send at once.
     """
 
-    def __init__(self, controller: ArmController, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self, controller: ArmController) -> None:
+        super().__init__()
         self._controller = controller
         self.setMaximumWidth(_WIDEST_PX)
         self._label = QLabel()

@@ -71,11 +71,10 @@ class StatusBar(Translated, QWidget):
     def __init__(
         self,
         controller: ArmController,
-        parent: QWidget | None = None,
         *,
         with_notices: bool = True,
     ) -> None:
-        super().__init__(parent)
+        super().__init__()
         self.setObjectName("status_bar")
         self.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
         self._controller = controller

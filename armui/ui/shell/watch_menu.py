@@ -38,8 +38,8 @@ class WatchMenu(Translated, QWidget):
         entries: Row by row.
     """
 
-    def __init__(self, entries: Sequence[WatchEntry], parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self, entries: Sequence[WatchEntry]) -> None:
+        super().__init__()
         self.setObjectName("watch_menu")
         self._buttons: list[tuple[WatchEntry, QToolButton]] = []
         layout = QGridLayout(self)

@@ -62,8 +62,8 @@ class ExportForm(Translated, QWidget):
 
     changed = Signal()
 
-    def __init__(self, controller: ArmController, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self, controller: ArmController) -> None:
+        super().__init__()
         self._controller = controller
         self._log: Path | None = None
         self._target: Path | None = None

@@ -6,7 +6,7 @@ from typing import Final
 
 from PySide6.QtCore import QPointF, QRectF, QSignalBlocker, QSize, Qt
 from PySide6.QtGui import QColor, QMouseEvent, QPainter, QPaintEvent, QPen, QPolygonF, QWheelEvent
-from PySide6.QtWidgets import QSizePolicy, QSlider, QWidget
+from PySide6.QtWidgets import QSizePolicy, QSlider
 
 from armui.ui.theme import Colors, colors_of
 from armui.ui.widgets import painting
@@ -33,12 +33,11 @@ class TrackSlider(QSlider):
     def __init__(
         self,
         resolution: float,
-        parent: QWidget | None = None,
         *,
         origin: float | None = None,
         jumps: bool = True,
     ) -> None:
-        super().__init__(Qt.Orientation.Horizontal, parent)
+        super().__init__(Qt.Orientation.Horizontal)
         self._resolution = resolution
         self._origin = origin
         self._jumps = jumps

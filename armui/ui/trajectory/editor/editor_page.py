@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QEvent, Qt, Signal
 from PySide6.QtGui import QKeySequence, QShortcut
-from PySide6.QtWidgets import QHeaderView, QLineEdit, QWidget
+from PySide6.QtWidgets import QHeaderView, QLineEdit
 
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
@@ -53,7 +53,6 @@ class EditorPage(Page):
         work: Keeps the trajectory in the library.
         trajectory: As it is kept.
         draft: Changes of it that an earlier run of the program could not save.
-        parent: Its owner, before it stands anywhere.
 
     Signals:
         saved: The trajectory is in the library as it is shown.
@@ -77,9 +76,8 @@ class EditorPage(Page):
         trajectory: Trajectory,
         *,
         draft: Trajectory | None = None,
-        parent: QWidget | None = None,
     ) -> None:
-        super().__init__("editor", parent)
+        super().__init__("editor")
         self._controller = controller
         self._work = work
         work.setParent(self)

@@ -40,8 +40,8 @@ class RunStrip(Translated, QWidget):
         controller: Runs it.
     """
 
-    def __init__(self, controller: ArmController, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self, controller: ArmController) -> None:
+        super().__init__()
         self.setObjectName("run_strip")
         self.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
         self._runner = Runner(controller, self)

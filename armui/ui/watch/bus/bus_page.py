@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QPoint, Qt, QTimer
 from PySide6.QtGui import QGuiApplication, QKeySequence, QShortcut
-from PySide6.QtWidgets import QHeaderView, QMenu, QStackedWidget, QWidget
+from PySide6.QtWidgets import QHeaderView, QMenu, QStackedWidget
 
 from armui.arm.refusal_codes import RefusalCode
 from armui.telemetry.bus_senders import Sender
@@ -47,7 +47,6 @@ class BusPage(Page):
 
     Args:
         controller: Knows the bus.
-        parent: Its owner, before it stands anywhere.
 
     Attributes:
         statistics: What was counted.
@@ -57,8 +56,8 @@ class BusPage(Page):
         send_box: Sends a frame by hand.
     """
 
-    def __init__(self, controller: ArmController, parent: QWidget | None = None) -> None:
-        super().__init__("bus", parent)
+    def __init__(self, controller: ArmController) -> None:
+        super().__init__("bus")
         self.setObjectName("bus_page")
         self._controller = controller
         self._now_s = controller.telemetry.now_s

@@ -32,8 +32,8 @@ class BusSummary(Translated, QWidget):
         controller: Knows the connection.
     """
 
-    def __init__(self, controller: ArmController, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self, controller: ArmController) -> None:
+        super().__init__()
         self._controller = controller
         self._lost_before = 0
         self._trouble: tuple[str, Level] = ("", Level.INFO)

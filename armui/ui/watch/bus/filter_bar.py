@@ -47,8 +47,8 @@ class FilterBar(Translated, QWidget):
     pause_wanted = Signal(bool)
     clear_wanted = Signal()
 
-    def __init__(self, now_s: Callable[[], float], parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self, now_s: Callable[[], float]) -> None:
+        super().__init__()
         self._now_s = now_s
         self._ids = IdFilter()
         self._changed_since_s: float | None = None

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QRect, Qt, Signal
-from PySide6.QtWidgets import QHeaderView, QWidget
+from PySide6.QtWidgets import QHeaderView
 
 from armui.ui.theme import colors_of
 from armui.ui.watch.bus import frame_model, trace_model
@@ -35,8 +35,8 @@ class FrameTree(RowView):
 
     curves_wanted = Signal(object)
 
-    def __init__(self, model: FrameModel, parent: QWidget | None = None) -> None:
-        super().__init__(model, parent)
+    def __init__(self, model: FrameModel) -> None:
+        super().__init__(model)
         self.setObjectName("bus_tree")
         self.setModel(model)
         self.setIndentation(_INDENT_PX)
@@ -107,8 +107,8 @@ class FrameTree(RowView):
 class TraceList(RowView):
     """Frames in order of time."""
 
-    def __init__(self, model: TraceModel, parent: QWidget | None = None) -> None:
-        super().__init__(model, parent)
+    def __init__(self, model: TraceModel) -> None:
+        super().__init__(model)
         self.setObjectName("bus_trace")
         self.setRootIsDecorated(False)
         self.setItemsExpandable(False)

@@ -43,8 +43,8 @@ class SendBox(Translated, QWidget):
         controller: Sends.
     """
 
-    def __init__(self, controller: ArmController, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self, controller: ArmController) -> None:
+        super().__init__()
         self._controller = controller
         self._pressed: Frame | None = None
         self._sent = ""

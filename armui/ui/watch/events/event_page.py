@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QItemSelectionModel, QModelIndex, QPoint, Qt, QTimer, Signal
 from PySide6.QtGui import QKeySequence, QShortcut
-from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QMenu, QWidget
+from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QMenu
 
 from armui.ui.actions.keys import keys_of
 from armui.ui.theme import colors_of
@@ -39,7 +39,6 @@ class EventPage(Page):
     Args:
         controller: Knows what has happened.
         background: Where files are written.
-        parent: Its owner, before it stands anywhere.
 
     Signals:
         moment_chosen: The monotonic time of an event that was clicked.
@@ -49,10 +48,8 @@ class EventPage(Page):
     moment_chosen = Signal(float)
     moment_wanted = Signal(float)
 
-    def __init__(
-        self, controller: ArmController, background: Background, parent: QWidget | None = None
-    ) -> None:
-        super().__init__("events", parent)
+    def __init__(self, controller: ArmController, background: Background) -> None:
+        super().__init__("events")
         self.setObjectName("event_page")
         self.model = EventModel(controller.events, colors_of(self))
         self.bar = EventBar()

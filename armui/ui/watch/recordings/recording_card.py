@@ -16,7 +16,6 @@ from PySide6.QtWidgets import (
     QPushButton,
     QSpinBox,
     QVBoxLayout,
-    QWidget,
 )
 
 from armui.arm.refusal import Refusal
@@ -60,13 +59,9 @@ class RecordingCard(Translated, QFrame):
     """
 
     def __init__(
-        self,
-        controller: ArmController,
-        background: Background,
-        store: SettingsStore,
-        parent: QWidget | None = None,
+        self, controller: ArmController, background: Background, store: SettingsStore
     ) -> None:
-        super().__init__(parent)
+        super().__init__()
         self._controller = controller
         self._sessions: SessionRecorder = controller.sessions
         self._store = store

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from PySide6.QtWidgets import QCheckBox, QFrame, QProgressBar, QPushButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QCheckBox, QFrame, QProgressBar, QPushButton, QVBoxLayout
 
 from armui.control.sessions.session_recorder import KEPT_S
 from armui.ui.watch.recordings import figures
@@ -24,10 +24,8 @@ class RingCard(Translated, QFrame):
         store: Keeps whether they are saved by themselves.
     """
 
-    def __init__(
-        self, sessions: SessionRecorder, store: SettingsStore, parent: QWidget | None = None
-    ) -> None:
-        super().__init__(parent)
+    def __init__(self, sessions: SessionRecorder, store: SettingsStore) -> None:
+        super().__init__()
         self._sessions = sessions
         self._store = store
         self.setProperty("card", True)

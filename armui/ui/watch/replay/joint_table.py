@@ -45,8 +45,8 @@ class JointTable(Translated, QWidget):
         controller: Watches the log.
     """
 
-    def __init__(self, controller: ArmController, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self, controller: ArmController) -> None:
+        super().__init__()
         self.monitor = RecordedJoints(controller, parent=self)
         self.model = JointStatusModel(self.monitor)
         self.table = QTableView()

@@ -33,8 +33,8 @@ class LiveStrip(Translated, QWidget):
         controller: Of the arm that is connected, not of the log.
     """
 
-    def __init__(self, controller: ArmController, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self, controller: ArmController) -> None:
+        super().__init__()
         self.setObjectName("live_strip")
         self._controller = controller
         self._step = controller.recovery.step

@@ -58,10 +58,8 @@ class ReplayEvents(Translated, QWidget):
 
     wanted = Signal(float)
 
-    def __init__(
-        self, live: ArmController, background: Background, parent: QWidget | None = None
-    ) -> None:
-        super().__init__(parent)
+    def __init__(self, live: ArmController, background: Background) -> None:
+        super().__init__()
         self._at_s = 0.0
         self.model = EventModel(EventLog(), colors_of(self))
         self.bar = ReplayEventBar()

@@ -34,8 +34,8 @@ class ReplayFrame(Translated, QWidget):
         name: The file.
     """
 
-    def __init__(self, content: QWidget, name: str, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self, content: QWidget, name: str) -> None:
+        super().__init__()
         self.setObjectName("replay_frame")
         self._icon = QLabel()
         self.word = text_label("replay_word", plain=True)

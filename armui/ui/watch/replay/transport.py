@@ -38,8 +38,8 @@ class Transport(Translated, QWidget):
     fault_wanted = Signal(int)
     speed_wanted = Signal(float)
 
-    def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self) -> None:
+        super().__init__()
         self._playing = False
         self._drawn: bool | None = None
         acts: dict[str, Callable[[], object]] = {
