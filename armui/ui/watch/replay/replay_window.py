@@ -57,7 +57,6 @@ class ReplayWindow(ArmDialog):
         background: Where files are read and written.
         make_view: Makes the 3D picture.
         parent: The main window.
-        make_helper: Makes what reads a log: a process of its own by default.
         open_own: Opens recordings of this program, which need not be read first.
         urdf_path: The operator's own robot description; by default that of the log's model.
 
@@ -72,7 +71,6 @@ class ReplayWindow(ArmDialog):
         make_view: Callable[[], ArmView],
         parent: QWidget | None = None,
         *,
-        make_helper: Callable[[], Executor] | None = None,
         open_own: OpenOwn | None = None,
         urdf_path: str | None = None,
     ) -> None:
@@ -82,7 +80,7 @@ class ReplayWindow(ArmDialog):
         self._controller = controller
         self._background = background
         self._make_view = make_view
-        self._make_helper = make_helper or HelperProcess
+        self._make_helper: Callable[[], Executor] = HelperProcess
         self._open_own = open_own
         self._urdf_path = urdf_path
         self._opening: LogOpening | None = None
