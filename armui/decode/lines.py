@@ -189,7 +189,7 @@ class LineFormat:
         reading = _reading_of(decoded)
         gaps = frozenset(signal.name for signal in plan.gaps)
         entry = _Entry(f"0x{arbitration_id:03X}", plan.channel, reading, b"", gaps)
-        return self._template(entry)
+        return self._line_of(entry)
 
     def _single(self, batch: FrameBatch, row: int) -> str:
         """The line of one frame, whatever it is."""
@@ -202,7 +202,7 @@ class LineFormat:
             logged.frame.data,
             frozenset(),
         )
-        return self._template(entry) % (logged.time_s,)
+        return self._line_of(entry) % (logged.time_s,)
 
     def _reading(self, entry: LoggedFrame) -> _Reading:
         for flag, kind in _KINDS.items():
@@ -210,7 +210,7 @@ class LineFormat:
                 return _Reading(None, (kind, "not of the arm's protocol"))
         return _reading_of(self._codec.decode(entry.frame))
 
-    def _template(self, entry: _Entry) -> str:
+    def _line_of(self, entry: _Entry) -> str:
         """The line but for its time, which a "%" stands for."""
         return self._json(entry) if self._as_json else self._text(entry)
 
