@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QGridLayout, QSizePolicy, QToolButton, QWidget
 
 from armui.ui.theme import colors_of
 from armui.ui.widgets import icons
+from armui.ui.widgets.buttons import named
 from armui.ui.widgets.translated import Translated
 
 _COLUMNS: Final = 2
@@ -46,8 +47,7 @@ class WatchMenu(Translated, QWidget):
         layout.setContentsMargins(0, 0, 0, 0)
         layout.setSpacing(4)
         for place, entry in enumerate(entries):
-            button = QToolButton()
-            button.setObjectName(f"{entry.key}_button")
+            button = named(f"{entry.key}_button", QToolButton())
             button.setProperty("half", True)
             button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
             button.setIconSize(QSize(18, 18))

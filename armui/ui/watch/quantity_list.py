@@ -7,11 +7,13 @@ from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QModelIndex, QSortFilterProxyModel, Qt, QTimer, Signal
 from PySide6.QtGui import QColor, QStandardItem, QStandardItemModel
-from PySide6.QtWidgets import QAbstractItemView, QLineEdit, QTreeView, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QAbstractItemView, QLineEdit, QTreeView, QWidget
 
 from armui.telemetry.quantities import QUANTITIES, Source
 from armui.ui.theme import colors_of
 from armui.ui.watch.carrying import carry_away
+from armui.ui.widgets.buttons import named
+from armui.ui.widgets.layouts import in_column
 from armui.ui.widgets.translated import Translated
 from armui.ui.words import quantities as names
 
@@ -55,8 +57,7 @@ class QuantityList(Translated, QWidget):
         self._telemetry = telemetry
         self._items: dict[str, QStandardItem] = {}
         self._groups: list[tuple[QStandardItem, str]] = []
-        self.search = QLineEdit()
-        self.search.setObjectName("quantity_search")
+        self.search = named("quantity_search", QLineEdit())
         self.search.setClearButtonEnabled(True)
         self._model = QStandardItemModel(self)
         self._shown = QSortFilterProxyModel(self)
@@ -74,11 +75,7 @@ class QuantityList(Translated, QWidget):
         self.tree.setDragEnabled(True)
         self.tree.setDragDropMode(QAbstractItemView.DragDropMode.DragOnly)
         self.tree.setExpandsOnDoubleClick(False)
-        layout = QVBoxLayout(self)
-        layout.setContentsMargins(0, 0, 0, 0)
-        layout.setSpacing(6)
-        layout.addWidget(self.search)
-        layout.addWidget(self.tree, 1)
+        in_column(self.search, (self.tree, 1), on=self, spacing=6, margins=0)
         self.setFixedWidth(_WIDTH_PX)
         self._fill()
         self.search.textChanged.connect(self._on_search)

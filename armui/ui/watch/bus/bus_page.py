@@ -22,6 +22,7 @@ from armui.ui.watch.bus.frame_texts import FrameTexts
 from armui.ui.watch.bus.frame_views import FrameTree, TraceList
 from armui.ui.watch.bus.send_box import SendBox
 from armui.ui.watch.bus.trace_model import TraceModel
+from armui.ui.widgets.buttons import named
 from armui.ui.widgets.curve_menu import show_curves
 from armui.ui.widgets.page import Page
 from armui.ui.widgets.table_model import Index
@@ -237,8 +238,7 @@ class BusPage(Page):
         self._menu_of(self.model.row_of(index), self.model.keys_of(index)).popup(event.globalPos())
 
     def _menu_of(self, row: FrameRow, keys: list[str]) -> QMenu:
-        menu = QMenu(self)
-        menu.setObjectName("bus_menu")
+        menu = named("bus_menu", QMenu(self))
         menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         if keys:
             menu.addAction(self.tr("Show as curve"), partial(show_curves, self, keys))

@@ -16,6 +16,7 @@ from armui.ui.watch.events.event_cells import details
 from armui.ui.watch.events.event_export import EventExport
 from armui.ui.watch.events.event_model import EventModel
 from armui.ui.watch.events.event_table import EventTable
+from armui.ui.widgets.buttons import named
 from armui.ui.widgets.message_line import MessageLine
 from armui.ui.widgets.page import Page
 from armui.ui.widgets.text_label import text_label
@@ -61,8 +62,7 @@ class EventPage(Page):
         self.detail = text_label("event_detail", wraps=True, plain=True)
         self.detail.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
         self.detail.setAlignment(Qt.AlignmentFlag.AlignTop | Qt.AlignmentFlag.AlignLeft)
-        self._message = MessageLine()
-        self._message.setObjectName("event_message")
+        self._message = named("event_message", MessageLine())
         self._message.hide()
         for widget, stretch in ((self.bar, 0), (self.table, 1), (self.detail, 0)):
             self.body.addWidget(widget, stretch)
@@ -174,8 +174,7 @@ class EventPage(Page):
         if not index.isValid():
             return
         entry = self.model.entry(index.row())
-        menu = QMenu(self)
-        menu.setObjectName("event_menu")
+        menu = named("event_menu", QMenu(self))
         menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         menu.addAction(self.tr("Show in the curves"), lambda: self.moment_wanted.emit(entry.at_s))
         if entry.ended_s is not None:

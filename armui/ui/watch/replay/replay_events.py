@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QItemSelectionModel, Qt, QTimer, Signal
 from PySide6.QtGui import QKeySequence, QShortcut
-from PySide6.QtWidgets import QAbstractItemView, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QAbstractItemView, QWidget
 
 from armui.telemetry.events import EventLog
 from armui.ui.actions.keys import keys_of
@@ -17,6 +17,8 @@ from armui.ui.watch.events.event_export import EventExport
 from armui.ui.watch.events.event_model import EventModel
 from armui.ui.watch.events.event_table import EventTable
 from armui.ui.watch.replay.log_time import has_date
+from armui.ui.widgets.buttons import named
+from armui.ui.widgets.layouts import in_column
 from armui.ui.widgets.message_line import MessageLine
 from armui.ui.widgets.text_label import text_label
 from armui.ui.widgets.translated import Translated
@@ -63,16 +65,14 @@ class ReplayEvents(Translated, QWidget):
         self._at_s = 0.0
         self.model = EventModel(EventLog(), colors_of(self))
         self.bar = ReplayEventBar()
-        self.table = EventTable(self.model)
-        self.table.setObjectName("replay_events")
+        self.table = named("replay_events", EventTable(self.model))
         self.export = EventExport(live, background, self)
         self.detail = text_label("replay_event_detail", wraps=True, plain=True)
         self.detail.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
         self.detail.setAlignment(Qt.AlignmentFlag.AlignTop | Qt.AlignmentFlag.AlignLeft)
         self.message = MessageLine()
         self.message.hide()
-        layout = QVBoxLayout(self)
-        layout.setContentsMargins(8, 8, 8, 6)
+        layout = in_column(on=self, margins=(8, 8, 8, 6))
         for widget, stretch in (
             (self.bar, 0),
             (self.table, 1),
