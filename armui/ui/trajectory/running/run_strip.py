@@ -144,7 +144,7 @@ class RunStrip(Translated, QWidget):
         self._close.setIcon(icons.icon("close", colors_of(self).muted))
 
     def showEvent(self, event: QShowEvent) -> None:
-        """Catch up with what went by while the window was hidden."""
+        """Catch up with what went by while it was hidden."""
         super().showEvent(event)
         self._show(self._runner.progress)
 

@@ -216,7 +216,7 @@ class BusPage(Page):
     # One frame --------------------------------------------------------------------------------
 
     def quantities_at(self, place: QPoint) -> list[str]:
-        """The keys of what is shown at a place of the window."""
+        """The keys of what is shown at a place of the page."""
         index = self._index_at(place)
         return [] if index is None else self.model.keys_of(index)
 

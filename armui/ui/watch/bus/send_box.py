@@ -121,7 +121,7 @@ class SendBox(Translated, QWidget):
         self._show()
 
     def hideEvent(self, event: QHideEvent) -> None:
-        """A window that is not seen sends nothing."""
+        """What is not seen sends nothing."""
         self.close_lock()
         super().hideEvent(event)
 

@@ -31,7 +31,15 @@ class EventExport(FileExport):
     """Files and clipboard."""
 
     def save(self, kind: str, entries: Sequence[EventEntry]) -> None:
-        """Let the operator say where to, and write it there; ``kind`` is csv, json or txt."""
+        """Let the operator say where to, and write it there.
+
+        Args:
+            kind: ``csv``, ``json`` or ``txt``; or ``copy``: into the clipboard.
+            entries: What to save.
+        """
+        if kind == "copy":
+            self.copy(entries)
+            return
         on_chosen = partial(self.write, kind, entries)
         self._choose(self.tr("Save the events"), "armui-events", kind, on_chosen)
 

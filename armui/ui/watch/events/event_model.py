@@ -1,4 +1,4 @@
-"""The rows of the window 事件: the log's entries that pass the filter, the oldest first."""
+"""The rows of the page 事件: the log's entries that pass the filter, the oldest first."""
 
 from __future__ import annotations
 

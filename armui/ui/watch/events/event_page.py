@@ -75,7 +75,7 @@ class EventPage(Page):
     def _connect(self) -> None:
         self.bar.filter_changed.connect(self._on_filter)
         self.bar.follow_changed.connect(self._on_follow)
-        self.bar.save_wanted.connect(self._on_save)
+        self.bar.save_wanted.connect(lambda kind: self.export.save(kind, self.model.entries()))
         self.export.said.connect(self._say)
         self.table.clicked.connect(self._on_clicked)
         self.table.activated.connect(self._on_activated)
@@ -162,12 +162,6 @@ class EventPage(Page):
         entries = self.table.chosen()
         if entries:
             self.export.copy(entries)
-
-    def _on_save(self, kind: str) -> None:
-        if kind == "copy":
-            self.export.copy(self.model.entries())
-        else:
-            self.export.save(kind, self.model.entries())
 
     def _open_menu(self, at: QPoint) -> None:
         index = self.table.indexAt(at)

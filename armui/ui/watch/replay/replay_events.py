@@ -28,7 +28,6 @@ if TYPE_CHECKING:
 
     from armui.control.arm_controller import ArmController
     from armui.control.events import Level
-    from armui.telemetry.events import EventEntry
     from armui.ui.background import Background
 
 _HERE_S: Final = 1e-4
@@ -86,7 +85,7 @@ class ReplayEvents(Translated, QWidget):
     def _connect(self) -> None:
         self.bar.filter_changed.connect(self.model.set_filter)
         self.bar.follow_changed.connect(self._on_follow)
-        self.bar.save_wanted.connect(self._on_save)
+        self.bar.save_wanted.connect(lambda kind: self.export.save(kind, self.model.entries()))
         self.export.said.connect(self._say)
         self.table.clicked.connect(self._on_chosen)
         self.table.activated.connect(self._on_chosen)
@@ -168,15 +167,9 @@ class ReplayEvents(Translated, QWidget):
 
     def copy_chosen(self) -> None:
         """Put the selected rows into the clipboard."""
-        entries: list[EventEntry] = self.table.chosen()
+        entries = self.table.chosen()
         if entries:
             self.export.copy(entries)
-
-    def _on_save(self, kind: str) -> None:
-        if kind == "copy":
-            self.export.copy(self.model.entries())
-        else:
-            self.export.save(kind, self.model.entries())
 
     def _say(self, text: str, level: Level) -> None:
         self.message.show_message(text, level)
