@@ -97,7 +97,7 @@ class JointJogPath:
         )
 
 
-class ReachPath:
+class HeldToolPath:
     """What the ways of the tool centre point share: they are gone as far as the arm reaches.
 
     Args:
@@ -141,11 +141,11 @@ class ReachPath:
         return solutions[0] if beyond is None else at_limit(beyond)
 
 
-class ToolJogPath(ReachPath):
+class ToolJogPath(HeldToolPath):
     """The tool centre point goes straight along an axis, or turns about one.
 
     Args:
-        jog: Which axis, and where to; for the others see :class:`ReachPath`.
+        jog: Which axis, and where to; for the others see :class:`HeldToolPath`.
     """
 
     def __init__(

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Final
 from armui.arm.limits import JointLimits
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
-from armui.control.motion.jog_path import TOOL_DEG_S, TOOL_MM_S, ReachPath
+from armui.control.motion.jog_path import TOOL_DEG_S, TOOL_MM_S, HeldToolPath
 from armui.kinematics.axes import LINEAR_AXES, JogFrame
 
 if TYPE_CHECKING:
@@ -84,14 +84,14 @@ class SteeredJointPath:
         return bounds.max_deg if self._ways[place] > 0 else bounds.min_deg
 
 
-class SteeredToolPath(ReachPath):
+class SteeredToolPath(HeldToolPath):
     """The tool centre point goes along and turns about the axes of a frame at once.
 
     The way is told in seconds at full speed.
 
     Args:
         rates: Six, −1 to 1, not all 0. The point is never faster than along one axis alone.
-        frame: Whose axes; for the others see :class:`ReachPath`.
+        frame: Whose axes; for the others see :class:`HeldToolPath`.
     """
 
     def __init__(
