@@ -100,6 +100,7 @@ class RecordingCard(Translated, QFrame):
         self.format_note = text_label("session_format_note", rank="muted", wraps=True, plain=True)
         self.format_note.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
         self.size_box = QSpinBox(minimum=ROTATE_MIN_MB, maximum=ROTATE_MAX_MB, suffix=" MB")
+        self.size_box.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self.size_box.setObjectName("session_rotate_size")
         self.size_box.setKeyboardTracking(False)
         self.size_box.setSingleStep(50)
