@@ -26,6 +26,8 @@ _Index = QModelIndex | QPersistentModelIndex
 
 NAME, FILED, HELD, STATE = range(4)
 _COLUMNS: Final = 4
+_FIGURES: Final = frozenset({FILED, HELD})
+_RIGHT: Final = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
 
 
 class BackupModel(QAbstractTableModel):
@@ -114,7 +116,11 @@ class BackupModel(QAbstractTableModel):
         self, section: int, orientation: Qt.Orientation, role: int = Qt.ItemDataRole.DisplayRole
     ) -> Any:
         """What the columns hold."""
-        if role != Qt.ItemDataRole.DisplayRole or orientation is Qt.Orientation.Vertical:
+        if orientation is Qt.Orientation.Vertical:
+            return None
+        if role == Qt.ItemDataRole.TextAlignmentRole and section in _FIGURES:
+            return _RIGHT
+        if role != Qt.ItemDataRole.DisplayRole:
             return None
         return (
             self.tr("Parameter"),
@@ -136,8 +142,8 @@ class BackupModel(QAbstractTableModel):
         if role == Qt.ItemDataRole.ToolTipRole:
             reason = self._reason(row)
             return "" if reason is None else words.refusal(reason)
-        if role == Qt.ItemDataRole.TextAlignmentRole and index.column() in {FILED, HELD}:
-            return Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
+        if role == Qt.ItemDataRole.TextAlignmentRole and index.column() in _FIGURES:
+            return _RIGHT
         return None
 
     def setData(  # noqa: N802 - the name Qt calls

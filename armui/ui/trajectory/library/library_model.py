@@ -45,6 +45,10 @@ class LibraryColumn(enum.IntEnum):
     NOTE = 5
 
 
+_FIGURES: Final = frozenset({LibraryColumn.POINTS, LibraryColumn.LENGTH})
+"""Columns that stand at the right, their titles too."""
+
+
 class LibraryModel(QAbstractTableModel):
     """Shows the entries it is given; a name typed anew is handed on.
 
@@ -106,10 +110,7 @@ class LibraryModel(QAbstractTableModel):
             return entry
         if role == Qt.ItemDataRole.ToolTipRole:
             return self._tip(entry)
-        if role == Qt.ItemDataRole.TextAlignmentRole and column in {
-            LibraryColumn.POINTS,
-            LibraryColumn.LENGTH,
-        }:
+        if role == Qt.ItemDataRole.TextAlignmentRole and column in _FIGURES:
             return _RIGHT
         return None
 
@@ -155,7 +156,11 @@ class LibraryModel(QAbstractTableModel):
         self, section: int, orientation: Qt.Orientation, role: int = Qt.ItemDataRole.DisplayRole
     ) -> Any:
         """The titles of the columns."""
-        if role != Qt.ItemDataRole.DisplayRole or orientation != Qt.Orientation.Horizontal:
+        if orientation != Qt.Orientation.Horizontal:
+            return None
+        if role == Qt.ItemDataRole.TextAlignmentRole and section in _FIGURES:
+            return _RIGHT
+        if role != Qt.ItemDataRole.DisplayRole:
             return None
         return (
             self.tr("Name"),
