@@ -149,7 +149,7 @@ def test_an_angle_out_of_limits_names_joint_value_and_limits(chinese: None) -> N
 @pytest.mark.parametrize(
     ("refusal", "expected"),
     [
-        (Refusal(RefusalCode.NOT_ENABLED, {"joints": "1, 3"}), "1, 3"),
+        (Refusal(RefusalCode.NOT_ENABLED, {"joints": "1, 3"}), "1、3"),
         (Refusal(RefusalCode.SPEED_OUT_OF_RANGE, {"value": 101}), "101 %"),
         (Refusal(RefusalCode.JOINT_NOT_A_NUMBER, {"joint": 4, "value": "abc"}), "“abc”"),
         (Refusal(RefusalCode.OTHER_CONTROL, {"mode": 2}), "示教模式"),

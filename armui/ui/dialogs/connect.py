@@ -274,6 +274,8 @@ class ConnectDialog(ArmDialog):
     def _make_room(self) -> None:
         """Grow to what is said of an adapter: no line of it is cut off."""
         layout = self.layout()
+        if layout is None:
+            return
         layout.activate()
         wanted = layout.totalMinimumHeightForWidth(self.width())
         self.resize(self.width(), max(self.height(), wanted))
