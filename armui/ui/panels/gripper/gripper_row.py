@@ -47,7 +47,9 @@ class GripperRow(QWidget):
         self._label.setFixedWidth(_LABEL_PX)
         self.field = named(f"{name}_field", FigureField(fmt.DECIMALS, figure.unit))
         self.field.step = figure.step
-        self.slider = named(f"{name}_slider", TrackSlider(figure.resolution, origin=0.0, marked=True))
+        self.slider = named(
+            f"{name}_slider", TrackSlider(figure.resolution, origin=0.0, marked=True)
+        )
         self.measured = named(f"{name}_measured", ValueLabel(_WIDEST))
         tell_quantities(self, *(f"{source}.{name}" for source in ("arm", "own", "other")))
         self.minus, self.plus = JogButton("−"), JogButton("+")
