@@ -23,6 +23,7 @@ from armui.trajectory.points.program import GripperOpening, Waypoint, check_poin
 from armui.ui import words
 from armui.ui.translation import LANGUAGES, Language, Translator
 from armui.ui.words import events, refusals
+from armui.ui.words.text import sentence
 
 AT = datetime(2026, 1, 2, 3, 4, 5).astimezone()
 
@@ -336,3 +337,10 @@ def test_sentences_use_only_plain_placeholders() -> None:
             assert name is None or name.isidentifier()
             assert not spec
             assert conversion is None
+
+
+def test_a_list_is_parted_as_the_language_does_it(chinese: None) -> None:
+    assert sentence("Nowhere", "{it}", {"it": "0x151, 0x155"}) == "0x151、0x155"
+    assert sentence("Nowhere", "{it}", {"it": "1, 2, 6"}) == "1、2、6"
+    # a name is left as somebody wrote it
+    assert sentence("Nowhere", "{it}", {"it": "pick, place"}) == "pick, place"

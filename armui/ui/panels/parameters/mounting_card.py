@@ -75,6 +75,7 @@ class MountingCard(QFrame):
         if refusal is None:
             refusal = self._preferences.change(mounting=_CHOICES[mounting])
             self._show_told()
+            self.show_possible()
         return refusal
 
     def question(self) -> tuple[str, str]:
