@@ -1,4 +1,4 @@
-"""An operator looks for what to press: one button of a panel is lit while something is to be sent."""
+"""An operator looks for what to press: a button is lit while something is to be sent."""
 
 
 def lit(app_driver, name):

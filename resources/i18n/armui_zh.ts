@@ -1042,14 +1042,6 @@
         <translation>不检测</translation>
     </message>
     <message>
-        <source>All</source>
-        <translation>全部</translation>
-    </message>
-    <message>
-        <source>All joints: level</source>
-        <translation>全部关节：等级</translation>
-    </message>
-    <message>
         <source>Levels 1 to 8 watch for collisions; level 0 does not watch at all.</source>
         <translation>等级 1–8 检测碰撞；等级 0 不检测碰撞。</translation>
     </message>
@@ -1588,14 +1580,6 @@
         <translation>拖动助力</translation>
     </message>
     <message>
-        <source>All</source>
-        <translation>全部</translation>
-    </message>
-    <message>
-        <source>All joints: level</source>
-        <translation>所有关节：等级</translation>
-    </message>
-    <message>
         <source>From 0, the joint does not help the hand, to 10, it helps most. Read and set with the arm at rest; keep a hand on it when it is led for the first time afterwards.</source>
         <translation>0 表示该关节不助力，10 表示助力最大。请在机械臂静止时读取和设置；更改后首次拖动时请始终用手扶住机械臂。</translation>
     </message>
@@ -1966,14 +1950,6 @@
     <message>
         <source>Copied</source>
         <translation>已复制</translation>
-    </message>
-    <message>
-        <source>Not saved: {path}. {reason}</source>
-        <translation>未保存：{path}。{reason}</translation>
-    </message>
-    <message>
-        <source>Saved: {path}</source>
-        <translation>已保存：{path}</translation>
     </message>
 </context>
 <context>
@@ -2379,6 +2355,17 @@
     <message>
         <source>Kind</source>
         <translation>类型</translation>
+    </message>
+</context>
+<context>
+    <name>FileExport</name>
+    <message>
+        <source>Not saved: {path}. {reason}</source>
+        <translation>未保存：{path}。{reason}</translation>
+    </message>
+    <message>
+        <source>Saved: {path}</source>
+        <translation>已保存：{path}</translation>
     </message>
 </context>
 <context>
@@ -3998,6 +3985,17 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
     <message>
         <source>Fault</source>
         <translation>故障</translation>
+    </message>
+</context>
+<context>
+    <name>LevelsPanel</name>
+    <message>
+        <source>All</source>
+        <translation>全部</translation>
+    </message>
+    <message>
+        <source>All joints: level</source>
+        <translation>全部关节：等级</translation>
     </message>
 </context>
 <context>
@@ -5805,14 +5803,6 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <source>There is no picture of now to be taken: wait until it is drawn.</source>
         <translation>当前画面尚未绘制完成，请稍候再试。</translation>
     </message>
-    <message>
-        <source>Not saved: {path}. {reason}</source>
-        <translation>未保存：{path}。{reason}</translation>
-    </message>
-    <message>
-        <source>Saved: {path}</source>
-        <translation>已保存：{path}</translation>
-    </message>
 </context>
 <context>
     <name>Place</name>
@@ -5949,14 +5939,6 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     <message>
         <source>Copied</source>
         <translation>已复制</translation>
-    </message>
-    <message>
-        <source>Not saved: {path}. {reason}</source>
-        <translation>未保存：{path}。{reason}</translation>
-    </message>
-    <message>
-        <source>Saved: {path}</source>
-        <translation>已保存：{path}</translation>
     </message>
 </context>
 <context>

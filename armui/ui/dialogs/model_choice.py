@@ -5,14 +5,15 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import Signal
-from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QWidget
+from PySide6.QtWidgets import QComboBox, QLabel, QWidget
 
 from armui.arm.models import all_models, model_data
 from armui.protocol.piper_model import PiperModel
 from armui.ui.dialogs.device_model import same_device
 from armui.ui.theme import colors_of
 from armui.ui.widgets import icons
-from armui.ui.widgets.layouts import fill
+from armui.ui.widgets.buttons import named
+from armui.ui.widgets.layouts import fill, in_row
 from armui.ui.widgets.text_label import text_label
 from armui.ui.widgets.translated import Translated
 
@@ -31,7 +32,6 @@ class ModelChoice(Translated, QWidget):
 
     Args:
         kept: Which model was chosen for which arm.
-        parent: Qt's.
 
     Signals:
         chosen: Another model was chosen.
@@ -39,23 +39,20 @@ class ModelChoice(Translated, QWidget):
 
     chosen = Signal()
 
-    def __init__(self, kept: KeptModels, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self, kept: KeptModels) -> None:
+        super().__init__()
         self._kept = kept
         self._device: Device | None = None
         self._now: OperatingState | None = None
         self._label = QLabel()
-        self.box = QComboBox()
-        self.box.setObjectName("model_box")
+        self.box = named("model_box", QComboBox())
         self.box.setMinimumWidth(140)
         for model, data in all_models().items():
             self.box.addItem(data.name, model)
         self._label.setBuddy(self.box)
         self.hint = text_label("model_hint", rank="muted", wraps=True)
         self._icon = QLabel()
-        row = QHBoxLayout(self)
-        row.setContentsMargins(0, 0, 0, 0)
-        row.setSpacing(LINE_GAP_PX)
+        row = in_row(on=self, spacing=LINE_GAP_PX, margins=0)
         fill(row, self._label, self.box, 8, self._icon, (self.hint, 1))
         self.box.currentIndexChanged.connect(self._on_chosen)
         self.retranslate_ui()

@@ -6,7 +6,7 @@ from collections.abc import Callable
 from typing import Final
 
 from PySide6.QtCore import QEvent, Qt, QTimer
-from PySide6.QtWidgets import QLabel, QWidget
+from PySide6.QtWidgets import QLabel
 
 from armui.control.events import Level
 from armui.ui.theme import colors_of
@@ -18,8 +18,8 @@ _WIDEST_PX: Final = 420
 class PictureNote(QLabel):
     """Stands at the lower left of the picture; the mouse goes through it."""
 
-    def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self) -> None:
+        super().__init__()
         self.setObjectName("picture_note")
         self.setWordWrap(True)
         self.setTextFormat(Qt.TextFormat.PlainText)

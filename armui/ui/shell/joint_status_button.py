@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QFontMetrics, QPaintEvent
-from PySide6.QtWidgets import QAbstractButton, QSizePolicy, QWidget
+from PySide6.QtWidgets import QAbstractButton, QSizePolicy
 
 from armui.arm.joint_status import StatusVerdict
 from armui.arm.limits import JOINTS
@@ -42,8 +42,8 @@ class JointStatusButton(Translated, QAbstractButton):
         monitor: Knows the joints.
     """
 
-    def __init__(self, monitor: JointMonitor, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self, monitor: JointMonitor) -> None:
+        super().__init__()
         self.setObjectName("joint_status_button")
         self._monitor = monitor
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)

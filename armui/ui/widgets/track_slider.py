@@ -6,7 +6,7 @@ from typing import Final
 
 from PySide6.QtCore import QPointF, QRectF, QSignalBlocker, QSize, Qt
 from PySide6.QtGui import QColor, QMouseEvent, QPainter, QPaintEvent, QPen, QPolygonF, QWheelEvent
-from PySide6.QtWidgets import QSizePolicy, QSlider, QWidget
+from PySide6.QtWidgets import QSizePolicy, QSlider
 
 from armui.ui.theme import Colors, colors_of
 from armui.ui.widgets import painting
@@ -34,13 +34,12 @@ class TrackSlider(QSlider):
     def __init__(
         self,
         resolution: float,
-        parent: QWidget | None = None,
         *,
         origin: float | None = None,
         marked: bool = False,
         jumps: bool = True,
     ) -> None:
-        super().__init__(Qt.Orientation.Horizontal, parent)
+        super().__init__(Qt.Orientation.Horizontal)
         self._resolution = resolution
         self._origin = origin
         self._above_middle_px = _MARK_PX - 2 if marked else 0.0

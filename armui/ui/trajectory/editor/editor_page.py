@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QEvent, Qt, Signal
 from PySide6.QtGui import QKeySequence, QShortcut
-from PySide6.QtWidgets import QHeaderView, QLineEdit, QWidget
+from PySide6.QtWidgets import QHeaderView, QLineEdit
 
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
@@ -56,7 +56,6 @@ class EditorPage(Page):
         work: Keeps the trajectory in the library.
         trajectory: As it is kept.
         draft: Changes of it that an earlier run of the program could not save.
-        parent: Its owner, before it stands anywhere.
 
     Signals:
         saved: The trajectory is in the library as it is shown.
@@ -80,9 +79,8 @@ class EditorPage(Page):
         trajectory: Trajectory,
         *,
         draft: Trajectory | None = None,
-        parent: QWidget | None = None,
     ) -> None:
-        super().__init__("editor", parent)
+        super().__init__("editor")
         self._controller = controller
         self._work = work
         work.setParent(self)
@@ -256,9 +254,6 @@ class EditorPage(Page):
             lambda _: self.saved.emit(),
             self._show_failure,
         )
-
-    def _on_not_run(self, reason: Refusal) -> None:
-        self._say(words.refusal(reason), Level.WARNING)
 
     def _on_progress(self, progress: Progress) -> None:
         ours = progress.name == self.document.name

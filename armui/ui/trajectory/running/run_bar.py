@@ -89,10 +89,10 @@ class RunBar(Translated, QWidget):
         self._resume = push_button("run_resume", on_enter=False)
         self._cycles = named("run_cycles", QComboBox())
         self._cycles.addItems(["", "", ""])
-        self._times = _spin("run_times", 1, _MOST_CYCLES, 3)
-        self._speed = _spin("run_speed", 1, _FASTEST_PERCENT, 100)
+        self._times = _spin("run_times", _MOST_CYCLES, 3)
+        self._speed = _spin("run_speed", _FASTEST_PERCENT, 100)
         self._speed.setSuffix(" %")
-        self._first = _spin("run_first", 1, 1, 1)
+        self._first = _spin("run_first", 1, 1)
         self._speed_label, self._first_label = QLabel(), QLabel()
         self._steps = named("run_steps", QCheckBox())
 
@@ -298,9 +298,9 @@ class RunBar(Translated, QWidget):
         super().hideEvent(event)
 
 
-def _spin(name: str, least: int, most: int, value: int) -> QSpinBox:
+def _spin(name: str, most: int, value: int) -> QSpinBox:
     spin = named(name, QSpinBox())
-    spin.setRange(least, most)
+    spin.setRange(1, most)
     spin.setValue(value)
     spin.setAlignment(Qt.AlignmentFlag.AlignCenter)
     spin.setFixedHeight(_SPIN_PX)
