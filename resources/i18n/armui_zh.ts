@@ -1031,7 +1031,7 @@
     </message>
     <message>
         <source>Level 0 – no collision detection: {joints} will not stop when they hit something or someone.</source>
-        <translation>等级 0 – 不检测碰撞：{joints} 碰到物体或人时不会停止。</translation>
+        <translation>等级 0 不检测碰撞：{joints} 碰到物体或人时不会停止。</translation>
     </message>
     <message>
         <source>This switches the collision detection of {joints} off: the arm will not stop when they hit something or someone. Keep everyone out of its reach.</source>
@@ -1043,7 +1043,7 @@
     </message>
     <message>
         <source>Levels 1 to 8 watch for collisions; level 0 does not watch at all.</source>
-        <translation>等级 1~8 检测碰撞；等级 0 不检测碰撞。</translation>
+        <translation>等级 1–8 检测碰撞；等级 0 不检测碰撞。</translation>
     </message>
 </context>
 <context>
@@ -1607,7 +1607,7 @@
     <name>DropStrip</name>
     <message>
         <source>Drag a quantity into a plot, or here for a plot of its own</source>
-        <translation>将量拖入图中，或拖到此处新建一张图</translation>
+        <translation>将物理量拖入图中，或拖到此处新建一张图</translation>
     </message>
 </context>
 <context>
@@ -2200,8 +2200,12 @@
         <translation>已保存：{target}（{items:,} 条消息）</translation>
     </message>
     <message>
-        <source>Places of the log that cannot be read: {count}; the first: {place} ({reason}). Everything else was exported.</source>
-        <translation>日志中有 {count} 处无法读取；第一处：{place}（{reason}）。其余内容均已导出。</translation>
+        <source>Unreadable places in the log: {count}; the first: {place} ({reason}). Everything else was exported.</source>
+        <translation>日志中有 {count} 处无法读取，第一处：{place}（{reason}）。其余内容均已导出。</translation>
+    </message>
+    <message>
+        <source>{count:,} of them do not belong to the arm.</source>
+        <translation>其中 {count:,} 帧不属于该机械臂。</translation>
     </message>
     <message>
         <source>Only channel {channel} was exported; {count:,} frames of {others} were left out.</source>
@@ -2210,10 +2214,6 @@
     <message>
         <source>{frames:,} frames read as generation {generation}.</source>
         <translation>已读取 {frames:,} 帧，按第 {generation} 代协议解析。</translation>
-    </message>
-    <message>
-        <source>{count:,} of them are none of the arm&apos;s.</source>
-        <translation>其中 {count:,} 帧不是机械臂的帧。</translation>
     </message>
     <message>
         <source>A folder with a file for each message: every frame with its time, decoded into signals with their units.</source>
@@ -2539,7 +2539,7 @@
         <translation>途中关节 {joint} 将到 {value}°，超出限位 {minimum}° 至 {maximum}°。请在中间增加一点，或改用 MOVE J。</translation>
     </message>
     <message>
-        <source>The arm cannot bring its flange there: {missing} mm are missing. Move the point nearer.</source>
+        <source>The flange cannot get there: the point is {missing} mm too far. Move it nearer.</source>
         <translation>法兰无法到达该位置：还差 {missing} mm。请把该点移近。</translation>
     </message>
     <message>
@@ -2605,10 +2605,6 @@
 <context>
     <name>FindingsPane</name>
     <message>
-        <source>Check: errors {errors}, warnings {warnings}</source>
-        <translation>检查：{errors} 个错误，{warnings} 个警告</translation>
-    </message>
-    <message>
         <source>Check: nothing found.</source>
         <translation>检查：未发现问题。</translation>
     </message>
@@ -2635,6 +2631,10 @@
     <message>
         <source>Accept the warnings and run</source>
         <translation>接受警告并运行</translation>
+    </message>
+    <message>
+        <source>The check found errors: {errors}, warnings: {warnings}</source>
+        <translation>检查：{errors} 个错误，{warnings} 个警告</translation>
     </message>
     <message>
         <source>Close</source>
@@ -4436,6 +4436,13 @@ Lamps give no feedback: this is only what will be sent.</source>
     </message>
 </context>
 <context>
+    <name>List</name>
+    <message>
+        <source>, </source>
+        <translation>、</translation>
+    </message>
+</context>
+<context>
     <name>LiveStrip</name>
     <message>
         <source>The arm that is connected now:</source>
@@ -5258,7 +5265,7 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     </message>
     <message>
         <source>Connection to {device} lost; the program keeps trying to reconnect. {reason}</source>
-        <translation>与 {device} 的连接已断开，程序正在尝试重新连接。{reason}</translation>
+        <translation>与“{device}”的连接已断开，程序正在尝试重新连接。{reason}</translation>
     </message>
     <message>
         <source>Connected to {device} again</source>
@@ -5386,11 +5393,11 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     </message>
     <message>
         <source>What just happened is saved: {name}</source>
-        <translation>已保存刚才发生的事：{name}</translation>
+        <translation>已保存最近几分钟：{name}</translation>
     </message>
     <message>
         <source>What just happened could not be saved: {reason}</source>
-        <translation>无法保存刚才发生的事：{reason}</translation>
+        <translation>无法保存最近几分钟：{reason}</translation>
     </message>
     <message>
         <source>{device} jogs {axes} (joints)</source>
@@ -5445,7 +5452,7 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     </message>
     <message>
         <source>J{joint} {item} {word}</source>
-        <translation>J{joint} {item}{word}</translation>
+        <translation>J{joint} {item} {word}</translation>
     </message>
     <message>
         <source>J{joint} beyond its angle limit</source>
@@ -5729,6 +5736,10 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
 </context>
 <context>
     <name>ParameterPanel</name>
+    <message>
+        <source>{names}: {reason}</source>
+        <translation>{names}：{reason}</translation>
+    </message>
     <message>
         <source>Saved: read back from the arm, and the same.</source>
         <translation>已保存：已从机械臂回读，数值一致。</translation>
@@ -6015,7 +6026,7 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     </message>
     <message>
         <source>Gripper torque</source>
-        <translation>夹爪扭矩</translation>
+        <translation>夹爪力矩</translation>
     </message>
     <message>
         <source>Gripper angle</source>
@@ -6213,6 +6224,20 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     </message>
 </context>
 <context>
+    <name>QAbstractFileIconProvider</name>
+    <message>
+        <source>Folder</source>
+        <translation>文件夹</translation>
+    </message>
+</context>
+<context>
+    <name>QFileSystemModel</name>
+    <message>
+        <source>Size</source>
+        <translation>大小</translation>
+    </message>
+</context>
+<context>
     <name>Quantity</name>
     <message>
         <source>angle</source>
@@ -6284,7 +6309,7 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     </message>
     <message>
         <source>Gripper torque</source>
-        <translation>夹爪扭矩</translation>
+        <translation>夹爪力矩</translation>
     </message>
     <message>
         <source>Gripper angle</source>
@@ -6479,7 +6504,7 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     </message>
     <message>
         <source>Quantities</source>
-        <translation>可绘制的量</translation>
+        <translation>可绘制的物理量</translation>
     </message>
     <message>
         <source>Drag into a plot, or double-click to add to the chosen one</source>
@@ -6598,7 +6623,7 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>没有剩余数据：请修正标记的输入框。</translation>
     </message>
     <message>
-        <source>{kept} of {count} samples, {time}</source>
+        <source>Keeps {kept} of {count} samples, {time}</source>
         <translation>保留 {kept}/{count} 个采样，{time}</translation>
     </message>
     <message>
@@ -7772,7 +7797,7 @@ The other program must have ended.</source>
     </message>
     <message>
         <source>Columns {first} and {second} are both {field}. Leave one of them out.</source>
-        <translation>第 {first} 列和第 {second} 列都是{field}。请去掉其中一列。</translation>
+        <translation>第 {first} 列和第 {second} 列都是 {field}。请去掉其中一列。</translation>
     </message>
     <message>
         <source>Still missing: {missing}. Say which columns hold them.</source>
@@ -8197,7 +8222,7 @@ The other program must have ended.</source>
     </message>
     <message>
         <source>Save what just happened</source>
-        <translation>保存刚才发生的事</translation>
+        <translation>保存最近几分钟</translation>
     </message>
     <message>
         <source>Nothing heard yet</source>
@@ -8564,7 +8589,7 @@ The other program must have ended.</source>
     </message>
     <message>
         <source>No recordings yet. Record a session, or save what just happened: both can be replayed here and opened in other CAN tools.</source>
-        <translation>还没有会话记录。可以记录会话，或保存刚才发生的事：两者都能在此回放，也能用其他 CAN 工具打开。</translation>
+        <translation>还没有会话记录。可以记录会话，或保存最近几分钟：两者都能在此回放，也能用其他 CAN 工具打开。</translation>
     </message>
     <message>
         <source>Moved to {folder}. It can be moved back from there.</source>
@@ -8709,6 +8734,14 @@ The other program must have ended.</source>
         <translation>PiPER 内置模型</translation>
     </message>
     <message>
+        <source>On: jogs the arm</source>
+        <translation>已开启：可以点动机械臂</translation>
+    </message>
+    <message>
+        <source>Off</source>
+        <translation>已关闭</translation>
+    </message>
+    <message>
         <source>The built-in robot description is in use.</source>
         <translation>当前使用的就是内置模型。</translation>
     </message>
@@ -8735,14 +8768,6 @@ The other program must have ended.</source>
     <message>
         <source>Gamepad…</source>
         <translation>手柄…</translation>
-    </message>
-    <message>
-        <source>on: jogs the arm</source>
-        <translation>已开启：可以点动机械臂</translation>
-    </message>
-    <message>
-        <source>off</source>
-        <translation>已关闭</translation>
     </message>
 </context>
 <context>
@@ -10414,7 +10439,7 @@ Afterwards the motors must be enabled again.</source>
     </message>
     <message>
         <source>Record everything on the bus, save what just happened, replay what was recorded, here or by another program.</source>
-        <translation>记录总线上的一切，保存刚才发生的事，回放本程序或其他程序的记录。</translation>
+        <translation>记录总线上的一切，保存最近几分钟，回放本程序或其他程序的记录。</translation>
     </message>
 </context>
 <context>

@@ -23,6 +23,8 @@ if TYPE_CHECKING:
     from armui.ui.dialogs.kept_models import KeptModels
 
 _ICON_PX: Final = 16
+LINE_GAP_PX: Final = 8
+"""Between label, field and what is said of it; of the lines below, too."""
 
 
 class ModelChoice(Translated, QWidget):
@@ -50,7 +52,7 @@ class ModelChoice(Translated, QWidget):
         self._label.setBuddy(self.box)
         self.hint = text_label("model_hint", rank="muted", wraps=True)
         self._icon = QLabel()
-        row = in_row(on=self, margins=0)
+        row = in_row(on=self, spacing=LINE_GAP_PX, margins=0)
         fill(row, self._label, self.box, 8, self._icon, (self.hint, 1))
         self.box.currentIndexChanged.connect(self._on_chosen)
         self.retranslate_ui()
@@ -115,11 +117,12 @@ class ModelChoice(Translated, QWidget):
             return self.tr("Fits the pose the arm reports; so do others. Move a joint to decide.")
         return self.tr("Not compared yet: the arm must stand still.")
 
-    def line_up(self, label: QLabel) -> None:
-        """Let the label of the row below take as much room as the one here."""
-        width = max(self._label.sizeHint().width(), label.sizeHint().width())
-        self._label.setFixedWidth(width)
-        label.setFixedWidth(width)
+    def line_up(self, *labels: QLabel) -> None:
+        """Let the labels of the rows below take as much room as the one here."""
+        column = (self._label, *labels)
+        width = max(label.sizeHint().width() for label in column)
+        for label in column:
+            label.setFixedWidth(width)
 
     def _recolor(self) -> None:
         self._explain()

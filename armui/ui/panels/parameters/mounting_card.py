@@ -8,7 +8,7 @@ from PySide6.QtWidgets import QButtonGroup, QFrame, QHBoxLayout, QLabel, QSizePo
 
 from armui.protocol.codes import Mounting
 from armui.ui import words
-from armui.ui.widgets.buttons import caption, choice_button, push_button
+from armui.ui.widgets.buttons import caption, choice_button, push_button, show_primary
 from armui.ui.widgets.enable_or_explain import enable_or_explain
 from armui.ui.widgets.layouts import fill, in_column
 from armui.ui.widgets.text_label import text_label
@@ -45,12 +45,13 @@ class MountingCard(QFrame):
         self.setProperty("card", True)
         self._heading = QLabel()
         self._choices = QButtonGroup(self)
-        self.send = push_button("mounting_confirm_button", primary=True)
+        self.send = push_button("mounting_confirm_button")
         self._told = text_label("mounting_told", wraps=True)
         self._note = text_label(rank="muted", wraps=True)
         row = QHBoxLayout()
         for mounting, name in _CHOICES.items():
             button = choice_button(f"mounting_{name}")
+            button.setProperty("tight", True)
             button.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
             self._choices.addButton(button, int(mounting))
             row.addWidget(button, 1)
@@ -74,6 +75,7 @@ class MountingCard(QFrame):
         if refusal is None:
             refusal = self._preferences.change(mounting=_CHOICES[mounting])
             self._show_told()
+            self.show_possible()
         return refusal
 
     def question(self) -> tuple[str, str]:
@@ -102,6 +104,8 @@ class MountingCard(QFrame):
             enable_or_explain(self.send, self.tr("Choose how the arm is mounted first."), use)
         else:
             enable_or_explain(self.send, words.why_not(control.why_not(chosen)), use)
+        told = self._preferences.settings.mounting
+        show_primary(self.send, wanted=chosen is not None and _CHOICES[chosen] != told)
 
     def _show_kept(self) -> None:
         kept = self._preferences.settings.mounting
