@@ -10309,10 +10309,6 @@ Afterwards the motors must be enabled again.</source>
         <translation>工作空间</translation>
     </message>
     <message>
-        <source>Shows how far the tool centre point can reach</source>
-        <translation>显示工具中心点可到达的范围</translation>
-    </message>
-    <message>
         <source>Save picture…</source>
         <translation>保存画面…</translation>
     </message>
@@ -10351,6 +10347,10 @@ Afterwards the motors must be enabled again.</source>
     <message>
         <source>No handles</source>
         <translation>不显示手柄</translation>
+    </message>
+    <message>
+        <source>Shows what the tool centre point can reach; orange bounds what it can&apos;t within</source>
+        <translation>显示工具中心点能到达的空间；橙色是其中到不了的部分的边界</translation>
     </message>
     <message>
         <source>Tool, along the axes of the base</source>
