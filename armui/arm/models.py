@@ -121,12 +121,18 @@ class ModelData:
         """Today's and the older one: what an arm may have that tells no version."""
         return self.geometry, self.older_geometry
 
-    def geometry_of(self, version: str) -> Geometry:
-        """Where joints 2 and 3 have their zero; in a version that cannot be read, as of today."""
+    def geometry_with(self, *, older_zeros: bool) -> Geometry:
+        """The dimensions with the zeros before S-V1.6-3, or with today's."""
+        return self.older_geometry if older_zeros else self.geometry
+
+    def older_zeros(self, version: str) -> bool:
+        """Whether a firmware counts from the zeros before S-V1.6-3; one that is unreadable: no."""
         parsed = FirmwareVersion.parse(version)
-        if parsed is not None and quirks_of(parsed, self.model).shifted_zeros:
-            return self.older_geometry
-        return self.geometry
+        return parsed is not None and quirks_of(parsed, self.model).shifted_zeros
+
+    def geometry_of(self, version: str) -> Geometry:
+        """The dimensions with the zeros of a firmware."""
+        return self.geometry_with(older_zeros=self.older_zeros(version))
 
 
 @cache
@@ -149,9 +155,15 @@ def model_folder(model: PiperModel) -> Path:
     return URDF / model.value
 
 
-def robot_description(model: PiperModel) -> Path:
-    """The robot description (URDF) of a model."""
-    return model_folder(model) / f"{model.value}.urdf"
+def robot_description(model: PiperModel, *, older_zeros: bool = False) -> Path:
+    """The robot description (URDF) of a model, whose joint angles are those on the bus.
+
+    Args:
+        model: Which.
+        older_zeros: Of an arm that counts from the zeros before S-V1.6-3.
+    """
+    suffix = "_older_zeros" if older_zeros else ""
+    return model_folder(model) / f"{model.value}{suffix}.urdf"
 
 
 def read_model(folder: Path) -> ModelData:

@@ -64,6 +64,10 @@
         <translation>程序</translation>
     </message>
     <message>
+        <source>; joints 2 and 3 count from the zeros before S-V1.6-3</source>
+        <translation>；关节 2、3 采用 S-V1.6-3 之前的零点</translation>
+    </message>
+    <message>
         <source>unknown: generation 1 does not tell it</source>
         <translation>未知：第 1 代协议不提供</translation>
     </message>
@@ -4575,6 +4579,10 @@ Lamps give no feedback: this is only what will be sent.</source>
         <translation>机械臂型号（操作者选择），尚未核对。</translation>
     </message>
     <message>
+        <source>Joints 2 and 3 count from the zeros before S-V1.6-3.</source>
+        <translation>关节 2、3 采用 S-V1.6-3 之前的零点。</translation>
+    </message>
+    <message>
         <source>Model of the arm: {text}</source>
         <translation>机械臂型号：{text}</translation>
     </message>
@@ -7479,6 +7487,10 @@ The other program must have ended.</source>
     <message>
         <source>Not run: the arm&apos;s joint limits are others than those of the check. Send again.</source>
         <translation>未运行：机械臂的关节限位与检查时不同。请再次点击发送。</translation>
+    </message>
+    <message>
+        <source>Not run: the arm&apos;s model or zeros are others than those of the check. Send again.</source>
+        <translation>未运行：机械臂的型号或零点约定与检查时不同。请再次点击发送。</translation>
     </message>
     <message>
         <source>No trajectory is running: nothing to pause.</source>

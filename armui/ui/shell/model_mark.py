@@ -72,6 +72,8 @@ class ModelMark(Translated, QToolButton):
             text, tip = name, self.tr("Model of the arm, confirmed by the pose it reports.")
         else:
             text, tip = name, self.tr("Model of the arm, as chosen; not compared yet.")
+        if fit.older_zeros:
+            tip += "\n" + self.tr("Joints 2 and 3 count from the zeros before S-V1.6-3.")
         self.setText(text)
         self.setToolTip(tip)
         self.setAccessibleName(self.tr("Model of the arm: {text}").format(text=text))
