@@ -135,19 +135,28 @@ class ModelData:
         return self.geometry_with(older_zeros=self.older_zeros(version))
 
 
-@cache
 def all_models() -> Mapping[PiperModel, ModelData]:
-    """The arms of the family, read once.
+    """The arms of the family.
 
     Raises:
         ModelFileError: The installation lacks a file, or it is damaged.
     """
-    return MappingProxyType({model: read_model(model_folder(model)) for model in PiperModel})
+    return MappingProxyType({model: model_data(model) for model in PiperModel})
 
 
 def model_data(model: PiperModel = PiperModel.PIPER) -> ModelData:
-    """One of them."""
-    return all_models()[model]
+    """One of them.
+
+    Raises:
+        ModelFileError: As with all of them.
+    """
+    return _installed(model)
+
+
+@cache
+def _installed(model: PiperModel) -> ModelData:
+    """The data file of a model, read when it is first asked for."""
+    return read_model(model_folder(model))
 
 
 def model_folder(model: PiperModel) -> Path:

@@ -54,8 +54,9 @@ class ModelWatch:
 
     def assume(self, model: PiperModel) -> None:
         """Plan for a model while no device is open."""
-        if self._context.connection.device is None:
-            self._context.connection.model = model
+        connection = self._context.connection
+        if connection.device is None and connection.model is not model:
+            connection.model = model
             self._context.refresh()
 
     def advance(self) -> None:

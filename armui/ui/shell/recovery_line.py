@@ -153,7 +153,8 @@ class RecoveryLine(Translated, QWidget):
     def _show_button(self) -> None:
         step = self._step
         action = None if step.kind in _CALM else step.action
-        blocked = None if action is None else self._controller.recovery.why_not(step)
+        free = action is None or action is Action.CONNECT
+        blocked = None if free else self._controller.recovery.why_not(step)
         button = self._hold_button if step.held else self._button
         policy = self._button.sizePolicy()
         policy.setRetainSizeWhenHidden(not step.held)  # nothing moves when a button goes
