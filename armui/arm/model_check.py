@@ -45,11 +45,14 @@ class ModelFit:
         chosen: By the operator.
         fitting: The models that fit; empty: none does; ``None``: not compared yet.
         older_zeros: The arm counts joints 2 and 3 from the zeros before S-V1.6-3.
+        before: What this very arm was the last time, where that was another and nothing has been
+            compared yet.
     """
 
     chosen: PiperModel = PiperModel.PIPER
     fitting: Models | None = None
     older_zeros: bool = False
+    before: PiperModel | None = None
 
     @property
     def geometry(self) -> Geometry:

@@ -4540,6 +4540,10 @@ Lamps give no feedback: this is only what will be sent.</source>
         <translation>符合机械臂反馈的位姿，但其它型号也符合。移动一个关节即可判定。</translation>
     </message>
     <message>
+        <source>This very arm was a {before} the last time: choose that and press Connect, or wait until the arm stands still and is compared.</source>
+        <translation>此机械臂上次为 {before}：请选择该型号并点击连接，或等待机械臂静止后自动核对。</translation>
+    </message>
+    <message>
         <source>Not compared yet: the arm must stand still.</source>
         <translation>尚未核对：需要机械臂静止。</translation>
     </message>
@@ -4561,6 +4565,14 @@ Lamps give no feedback: this is only what will be sent.</source>
     <message>
         <source>Click to connect it as a {other}.</source>
         <translation>点击以 {other} 重新连接。</translation>
+    </message>
+    <message>
+        <source>{model}? It was a {before}</source>
+        <translation>{model}？上次为 {before}</translation>
+    </message>
+    <message>
+        <source>This very arm was a {before} the last time. Click to choose.</source>
+        <translation>此机械臂上次为 {before}。点击选择型号。</translation>
     </message>
     <message>
         <source>{model}? The pose fits none</source>
@@ -4973,6 +4985,14 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     <message>
         <source>The pose the arm reports fits its angles in no model of the family, {chosen} included.</source>
         <translation>机械臂反馈的位姿与关节角度不符合任何型号（包括 {chosen}）。</translation>
+    </message>
+    <message>
+        <source>This arm (node {node}) was a {before} the last time: taken instead of {chosen}, which was only offered.</source>
+        <translation>此机械臂（节点 {node}）上次为 {before}：已采用该型号，代替默认给出的 {chosen}。</translation>
+    </message>
+    <message>
+        <source>Connected as a {chosen}, but this arm (node {node}) was a {before} the last time. If it is one, connect it as that.</source>
+        <translation>当前按 {chosen} 连接，但此机械臂（节点 {node}）上次为 {before}。如属实，请按该型号重新连接。</translation>
     </message>
     <message>
         <source>Taken over: this program may move the arm.</source>

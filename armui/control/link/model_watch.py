@@ -1,4 +1,4 @@
-"""Compares the chosen model with what the arm tells, and warns; it changes nothing by itself.
+"""Compares the chosen model with what the arm tells, and warns; the choice stays the operator's.
 
 What is found out here, too, is where the arm counts joints 2 and 3 from: by its version, and by the
 pose it reports, which goes before the version.
@@ -44,13 +44,49 @@ class ModelWatch:
         self._looked_s = -_EVERY_S
         self._warned: Models | None = None
         self._pose_tells: bool | None = None
-        self._zeros: tuple[Device, bool] | None = None
+        self._before: PiperModel | None = None
+        self._zeros: tuple[Device, PiperModel, bool] | None = None
 
     def fit(self) -> ModelFit:
         """What is known of the model that was chosen."""
         connection = self._context.connection
-        older_zeros = self._zeros is not None and self._zeros == (connection.device, True)
-        return ModelFit(connection.model, self.fitting, older_zeros)
+        arm = connection.device, connection.model
+        older_zeros = self._zeros is not None and self._zeros == (*arm, True)
+        before = self._before if self.fitting is None else None
+        return ModelFit(connection.model, self.fitting, older_zeros, before)
+
+    def recall(self, model: PiperModel, node: str) -> None:
+        """What this very arm was connected as the last time is known, now that it has named itself.
+
+        It is taken in the place of a model that was only offered, while nothing is under way. What
+        the operator has chosen this time stays, and is asked about.
+
+        Args:
+            model: Kept for the arm, which had confirmed it.
+            node: Its node number.
+        """
+        connection = self._context.connection
+        now = self._context.refresh()
+        device, chosen = connection.device, connection.model
+        if device is None or device.simulated or device.recorded is not None or model is chosen:
+            return
+        names = {
+            "chosen": model_data(chosen).name,
+            "before": model_data(model).name,
+            "node": node,
+        }
+        idle = now.occupied is None and not now.moving and not self._context.authority.under_way
+        if self.fit().confirmed:
+            return  # the arm itself says so
+        if not (device.model_assumed and idle):
+            self._before = model
+            self._context.tell(EventCode.MODEL_WAS_OTHER, **names)
+            self._context.refresh()
+            return
+        connection.model = model
+        self.forget()
+        self._context.tell(EventCode.MODEL_RECALLED, **names)
+        self._context.refresh()
 
     def assume(self, model: PiperModel) -> None:
         """Plan for a model while no device is open."""
@@ -82,7 +118,7 @@ class ModelWatch:
         """Another arm may be another model."""
         self.fitting = self._seen = self._warned = None
         self._looks = 0
-        self._pose_tells = None
+        self._pose_tells = self._before = None
 
     def _look_for_zeros(self) -> None:
         """Where the arm counts from; as it was last in this connection while nothing tells."""
@@ -91,10 +127,11 @@ class ModelWatch:
         firmware = _version(self._context.state(), device)
         if device is None:
             return
+        model = connection.model
         if self._pose_tells is not None:
-            self._zeros = device, self._pose_tells
+            self._zeros = device, model, self._pose_tells
         elif firmware is not None:
-            self._zeros = device, model_data(connection.model).older_zeros(firmware)
+            self._zeros = device, model, model_data(model).older_zeros(firmware)
 
     def _take_zeros(self, found: frozenset[FittingArm]) -> None:
         """The pose says it, if it fits the chosen model with one of the two."""

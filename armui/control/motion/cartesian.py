@@ -63,6 +63,9 @@ class Cartesian:
 
     def prepare(self) -> None:
         """Load what computes with poses, before there is an arm that must not wait for it."""
+        from armui.arm.models import all_models  # noqa: PLC0415 - see above
+
+        all_models()  # an arm is compared with each of them: files, which are read now
         self.kinematics()
 
     def kinematics(self) -> Kinematics:

@@ -43,7 +43,7 @@ class SidecarLines:
                     "interface": connection.device.interface,
                     "serial": connection.device.serial,
                     "bitrate": connection.device.bitrate,
-                    "model": connection.device.model.value,
+                    "model": connection.model.value,
                     "listen_only": connection.device.listen_only,
                     "generation": None if generation is None else int(generation),
                     "firmware": state.firmware,
