@@ -4853,8 +4853,8 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>尚未发送</translation>
     </message>
     <message>
-        <source>Told last by this program: {mounting}</source>
-        <translation>本程序上次发送：{mounting}</translation>
+        <source>Told this arm last by this program: {mounting}</source>
+        <translation>本程序上次告知此机械臂的安装方式：{mounting}</translation>
     </message>
     <message>
         <source>Mounting of the arm</source>
