@@ -11,7 +11,6 @@ import numpy as np
 import pytest
 import yourdfpy
 
-from armui.arm.limits import FACTORY_ACCELERATION_DEG_S2
 from armui.arm.model import ArmModel
 from armui.arm.model_check import ModelFit, fitting_arms
 from armui.arm.models import model_data, robot_description
@@ -28,7 +27,7 @@ from armui.sim.firmware import Firmware
 from armui.trajectory.planning.planned_path import sampled_path
 from armui.viewport.hud import figures
 from armui.viewport.process.urdf_file import load_robot
-from tests.family import MODELS, ranges
+from tests.family import FACTORY_ACCELERATION_DEG_S2, MODELS, ranges
 
 POSES = 1000
 BUS_MM = 2e-3

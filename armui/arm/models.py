@@ -26,6 +26,7 @@ from armui.system.paths import URDF
 FORMAT: Final = 1
 LINK_NAMES: Final = ("base_link", *(f"link{joint}" for joint in range(1, 7)))
 _SIX: Final = (6,)
+_SPEEDS: Final = {"known": False, "assumed": True}
 
 
 class ModelFileError(Exception):
@@ -93,6 +94,7 @@ class ModelData:
         limits: Of the six joints as the arm leaves the factory: they stand in until the arm has
             told its own.
         accelerations_deg_s2: The highest of the six joints, likewise.
+        speeds_assumed: Speeds and accelerations are the PiPER's, for want of published ones.
         torque: Of the motors.
         links: Masses of the base and the six links.
         gripper: How it is mounted.
@@ -107,6 +109,7 @@ class ModelData:
     older_geometry: Geometry
     limits: tuple[JointLimits, ...]
     accelerations_deg_s2: tuple[float, ...]
+    speeds_assumed: bool
     torque: TorqueCoefficients
     links: tuple[LinkMass, ...]
     gripper: GripperMounting
@@ -205,6 +208,7 @@ def _model(fields: Fields) -> ModelData:
         older_geometry=geometry.with_zeros(fields.numbers("older_zeros_deg", _SIX)),
         limits=limits,
         accelerations_deg_s2=accelerations_deg_s2,
+        speeds_assumed=_speeds_assumed(fields),
         torque=TorqueCoefficients(
             torque.numbers("k_nm_per_a", _SIX),
             torque.numbers("b", _SIX),
@@ -243,6 +247,13 @@ def _joints(fields: Fields) -> tuple[tuple[JointLimits, ...], tuple[float, ...]]
         accelerations_deg_s2.append(math.degrees(joint.number("max_acceleration_rad_s2")))
         joint.nothing_else()
     return tuple(limits), tuple(accelerations_deg_s2)
+
+
+def _speeds_assumed(fields: Fields) -> bool:
+    word = fields.text("speeds")
+    if word not in _SPEEDS:
+        raise fields.bad("speeds", " or ".join(_SPEEDS))
+    return _SPEEDS[word]
 
 
 def _links(fields: Fields) -> tuple[LinkMass, ...]:

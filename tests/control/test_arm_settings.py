@@ -5,12 +5,12 @@ import math
 import can
 import pytest
 
-from armui.arm.limits import FACTORY_LIMITS
 from armui.arm.parameters import Batch, Group, Parameter, all_batches, heard
 from armui.arm.refusal_codes import RefusalCode
 from armui.control.parameters.setting_cell import CellState
 from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
+from tests.family import FACTORY_LIMITS
 from tests.faulty_arm import HardOfHearing
 
 END = Batch(Group.END_LIMITS)
