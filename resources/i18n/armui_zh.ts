@@ -162,7 +162,11 @@
         <source>{type}, number {number}</source>
         <translation>{type}，编号 {number}</translation>
     </message>
-</context>
+<message>
+        <source>; joints 2 and 3 count from the zeros before S-V1.6-3</source>
+        <translation>；关节 2、3 采用 S-V1.6-3 之前的零点</translation>
+    </message>
+    </context>
 <context>
     <name>AboutArmDialog</name>
     <message>
@@ -4591,7 +4595,11 @@ Lamps give no feedback: this is only what will be sent.</source>
         <source>Its lengths decide where the tool is. The limits of the joints are always read from the arm.</source>
         <translation>型号决定各连杆长度，从而决定末端位置。关节限位始终从机械臂读取。</translation>
     </message>
-</context>
+<message>
+        <source>This very arm was a {before} the last time: choose that and press Connect, or wait until the arm stands still and is compared.</source>
+        <translation>此机械臂上次为 {before}：请选择该型号并点击连接，或等待机械臂静止后自动核对。</translation>
+    </message>
+    </context>
 <context>
     <name>ModelMark</name>
     <message>
@@ -4622,7 +4630,19 @@ Lamps give no feedback: this is only what will be sent.</source>
         <source>Model of the arm: {text}</source>
         <translation>机械臂型号：{text}</translation>
     </message>
-</context>
+<message>
+        <source>{model}? It was a {before}</source>
+        <translation>{model}？上次为 {before}</translation>
+    </message>
+    <message>
+        <source>This very arm was a {before} the last time. Click to choose.</source>
+        <translation>此机械臂上次为 {before}。点击选择型号。</translation>
+    </message>
+    <message>
+        <source>Joints 2 and 3 count from the zeros before S-V1.6-3.</source>
+        <translation>关节 2、3 采用 S-V1.6-3 之前的零点。</translation>
+    </message>
+    </context>
 <context>
     <name>MotionEnd</name>
     <message>
@@ -4892,7 +4912,11 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <source>The arm does not answer this and cannot be asked for it: another program, or the arm itself after a power cut, may have another one.</source>
         <translation>机械臂对此不应答，也无法查询：其他程序或断电后的机械臂可能采用不同的设置。</translation>
     </message>
-</context>
+<message>
+        <source>Told this arm last by this program: {mounting}</source>
+        <translation>本程序上次告知此机械臂的安装方式：{mounting}</translation>
+    </message>
+    </context>
 <context>
     <name>MoveMode</name>
     <message>
@@ -5458,7 +5482,15 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <source>Mounting sent: {mounting}. The arm does not tell it back.</source>
         <translation>已发送安装方式：{mounting}。机械臂不会回报。</translation>
     </message>
-</context>
+<message>
+        <source>This arm (node {node}) was a {before} the last time: taken instead of {chosen}, which was only offered.</source>
+        <translation>此机械臂（节点 {node}）上次为 {before}：已采用该型号，代替默认给出的 {chosen}。</translation>
+    </message>
+    <message>
+        <source>Connected as a {chosen}, but this arm (node {node}) was a {before} the last time. If it is one, connect it as that.</source>
+        <translation>当前按 {chosen} 连接，但此机械臂（节点 {node}）上次为 {before}。如属实，请按该型号重新连接。</translation>
+    </message>
+    </context>
 <context>
     <name>Observed</name>
     <message>
@@ -8102,7 +8134,11 @@ The other program must have ended.</source>
         <source>Another program drives the arm in {other_mode} mode: a mode word of ours would leave its joints limp. End that program, hold the arm, and take the way back that the line above the panels offers.</source>
         <translation>另一程序正以{other_mode}模式驱动机械臂：本程序的模式指令会使关节失力。请结束该程序、扶住机械臂，再按面板上方提示行给出的方式恢复。</translation>
     </message>
-</context>
+<message>
+        <source>Not run: the arm's model or zeros are others than those of the check. Send again.</source>
+        <translation>未运行：机械臂的型号或零点约定与检查时不同。请再次点击发送。</translation>
+    </message>
+    </context>
 <context>
     <name>ReplayEventBar</name>
     <message>

@@ -201,7 +201,10 @@ class ConnectDialog(ArmDialog):
         if bitrate_is_ours(device.interface) and not device.simulated:
             device = replace(device, bitrate=self.bitrate_box.currentData())
         chosen = replace(
-            device, listen_only=self.listen_only_box.isChecked(), model=self.model_choice.model
+            device,
+            listen_only=self.listen_only_box.isChecked(),
+            model=self.model_choice.model,
+            model_assumed=self.model_choice.is_assumed,
         )
         self._leave_then(lambda: self._connect_as(chosen))
 

@@ -42,6 +42,7 @@ class ModelChoice(Translated, QWidget):
     def __init__(self, kept: KeptModels) -> None:
         super().__init__()
         self._kept = kept
+        self._by_hand = False
         self._device: Device | None = None
         self._now: OperatingState | None = None
         self._label = QLabel()
@@ -55,12 +56,18 @@ class ModelChoice(Translated, QWidget):
         row = in_row(on=self, spacing=LINE_GAP_PX, margins=0)
         fill(row, self._label, self.box, 8, self._icon, (self.hint, 1))
         self.box.currentIndexChanged.connect(self._on_chosen)
+        self.box.activated.connect(self._on_activated)
         self.retranslate_ui()
 
     @property
     def model(self) -> PiperModel:
         """The model that is chosen."""
         return PiperModel(self.box.currentData())
+
+    @property
+    def is_assumed(self) -> bool:
+        """Whether it is only what was offered: the operator has not touched the list."""
+        return not self._by_hand
 
     def show_device(self, device: Device | None, now: OperatingState) -> None:
         """Offer what was chosen for a device: in this connection, or the last time.
@@ -74,6 +81,7 @@ class ModelChoice(Translated, QWidget):
             return
         kept = self._kept.of(device) or PiperModel.PIPER
         shown = now.model if same_device(device, now.device) else kept
+        self._by_hand = False
         self.box.setCurrentIndex(self.box.findData(shown))
         self._explain()
 
@@ -86,6 +94,9 @@ class ModelChoice(Translated, QWidget):
         """The device is about to be connected as the model that is chosen."""
         self._kept.keep(device)
 
+    def _on_activated(self, _index: int) -> None:
+        self._by_hand = True
+
     def _on_chosen(self) -> None:
         self._explain()
         self.chosen.emit()
@@ -94,7 +105,8 @@ class ModelChoice(Translated, QWidget):
         now, device = self._now, self._device
         text, wrong = "", False
         if now is not None and device is not None and same_device(device, now.device):
-            text, wrong = self._of_connected(now), now.model_fit.wrong is not None
+            fit = now.model_fit
+            text, wrong = self._of_connected(now), (fit.wrong or fit.before) is not None
         elif device is not None and device.simulated:
             text = self.tr("The simulated arm is this model.")
         self._icon.setVisible(wrong)
@@ -115,6 +127,11 @@ class ModelChoice(Translated, QWidget):
             return self.tr("Confirmed by the pose the arm reports.")
         if fit.fitting is not None:
             return self.tr("Fits the pose the arm reports; so do others. Move a joint to decide.")
+        if fit.before is not None:
+            return self.tr(
+                "This very arm was a {before} the last time: choose that and press Connect, or "
+                "wait until the arm stands still and is compared."
+            ).format(before=model_data(fit.before).name)
         return self.tr("Not compared yet: the arm must stand still.")
 
     def line_up(self, *labels: QLabel) -> None:

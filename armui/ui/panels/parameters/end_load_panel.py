@@ -130,6 +130,7 @@ class EndLoadPanel(Panel):
             self._refusal = self._event = None
 
     def _show_state(self, state: ArmState) -> None:
+        self._mounting.follow_arm()
         for joint in JOINTS:
             heard = state.end_motion[joint - 1]
             stale = is_stale(heard, state, self._operating_state)
