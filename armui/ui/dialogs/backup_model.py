@@ -35,6 +35,7 @@ class BackupModel(TableModel):
 
     ticked = Signal()
     _columns = 4
+    _figures = frozenset({FILED, HELD})
 
     def __init__(self, cell: Callable[[Parameter], SettingCellState]) -> None:
         super().__init__()
@@ -113,7 +114,7 @@ class BackupModel(TableModel):
         if role == Qt.ItemDataRole.ToolTipRole:
             reason = self._reason(row)
             return "" if reason is None else words.refusal(reason)
-        if role == Qt.ItemDataRole.TextAlignmentRole and index.column() in {FILED, HELD}:
+        if role == Qt.ItemDataRole.TextAlignmentRole and index.column() in self._figures:
             return RIGHT
         return None
 

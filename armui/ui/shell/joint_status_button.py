@@ -63,7 +63,7 @@ class JointStatusButton(Translated, QAbstractButton):
         worst = self._monitor.worst
         text = words.joint_verdict(worst.verdict)
         if worst.joints and len(worst.joints) < len(JOINTS):
-            return f"{text} {fmt.joints(list(worst.joints))}"
+            return f"{text} {fmt.joint_spans(list(worst.joints))}"
         if worst.joints and worst.verdict is StatusVerdict.FAULT:
             return f"{text} J1–J6"
         return f"{text} {fmt.NOTHING}" if worst.verdict is StatusVerdict.UNKNOWN else text

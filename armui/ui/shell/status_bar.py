@@ -221,7 +221,8 @@ class StatusBar(Translated, QWidget):
         if not foreign_mode:
             return words.move_mode(code)
         mode = words.other_mode(foreign_mode)
-        return self.tr("{mode} by another program").format(mode=mode)
+        text = self.tr("{mode} by another program").format(mode=mode)
+        return text[:1].upper() + text[1:]
 
     def _alarm_color(self, status: Status) -> str | None:
         colors = colors_of(self)

@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     from armui.ui.watch.plot_board import PlotBoard
 
 _HEIGHT_PX: Final = 168
+_RIGHT: Final = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
 
 
 class CursorTable(QWidget):
@@ -56,14 +57,16 @@ class CursorTable(QWidget):
         self._show_times()
         keys = list(dict.fromkeys(key for plot in self._board.plot_layout.plots for key in plot))
         self.table.setHorizontalHeaderLabels([self.tr("Quantity"), *CURSOR_NAMES, "B − A"])
+        for column in range(1, self.table.columnCount()):
+            title = self.table.horizontalHeaderItem(column)
+            if title is not None:
+                title.setTextAlignment(_RIGHT)
         self.table.setRowCount(len(keys))
         for row, key in enumerate(keys):
             for column, text in enumerate(self._texts(QUANTITIES[key])):
                 item = QTableWidgetItem(text)
                 if column:
-                    item.setTextAlignment(
-                        Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
-                    )
+                    item.setTextAlignment(_RIGHT)
                 self.table.setItem(row, column, item)
 
     def text(self) -> str:

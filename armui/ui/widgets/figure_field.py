@@ -78,7 +78,7 @@ class FigureField(QLineEdit):
 
     def _unit_px(self) -> int:
         """Room for the unit: a degree sign stands close to its figure, others apart."""
-        if len(self._unit) < 2:
+        if self._unit in {"", "°"}:
             return 5 * len(self._unit)
         return self.fontMetrics().horizontalAdvance(self._unit) + 5
 

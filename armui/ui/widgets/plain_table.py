@@ -42,5 +42,6 @@ def plain_table(name: str, columns: int, *, wide: int) -> QTableWidget:
     table.verticalHeader().hide()
     across = table.horizontalHeader()
     across.setHighlightSections(False)
+    across.setDefaultAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
     across.setSectionResizeMode(wide, QHeaderView.ResizeMode.Stretch)
     return table

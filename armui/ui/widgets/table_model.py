@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence, Sized
+from collections.abc import Collection, Sequence, Sized
 from typing import Any, Final
 
 from PySide6.QtCore import QAbstractTableModel, QModelIndex, QPersistentModelIndex, Qt
@@ -17,6 +17,8 @@ class TableModel(QAbstractTableModel):
     """Counts rows and columns, names the columns, and tells the view to read all cells again."""
 
     _columns: int
+    _figures: Collection[int] = ()
+    """Columns of figures: they stand at the right, and their titles with them."""
     _rows: Sized = ()
 
     def titles(self) -> Sequence[str]:
@@ -35,7 +37,11 @@ class TableModel(QAbstractTableModel):
         self, section: int, orientation: Qt.Orientation, role: int = Qt.ItemDataRole.DisplayRole
     ) -> Any:
         """The titles of the columns."""
-        if role != Qt.ItemDataRole.DisplayRole or orientation is not Qt.Orientation.Horizontal:
+        if orientation is not Qt.Orientation.Horizontal:
+            return None
+        if role == Qt.ItemDataRole.TextAlignmentRole and section in self._figures:
+            return RIGHT
+        if role != Qt.ItemDataRole.DisplayRole:
             return None
         titles = self.titles()
         return titles[section] if section < len(titles) else None

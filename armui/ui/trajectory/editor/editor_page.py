@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
 from functools import partial
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QEvent, Qt, Signal
 from PySide6.QtGui import QKeySequence, QShortcut
@@ -42,6 +42,9 @@ from armui.ui.widgets.page import Page
 if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
     from armui.ui.trajectory.library.library_work import LibraryWork
+
+_NOTE_PX: Final = 200
+"""Narrower, the note's field goes into a line of its own."""
 
 
 class EditorPage(Page):
@@ -91,6 +94,7 @@ class EditorPage(Page):
         self._find_bar = FindBar()
         self._finder = Finder(self.document, self.table, self._find_bar)
         self._note = named("trajectory_note", QLineEdit(trajectory.note))
+        self._note.setMinimumWidth(_NOTE_PX)
         self._message = named("editor_message", MessageLine())
         self._findings = FindingsPane()
         self._run_bar = RunBar(controller, checks, lambda then: then(self.document.trajectory()))
@@ -128,7 +132,7 @@ class EditorPage(Page):
             "redo": partial(self._step, self.document.stack.redo),
             "find": self._find_bar.open,
             "check": self._run_bar.check,
-            "jog": lambda: self._jog.unfold(self._actions["jog"].isChecked()),
+            "jog": self._show_jog,
         }
 
     def _lay_out(self) -> None:
@@ -157,6 +161,12 @@ class EditorPage(Page):
         self._jog.refused.connect(self._on_jogged)
         self._findings.row_wanted.connect(self.table.select_row)
         self.document.changed.connect(self._on_points)
+
+    def _show_jog(self) -> None:
+        """Beside the jog buttons, making a point is what is done most: not running."""
+        jogs = self._actions["jog"].isChecked()
+        self._jog.unfold(jogs)
+        self._run_bar.stand_back(jogs)
 
     # Editing ----------------------------------------------------------------------------------
 

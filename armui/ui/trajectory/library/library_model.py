@@ -48,6 +48,7 @@ class LibraryModel(TableModel):
 
     rename_wanted = Signal(str, str)
     _columns = len(LibraryColumn)
+    _figures = frozenset({LibraryColumn.POINTS, LibraryColumn.LENGTH})
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -93,10 +94,7 @@ class LibraryModel(TableModel):
             return entry
         if role == Qt.ItemDataRole.ToolTipRole:
             return self._tip(entry)
-        if role == Qt.ItemDataRole.TextAlignmentRole and column in {
-            LibraryColumn.POINTS,
-            LibraryColumn.LENGTH,
-        }:
+        if role == Qt.ItemDataRole.TextAlignmentRole and column in self._figures:
             return RIGHT
         return None
 

@@ -240,7 +240,7 @@ class RecordingPage(Page):
         elif result is None:
             self._kept.setText(self.tr("Nothing is left: correct the marked fields."))
         else:
-            text = self.tr("{kept} of {count} samples, {time}")
+            text = self.tr("Keeps {kept} of {count} samples, {time}")
             kept, count = len(result.samples), len(whole.samples)
             text = text.format(kept=kept, count=count, time=duration(result.duration_s))
             self._kept.setText(text)

@@ -21,7 +21,7 @@ from armui.ui import words
 from armui.ui.trajectory.running.preflight import CheckJob, Checks, Preflight
 from armui.ui.trajectory.running.run_options import RunOptions
 from armui.ui.trajectory.running.runner import Runner, ended_early
-from armui.ui.widgets.buttons import named, push_button
+from armui.ui.widgets.buttons import named, push_button, show_primary
 from armui.ui.widgets.enable_or_explain import enable_or_explain
 from armui.ui.widgets.flow import in_flow, pair
 from armui.ui.widgets.text_label import text_label
@@ -193,6 +193,10 @@ class RunBar(Translated, QWidget):
             0 if recording else self._first.value() - 1,
             not recording and self._steps.isChecked(),
         )
+
+    def stand_back(self, wanted: bool) -> None:
+        """Whether something else on the page is done more often than running it."""
+        show_primary(self._send, wanted=not wanted)
 
     def _on_send(self) -> None:
         self._run(self._options())

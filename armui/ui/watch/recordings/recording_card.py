@@ -94,6 +94,7 @@ class RecordingCard(Translated, QFrame):
             "session_rotate_size",
             QSpinBox(minimum=ROTATE_MIN_MB, maximum=ROTATE_MAX_MB, suffix=" MB"),
         )
+        self.size_box.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self.size_box.setKeyboardTracking(False)
         self.size_box.setSingleStep(50)
         self.folder_name = named("session_folder", ElidedLabel())
