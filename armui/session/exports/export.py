@@ -20,8 +20,9 @@ from armui.session.exports.request import (
 )
 from armui.session.exports.sink import ExportFacts, TimeSpan
 from armui.session.exports.source import open_source
-from armui.session.exports.target import WholeFile, WholeFolder
+from armui.session.exports.target import WholeFolder
 from armui.session.frames import NotALogError
+from armui.system.atomic import WholeFile, remove_abandoned
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator
@@ -169,6 +170,7 @@ def _facts(request: ExportRequest, arm: ExportedArm) -> ExportFacts:
 
 
 def _whole(request: ExportRequest) -> WholeFile | WholeFolder:
+    remove_abandoned(request.target.parent)
     if request.format.is_folder:
         return WholeFolder(request.target, ".csv", replace=request.replace)
     return WholeFile(request.target, replace=request.replace)
