@@ -132,8 +132,7 @@ class MountingCard(QFrame):
             enable_or_explain(self.send, self.tr("Choose how the arm is mounted first."), use)
         else:
             enable_or_explain(self.send, words.why_not(control.why_not(chosen)), use)
-        told = self._preferences.settings.mounting
-        show_primary(self.send, wanted=chosen is not None and _CHOICES[chosen] != told)
+        show_primary(self.send, wanted=chosen is not None and chosen is not self._kept)
 
     def _show_kept(self) -> None:
         """Nothing that was chosen for another arm stays chosen."""
