@@ -56,6 +56,13 @@ def told_model(lines: Iterable[Mapping[str, Any]]) -> PiperModel | None:
     return known[-1] if known else None
 
 
+def told_firmware(lines: Iterable[Mapping[str, Any]]) -> str:
+    """The version that the lines of a sidecar name last, "" where they name none."""
+    told = [line.get("firmware") for line in lines if line.get("kind") == "arm"]
+    known = [each for each in told if isinstance(each, str) and each]
+    return known[-1] if known else ""
+
+
 def _fitting(
     session: Session, channel: Channel, codec: Codec, at_s: float
 ) -> frozenset[PiperModel]:

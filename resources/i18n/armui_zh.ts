@@ -2236,8 +2236,12 @@
         <translation>只导出了通道 {channel}；{others} 的 {count:,} 帧未导出。</translation>
     </message>
     <message>
-        <source>{frames:,} frames read as generation {generation}.</source>
-        <translation>已读取 {frames:,} 帧，按第 {generation} 代协议解析。</translation>
+        <source>Exported as a {model}, but the end pose in the log fits a {fits}.</source>
+        <translation>已按 {model} 导出，但日志中的末端位姿与 {fits} 相符。</translation>
+    </message>
+    <message>
+        <source>{frames:,} frames read as generation {generation}, {model}.</source>
+        <translation>共 {frames:,} 帧，按第 {generation} 代协议读取，型号 {model}。</translation>
     </message>
     <message>
         <source>{count:,} of them are none of the arm&apos;s.</source>
@@ -2265,6 +2269,10 @@
     <message>
         <source>Protocol</source>
         <translation>协议</translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <translation>型号</translation>
     </message>
     <message>
         <source>Channel</source>
@@ -2297,6 +2305,14 @@
     <message>
         <source>Generation 2</source>
         <translation>第 2 代</translation>
+    </message>
+    <message>
+        <source>As the recording tells</source>
+        <translation>按录制内容</translation>
+    </message>
+    <message>
+        <source>Where the links and the tool are depends on it. A recording of this program says it; of other logs it is the one that fits the end pose in them.</source>
+        <translation>连杆与工具的位置取决于型号。本程序的录制文件中已注明；其他日志取与其中末端位姿相符的型号。</translation>
     </message>
     <message>
         <source>to</source>
