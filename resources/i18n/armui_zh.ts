@@ -1046,14 +1046,6 @@
         <translation>不检测</translation>
     </message>
     <message>
-        <source>All</source>
-        <translation>全部</translation>
-    </message>
-    <message>
-        <source>All joints: level</source>
-        <translation>全部关节：等级</translation>
-    </message>
-    <message>
         <source>Levels 1 to 8 watch for collisions; level 0 does not watch at all.</source>
         <translation>等级 1~8 检测碰撞；等级 0 不检测碰撞。</translation>
     </message>
@@ -1592,14 +1584,6 @@
         <translation>拖动助力</translation>
     </message>
     <message>
-        <source>All</source>
-        <translation>全部</translation>
-    </message>
-    <message>
-        <source>All joints: level</source>
-        <translation>所有关节：等级</translation>
-    </message>
-    <message>
         <source>From 0, the joint does not help the hand, to 10, it helps most. Read and set with the arm at rest; keep a hand on it when it is led for the first time afterwards.</source>
         <translation>0 表示该关节不助力，10 表示助力最大。请在机械臂静止时读取和设置；更改后首次拖动时请始终用手扶住机械臂。</translation>
     </message>
@@ -1971,14 +1955,6 @@
         <source>Copied</source>
         <translation>已复制</translation>
     </message>
-    <message>
-        <source>Not saved: {path}. {reason}</source>
-        <translation>未保存：{path}。{reason}</translation>
-    </message>
-    <message>
-        <source>Saved: {path}</source>
-        <translation>已保存：{path}</translation>
-    </message>
 </context>
 <context>
     <name>EventKind</name>
@@ -2228,10 +2204,6 @@
         <translation>已保存：{target}（{items:,} 条消息）</translation>
     </message>
     <message>
-        <source>Places of the log that cannot be read: {count}; the first: {place} ({reason}). Everything else was exported.</source>
-        <translation>日志中有 {count} 处无法读取；第一处：{place}（{reason}）。其余内容均已导出。</translation>
-    </message>
-    <message>
         <source>Only channel {channel} was exported; {count:,} frames of {others} were left out.</source>
         <translation>只导出了通道 {channel}；{others} 的 {count:,} 帧未导出。</translation>
     </message>
@@ -2244,12 +2216,16 @@
         <translation>共 {frames:,} 帧，按第 {generation} 代协议读取，型号 {model}。</translation>
     </message>
     <message>
-        <source>{count:,} of them are none of the arm&apos;s.</source>
-        <translation>其中 {count:,} 帧不是机械臂的帧。</translation>
-    </message>
-    <message>
         <source>A folder with a file for each message: every frame with its time, decoded into signals with their units.</source>
         <translation>一个文件夹，每种报文一个文件：每一帧带时间，解码为带单位的信号。</translation>
+    </message>
+    <message>
+        <source>Unreadable places in the log: {count}; the first: {place} ({reason}). Everything else was exported.</source>
+        <translation>日志中有 {count} 处无法读取，第一处：{place}（{reason}）。其余内容均已导出。</translation>
+    </message>
+    <message>
+        <source>{count:,} of them do not belong to the arm.</source>
+        <translation>其中 {count:,} 帧不属于该机械臂。</translation>
     </message>
 </context>
 <context>
@@ -2399,6 +2375,17 @@
     <message>
         <source>Kind</source>
         <translation>类型</translation>
+    </message>
+</context>
+<context>
+    <name>FileExport</name>
+    <message>
+        <source>Not saved: {path}. {reason}</source>
+        <translation>未保存：{path}。{reason}</translation>
+    </message>
+    <message>
+        <source>Saved: {path}</source>
+        <translation>已保存：{path}</translation>
     </message>
 </context>
 <context>
@@ -2572,10 +2559,6 @@
         <translation>途中关节 {joint} 将到 {value}°，超出限位 {minimum}° 至 {maximum}°。请在中间增加一点，或改用 MOVE J。</translation>
     </message>
     <message>
-        <source>The arm cannot bring its flange there: {missing} mm are missing. Move the point nearer.</source>
-        <translation>法兰无法到达该位置：还差 {missing} mm。请把该点移近。</translation>
-    </message>
-    <message>
         <source>After {gone} % of the way the tool would be out of reach. Put another point between, or use MOVE J.</source>
         <translation>走完 {gone} % 后末端将超出工作范围。请在中间增加一点，或改用 MOVE J。</translation>
     </message>
@@ -2627,6 +2610,10 @@
         <source>The tool would be {value} mm below the plane the arm stands on. Accept this only if there is nothing.</source>
         <translation>末端将低于机械臂安装平面 {value} mm。确认下方没有物体时才可接受。</translation>
     </message>
+    <message>
+        <source>The flange cannot get there: the point is {missing} mm too far. Move it nearer.</source>
+        <translation>法兰无法到达该位置：还差 {missing} mm。请把该点移近。</translation>
+    </message>
 </context>
 <context>
     <name>FindingRow</name>
@@ -2637,10 +2624,6 @@
 </context>
 <context>
     <name>FindingsPane</name>
-    <message>
-        <source>Check: errors {errors}, warnings {warnings}</source>
-        <translation>检查：{errors} 个错误，{warnings} 个警告</translation>
-    </message>
     <message>
         <source>Check: nothing found.</source>
         <translation>检查：未发现问题。</translation>
@@ -2672,6 +2655,10 @@
     <message>
         <source>Close</source>
         <translation>关闭</translation>
+    </message>
+    <message>
+        <source>The check found errors: {errors}, warnings: {warnings}</source>
+        <translation>检查：{errors} 个错误，{warnings} 个警告</translation>
     </message>
 </context>
 <context>
@@ -4021,6 +4008,17 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
     </message>
 </context>
 <context>
+    <name>LevelsPanel</name>
+    <message>
+        <source>All</source>
+        <translation>全部</translation>
+    </message>
+    <message>
+        <source>All joints: level</source>
+        <translation>全部关节：等级</translation>
+    </message>
+</context>
+<context>
     <name>LibraryActions</name>
     <message>
         <source>Trajectory</source>
@@ -4455,6 +4453,13 @@ Lamps give no feedback: this is only what will be sent.</source>
     <message>
         <source>The arm cannot be asked for this setting: what counts is where its feedback is heard.</source>
         <translation>此设置无法从机械臂查询，以实际收到反馈的 ID 为准。</translation>
+    </message>
+</context>
+<context>
+    <name>List</name>
+    <message>
+        <source>, </source>
+        <translation>、</translation>
     </message>
 </context>
 <context>
@@ -5823,6 +5828,10 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <source>Shows what the arm holds again.</source>
         <translation>重新显示机械臂中的值。</translation>
     </message>
+    <message>
+        <source>{names}: {reason}</source>
+        <translation>{names}：{reason}</translation>
+    </message>
 </context>
 <context>
     <name>PictureExport</name>
@@ -5837,14 +5846,6 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     <message>
         <source>There is no picture of now to be taken: wait until it is drawn.</source>
         <translation>当前画面尚未绘制完成，请稍候再试。</translation>
-    </message>
-    <message>
-        <source>Not saved: {path}. {reason}</source>
-        <translation>未保存：{path}。{reason}</translation>
-    </message>
-    <message>
-        <source>Saved: {path}</source>
-        <translation>已保存：{path}</translation>
     </message>
 </context>
 <context>
@@ -5982,14 +5983,6 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     <message>
         <source>Copied</source>
         <translation>已复制</translation>
-    </message>
-    <message>
-        <source>Not saved: {path}. {reason}</source>
-        <translation>未保存：{path}。{reason}</translation>
-    </message>
-    <message>
-        <source>Saved: {path}</source>
-        <translation>已保存：{path}</translation>
     </message>
 </context>
 <context>
@@ -6272,6 +6265,20 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     <message>
         <source>Close preview</source>
         <translation>关闭预览</translation>
+    </message>
+</context>
+<context>
+    <name>QAbstractFileIconProvider</name>
+    <message>
+        <source>Folder</source>
+        <translation>文件夹</translation>
+    </message>
+</context>
+<context>
+    <name>QFileSystemModel</name>
+    <message>
+        <source>Size</source>
+        <translation>大小</translation>
     </message>
 </context>
 <context>
@@ -6660,10 +6667,6 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>没有剩余数据：请修正标记的输入框。</translation>
     </message>
     <message>
-        <source>{kept} of {count} samples, {time}</source>
-        <translation>保留 {kept}/{count} 个采样，{time}</translation>
-    </message>
-    <message>
         <source>The path is shown in the 3D view.</source>
         <translation>路径已显示在三维视图中。</translation>
     </message>
@@ -6738,6 +6741,10 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     <message>
         <source>The arm comes to rest in every point</source>
         <translation>机械臂会在每个点停下</translation>
+    </message>
+    <message>
+        <source>Keeps {kept} of {count} samples, {time}</source>
+        <translation>保留 {kept}/{count} 个采样，{time}</translation>
     </message>
 </context>
 <context>
@@ -8803,11 +8810,11 @@ The other program must have ended.</source>
         <translation>手柄…</translation>
     </message>
     <message>
-        <source>on: jogs the arm</source>
+        <source>On: jogs the arm</source>
         <translation>已开启：可以点动机械臂</translation>
     </message>
     <message>
-        <source>off</source>
+        <source>Off</source>
         <translation>已关闭</translation>
     </message>
 </context>
@@ -10357,10 +10364,6 @@ Afterwards the motors must be enabled again.</source>
         <translation>工作空间</translation>
     </message>
     <message>
-        <source>Shows how far the tool centre point can reach</source>
-        <translation>显示工具中心点可到达的范围</translation>
-    </message>
-    <message>
         <source>Save picture…</source>
         <translation>保存画面…</translation>
     </message>
@@ -10419,6 +10422,10 @@ Afterwards the motors must be enabled again.</source>
     <message>
         <source>Drags the target, or the chosen point, in the picture; the arm does not move. Ctrl: coarse steps, Shift: fine steps, Esc: give up</source>
         <translation>在画面中拖动目标或所选点，机械臂不会运动。Ctrl：大步进，Shift：小步进，Esc：放弃</translation>
+    </message>
+    <message>
+        <source>Shows what the tool centre point can reach; orange bounds what it can&apos;t within</source>
+        <translation>显示工具中心点能到达的空间；橙色是其中到不了的部分的边界</translation>
     </message>
 </context>
 <context>

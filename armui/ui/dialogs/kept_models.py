@@ -73,13 +73,10 @@ class NodeKeeper(QObject):
     Args:
         controller: Knows the arm.
         kept: Where it is kept.
-        parent: Qt's.
     """
 
-    def __init__(
-        self, controller: ArmController, kept: KeptModels, parent: QObject | None = None
-    ) -> None:
-        super().__init__(parent)
+    def __init__(self, controller: ArmController, kept: KeptModels) -> None:
+        super().__init__()
         self._controller = controller
         self._kept = kept
         self._confirmed: tuple[Device, str] | None = None

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QSize, Qt
 from PySide6.QtGui import QColor
-from PySide6.QtWidgets import QToolButton, QWidget
+from PySide6.QtWidgets import QToolButton
 
 from armui.arm.models import model_data
 from armui.control.operating_state import LinkState, OperatingState
@@ -28,16 +28,10 @@ class ModelMark(Translated, QToolButton):
     Args:
         controller: Knows it.
         open_connection: Shows that window.
-        parent: Qt's.
     """
 
-    def __init__(
-        self,
-        controller: ArmController,
-        open_connection: Callable[[], object],
-        parent: QWidget | None = None,
-    ) -> None:
-        super().__init__(parent)
+    def __init__(self, controller: ArmController, open_connection: Callable[[], object]) -> None:
+        super().__init__()
         self._controller = controller
         self.setObjectName("model_mark")
         self.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)

@@ -8,7 +8,7 @@ from PySide6.QtWidgets import QButtonGroup, QFrame, QHBoxLayout, QLabel, QSizePo
 
 from armui.protocol.codes import Mounting
 from armui.ui import words
-from armui.ui.widgets.buttons import caption, choice_button, push_button
+from armui.ui.widgets.buttons import caption, choice_button, push_button, show_primary
 from armui.ui.widgets.enable_or_explain import enable_or_explain
 from armui.ui.widgets.layouts import fill, in_column
 from armui.ui.widgets.text_label import text_label
@@ -48,12 +48,13 @@ class MountingCard(QFrame):
         self.setProperty("card", True)
         self._heading = QLabel()
         self._choices = QButtonGroup(self)
-        self.send = push_button("mounting_confirm_button", primary=True)
+        self.send = push_button("mounting_confirm_button")
         self._told = text_label("mounting_told", wraps=True)
         self._note = text_label(rank="muted", wraps=True)
         row = QHBoxLayout()
         for mounting, name in _CHOICES.items():
             button = choice_button(f"mounting_{name}")
+            button.setProperty("tight", True)
             button.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
             self._choices.addButton(button, int(mounting))
             row.addWidget(button, 1)
@@ -76,6 +77,7 @@ class MountingCard(QFrame):
         if refusal is None:
             refusal = self._keep(mounting)
             self._show_told()
+            self.show_possible()
         return refusal
 
     def follow_arm(self) -> None:
@@ -130,6 +132,7 @@ class MountingCard(QFrame):
             enable_or_explain(self.send, self.tr("Choose how the arm is mounted first."), use)
         else:
             enable_or_explain(self.send, words.why_not(control.why_not(chosen)), use)
+        show_primary(self.send, wanted=chosen is not None and chosen is not self._kept)
 
     def _show_kept(self) -> None:
         """Nothing that was chosen for another arm stays chosen."""
