@@ -11,7 +11,18 @@ from armui.protocol.codes import ArmStatusCode, ControlMode, MotionState
 from armui.protocol.generation import Generation
 from armui.sim.firmware import Firmware
 from tests.moments import now
-from tests.sim.talk import BOTH, DISABLE, ENABLE, RESUME, STOP, mode, ready, status_bytes, target, tell
+from tests.sim.talk import (
+    BOTH,
+    DISABLE,
+    ENABLE,
+    RESUME,
+    STOP,
+    mode,
+    ready,
+    status_bytes,
+    target,
+    tell,
+)
 
 TWO = Generation.TWO
 HOME = (0.0,) * 6
