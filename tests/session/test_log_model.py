@@ -63,7 +63,9 @@ def test_the_replay_has_the_zeros_of_the_log_while_it_stands_still(qapp, tmp_pat
 
     controller = replay.controller
     assert controller.operating_state.model_fit.older_zeros is (version == "S-V1.5-2")
-    shown = controller.cartesian.kinematics().forward(controller.state.angles_deg())
+    angles_deg = controller.state.angles_deg()
+    assert angles_deg is not None
+    shown = controller.cartesian.kinematics().forward(angles_deg)
     assert tuple(shown) == pytest.approx(controller.state.end_pose(), abs=0.06)
     replay.close()
     session.close()
