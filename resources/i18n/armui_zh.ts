@@ -64,6 +64,10 @@
         <translation>程序</translation>
     </message>
     <message>
+        <source>; joints 2 and 3 count from the zeros before S-V1.6-3</source>
+        <translation>；关节 2、3 采用 S-V1.6-3 之前的零点</translation>
+    </message>
+    <message>
         <source>unknown: generation 1 does not tell it</source>
         <translation>未知：第 1 代协议不提供</translation>
     </message>
@@ -162,10 +166,6 @@
     <message>
         <source>{type}, number {number}</source>
         <translation>{type}，编号 {number}</translation>
-    </message>
-    <message>
-        <source>; joints 2 and 3 count from the zeros before S-V1.6-3</source>
-        <translation>；关节 2、3 采用 S-V1.6-3 之前的零点</translation>
     </message>
 </context>
 <context>
@@ -1035,7 +1035,7 @@
     </message>
     <message>
         <source>Level 0 – no collision detection: {joints} will not stop when they hit something or someone.</source>
-        <translation>等级 0 不检测碰撞：{joints} 碰到物体或人时不会停止。</translation>
+        <translation>等级 0 – 不检测碰撞：{joints} 碰到物体或人时不会停止。</translation>
     </message>
     <message>
         <source>This switches the collision detection of {joints} off: the arm will not stop when they hit something or someone. Keep everyone out of its reach.</source>
@@ -1047,7 +1047,7 @@
     </message>
     <message>
         <source>Levels 1 to 8 watch for collisions; level 0 does not watch at all.</source>
-        <translation>等级 1–8 检测碰撞；等级 0 不检测碰撞。</translation>
+        <translation>等级 1~8 检测碰撞；等级 0 不检测碰撞。</translation>
     </message>
 </context>
 <context>
@@ -1611,7 +1611,7 @@
     <name>DropStrip</name>
     <message>
         <source>Drag a quantity into a plot, or here for a plot of its own</source>
-        <translation>将物理量拖入图中，或拖到此处新建一张图</translation>
+        <translation>将量拖入图中，或拖到此处新建一张图</translation>
     </message>
 </context>
 <context>
@@ -2204,24 +2204,28 @@
         <translation>已保存：{target}（{items:,} 条消息）</translation>
     </message>
     <message>
+        <source>Only channel {channel} was exported; {count:,} frames of {others} were left out.</source>
+        <translation>只导出了通道 {channel}；{others} 的 {count:,} 帧未导出。</translation>
+    </message>
+    <message>
+        <source>Exported as a {model}, but the end pose in the log fits a {fits}.</source>
+        <translation>已按 {model} 导出，但日志中的末端位姿与 {fits} 相符。</translation>
+    </message>
+    <message>
+        <source>{frames:,} frames read as generation {generation}, {model}.</source>
+        <translation>共 {frames:,} 帧，按第 {generation} 代协议读取，型号 {model}。</translation>
+    </message>
+    <message>
+        <source>A folder with a file for each message: every frame with its time, decoded into signals with their units.</source>
+        <translation>一个文件夹，每种报文一个文件：每一帧带时间，解码为带单位的信号。</translation>
+    </message>
+    <message>
         <source>Unreadable places in the log: {count}; the first: {place} ({reason}). Everything else was exported.</source>
         <translation>日志中有 {count} 处无法读取，第一处：{place}（{reason}）。其余内容均已导出。</translation>
     </message>
     <message>
         <source>{count:,} of them do not belong to the arm.</source>
         <translation>其中 {count:,} 帧不属于该机械臂。</translation>
-    </message>
-    <message>
-        <source>Only channel {channel} was exported; {count:,} frames of {others} were left out.</source>
-        <translation>只导出了通道 {channel}；{others} 的 {count:,} 帧未导出。</translation>
-    </message>
-    <message>
-        <source>{frames:,} frames read as generation {generation}.</source>
-        <translation>已读取 {frames:,} 帧，按第 {generation} 代协议解析。</translation>
-    </message>
-    <message>
-        <source>A folder with a file for each message: every frame with its time, decoded into signals with their units.</source>
-        <translation>一个文件夹，每种报文一个文件：每一帧带时间，解码为带单位的信号。</translation>
     </message>
 </context>
 <context>
@@ -2241,6 +2245,10 @@
     <message>
         <source>Protocol</source>
         <translation>协议</translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <translation>型号</translation>
     </message>
     <message>
         <source>Channel</source>
@@ -2273,6 +2281,14 @@
     <message>
         <source>Generation 2</source>
         <translation>第 2 代</translation>
+    </message>
+    <message>
+        <source>As the recording tells</source>
+        <translation>按录制内容</translation>
+    </message>
+    <message>
+        <source>Where the links and the tool are depends on it. A recording of this program says it; of other logs it is the one that fits the end pose in them.</source>
+        <translation>连杆与工具的位置取决于型号。本程序的录制文件中已注明；其他日志取与其中末端位姿相符的型号。</translation>
     </message>
     <message>
         <source>to</source>
@@ -2543,10 +2559,6 @@
         <translation>途中关节 {joint} 将到 {value}°，超出限位 {minimum}° 至 {maximum}°。请在中间增加一点，或改用 MOVE J。</translation>
     </message>
     <message>
-        <source>The flange cannot get there: the point is {missing} mm too far. Move it nearer.</source>
-        <translation>法兰无法到达该位置：还差 {missing} mm。请把该点移近。</translation>
-    </message>
-    <message>
         <source>After {gone} % of the way the tool would be out of reach. Put another point between, or use MOVE J.</source>
         <translation>走完 {gone} % 后末端将超出工作范围。请在中间增加一点，或改用 MOVE J。</translation>
     </message>
@@ -2598,6 +2610,10 @@
         <source>The tool would be {value} mm below the plane the arm stands on. Accept this only if there is nothing.</source>
         <translation>末端将低于机械臂安装平面 {value} mm。确认下方没有物体时才可接受。</translation>
     </message>
+    <message>
+        <source>The flange cannot get there: the point is {missing} mm too far. Move it nearer.</source>
+        <translation>法兰无法到达该位置：还差 {missing} mm。请把该点移近。</translation>
+    </message>
 </context>
 <context>
     <name>FindingRow</name>
@@ -2637,12 +2653,12 @@
         <translation>接受警告并运行</translation>
     </message>
     <message>
-        <source>The check found errors: {errors}, warnings: {warnings}</source>
-        <translation>检查：{errors} 个错误，{warnings} 个警告</translation>
-    </message>
-    <message>
         <source>Close</source>
         <translation>关闭</translation>
+    </message>
+    <message>
+        <source>The check found errors: {errors}, warnings: {warnings}</source>
+        <translation>检查：{errors} 个错误，{warnings} 个警告</translation>
     </message>
 </context>
 <context>
@@ -4545,6 +4561,10 @@ Lamps give no feedback: this is only what will be sent.</source>
         <translation>符合机械臂反馈的位姿，但其它型号也符合。移动一个关节即可判定。</translation>
     </message>
     <message>
+        <source>This very arm was a {before} the last time: choose that and press Connect, or wait until the arm stands still and is compared.</source>
+        <translation>此机械臂上次为 {before}：请选择该型号并点击连接，或等待机械臂静止后自动核对。</translation>
+    </message>
+    <message>
         <source>Not compared yet: the arm must stand still.</source>
         <translation>尚未核对：需要机械臂静止。</translation>
     </message>
@@ -4556,10 +4576,6 @@ Lamps give no feedback: this is only what will be sent.</source>
         <source>Its lengths decide where the tool is. The limits of the joints are always read from the arm.</source>
         <translation>型号决定各连杆长度，从而决定末端位置。关节限位始终从机械臂读取。</translation>
     </message>
-    <message>
-        <source>This very arm was a {before} the last time: choose that and press Connect, or wait until the arm stands still and is compared.</source>
-        <translation>此机械臂上次为 {before}：请选择该型号并点击连接，或等待机械臂静止后自动核对。</translation>
-    </message>
 </context>
 <context>
     <name>ModelMark</name>
@@ -4570,6 +4586,14 @@ Lamps give no feedback: this is only what will be sent.</source>
     <message>
         <source>Click to connect it as a {other}.</source>
         <translation>点击以 {other} 重新连接。</translation>
+    </message>
+    <message>
+        <source>{model}? It was a {before}</source>
+        <translation>{model}？上次为 {before}</translation>
+    </message>
+    <message>
+        <source>This very arm was a {before} the last time. Click to choose.</source>
+        <translation>此机械臂上次为 {before}。点击选择型号。</translation>
     </message>
     <message>
         <source>{model}? The pose fits none</source>
@@ -4588,20 +4612,12 @@ Lamps give no feedback: this is only what will be sent.</source>
         <translation>机械臂型号（操作者选择），尚未核对。</translation>
     </message>
     <message>
-        <source>Model of the arm: {text}</source>
-        <translation>机械臂型号：{text}</translation>
-    </message>
-    <message>
-        <source>{model}? It was a {before}</source>
-        <translation>{model}？上次为 {before}</translation>
-    </message>
-    <message>
-        <source>This very arm was a {before} the last time. Click to choose.</source>
-        <translation>此机械臂上次为 {before}。点击选择型号。</translation>
-    </message>
-    <message>
         <source>Joints 2 and 3 count from the zeros before S-V1.6-3.</source>
         <translation>关节 2、3 采用 S-V1.6-3 之前的零点。</translation>
+    </message>
+    <message>
+        <source>Model of the arm: {text}</source>
+        <translation>机械臂型号：{text}</translation>
     </message>
 </context>
 <context>
@@ -4858,6 +4874,10 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>尚未发送</translation>
     </message>
     <message>
+        <source>Told this arm last by this program: {mounting}</source>
+        <translation>本程序上次告知此机械臂的安装方式：{mounting}</translation>
+    </message>
+    <message>
         <source>Mounting of the arm</source>
         <translation>机械臂安装方式</translation>
     </message>
@@ -4868,10 +4888,6 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     <message>
         <source>The arm does not answer this and cannot be asked for it: another program, or the arm itself after a power cut, may have another one.</source>
         <translation>机械臂对此不应答，也无法查询：其他程序或断电后的机械臂可能采用不同的设置。</translation>
-    </message>
-    <message>
-        <source>Told this arm last by this program: {mounting}</source>
-        <translation>本程序上次告知此机械臂的安装方式：{mounting}</translation>
     </message>
 </context>
 <context>
@@ -4990,6 +5006,14 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     <message>
         <source>The pose the arm reports fits its angles in no model of the family, {chosen} included.</source>
         <translation>机械臂反馈的位姿与关节角度不符合任何型号（包括 {chosen}）。</translation>
+    </message>
+    <message>
+        <source>This arm (node {node}) was a {before} the last time: taken instead of {chosen}, which was only offered.</source>
+        <translation>此机械臂（节点 {node}）上次为 {before}：已采用该型号，代替默认给出的 {chosen}。</translation>
+    </message>
+    <message>
+        <source>Connected as a {chosen}, but this arm (node {node}) was a {before} the last time. If it is one, connect it as that.</source>
+        <translation>当前按 {chosen} 连接，但此机械臂（节点 {node}）上次为 {before}。如属实，请按该型号重新连接。</translation>
     </message>
     <message>
         <source>Taken over: this program may move the arm.</source>
@@ -5285,7 +5309,7 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     </message>
     <message>
         <source>Connection to {device} lost; the program keeps trying to reconnect. {reason}</source>
-        <translation>与“{device}”的连接已断开，程序正在尝试重新连接。{reason}</translation>
+        <translation>与 {device} 的连接已断开，程序正在尝试重新连接。{reason}</translation>
     </message>
     <message>
         <source>Connected to {device} again</source>
@@ -5413,11 +5437,11 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     </message>
     <message>
         <source>What just happened is saved: {name}</source>
-        <translation>已保存最近几分钟：{name}</translation>
+        <translation>已保存刚才发生的事：{name}</translation>
     </message>
     <message>
         <source>What just happened could not be saved: {reason}</source>
-        <translation>无法保存最近几分钟：{reason}</translation>
+        <translation>无法保存刚才发生的事：{reason}</translation>
     </message>
     <message>
         <source>{device} jogs {axes} (joints)</source>
@@ -5438,14 +5462,6 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     <message>
         <source>Mounting sent: {mounting}. The arm does not tell it back.</source>
         <translation>已发送安装方式：{mounting}。机械臂不会回报。</translation>
-    </message>
-    <message>
-        <source>This arm (node {node}) was a {before} the last time: taken instead of {chosen}, which was only offered.</source>
-        <translation>此机械臂（节点 {node}）上次为 {before}：已采用该型号，代替默认给出的 {chosen}。</translation>
-    </message>
-    <message>
-        <source>Connected as a {chosen}, but this arm (node {node}) was a {before} the last time. If it is one, connect it as that.</source>
-        <translation>当前按 {chosen} 连接，但此机械臂（节点 {node}）上次为 {before}。如属实，请按该型号重新连接。</translation>
     </message>
 </context>
 <context>
@@ -5480,7 +5496,7 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     </message>
     <message>
         <source>J{joint} {item} {word}</source>
-        <translation>J{joint} {item} {word}</translation>
+        <translation>J{joint} {item}{word}</translation>
     </message>
     <message>
         <source>J{joint} beyond its angle limit</source>
@@ -5765,10 +5781,6 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
 <context>
     <name>ParameterPanel</name>
     <message>
-        <source>{names}: {reason}</source>
-        <translation>{names}：{reason}</translation>
-    </message>
-    <message>
         <source>Saved: read back from the arm, and the same.</source>
         <translation>已保存：已从机械臂回读，数值一致。</translation>
     </message>
@@ -5815,6 +5827,10 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     <message>
         <source>Shows what the arm holds again.</source>
         <translation>重新显示机械臂中的值。</translation>
+    </message>
+    <message>
+        <source>{names}: {reason}</source>
+        <translation>{names}：{reason}</translation>
     </message>
 </context>
 <context>
@@ -6054,7 +6070,7 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     </message>
     <message>
         <source>Gripper torque</source>
-        <translation>夹爪力矩</translation>
+        <translation>夹爪扭矩</translation>
     </message>
     <message>
         <source>Gripper angle</source>
@@ -6337,7 +6353,7 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     </message>
     <message>
         <source>Gripper torque</source>
-        <translation>夹爪力矩</translation>
+        <translation>夹爪扭矩</translation>
     </message>
     <message>
         <source>Gripper angle</source>
@@ -6532,7 +6548,7 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     </message>
     <message>
         <source>Quantities</source>
-        <translation>可绘制的物理量</translation>
+        <translation>可绘制的量</translation>
     </message>
     <message>
         <source>Drag into a plot, or double-click to add to the chosen one</source>
@@ -6651,10 +6667,6 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>没有剩余数据：请修正标记的输入框。</translation>
     </message>
     <message>
-        <source>Keeps {kept} of {count} samples, {time}</source>
-        <translation>保留 {kept}/{count} 个采样，{time}</translation>
-    </message>
-    <message>
         <source>The path is shown in the 3D view.</source>
         <translation>路径已显示在三维视图中。</translation>
     </message>
@@ -6729,6 +6741,10 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     <message>
         <source>The arm comes to rest in every point</source>
         <translation>机械臂会在每个点停下</translation>
+    </message>
+    <message>
+        <source>Keeps {kept} of {count} samples, {time}</source>
+        <translation>保留 {kept}/{count} 个采样，{time}</translation>
     </message>
 </context>
 <context>
@@ -7516,6 +7532,10 @@ The other program must have ended.</source>
         <translation>未运行：机械臂的关节限位与检查时不同。请再次点击发送。</translation>
     </message>
     <message>
+        <source>Not run: the arm&apos;s model or zeros are others than those of the check. Send again.</source>
+        <translation>未运行：机械臂的型号或零点约定与检查时不同。请再次点击发送。</translation>
+    </message>
+    <message>
         <source>No trajectory is running: nothing to pause.</source>
         <translation>没有正在执行的轨迹，无法暂停。</translation>
     </message>
@@ -7825,7 +7845,7 @@ The other program must have ended.</source>
     </message>
     <message>
         <source>Columns {first} and {second} are both {field}. Leave one of them out.</source>
-        <translation>第 {first} 列和第 {second} 列都是 {field}。请去掉其中一列。</translation>
+        <translation>第 {first} 列和第 {second} 列都是{field}。请去掉其中一列。</translation>
     </message>
     <message>
         <source>Still missing: {missing}. Say which columns hold them.</source>
@@ -8071,10 +8091,6 @@ The other program must have ended.</source>
         <source>Another program drives the arm in {other_mode} mode: a mode word of ours would leave its joints limp. End that program, hold the arm, and take the way back that the line above the panels offers.</source>
         <translation>另一程序正以{other_mode}模式驱动机械臂：本程序的模式指令会使关节失力。请结束该程序、扶住机械臂，再按面板上方提示行给出的方式恢复。</translation>
     </message>
-    <message>
-        <source>Not run: the arm&apos;s model or zeros are others than those of the check. Send again.</source>
-        <translation>未运行：机械臂的型号或零点约定与检查时不同。请再次点击发送。</translation>
-    </message>
 </context>
 <context>
     <name>ReplayEventBar</name>
@@ -8254,7 +8270,7 @@ The other program must have ended.</source>
     </message>
     <message>
         <source>Save what just happened</source>
-        <translation>保存最近几分钟</translation>
+        <translation>保存刚才发生的事</translation>
     </message>
     <message>
         <source>Nothing heard yet</source>
@@ -8621,7 +8637,7 @@ The other program must have ended.</source>
     </message>
     <message>
         <source>No recordings yet. Record a session, or save what just happened: both can be replayed here and opened in other CAN tools.</source>
-        <translation>还没有会话记录。可以记录会话，或保存最近几分钟：两者都能在此回放，也能用其他 CAN 工具打开。</translation>
+        <translation>还没有会话记录。可以记录会话，或保存刚才发生的事：两者都能在此回放，也能用其他 CAN 工具打开。</translation>
     </message>
     <message>
         <source>Moved to {folder}. It can be moved back from there.</source>
@@ -8766,14 +8782,6 @@ The other program must have ended.</source>
         <translation>PiPER 内置模型</translation>
     </message>
     <message>
-        <source>On: jogs the arm</source>
-        <translation>已开启：可以点动机械臂</translation>
-    </message>
-    <message>
-        <source>Off</source>
-        <translation>已关闭</translation>
-    </message>
-    <message>
         <source>The built-in robot description is in use.</source>
         <translation>当前使用的就是内置模型。</translation>
     </message>
@@ -8800,6 +8808,14 @@ The other program must have ended.</source>
     <message>
         <source>Gamepad…</source>
         <translation>手柄…</translation>
+    </message>
+    <message>
+        <source>On: jogs the arm</source>
+        <translation>已开启：可以点动机械臂</translation>
+    </message>
+    <message>
+        <source>Off</source>
+        <translation>已关闭</translation>
     </message>
 </context>
 <context>
@@ -10471,7 +10487,7 @@ Afterwards the motors must be enabled again.</source>
     </message>
     <message>
         <source>Record everything on the bus, save what just happened, replay what was recorded, here or by another program.</source>
-        <translation>记录总线上的一切，保存最近几分钟，回放本程序或其他程序的记录。</translation>
+        <translation>记录总线上的一切，保存刚才发生的事，回放本程序或其他程序的记录。</translation>
     </message>
 </context>
 <context>

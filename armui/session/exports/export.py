@@ -96,7 +96,7 @@ class _Export:
         request = self._request
         with _whole(request) as target:
             self._begun(target.unfinished)
-            arm, batches = look_at(self._source.batches(), request.wishes)
+            arm, batches = look_at(self._source.batches(), request.wishes, self._source.lines)
             if arm is None:
                 raise ExportError(ExportProblem.NO_FRAMES)
             sink = _sink(request.format, target, _facts(request, arm))
@@ -146,6 +146,7 @@ class _Export:
             firmware=arm.firmware,
             model=arm.model.name,
             why_model=arm.why_model,
+            pose_fits=arm.pose_fits,
             offset=arm.codec.addressing.feedback_offset,
             channel=_name(arm.channel),
             other_channels=tuple(_name(each) for each in reader.other_channels),

@@ -33,7 +33,8 @@ class SimulatedTeaching:
     """Records what a hand does with the arm, and replays it.
 
     A replay is as fast as the hand was, and slower where the hand asked more than the motors can
-    do. Once in drag teaching the arm obeys no mode until it is reset near its rest pose.
+    do. Once in drag teaching the arm obeys no mode until it is reset near its rest pose; from
+    S-V1.8-5 on a mode word leads out of it.
 
     Attributes:
         entered: Whether the arm is in drag teaching.
@@ -85,6 +86,15 @@ class SimulatedTeaching:
             return False
         self.entered = False
         return True
+
+    def leave(self) -> None:
+        """Leaves drag teaching as a mode word does from S-V1.8-5 on: the arm holds or brakes."""
+        if self._phase is _Phase.RECORDING:
+            self._stop_recording()
+        else:
+            self._abort()
+        self.interrupt()
+        self.entered = False
 
     def time_passed(self, dt_s: float) -> None:
         """Records, watches the hand's speed, notices what is reached."""
