@@ -8245,6 +8245,10 @@ The other program must have ended.</source>
         <translation>正在检查…</translation>
     </message>
     <message>
+        <source>Checks it and runs it</source>
+        <translation>检查后运行</translation>
+    </message>
+    <message>
         <source>Go on from row {row}</source>
         <translation>从第 {row} 行继续</translation>
     </message>

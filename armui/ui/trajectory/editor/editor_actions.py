@@ -14,9 +14,11 @@ from armui.ui.widgets.buttons import named
 from armui.ui.widgets.flow import Flow, in_flow
 
 _NAMES: Final = tuple(
-    each.name.removeprefix("editor.") for each in SHORTCUTS.values() if each.place == "editor"
+    each.name.removeprefix("editor.")
+    for each in SHORTCUTS.values()
+    if each.place == "editor" and each.name != "editor.send"
 )
-
+"""The key of 发送 is that of the button itself, below the table."""
 
 _MENU: Final = (
     ("insert_before", "insert_after", "insert_measured", "replace_by_measured", "duplicate"),

@@ -150,6 +150,7 @@ class EditorPage(Page):
         self._find_bar.closed.connect(self.table.setFocus)
         self._drafts.failed.connect(self._show_failure)
         self.table.row_chosen.connect(self.selected_row_changed)
+        self._run_bar.listen(self)
         self._run_bar.checked.connect(self._show_check)
         self._run_bar.refused.connect(
             lambda reason: self._say(words.refusal(reason), Level.WARNING)

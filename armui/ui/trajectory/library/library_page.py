@@ -139,6 +139,7 @@ class LibraryPage(Page):
         self.editors.changed.connect(self.refresh)
         self.editors.said.connect(self._say)
         self.editors.refused.connect(self._on_refused)
+        self._run_bar.listen(self)
         self._run_bar.checked.connect(self._show_check)
         self._run_bar.refused.connect(
             lambda reason: self._say(words.refusal(reason), Level.WARNING)
