@@ -31,6 +31,7 @@ from armui.ui.shell.library_button import LibraryButton
 from armui.ui.shell.model_mark import ModelMark
 from armui.ui.shell.operation_area import OperationArea
 from armui.ui.shell.page_area import PageArea
+from armui.ui.shell.page_doings import PageDoings
 from armui.ui.shell.panel_menu import menu_entries
 from armui.ui.shell.recovery_line import RecoveryLine
 from armui.ui.shell.robot_in_view import RobotInView
@@ -143,7 +144,9 @@ class MainWindow(Translated, KeepsFocus, QWidget):
         self._watch.show_marks_in(self._status_bar)
         self._actions = WindowActions(self, controller, preferences, background)
         self._status_bar.add_mark(ModelMark(controller, self.open_connect_dialog))
-        self._status_bar.add_mark(self._actions.offer(self._diagnosis, self._watch, self._picture))
+        pages = PageDoings(self, self._workspace, self._trajectory_pages, self._watch, self._drawer)
+        offer = self._actions.offer(self._diagnosis, self._watch, self._picture, pages)
+        self._status_bar.add_mark(offer)
         self._lay_out()
         self._connect()
         WindowLayout(self._keeper, self, self._work_column, _FIRST_SIZE)

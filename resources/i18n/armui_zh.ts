@@ -316,6 +316,50 @@
         <source>Press Edit in the panel first.</source>
         <translation>请先在该面板中按“编辑”。</translation>
     </message>
+    <message>
+        <source>There is nothing for it to do now.</source>
+        <translation>现在没有可执行的内容。</translation>
+    </message>
+    <message>
+        <source>Folder of the recordings</source>
+        <translation>会话记录的文件夹</translation>
+    </message>
+    <message>
+        <source>Model of the arm</source>
+        <translation>机械臂型号</translation>
+    </message>
+    <message>
+        <source>Way of the tool: off</source>
+        <translation>末端轨迹：关闭</translation>
+    </message>
+    <message>
+        <source>Way of the tool: last 5 s of motion</source>
+        <translation>末端轨迹：最近 5 秒运动</translation>
+    </message>
+    <message>
+        <source>Way of the tool: last 15 s of motion</source>
+        <translation>末端轨迹：最近 15 秒运动</translation>
+    </message>
+    <message>
+        <source>Way of the tool: last 60 s of motion</source>
+        <translation>末端轨迹：最近 60 秒运动</translation>
+    </message>
+    <message>
+        <source>Handles at the tool, along the axes of the base</source>
+        <translation>末端手柄：沿基座坐标轴</translation>
+    </message>
+    <message>
+        <source>Handles at the tool, along its own axes</source>
+        <translation>末端手柄：沿工具坐标轴</translation>
+    </message>
+    <message>
+        <source>Handles at the joints</source>
+        <translation>关节手柄</translation>
+    </message>
+    <message>
+        <source>Speed of the run</source>
+        <translation>运行速度</translation>
+    </message>
 </context>
 <context>
     <name>AdapterTrouble</name>
@@ -5565,6 +5609,25 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     </message>
 </context>
 <context>
+    <name>PageDoings</name>
+    <message>
+        <source>Open a trajectory of the library first.</source>
+        <translation>请先在轨迹库中打开一条轨迹。</translation>
+    </message>
+    <message>
+        <source>It stands in a window of its own.</source>
+        <translation>已在独立窗口中。</translation>
+    </message>
+    <message>
+        <source>It stands in no window of its own.</source>
+        <translation>不在独立窗口中。</translation>
+    </message>
+    <message>
+        <source>The drawer is folded away.</source>
+        <translation>抽屉已收起。</translation>
+    </message>
+</context>
+<context>
     <name>PageWindow</name>
     <message>
         <source>Put back</source>
@@ -5828,6 +5891,10 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     <message>
         <source>Trajectory editor</source>
         <translation>轨迹编辑器</translation>
+    </message>
+    <message>
+        <source>Drawer</source>
+        <translation>抽屉</translation>
     </message>
     <message>
         <source>Replay</source>

@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from armui.ui.picture.picture_work import PictureWork
     from armui.ui.shell.page_area import PageArea
     from armui.ui.shell.workspace import Workspace
+    from armui.ui.trajectory.editor.editor_page import EditorPage
     from armui.ui.trajectory.library.library_page import LibraryPage
     from armui.ui.trajectory.preview.path_preview import PathPreview
 
@@ -66,6 +67,22 @@ class TrajectoryPages(QObject):
         if self._library is None:
             self._library = self._make()
         self._library.open()
+
+    @property
+    def editor(self) -> EditorPage | None:
+        """The editor that was used last, if one is open."""
+        return None if self._library is None else self._library.editors.used
+
+    def open_editor(self) -> None:
+        """Show the editor that was used last; none where none is open."""
+        if self.editor is not None:
+            self.editor.open()
+
+    def open_recorder(self) -> None:
+        """Show the page that records; the way back from it leads to the library."""
+        self.open_library()
+        if self._library is not None:
+            self._library.open_recorder()
 
     def keep_work(self) -> None:
         """The program ends: what is not saved is offered the next time."""

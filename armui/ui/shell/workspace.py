@@ -87,6 +87,11 @@ class Workspace(QObject):
         """The one page of a kind, if it was made."""
         return self._kept.get(key)
 
+    def page_of(self, key: str) -> Page | None:
+        """A page of a kind, the one that is seen if there are several; ``None``: there is none."""
+        found = [page for page in self._homes if page.key == key]
+        return next((page for page in found if page.isVisible()), found[0] if found else None)
+
     def is_taken_out(self, page: Page) -> bool:
         """Whether it stands in a window of its own now."""
         return page in self._windows
