@@ -81,6 +81,9 @@ class MainWindow(Translated, KeepsFocus, QWidget):
         workers: Who does what takes long.
         files: Who does what waits for a disk, in a thread of this process; the workers by default.
         trajectories: The folder of the library; the user's own by default.
+
+    Attributes:
+        page_doings: Opens pages by their names.
     """
 
     def __init__(
@@ -144,8 +147,10 @@ class MainWindow(Translated, KeepsFocus, QWidget):
         self._watch.show_marks_in(self._status_bar)
         self._actions = WindowActions(self, controller, preferences, background)
         self._status_bar.add_mark(ModelMark(controller, self.open_connect_dialog))
-        pages = PageDoings(self, self._workspace, self._trajectory_pages, self._watch, self._drawer)
-        offer = self._actions.offer(self._diagnosis, self._watch, self._picture, pages)
+        self.page_doings = PageDoings(
+            self, self._workspace, self._trajectory_pages, self._watch, self._drawer
+        )
+        offer = self._actions.offer(self._diagnosis, self._watch, self._picture, self.page_doings)
         self._status_bar.add_mark(offer)
         self._lay_out()
         self._connect()

@@ -1,4 +1,4 @@
-"""What the command palette does with pages and windows: opens, takes out, puts back."""
+"""Opens pages by their names, takes them out and puts them back: for the palette, at a start."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from collections.abc import Callable, Mapping
 from functools import partial
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QObject
+from PySide6.QtCore import QObject, QTimer
 
 from armui.ui.actions.page_commands import MOVABLE
 
@@ -29,6 +29,9 @@ class PageDoings(QObject):
         pages: Open the library and what it leads to.
         watch: Opens the drawer's pages and the recordings.
         drawer: Is folded away.
+
+    Attributes:
+        is_done: Whether what was open at the end of the program before is open again.
     """
 
     def __init__(
@@ -40,6 +43,8 @@ class PageDoings(QObject):
         drawer: Drawer,
     ) -> None:
         super().__init__(window)
+        self._window = window
+        self.is_done = False
         self._workspace = workspace
         self._pages = pages
         self._drawer = drawer
@@ -74,6 +79,23 @@ class PageDoings(QObject):
                 partial(self._why_no_put_back, key),
             )
         return found
+
+    def reopen(self) -> None:
+        """Open the windows that were open when the program ended, one at each turn of the loop.
+
+        The first window is seen and its modules are loaded by then: a start waits for none of them.
+        """
+        left = self._workspace.next_left_open()
+        if left is None:
+            self._workspace.note_windows()  # what is not there any more is forgotten
+            self._window.activateWindow()
+            self.is_done = True
+            return
+        if left.key == "editor":
+            self._pages.open_editor(left.subject)
+        elif left.key in MOVABLE:
+            self._openers[left.key]()
+        QTimer.singleShot(0, self, self.reopen)
 
     def _why_not(self, place: str) -> str:
         if place == "editor" and self._pages.editor is None:

@@ -12,7 +12,7 @@ from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QWidget
 
 from armui.ui.shell.page_window import PageWindow
-from armui.ui.shell.workspace_layout import Place, fitted
+from armui.ui.shell.workspace_layout import OpenWindow, Place, fitted
 
 if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
@@ -52,6 +52,9 @@ class Workspace(QObject):
         self._homes: dict[Page, PageHome] = {}
         self._kept: dict[str, Page] = {}
         self._windows: dict[Page, PageWindow] = {}
+        known = keeper.layout.taken_out
+        self._left_open = [each for each in keeper.layout.open_windows if each.key in known]
+        self._ends = False
 
     def add(self, page: Page, home: PageHome) -> None:
         """Take care of a page from now on; nothing is shown before the page wants it.
@@ -119,8 +122,22 @@ class Workspace(QObject):
 
     def close_windows(self) -> None:
         """The program ends: where they stand is remembered, the pages are not left."""
+        self._ends = True
         for page in list(self._windows):
             self._let_go(page)
+
+    def next_left_open(self) -> OpenWindow | None:
+        """One after another what stood in a window when the program ended; ``None``: no more."""
+        return self._left_open.pop(0) if self._left_open else None
+
+    def note_windows(self) -> None:
+        """Remember which pages stand in windows, and which of the last time still have to."""
+        if self._ends:
+            return
+        now = [OpenWindow(page.key, page.subject) for page in self._windows]
+        kept = tuple(dict.fromkeys([*now, *self._left_open]))
+        self._keeper.layout = replace(self._keeper.layout, open_windows=kept)
+        self._keeper.note()
 
     def _show(self, page: Page) -> None:
         if page in self._windows:
@@ -140,6 +157,7 @@ class Workspace(QObject):
             others = sum(each.key == page.key for each in self._windows) - 1
             aside = replace(kept, x=kept.x + others * _ASIDE_PX, y=kept.y + others * _ASIDE_PX)
             window.setGeometry(on_screen(aside))
+        self.note_windows()
         return window
 
     def _on_placed(self, window: PageWindow, key: str) -> None:
@@ -164,6 +182,7 @@ class Workspace(QObject):
         window = self._windows.pop(page, None)
         if window is not None:
             window.release()
+            self.note_windows()
 
     def _forget(self, page: Page) -> None:
         self._homes.pop(page, None)

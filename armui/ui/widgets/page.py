@@ -58,6 +58,11 @@ class Page(Translated, QWidget):
         return self._footer
 
     @property
+    def subject(self) -> str:
+        """What it works on, where there are several of its kind."""
+        return ""
+
+    @property
     def title(self) -> str:
         """What it is called now."""
         return self._title

@@ -161,6 +161,11 @@ class EditorPage(Page):
         self._findings.row_wanted.connect(self.table.select_row)
         self.document.changed.connect(self._on_points)
 
+    @property
+    def subject(self) -> str:
+        """The trajectory's name."""
+        return self.document.name
+
     # Editing ----------------------------------------------------------------------------------
 
     def select_row(self, row: int) -> None:
