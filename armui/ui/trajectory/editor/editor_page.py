@@ -93,7 +93,7 @@ class EditorPage(Page):
         self._find_bar = FindBar()
         self._finder = Finder(self.document, self.table, self._find_bar)
         self._note = named("trajectory_note", QLineEdit(trajectory.note))
-        self._message = named("editor_message", MessageLine())
+        self._message = named("editor_message", MessageLine(keeps_room=False))
         self._findings = FindingsPane()
         self._run_bar = RunBar(controller, checks, lambda then: then(self.document.trajectory()))
         self._actions = EditorActions(self, self.table, self._handlers())
@@ -135,8 +135,9 @@ class EditorPage(Page):
 
     def _lay_out(self) -> None:
         self._find_bar.hide()
-        fill(self.body, self._actions.bar(self._note), self._find_bar, (self.table, 1), self._jog)
-        fill(self.body, self._findings, self._run_bar, self._message)
+        # what comes and goes takes room from the table: jog buttons and 发送 stay where they are
+        fill(self.body, self._actions.bar(self._note), self._find_bar, (self.table, 1))
+        fill(self.body, self._findings, self._message, self._jog, self._run_bar)
 
     def _connect(self) -> None:
         stack = self.document.stack

@@ -84,7 +84,7 @@ class LibraryPage(Page):
         self._shown = LibraryFilter(self._model, self)
         self._bar = LibraryBar()
         self._table = LibraryTable(self._shown)
-        self._message = named("library_message", MessageLine())
+        self._message = named("library_message", MessageLine(keeps_room=False))
         self._actions = LibraryActions(self._work, self.editors.__contains__, self)
         self._undo_button = UndoButton(self._actions, self)
         self._bin_button = BinButton(controller, self._work, self._actions, self)
@@ -103,9 +103,11 @@ class LibraryPage(Page):
     def _lay_out(self) -> None:
         offers = (self._exchange.report, self._exchange.by_columns)
         below = in_row((self._message, 1), *offers, self._undo_button)
+        below.insertStretch(1)  # at the right, also while there is no message
         self._bar.add_button(self._bin_button)
+        # what comes and goes takes its room from the list: 发送 stays where it is
         fill(self.body, self._bar, self._company, (self._table, 1))
-        fill(self.body, self._findings, self._run_bar, below)
+        fill(self.body, self._findings, below, self._run_bar)
 
     def _connect(self) -> None:
         handlers: dict[str, Callable[[], object]] = {
