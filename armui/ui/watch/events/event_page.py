@@ -64,7 +64,7 @@ class EventPage(Page):
         self.detail = text_label("event_detail", wraps=True, plain=True)
         self.detail.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
         self.detail.setAlignment(Qt.AlignmentFlag.AlignTop | Qt.AlignmentFlag.AlignLeft)
-        self._message = MessageLine(keeps_room=False)
+        self._message = MessageLine()
         self._message.setObjectName("event_message")
         self._message.hide()
         for widget, stretch in ((self.bar, 0), (self.table, 1), (self.detail, 0)):
