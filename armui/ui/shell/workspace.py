@@ -7,7 +7,7 @@ from dataclasses import replace
 from functools import partial
 from typing import TYPE_CHECKING, Final, Protocol
 
-from PySide6.QtCore import QMargins, QObject, QRect
+from PySide6.QtCore import QMargins, QObject, QRect, QSize
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QWidget
 
@@ -23,6 +23,9 @@ _ASIDE_PX: Final = 32
 """The second window of a kind does not hide the first."""
 _FRAME: Final = QMargins(8, 36, 8, 8)
 """What window systems draw around a window, its title above all; it must be in reach."""
+_AROUND: Final = QMargins(20, 100, 20, 20)
+"""Of a page in its window: the line of its title and the stops, and its margins."""
+_LEAST: Final = QSize(640, 460)
 
 
 class PageHome(Protocol):
@@ -101,11 +104,11 @@ class Workspace(QObject):
 
     def take_out(self, page: Page) -> None:
         """Give a page a window of its own; pages of its kind open in one from now on."""
-        at = self._window.mapToGlobal(page.mapTo(self._window, page.rect().topLeft()))
+        stood = QRect(page.mapToGlobal(page.rect().topLeft()), page.size())
         self._homes[page].drop_page(page)
         window = self._window_of(page)
         if page.key not in self._keeper.layout.taken_out:
-            window.move(at)
+            window.setGeometry(first_place(stood, window, self._window))
         self._note(window, page.key)
         window.open()
 
@@ -193,6 +196,27 @@ def screens() -> list[Place]:
     main = QGuiApplication.primaryScreen()
     ordered = [main, *(each for each in QGuiApplication.screens() if each is not main)]
     return [place_of(each.availableGeometry().marginsRemoved(_FRAME)) for each in ordered]
+
+
+def first_place(stood: QRect, window: QWidget, main: QWidget) -> QRect:
+    """Where a page opens that is taken out for the first time.
+
+    In the middle of a second screen, if there is one; else where it stood, as large, its stops above
+    it: the picture stays in sight.
+
+    Args:
+        stood: The page in the main window, in pixels of the desktop.
+        window: The page's window, in the size that suits it.
+        main: The main window.
+    """
+    others = [each for each in QGuiApplication.screens() if each is not main.screen()]
+    if others:
+        room = others[0].availableGeometry().marginsRemoved(_FRAME)
+        place = QRect(room.topLeft(), window.size().boundedTo(room.size()))
+        place.moveCenter(room.center())
+        return place
+    around = stood.marginsAdded(_AROUND)
+    return on_screen(place_of(QRect(around.topLeft(), around.size().expandedTo(_LEAST))))
 
 
 def place_of(rect: QRect) -> Place:

@@ -90,6 +90,17 @@ class EditorActions:
             button.setProperty("choice", self._actions[name].isCheckable())
         return in_flow(*buttons, *more)
 
+    def allow(self, name: str, reason: str) -> None:
+        """Offer an action, or say in its tooltip why it cannot be done now.
+
+        Args:
+            name: Of the action.
+            reason: Empty: it can be done.
+        """
+        action = self._actions[name]
+        action.setEnabled(not reason)
+        action.setToolTip(reason or f"{action.text()} ({SHORTCUTS[f'editor.{name}'].text()})")
+
     def retranslate(self) -> None:
         """Put every word into the operator's language; tooltips name the keys."""
         for name, action in self._actions.items():

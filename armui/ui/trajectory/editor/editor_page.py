@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
 from functools import partial
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QEvent, Qt, Signal
 from PySide6.QtGui import QKeySequence, QShortcut
@@ -42,6 +42,9 @@ from armui.ui.widgets.page import Page
 if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
     from armui.ui.trajectory.library.library_work import LibraryWork
+
+_OF_POINTS: Final = ("go_to", "find", "check")
+"""What can be done with points alone."""
 
 
 class EditorPage(Page):
@@ -230,6 +233,8 @@ class EditorPage(Page):
         count = len(self.document.points)
         empty = Refusal(RefusalCode.RUN_EMPTY, {"name": self.document.name})
         self._run_bar.show_content(count, nothing=None if count else empty)
+        for name in _OF_POINTS:
+            self._actions.allow(name, "" if count else words.refusal(empty))
 
     def _show_check(self, checked: Preflight, accept: Callable[[], object] | None) -> None:
         self._findings.show_check(checked, accept)
@@ -368,6 +373,7 @@ class EditorPage(Page):
     def retranslate_ui(self) -> None:
         """Put every word into the operator's language."""
         self._actions.retranslate()
+        self._show_count()
         self.model.retranslate()
         self._note.setPlaceholderText(self.tr("What this trajectory is for"))
         self.table.setAccessibleName(self.tr("Points"))
