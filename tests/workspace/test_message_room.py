@@ -3,6 +3,8 @@
 import pytest
 from PySide6.QtWidgets import QWidget
 
+from armui.trajectory.library.store import Library
+from armui.trajectory.points.program import Trajectory
 from tests.workspace.actions import rect_in_window
 
 SIZES = [(1280, 800), (1440, 900)]
@@ -63,6 +65,18 @@ def test_in_the_library(pages, size):
     right = page.mapTo(pages.driver.window, page.rect().topRight()).x()
     assert rect_in_window(undo).right() == right
     assert undo.width() <= undo.sizeHint().width()
+
+
+def test_what_has_no_points_is_not_sent_from_the_library(pages):
+    Library(pages.driver.library_folder).save(Trajectory("empty"))
+    pages.driver.ready()
+    pages.open_library()
+    pages.driver.find("library_table").choose(["empty"], show=True)
+    send = pages.driver.find("run_send")
+    assert not send.isEnabled()
+    assert "no points" in send.toolTip()
+    pages.driver.find("library_table").choose(["one"], show=True)
+    assert send.isEnabled()
 
 
 def test_six_points_are_seen_beside_the_jog_buttons_at_1280_800(pages):

@@ -23,8 +23,9 @@ _ASIDE_PX: Final = 32
 """The second window of a kind does not hide the first."""
 _FRAME: Final = QMargins(8, 36, 8, 8)
 """What window systems draw around a window, its title above all; it must be in reach."""
-_AROUND: Final = QMargins(20, 100, 20, 20)
-"""Of a page in its window: the line of its title and the stops, and its margins."""
+_AROUND: Final = QMargins(20, -16, 20, 20)
+"""The margins of a page in its window, whose stops come to stand lower than the button that was
+pressed: a second press of it, too quick, stops nothing."""
 _LEAST: Final = QSize(640, 460)
 
 
@@ -201,8 +202,8 @@ def screens() -> list[Place]:
 def first_place(stood: QRect, window: QWidget, main: QWidget) -> QRect:
     """Where a page opens that is taken out for the first time.
 
-    In the middle of a second screen, if there is one; else where it stood, as large, its stops above
-    it: the picture stays in sight.
+    In the middle of a second screen, if there is one; else where it stood, no larger: the picture
+    stays in sight.
 
     Args:
         stood: The page in the main window, in pixels of the desktop.

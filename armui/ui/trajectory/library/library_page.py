@@ -227,7 +227,11 @@ class LibraryPage(Page):
         self._bar.show_chosen(chosen)
         one = chosen[0] if len(chosen) == 1 else None
         recording = one is not None and one.kind == "recording"
-        nothing = Refusal(RefusalCode.NO_ROWS_CHOSEN) if one is None else None
+        nothing = None
+        if one is None:
+            nothing = Refusal(RefusalCode.NO_ROWS_CHOSEN)
+        elif one.count == 0:
+            nothing = Refusal(RefusalCode.RUN_EMPTY, {"name": one.name})
         count = 0 if one is None else one.count
         self._run_bar.show_content(count, recording=recording, nothing=nothing)
         if chosen:  # while the list is made anew, nothing is chosen for a moment
