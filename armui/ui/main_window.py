@@ -65,7 +65,6 @@ if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
     from armui.settings import Settings, SettingsStore
     from armui.system.failures import Failure
-    from armui.ui.widgets.page import Page
     from armui.viewport.view import ArmView
 
 _FIRST_SIZE: Final = QSize(1440, 900)
@@ -116,7 +115,7 @@ class MainWindow(Translated, KeepsFocus, QWidget):
             background,
             self,
             open_window=self._open,
-            open_page=self._open_in_drawer,
+            open_page=lambda key, make: self._workspace.open_kept(key, make, self._drawer),
             store=preferences,
             robot=lambda: self._settings.urdf_path,
         )
@@ -305,7 +304,7 @@ class MainWindow(Translated, KeepsFocus, QWidget):
             self._work_area.show_pages()
 
     def show_as_curves(self, keys: Sequence[str]) -> None:
-        """Show quantities in the window 曲线, by their keys (`armui.telemetry.quantities`)."""
+        """Show quantities in the page 曲线, by their keys (`armui.telemetry.quantities`)."""
         self._watch.show_as_curves(keys)
 
     def open_replay(self, path: Path | None = None) -> None:
@@ -343,9 +342,6 @@ class MainWindow(Translated, KeepsFocus, QWidget):
     def show_problem(self, reason: Refusal) -> None:
         """Say what stood in the program's way, in the status bar."""
         self._status_bar.show_problem(reason)
-
-    def _open_in_drawer(self, key: str, make: Callable[[], Page]) -> Page:
-        return self._workspace.open_kept(key, make, self._drawer)
 
     def _open(self, name: str, make: Callable[[], QDialog]) -> QDialog:
         """Show a dialog, made at the first time."""

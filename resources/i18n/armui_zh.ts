@@ -163,6 +163,10 @@
         <source>{type}, number {number}</source>
         <translation>{type}，编号 {number}</translation>
     </message>
+    <message>
+        <source>; joints 2 and 3 count from the zeros before S-V1.6-3</source>
+        <translation>；关节 2、3 采用 S-V1.6-3 之前的零点</translation>
+    </message>
 </context>
 <context>
     <name>AboutArmDialog</name>
@@ -1086,14 +1090,6 @@
         <translation>不检测</translation>
     </message>
     <message>
-        <source>All</source>
-        <translation>全部</translation>
-    </message>
-    <message>
-        <source>All joints: level</source>
-        <translation>全部关节：等级</translation>
-    </message>
-    <message>
         <source>Levels 1 to 8 watch for collisions; level 0 does not watch at all.</source>
         <translation>等级 1~8 检测碰撞；等级 0 不检测碰撞。</translation>
     </message>
@@ -1632,14 +1628,6 @@
         <translation>拖动助力</translation>
     </message>
     <message>
-        <source>All</source>
-        <translation>全部</translation>
-    </message>
-    <message>
-        <source>All joints: level</source>
-        <translation>所有关节：等级</translation>
-    </message>
-    <message>
         <source>From 0, the joint does not help the hand, to 10, it helps most. Read and set with the arm at rest; keep a hand on it when it is led for the first time afterwards.</source>
         <translation>0 表示该关节不助力，10 表示助力最大。请在机械臂静止时读取和设置；更改后首次拖动时请始终用手扶住机械臂。</translation>
     </message>
@@ -2011,14 +1999,6 @@
         <source>Copied</source>
         <translation>已复制</translation>
     </message>
-    <message>
-        <source>Not saved: {path}. {reason}</source>
-        <translation>未保存：{path}。{reason}</translation>
-    </message>
-    <message>
-        <source>Saved: {path}</source>
-        <translation>已保存：{path}</translation>
-    </message>
 </context>
 <context>
     <name>EventKind</name>
@@ -2268,10 +2248,6 @@
         <translation>已保存：{target}（{items:,} 条消息）</translation>
     </message>
     <message>
-        <source>Places of the log that cannot be read: {count}; the first: {place} ({reason}). Everything else was exported.</source>
-        <translation>日志中有 {count} 处无法读取；第一处：{place}（{reason}）。其余内容均已导出。</translation>
-    </message>
-    <message>
         <source>Only channel {channel} was exported; {count:,} frames of {others} were left out.</source>
         <translation>只导出了通道 {channel}；{others} 的 {count:,} 帧未导出。</translation>
     </message>
@@ -2280,12 +2256,16 @@
         <translation>已读取 {frames:,} 帧，按第 {generation} 代协议解析。</translation>
     </message>
     <message>
-        <source>{count:,} of them are none of the arm&apos;s.</source>
-        <translation>其中 {count:,} 帧不是机械臂的帧。</translation>
-    </message>
-    <message>
         <source>A folder with a file for each message: every frame with its time, decoded into signals with their units.</source>
         <translation>一个文件夹，每种报文一个文件：每一帧带时间，解码为带单位的信号。</translation>
+    </message>
+    <message>
+        <source>Unreadable places in the log: {count}; the first: {place} ({reason}). Everything else was exported.</source>
+        <translation>日志中有 {count} 处无法读取，第一处：{place}（{reason}）。其余内容均已导出。</translation>
+    </message>
+    <message>
+        <source>{count:,} of them do not belong to the arm.</source>
+        <translation>其中 {count:,} 帧不属于该机械臂。</translation>
     </message>
 </context>
 <context>
@@ -2423,6 +2403,17 @@
     <message>
         <source>Kind</source>
         <translation>类型</translation>
+    </message>
+</context>
+<context>
+    <name>FileExport</name>
+    <message>
+        <source>Not saved: {path}. {reason}</source>
+        <translation>未保存：{path}。{reason}</translation>
+    </message>
+    <message>
+        <source>Saved: {path}</source>
+        <translation>已保存：{path}</translation>
     </message>
 </context>
 <context>
@@ -2596,10 +2587,6 @@
         <translation>途中关节 {joint} 将到 {value}°，超出限位 {minimum}° 至 {maximum}°。请在中间增加一点，或改用 MOVE J。</translation>
     </message>
     <message>
-        <source>The arm cannot bring its flange there: {missing} mm are missing. Move the point nearer.</source>
-        <translation>法兰无法到达该位置：还差 {missing} mm。请把该点移近。</translation>
-    </message>
-    <message>
         <source>After {gone} % of the way the tool would be out of reach. Put another point between, or use MOVE J.</source>
         <translation>走完 {gone} % 后末端将超出工作范围。请在中间增加一点，或改用 MOVE J。</translation>
     </message>
@@ -2651,6 +2638,10 @@
         <source>The tool would be {value} mm below the plane the arm stands on. Accept this only if there is nothing.</source>
         <translation>末端将低于机械臂安装平面 {value} mm。确认下方没有物体时才可接受。</translation>
     </message>
+    <message>
+        <source>The flange cannot get there: the point is {missing} mm too far. Move it nearer.</source>
+        <translation>法兰无法到达该位置：还差 {missing} mm。请把该点移近。</translation>
+    </message>
 </context>
 <context>
     <name>FindingRow</name>
@@ -2661,10 +2652,6 @@
 </context>
 <context>
     <name>FindingsPane</name>
-    <message>
-        <source>Check: errors {errors}, warnings {warnings}</source>
-        <translation>检查：{errors} 个错误，{warnings} 个警告</translation>
-    </message>
     <message>
         <source>Check: nothing found.</source>
         <translation>检查：未发现问题。</translation>
@@ -2696,6 +2683,10 @@
     <message>
         <source>Close</source>
         <translation>关闭</translation>
+    </message>
+    <message>
+        <source>The check found errors: {errors}, warnings: {warnings}</source>
+        <translation>检查：{errors} 个错误，{warnings} 个警告</translation>
     </message>
 </context>
 <context>
@@ -4045,6 +4036,17 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
     </message>
 </context>
 <context>
+    <name>LevelsPanel</name>
+    <message>
+        <source>All</source>
+        <translation>全部</translation>
+    </message>
+    <message>
+        <source>All joints: level</source>
+        <translation>全部关节：等级</translation>
+    </message>
+</context>
+<context>
     <name>LibraryActions</name>
     <message>
         <source>Trajectory</source>
@@ -4482,6 +4484,13 @@ Lamps give no feedback: this is only what will be sent.</source>
     </message>
 </context>
 <context>
+    <name>List</name>
+    <message>
+        <source>, </source>
+        <translation>、</translation>
+    </message>
+</context>
+<context>
     <name>LiveStrip</name>
     <message>
         <source>The arm that is connected now:</source>
@@ -4591,6 +4600,10 @@ Lamps give no feedback: this is only what will be sent.</source>
         <source>Its lengths decide where the tool is. The limits of the joints are always read from the arm.</source>
         <translation>型号决定各连杆长度，从而决定末端位置。关节限位始终从机械臂读取。</translation>
     </message>
+    <message>
+        <source>This very arm was a {before} the last time: choose that and press Connect, or wait until the arm stands still and is compared.</source>
+        <translation>此机械臂上次为 {before}：请选择该型号并点击连接，或等待机械臂静止后自动核对。</translation>
+    </message>
 </context>
 <context>
     <name>ModelMark</name>
@@ -4621,6 +4634,18 @@ Lamps give no feedback: this is only what will be sent.</source>
     <message>
         <source>Model of the arm: {text}</source>
         <translation>机械臂型号：{text}</translation>
+    </message>
+    <message>
+        <source>{model}? It was a {before}</source>
+        <translation>{model}？上次为 {before}</translation>
+    </message>
+    <message>
+        <source>This very arm was a {before} the last time. Click to choose.</source>
+        <translation>此机械臂上次为 {before}。点击选择型号。</translation>
+    </message>
+    <message>
+        <source>Joints 2 and 3 count from the zeros before S-V1.6-3.</source>
+        <translation>关节 2、3 采用 S-V1.6-3 之前的零点。</translation>
     </message>
 </context>
 <context>
@@ -4877,10 +4902,6 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>尚未发送</translation>
     </message>
     <message>
-        <source>Told last by this program: {mounting}</source>
-        <translation>本程序上次发送：{mounting}</translation>
-    </message>
-    <message>
         <source>Mounting of the arm</source>
         <translation>机械臂安装方式</translation>
     </message>
@@ -4891,6 +4912,10 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     <message>
         <source>The arm does not answer this and cannot be asked for it: another program, or the arm itself after a power cut, may have another one.</source>
         <translation>机械臂对此不应答，也无法查询：其他程序或断电后的机械臂可能采用不同的设置。</translation>
+    </message>
+    <message>
+        <source>Told this arm last by this program: {mounting}</source>
+        <translation>本程序上次告知此机械臂的安装方式：{mounting}</translation>
     </message>
 </context>
 <context>
@@ -5458,6 +5483,14 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <source>Mounting sent: {mounting}. The arm does not tell it back.</source>
         <translation>已发送安装方式：{mounting}。机械臂不会回报。</translation>
     </message>
+    <message>
+        <source>This arm (node {node}) was a {before} the last time: taken instead of {chosen}, which was only offered.</source>
+        <translation>此机械臂（节点 {node}）上次为 {before}：已采用该型号，代替默认给出的 {chosen}。</translation>
+    </message>
+    <message>
+        <source>Connected as a {chosen}, but this arm (node {node}) was a {before} the last time. If it is one, connect it as that.</source>
+        <translation>当前按 {chosen} 连接，但此机械臂（节点 {node}）上次为 {before}。如属实，请按该型号重新连接。</translation>
+    </message>
 </context>
 <context>
     <name>Observed</name>
@@ -5842,6 +5875,10 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <source>Shows what the arm holds again.</source>
         <translation>重新显示机械臂中的值。</translation>
     </message>
+    <message>
+        <source>{names}: {reason}</source>
+        <translation>{names}：{reason}</translation>
+    </message>
 </context>
 <context>
     <name>PictureExport</name>
@@ -5856,14 +5893,6 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     <message>
         <source>There is no picture of now to be taken: wait until it is drawn.</source>
         <translation>当前画面尚未绘制完成，请稍候再试。</translation>
-    </message>
-    <message>
-        <source>Not saved: {path}. {reason}</source>
-        <translation>未保存：{path}。{reason}</translation>
-    </message>
-    <message>
-        <source>Saved: {path}</source>
-        <translation>已保存：{path}</translation>
     </message>
 </context>
 <context>
@@ -6005,14 +6034,6 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     <message>
         <source>Copied</source>
         <translation>已复制</translation>
-    </message>
-    <message>
-        <source>Not saved: {path}. {reason}</source>
-        <translation>未保存：{path}。{reason}</translation>
-    </message>
-    <message>
-        <source>Saved: {path}</source>
-        <translation>已保存：{path}</translation>
     </message>
 </context>
 <context>
@@ -6295,6 +6316,20 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     <message>
         <source>Close preview</source>
         <translation>关闭预览</translation>
+    </message>
+</context>
+<context>
+    <name>QAbstractFileIconProvider</name>
+    <message>
+        <source>Folder</source>
+        <translation>文件夹</translation>
+    </message>
+</context>
+<context>
+    <name>QFileSystemModel</name>
+    <message>
+        <source>Size</source>
+        <translation>大小</translation>
     </message>
 </context>
 <context>
@@ -6683,10 +6718,6 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>没有剩余数据：请修正标记的输入框。</translation>
     </message>
     <message>
-        <source>{kept} of {count} samples, {time}</source>
-        <translation>保留 {kept}/{count} 个采样，{time}</translation>
-    </message>
-    <message>
         <source>The path is shown in the 3D view.</source>
         <translation>路径已显示在三维视图中。</translation>
     </message>
@@ -6761,6 +6792,10 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     <message>
         <source>The arm comes to rest in every point</source>
         <translation>机械臂会在每个点停下</translation>
+    </message>
+    <message>
+        <source>Keeps {kept} of {count} samples, {time}</source>
+        <translation>保留 {kept}/{count} 个采样，{time}</translation>
     </message>
 </context>
 <context>
@@ -8103,6 +8138,10 @@ The other program must have ended.</source>
         <source>Another program drives the arm in {other_mode} mode: a mode word of ours would leave its joints limp. End that program, hold the arm, and take the way back that the line above the panels offers.</source>
         <translation>另一程序正以{other_mode}模式驱动机械臂：本程序的模式指令会使关节失力。请结束该程序、扶住机械臂，再按面板上方提示行给出的方式恢复。</translation>
     </message>
+    <message>
+        <source>Not run: the arm&apos;s model or zeros are others than those of the check. Send again.</source>
+        <translation>未运行：机械臂的型号或零点约定与检查时不同。请再次点击发送。</translation>
+    </message>
 </context>
 <context>
     <name>ReplayEventBar</name>
@@ -8826,11 +8865,11 @@ The other program must have ended.</source>
         <translation>手柄…</translation>
     </message>
     <message>
-        <source>on: jogs the arm</source>
+        <source>On: jogs the arm</source>
         <translation>已开启：可以点动机械臂</translation>
     </message>
     <message>
-        <source>off</source>
+        <source>Off</source>
         <translation>已关闭</translation>
     </message>
 </context>
@@ -10380,10 +10419,6 @@ Afterwards the motors must be enabled again.</source>
         <translation>工作空间</translation>
     </message>
     <message>
-        <source>Shows how far the tool centre point can reach</source>
-        <translation>显示工具中心点可到达的范围</translation>
-    </message>
-    <message>
         <source>Save picture…</source>
         <translation>保存画面…</translation>
     </message>
@@ -10442,6 +10477,10 @@ Afterwards the motors must be enabled again.</source>
     <message>
         <source>Drags the target, or the chosen point, in the picture; the arm does not move. Ctrl: coarse steps, Shift: fine steps, Esc: give up</source>
         <translation>在画面中拖动目标或所选点，机械臂不会运动。Ctrl：大步进，Shift：小步进，Esc：放弃</translation>
+    </message>
+    <message>
+        <source>Shows what the tool centre point can reach; orange bounds what it can&apos;t within</source>
+        <translation>显示工具中心点能到达的空间；橙色是其中到不了的部分的边界</translation>
     </message>
 </context>
 <context>

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QEvent, Qt, Signal
 from PySide6.QtGui import QKeySequence, QShortcut
-from PySide6.QtWidgets import QHeaderView, QLineEdit, QWidget
+from PySide6.QtWidgets import QHeaderView, QLineEdit
 
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
@@ -45,6 +45,8 @@ if TYPE_CHECKING:
 
 _OF_POINTS: Final = ("go_to", "find", "check")
 """What can be done with points alone."""
+_NOTE_PX: Final = 200
+"""Narrower, the note's field goes into a line of its own."""
 
 
 class EditorPage(Page):
@@ -56,7 +58,6 @@ class EditorPage(Page):
         work: Keeps the trajectory in the library.
         trajectory: As it is kept.
         draft: Changes of it that an earlier run of the program could not save.
-        parent: Its owner, before it stands anywhere.
 
     Signals:
         saved: The trajectory is in the library as it is shown.
@@ -80,9 +81,8 @@ class EditorPage(Page):
         trajectory: Trajectory,
         *,
         draft: Trajectory | None = None,
-        parent: QWidget | None = None,
     ) -> None:
-        super().__init__("editor", parent)
+        super().__init__("editor")
         self._controller = controller
         self._work = work
         work.setParent(self)
@@ -96,6 +96,7 @@ class EditorPage(Page):
         self._find_bar = FindBar()
         self._finder = Finder(self.document, self.table, self._find_bar)
         self._note = named("trajectory_note", QLineEdit(trajectory.note))
+        self._note.setMinimumWidth(_NOTE_PX)
         self._message = named("editor_message", MessageLine(keeps_room=False))
         self._findings = FindingsPane()
         self._run_bar = RunBar(controller, checks, lambda then: then(self.document.trajectory()))
@@ -133,7 +134,7 @@ class EditorPage(Page):
             "redo": partial(self._step, self.document.stack.redo),
             "find": self._find_bar.open,
             "check": self._run_bar.check,
-            "jog": lambda: self._jog.unfold(self._actions["jog"].isChecked()),
+            "jog": self._show_jog,
         }
 
     def _lay_out(self) -> None:
@@ -169,6 +170,12 @@ class EditorPage(Page):
     def subject(self) -> str:
         """The trajectory's name."""
         return self.document.name
+
+    def _show_jog(self) -> None:
+        """Beside the jog buttons, making a point is what is done most: not running."""
+        jogs = self._actions["jog"].isChecked()
+        self._jog.unfold(jogs)
+        self._run_bar.stand_back(jogs)
 
     # Editing ----------------------------------------------------------------------------------
 
@@ -258,9 +265,6 @@ class EditorPage(Page):
             lambda _: self.saved.emit(),
             self._show_failure,
         )
-
-    def _on_not_run(self, reason: Refusal) -> None:
-        self._say(words.refusal(reason), Level.WARNING)
 
     def _on_progress(self, progress: Progress) -> None:
         ours = progress.name == self.document.name
