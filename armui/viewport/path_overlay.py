@@ -42,7 +42,8 @@ class PathOverlay:
 
         def room() -> QRectF:
             self._work_out(path, rows, projection)
-            places = [(each.x_px, each.y_px) for each in (*self._tags, *self._signs)]
+            places = [(each.x_px, each.y_px) for each in self._tags]
+            places += [(each.x_px, each.y_px) for each in self._signs]
             return room_around(places, projection)
 
         def draw(on: QPainter) -> None:

@@ -208,8 +208,8 @@ class ArmView(LookingView):
             def its_range() -> list[Stroke]:
                 return joint_range(shape, edited_deg, number, limits_deg, palette)
 
-            key = (shape, edited_deg, self._range)
-            self._range_layer.paint(painter, key, its_range, projection, palette)
+            depends_on = (shape, edited_deg, self._range)
+            self._range_layer.paint(painter, depends_on, its_range, projection, palette)
         if self._shows_tool and not shown.stale:
             rows = composed(shape.flange(shape.links(angles_deg)), self._tool)
             self._strokes.paint(painter, tool_frame(rows, palette), projection, palette)

@@ -187,4 +187,5 @@ def test_whether_the_arm_is_in_the_picture_is_told_as_point_by_point(shape):
         looking._poses = [(tuple(angles), 20.0)]
         told.append(looking._is_all_clear(shape))
         assert told[-1] == is_clear(looking.camera, looking._groups(), looking._room, 10.0)
-    assert 10 < sum(told) < 140
+    assert any(told)
+    assert not all(told)
