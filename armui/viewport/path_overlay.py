@@ -99,6 +99,12 @@ def _paint_sign(painter: QPainter, sign: Sign, palette: ScenePalette) -> None:
     )
     painter.setPen(QPen(QColor(palette.plate), 1.5))
     painter.setBrush(QColor(palette.fault if is_error else palette.warning))
+    if sign.beyond is not None:
+        ahead = QPointF(*sign.beyond)
+        aside = QPointF(-ahead.y(), ahead.x())
+        root = centre + ahead * radius * 0.7
+        wings = aside * radius * 0.6
+        painter.drawPolygon(QPolygonF([root - wings, centre + ahead * radius * 1.8, root + wings]))
     painter.drawPolygon(shape)
     font = QFont(painter.font())
     font.setBold(True)
