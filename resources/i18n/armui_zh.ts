@@ -8017,8 +8017,8 @@ The other program must have ended.</source>
         <translation>使能键按住 {seconds} 秒而设备没有任何动作。请重新按下。</translation>
     </message>
     <message>
-        <source>The main window is not in front, or a menu is open in it. Click into it, then press anew.</source>
-        <translation>主窗口不在最前，或其中打开了菜单。请点击主窗口，然后重新按下。</translation>
+        <source>The main window, or a page taken out of it, is not in front, or a menu is open. Click into one of them, then press anew.</source>
+        <translation>主窗口或取出的独立窗口不在最前，或有菜单打开。请点击其中一个窗口，再重新按下。</translation>
     </message>
     <message>
         <source>The arm&apos;s firmware {firmware} does not have this: it came with {since}. Updates come from the maker&apos;s support.</source>
