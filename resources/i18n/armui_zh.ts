@@ -1092,7 +1092,15 @@
         <source>Levels 1 to 8 watch for collisions; level 0 does not watch at all.</source>
         <translation>等级 1~8 检测碰撞；等级 0 不检测碰撞。</translation>
     </message>
-</context>
+<message>
+        <source>All</source>
+        <translation>全部</translation>
+    </message>
+    <message>
+        <source>All joints: level</source>
+        <translation>全部关节：等级</translation>
+    </message>
+    </context>
 <context>
     <name>ColumnPicker</name>
     <message>
@@ -1630,7 +1638,15 @@
         <source>From 0, the joint does not help the hand, to 10, it helps most. Read and set with the arm at rest; keep a hand on it when it is led for the first time afterwards.</source>
         <translation>0 表示该关节不助力，10 表示助力最大。请在机械臂静止时读取和设置；更改后首次拖动时请始终用手扶住机械臂。</translation>
     </message>
-</context>
+<message>
+        <source>All</source>
+        <translation>全部</translation>
+    </message>
+    <message>
+        <source>All joints: level</source>
+        <translation>所有关节：等级</translation>
+    </message>
+    </context>
 <context>
     <name>Drawer</name>
     <message>
@@ -1998,6 +2014,14 @@
         <source>Copied</source>
         <translation>已复制</translation>
     </message>
+<message>
+        <source>Not saved: {path}. {reason}</source>
+        <translation>未保存：{path}。{reason}</translation>
+    </message>
+    <message>
+        <source>Saved: {path}</source>
+        <translation>已保存：{path}</translation>
+    </message>
 </context>
 <context>
     <name>EventKind</name>
@@ -2273,6 +2297,14 @@
 <message>
         <source>{frames:,} frames read as generation {generation}.</source>
         <translation>已读取 {frames:,} 帧，按第 {generation} 代协议解析。</translation>
+    </message>
+    <message>
+        <source>Places of the log that cannot be read: {count}; the first: {place} ({reason}). Everything else was exported.</source>
+        <translation>日志中有 {count} 处无法读取；第一处：{place}（{reason}）。其余内容均已导出。</translation>
+    </message>
+    <message>
+        <source>{count:,} of them are none of the arm's.</source>
+        <translation>其中 {count:,} 帧不是机械臂的帧。</translation>
     </message>
     </context>
 <context>
@@ -2661,7 +2693,11 @@
         <source>The flange cannot get there: the point is {missing} mm too far. Move it nearer.</source>
         <translation>法兰无法到达该位置：还差 {missing} mm。请把该点移近。</translation>
     </message>
-</context>
+<message>
+        <source>The arm cannot bring its flange there: {missing} mm are missing. Move the point nearer.</source>
+        <translation>法兰无法到达该位置：还差 {missing} mm。请把该点移近。</translation>
+    </message>
+    </context>
 <context>
     <name>FindingRow</name>
     <message>
@@ -2707,7 +2743,11 @@
         <source>The check found errors: {errors}, warnings: {warnings}</source>
         <translation>检查：{errors} 个错误，{warnings} 个警告</translation>
     </message>
-</context>
+<message>
+        <source>Check: errors {errors}, warnings {warnings}</source>
+        <translation>检查：{errors} 个错误，{warnings} 个警告</translation>
+    </message>
+    </context>
 <context>
     <name>FrameChoice</name>
     <message>
@@ -4936,7 +4976,11 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <source>The arm does not answer this and cannot be asked for it: another program, or the arm itself after a power cut, may have another one.</source>
         <translation>机械臂对此不应答，也无法查询：其他程序或断电后的机械臂可能采用不同的设置。</translation>
     </message>
-</context>
+<message>
+        <source>Told last by this program: {mounting}</source>
+        <translation>本程序上次发送：{mounting}</translation>
+    </message>
+    </context>
 <context>
     <name>MoveMode</name>
     <message>
@@ -5894,6 +5938,14 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <source>There is no picture of now to be taken: wait until it is drawn.</source>
         <translation>当前画面尚未绘制完成，请稍候再试。</translation>
     </message>
+<message>
+        <source>Not saved: {path}. {reason}</source>
+        <translation>未保存：{path}。{reason}</translation>
+    </message>
+    <message>
+        <source>Saved: {path}</source>
+        <translation>已保存：{path}</translation>
+    </message>
 </context>
 <context>
     <name>Place</name>
@@ -6034,6 +6086,14 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     <message>
         <source>Copied</source>
         <translation>已复制</translation>
+    </message>
+<message>
+        <source>Not saved: {path}. {reason}</source>
+        <translation>未保存：{path}。{reason}</translation>
+    </message>
+    <message>
+        <source>Saved: {path}</source>
+        <translation>已保存：{path}</translation>
     </message>
 </context>
 <context>
@@ -6797,7 +6857,11 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <source>Keeps {kept} of {count} samples, {time}</source>
         <translation>保留 {kept}/{count} 个采样，{time}</translation>
     </message>
-</context>
+<message>
+        <source>{kept} of {count} samples, {time}</source>
+        <translation>保留 {kept}/{count} 个采样，{time}</translation>
+    </message>
+    </context>
 <context>
     <name>RecoveryAction</name>
     <message>
@@ -8142,7 +8206,11 @@ The other program must have ended.</source>
         <source>Another program drives the arm in {other_mode} mode: a mode word of ours would leave its joints limp. End that program, hold the arm, and take the way back that the line above the panels offers.</source>
         <translation>另一程序正以{other_mode}模式驱动机械臂：本程序的模式指令会使关节失力。请结束该程序、扶住机械臂，再按面板上方提示行给出的方式恢复。</translation>
     </message>
-</context>
+<message>
+        <source>The main window, or a page taken out of it, is not in front, or a menu is open. Click into one of them, then press anew.</source>
+        <translation>主窗口或取出的独立窗口不在最前，或有菜单打开。请点击其中一个窗口，再重新按下。</translation>
+    </message>
+    </context>
 <context>
     <name>ReplayEventBar</name>
     <message>
@@ -8870,6 +8938,14 @@ The other program must have ended.</source>
     </message>
     <message>
         <source>Off</source>
+        <translation>已关闭</translation>
+    </message>
+<message>
+        <source>on: jogs the arm</source>
+        <translation>已开启：可以点动机械臂</translation>
+    </message>
+    <message>
+        <source>off</source>
         <translation>已关闭</translation>
     </message>
 </context>
