@@ -290,7 +290,7 @@ def test_no_mounting_is_told_in_high_follow(mounting):
         ("151#010400AD00000000", "MIT by another program"),
         ("151#010600AD00000000", "MIT by another program"),
         ("151#0105320000000000", "CPV by another program"),
-        ("151#010132AD00000000", "high-follow by another program"),
+        ("151#010132AD00000000", "High-follow by another program"),
     ],
 )
 def test_the_mode_of_another_host_is_told_in_words(arm, word, said):
