@@ -231,6 +231,14 @@ def test_each_arm_has_its_own_mounting(mounting):
     }
 
 
+def test_an_answer_that_was_cut_makes_no_other_arm_of_it(mounting):
+    mounting.click("mounting_level")
+    confirm(mounting)
+    name_version(mounting.controller, TODAY)  # and nothing else
+    mounting.run(0.3)
+    assert mounting.find("mounting_told").text().endswith("Level")
+
+
 @pytest.mark.parametrize("bad", [5, ["level"], {"a": "hanging"}, {"a": None}])
 def test_mountings_in_a_file_that_cannot_be_are_left_out(tmp_path, bad):
     path = tmp_path / "own.json"

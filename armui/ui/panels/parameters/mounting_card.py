@@ -86,6 +86,8 @@ class MountingCard(QFrame):
         identity = self._controller.state.identity
         node = "" if identity is None else identity.node_number
         arm = None if device is None else device.arm_key(node)
+        if arm is not None and identity is not None and not node:
+            arm = self._arm or arm  # its answer to another's question was cut
         if arm != self._arm:
             self._arm = arm
             self._show_kept()
