@@ -125,7 +125,7 @@ def test_an_empty_trajectory_says_what_to_do_first(pages):
         button = editor.findChild(QWidget, name)
         assert not button.isEnabled()
         assert "no points" in button.toolTip()
-    pages.driver.click(editor.findChild(QWidget, "hint_insert_measured"))
+    pages.driver.click("box_insert")
     assert editor.findChild(QWidget, "editor_check").isEnabled()
     assert editor.findChild(QWidget, "editor_check").toolTip() == "Check (Ctrl+E)"
     assert len(editor.document.points) == 1
