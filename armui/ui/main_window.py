@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QRect, QSize
 from PySide6.QtGui import QCloseEvent, QContextMenuEvent, QShowEvent
-from PySide6.QtWidgets import QHBoxLayout, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QWidget
 
 from armui.arm.state import ArmState
 from armui.control.devices.joint_monitor import JointMonitor
@@ -53,6 +53,7 @@ from armui.ui.trajectory.preview.path_preview import PathPreview
 from armui.ui.trajectory.preview.preview_bar import PreviewBar
 from armui.ui.widgets.curve_menu import offer_curves
 from armui.ui.widgets.keeps_focus import KeepsFocus
+from armui.ui.widgets.layouts import in_column, in_row
 from armui.ui.widgets.translated import Translated
 from armui.viewport import palette as scene_palette
 
@@ -171,24 +172,14 @@ class MainWindow(Translated, KeepsFocus, QWidget):
         self._work_area = WorkArea(self._panels, self._pages, self._view_region)
         self._work_column = WorkColumn(self._work_area, RunPlace(self._controller), self._drawer)
 
-        middle = QHBoxLayout()
-        middle.setSpacing(0)
-        middle.addWidget(self._menu)
-        work = QVBoxLayout()
-        work.setSpacing(0)
-        work.addWidget(RecoveryLine(self._controller, self.open_connect_dialog))
-        work.addWidget(GamepadStrip(self._controller, self._preferences))
-        work.addWidget(self._work_column, 1)
-        middle.addLayout(work, 1)
-
-        whole = QVBoxLayout(self)
-        whole.setContentsMargins(0, 0, 0, 0)
-        whole.setSpacing(0)
-        whole.addWidget(TopBar(self._controller, self.open_connect_dialog))
-        whole.addLayout(middle, 1)
+        top = TopBar(self._controller, self.open_connect_dialog)
+        recovery = RecoveryLine(self._controller, self.open_connect_dialog)
+        gamepad = GamepadStrip(self._controller, self._preferences)
         self._failure_line = FailureLine()
-        whole.addWidget(self._failure_line)
-        whole.addWidget(self._status_bar)
+        work = in_column(recovery, gamepad, (self._work_column, 1), spacing=0)
+        middle = (in_row(self._menu, (work, 1), spacing=0), 1)
+        rest = (self._failure_line, self._status_bar)
+        in_column(top, middle, *rest, on=self, spacing=0, margins=0)
         self.setFocus()  # no control has it before the operator takes one
 
     def _connect(self) -> None:

@@ -112,10 +112,7 @@ def choose_file(
     dialog = FileDialog(
         controller, parent, title=title, name_filter=name_filter, start=start, new_file=new_file
     )
-    dialog.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
-    dialog.fileSelected.connect(lambda name: on_chosen(Path(name)))
-    dialog.show()
-    return dialog
+    return _asking(dialog, on_chosen)
 
 
 def choose_folder(
@@ -134,6 +131,10 @@ def choose_folder(
     dialog = FileDialog(controller, parent, title=title, name_filter="", start=start)
     dialog.setFileMode(QFileDialog.FileMode.Directory)
     dialog.setOption(QFileDialog.Option.ShowDirsOnly)
+    return _asking(dialog, on_chosen)
+
+
+def _asking(dialog: FileDialog, on_chosen: Callable[[Path], object]) -> FileDialog:
     dialog.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
     dialog.fileSelected.connect(lambda name: on_chosen(Path(name)))
     dialog.show()

@@ -11,7 +11,6 @@ from PySide6.QtCore import QT_TRANSLATE_NOOP, Signal
 from PySide6.QtWidgets import (
     QButtonGroup,
     QComboBox,
-    QGridLayout,
     QLabel,
     QLineEdit,
     QPushButton,
@@ -33,7 +32,7 @@ from armui.ui.watch import export_text
 from armui.ui.widgets.buttons import named
 from armui.ui.widgets.elided_label import ElidedLabel
 from armui.ui.widgets.figure_field import FigureField
-from armui.ui.widgets.layouts import in_row
+from armui.ui.widgets.layouts import empty_grid, in_row
 from armui.ui.widgets.text_label import text_label
 from armui.ui.widgets.translated import Translated
 
@@ -105,10 +104,7 @@ class ExportForm(Translated, QWidget):
         times.addStretch(1)
         self.channel_field = QLineEdit()
         self.channel_field.setFixedHeight(32)
-        grid = QGridLayout(self)
-        grid.setContentsMargins(0, 0, 0, 0)
-        grid.setHorizontalSpacing(14)
-        grid.setVerticalSpacing(10)
+        grid = empty_grid(self, gaps=(14, 10), margins=0)
         grid.setColumnStretch(1, 1)
         rows = (
             *(self._log_label, formats, stretch, generations),

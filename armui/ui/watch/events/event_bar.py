@@ -39,8 +39,8 @@ class EventBar(Translated, QWidget):
     follow_changed = Signal(bool)
     save_wanted = Signal(str)
 
-    def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self) -> None:
+        super().__init__()
         self.search = named("event_search", QLineEdit())
         self.search.setClearButtonEnabled(True)
         self.levels = named("event_levels", QComboBox())

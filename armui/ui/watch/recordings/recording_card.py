@@ -10,7 +10,6 @@ from PySide6.QtGui import QStandardItemModel
 from PySide6.QtWidgets import (
     QComboBox,
     QFrame,
-    QGridLayout,
     QLabel,
     QSpinBox,
 )
@@ -27,7 +26,7 @@ from armui.ui.watch.recordings import figures, recording_files
 from armui.ui.widgets import icons
 from armui.ui.widgets.buttons import named, push_button
 from armui.ui.widgets.elided_label import ElidedLabel
-from armui.ui.widgets.layouts import STRETCH, in_column, in_row
+from armui.ui.widgets.layouts import STRETCH, empty_grid, in_column, in_row
 from armui.ui.widgets.text_label import text_label
 from armui.ui.widgets.translated import Translated
 
@@ -103,12 +102,9 @@ class RecordingCard(Translated, QFrame):
             button.setAutoDefault(False)
 
     def _lay_out(self) -> None:
-        head = in_row(self.record_button, spacing=12)
         words = in_column(self.state_label, self.figures_label, spacing=2)
-        head.addLayout(words, 1)
-        grid = QGridLayout()
-        grid.setHorizontalSpacing(12)
-        grid.setVerticalSpacing(8)
+        head = in_row(self.record_button, (words, 1), spacing=12)
+        grid = empty_grid(gaps=(12, 8))
         grid.addWidget(self._format_label, 0, 0)
         grid.addWidget(self.format_box, 0, 1)
         grid.addWidget(self._size_label, 0, 3)

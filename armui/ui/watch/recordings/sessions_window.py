@@ -34,6 +34,7 @@ from armui.ui.watch.recordings.sessions_model import (
 from armui.ui.widgets.buttons import named
 from armui.ui.widgets.layouts import in_row
 from armui.ui.widgets.message_line import MessageLine
+from armui.ui.widgets.plain_table import list_rows
 
 if TYPE_CHECKING:
     from PySide6.QtGui import QHideEvent, QShowEvent
@@ -324,19 +325,14 @@ class SessionsWindow(ArmDialog):
 def _table(shown: QSortFilterProxyModel) -> QTableView:
     table = named("sessions_table", QTableView())
     table.setModel(shown)
-    table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
     table.setSelectionMode(QAbstractItemView.SelectionMode.ExtendedSelection)
     table.setEditTriggers(QAbstractItemView.EditTrigger.EditKeyPressed)
     table.setSortingEnabled(True)
     table.sortByColumn(SessionColumn.BEGUN, Qt.SortOrder.DescendingOrder)
-    table.setShowGrid(False)
     table.setAlternatingRowColors(True)
     table.setWordWrap(False)
-    table.setTabKeyNavigation(False)
-    table.verticalHeader().hide()
     table.verticalHeader().setDefaultSectionSize(_ROW_PX)
-    across = table.horizontalHeader()
-    across.setHighlightSections(False)
+    across = list_rows(table)
     across.setSectionResizeMode(SessionColumn.NAME, QHeaderView.ResizeMode.Stretch)
     for column, width_px in _WIDTHS_PX.items():
         table.setColumnWidth(column, width_px)
