@@ -79,6 +79,7 @@ class LogReplay(QObject):
         self._forgotten: weakref.finalize[..., LogReplay] | None = None
         self._going_to: float | None = None
         self._number = 0
+        self._curves_are_seen = True
         self.controller = ArmController(
             _no_device,
             clock=self.clock,
@@ -162,9 +163,16 @@ class LogReplay(QObject):
     # The operator's wishes --------------------------------------------------------------------
 
     def want_curves(self, back_s: float) -> None:
-        """Have the curves show so much before any place; more than some minutes take seconds."""
-        if self._worker is not None:
-            self._worker.want_history(on=back_s > FILLED_S)
+        """Have the curves show so much before any place; more than some minutes take seconds.
+
+        With nothing wanted, nothing is read for them until the log is played.
+        """
+        if self._worker is None:
+            return
+        self._curves_are_seen = back_s > 0.0
+        if self._curves_are_seen and not self._fill_timer.isActive():
+            self._fill_if_lacking()
+        self._worker.want_history(on=back_s > FILLED_S)
 
     def set_speed(self, speed: float) -> None:
         """From 0.1 to 20 times as fast as it was."""
@@ -178,16 +186,15 @@ class LogReplay(QObject):
             return
         if on and self.is_at_end:
             self.go_to(self.session.start_s)
-        if on and self._fill_timer.isActive():
-            self._fill()
+        if on:
+            self._fill_if_lacking()
         self._worker.play(on=on)
         self.moved.emit()
 
     def step(self) -> None:
         """Stand still, one frame further."""
         if self._worker is not None:
-            if self._fill_timer.isActive():
-                self._fill()
+            self._fill_if_lacking()
             self._worker.step()
 
     def step_back(self) -> None:
@@ -217,9 +224,13 @@ class LogReplay(QObject):
         self.controller.tick()
         if worker.is_playing:
             self._fill()
-        else:
+        elif self._curves_are_seen:
             self._fill_timer.start()
         self.moved.emit()
+
+    def _fill_if_lacking(self) -> None:
+        if self._worker is not None and self._worker.lacks_curves:
+            self._fill()
 
     def _fill(self) -> None:
         self._fill_timer.stop()
