@@ -199,6 +199,7 @@ class RefusalCode(StrEnum):
     SESSION_NAME_BAD = "session_name_bad"  # name
     SESSION_NAME_TAKEN = "session_name_taken"  # name
     SESSION_NO_MF4 = "session_no_mf4"
+    SESSION_MF4_CALLED_OFF = "session_mf4_called_off"
     SESSION_NONE = "session_none"
     SESSION_READ_ONLY = "session_read_only"  # folder
     SESSION_RECORDED = "session_recorded"

@@ -20,6 +20,11 @@ _ABANDONED_S: Final = 600.0
 """A file this old is nobody's: another running program may be writing a younger one."""
 
 
+def unfinished_name() -> str:
+    """A name for a file that is still being written, unlike any other."""
+    return f".{os.urandom(8).hex()}{UNFINISHED}"
+
+
 def write_whole(path: Path, data: bytes, *, to_disk: bool = True) -> None:
     """Put bytes into a file, all or none of them.
 
@@ -31,7 +36,7 @@ def write_whole(path: Path, data: bytes, *, to_disk: bool = True) -> None:
     Raises:
         OSError: It was not written; the old file is as it was.
     """
-    fresh = path.with_name(f".{os.urandom(8).hex()}{UNFINISHED}")
+    fresh = path.with_name(unfinished_name())
     try:
         handle = os.open(fresh, os.O_WRONLY | os.O_CREAT | os.O_EXCL | _BINARY, 0o666)
         with os.fdopen(handle, "wb") as file:

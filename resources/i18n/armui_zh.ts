@@ -982,6 +982,13 @@
     </message>
 </context>
 <context>
+    <name>CallableOff</name>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+</context>
+<context>
     <name>CartesianPanel</name>
     <message>
         <source>Fills the fields with the measured pose; nothing moves.</source>
@@ -7935,6 +7942,10 @@ The other program must have ended.</source>
     <message>
         <source>MF4 needs the package asammdf (pip install asammdf).</source>
         <translation>MF4 需要 asammdf 软件包（pip install asammdf）。</translation>
+    </message>
+    <message>
+        <source>You called it off. The recording itself is whole, as .blf.</source>
+        <translation>已取消。录制本身完整，保存为 .blf。</translation>
     </message>
     <message>
         <source>The last minutes are being saved already. Wait a moment.</source>

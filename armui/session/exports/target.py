@@ -9,7 +9,7 @@ import secrets
 import shutil
 from typing import TYPE_CHECKING, BinaryIO
 
-from armui.system.atomic import UNFINISHED, remove_abandoned, sync_folder
+from armui.system.atomic import UNFINISHED, remove_abandoned, sync_folder, unfinished_name
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -25,6 +25,7 @@ class WholeFile:
     Args:
         path: The name it shall have; its folder must exist.
         replace: Whether a file of this name may be replaced.
+        unfinished: Its name meanwhile, for whoever may have to remove it after a kill.
 
     Attributes:
         unfinished: What it is called until then.
@@ -35,13 +36,13 @@ class WholeFile:
         OSError: The folder does not allow it.
     """
 
-    def __init__(self, path: Path, *, replace: bool) -> None:
+    def __init__(self, path: Path, *, replace: bool, unfinished: str | None = None) -> None:
         self._path = path
         self._replace = replace
         if path.is_dir() or (path.exists() and not replace):
             raise FileExistsError(str(path))
         remove_abandoned(path.parent)
-        self.unfinished = path.with_name(f".{secrets.token_hex(8)}{UNFINISHED}")
+        self.unfinished = path.with_name(unfinished or unfinished_name())
         self.stream: BinaryIO = self.unfinished.open("xb")
 
     def finish(self) -> None:

@@ -28,6 +28,7 @@ from armui.ui.background import Job
 from armui.ui.dialogs.files import choose_folder
 from armui.ui.theme import colors_of
 from armui.ui.watch.recordings import figures, recording_files
+from armui.ui.watch.recordings.callable_off import CallableOff
 from armui.ui.widgets import icons
 from armui.ui.widgets.elided_label import ElidedLabel
 from armui.ui.widgets.text_label import text_label
@@ -92,6 +93,8 @@ class RecordingCard(Translated, QFrame):
         self.state_label = ElidedLabel()
         self.state_label.setObjectName("session_state")
         self.figures_label = text_label("session_figures", rank="muted")
+        self.making = CallableOff(self._call_off_mf4)
+        self.making.setObjectName("session_making")
         self._format_label, self._size_label, self._folder_label = QLabel(), QLabel(), QLabel()
         self.format_box = QComboBox()
         self.format_box.setObjectName("session_format")
@@ -119,6 +122,7 @@ class RecordingCard(Translated, QFrame):
         words.addWidget(self.state_label)
         words.addWidget(self.figures_label)
         head.addLayout(words, 1)
+        words.addWidget(self.making)
         grid = QGridLayout()
         grid.setHorizontalSpacing(12)
         grid.setVerticalSpacing(8)
@@ -168,12 +172,15 @@ class RecordingCard(Translated, QFrame):
             self.size_box.blockSignals(before)
         self.folder_name.show_text(str(self._sessions.choices.folder))
         self._show_button(recording=progress is not None)
+        self.making.show_progress(
+            making=bool(self._sessions.mf4.names), share=self._sessions.mf4.share
+        )
         if progress is None:
             self._before, self._rate = None, 0.0
             self.state_label.show_text(self.tr("Not recording"))
             text = self.tr("The last minutes are kept in memory all the same.")
-            if self._sessions.making_mf4:
-                names = ", ".join(sorted(self._sessions.making_mf4))
+            if self._sessions.mf4.names:
+                names = ", ".join(sorted(self._sessions.mf4.names))
                 text = self.tr("Making the .mf4 file of {name}…").format(name=names)
             self.figures_label.setText(text)
             return
@@ -230,6 +237,9 @@ class RecordingCard(Translated, QFrame):
         else:
             self._sessions.start()
         self.refresh()
+
+    def _call_off_mf4(self) -> None:
+        self._sessions.mf4.call_off()
 
     def _on_format(self) -> None:
         self._store.change(session_format=self.format_box.currentData())
