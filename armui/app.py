@@ -213,7 +213,9 @@ def _run(options: StartOptions) -> int:
     if device is not None:
         # the bus waits for nothing: the picture is loaded in a process of its own
         model = options.model or KeptModels(store).of(device) or PiperModel.PIPER
-        program.controller.connect_device(replace(device, model=PiperModel(model)))
+        assumed = options.model is None
+        device = replace(device, model=PiperModel(model), model_assumed=assumed)
+        program.controller.connect_device(device)
     if options.replay is not None:
         program.window.open_replay(options.replay)
     keep_from_collector()

@@ -297,7 +297,7 @@ class MainWindow(Translated, KeepsFocus, QWidget):
             self._work_area.show_pages()
 
     def show_as_curves(self, keys: Sequence[str]) -> None:
-        """Show quantities in the window 曲线, by their keys (`armui.telemetry.quantities`)."""
+        """Show quantities in the page 曲线, by their keys (`armui.telemetry.quantities`)."""
         self._watch.show_as_curves(keys)
 
     def open_replay(self, path: Path | None = None) -> None:

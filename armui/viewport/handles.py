@@ -6,7 +6,8 @@ import enum
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, NamedTuple
 
-from armui.viewport.grips import Grip, GripDrag, grip_at, joint_grips, tool_grips
+from armui.viewport.grip_drag import GripDrag
+from armui.viewport.grips import Grip, grip_at, joint_grips, tool_grips
 from armui.viewport.robot_shape import Rows, composed
 from armui.viewport.strokes import Stroke
 

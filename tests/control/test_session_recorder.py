@@ -163,7 +163,7 @@ def test_a_fault_of_the_arm_is_marked_with_its_end_and_saves_the_ring(rig, sessi
     wait_for(lambda: "ring_saved" in rig.codes())
 
     (entry,) = list_recordings(sessions.choices.folder)
-    assert (entry.reason, entry.faults > 0) == ("fault", True)
+    assert (entry.reason, bool(entry.faults)) == ("fault", True)
     session = opened(entry)
     faults = [mark for mark in session.marks if mark.kind is MarkKind.FAULT]
     assert session.start_s <= faults[0].at_s <= session.end_s
@@ -278,7 +278,7 @@ def test_the_end_of_the_program_ends_the_recording_well(rig, sessions, tmp_path)
 def as_mf4(sessions, monkeypatch):
     """The operator has chosen MF4; the package for it is a stand-in, in a thread."""
     monkeypatch.setattr(mf4, "can_write", lambda: True)
-    monkeypatch.setattr(mf4.write_mf4, "__defaults__", (Mf4InMemory,))
+    monkeypatch.setattr("can.MF4Writer", Mf4InMemory)
     sessions.mf4 = Mf4Making(lambda: ThreadPoolExecutor(1))
     sessions.choose(replace(sessions.choices, as_mf4=True))
     return sessions

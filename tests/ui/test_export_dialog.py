@@ -158,12 +158,9 @@ def test_damage_other_channels_and_foreign_frames_are_said(qtbot, dialog, export
     qtbot.waitUntil(dialog.export_button.isEnabled)
     assert message(dialog) == f"Saved: {Path('/records/run.csv')} (1,234 rows)"
     assert remarks(dialog).split("\n") == [
-        (
-            "Places of the log that cannot be read: 3; the first: line 7 ('x'). "
-            "Everything else was exported."
-        ),
+        "Unreadable places in the log: 3; the first: line 7 ('x'). Everything else was exported.",
         "Only channel can0 was exported; 50 frames of can1 were left out.",
-        "5,678 frames read as generation 2. 4 of them are none of the arm's.",
+        "5,678 frames read as generation 2. 4 of them do not belong to the arm.",
     ]
 
 

@@ -93,7 +93,9 @@ class ArmSettings(QObject):
         if refusal is not None:
             return refusal
         generation = self._context.connection.generation
-        return list(all_batches(teaching=generation is Generation.TWO))
+        second = generation is Generation.TWO
+        assistance = second and self.why_not_kept([Batch(Group.DRAG_ASSISTANCE)]) is None
+        return list(all_batches(teaching=second, drag_assistance=assistance))
 
     def holds(self, parameter: Parameter, value: float) -> bool:
         """Whether what the arm said last is a value, as far as its frames can tell the two apart.

@@ -77,7 +77,6 @@ def make_mf4(
 def write_mf4(
     paths: Sequence[Path],
     target: Path,
-    make_writer: Callable[[Path], can.Listener] = can.MF4Writer,
     *,
     tell: Callable[[float], object] = lambda _share: None,
     unfinished: str | None = None,
@@ -87,7 +86,6 @@ def write_mf4(
     Args:
         paths: The logs.
         target: The file; it must not exist, and does so only when it is whole.
-        make_writer: python-can's writer.
         tell: As for `make_mf4`.
         unfinished: Likewise.
 
@@ -98,7 +96,7 @@ def write_mf4(
     sizes = [path.stat().st_size for path in paths]
     with WholeFile(target, replace=False, unfinished=unfinished) as whole:
         whole.stream.close()
-        writer = make_writer(whole.unfinished)
+        writer = can.MF4Writer(whole.unfinished)
         try:
             for place, path in enumerate(paths):
                 with can.BLFReader(path) as reader:
@@ -111,6 +109,6 @@ def write_mf4(
         except BaseException:
             # `stop` would write all of it first
             with contextlib.suppress(AttributeError, OSError):
-                writer.file.close()  # type: ignore[attr-defined]
+                writer.file.close()
             raise
         whole.finish()

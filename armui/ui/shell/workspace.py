@@ -87,10 +87,6 @@ class Workspace(QObject):
         """The one page of a kind, if it was made."""
         return self._kept.get(key)
 
-    def is_taken_out(self, page: Page) -> bool:
-        """Whether it stands in a window of its own now."""
-        return page in self._windows
-
     def take_out(self, page: Page) -> None:
         """Give a page a window of its own; pages of its kind open in one from now on."""
         at = self._window.mapToGlobal(page.mapTo(self._window, page.rect().topLeft()))

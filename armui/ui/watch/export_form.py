@@ -11,7 +11,6 @@ from PySide6.QtCore import QT_TRANSLATE_NOOP, Signal
 from PySide6.QtWidgets import (
     QButtonGroup,
     QGridLayout,
-    QHBoxLayout,
     QLabel,
     QLineEdit,
     QPushButton,
@@ -29,8 +28,10 @@ from armui.session.exports.request import (
 )
 from armui.ui.dialogs.files import choose_file, choose_folder
 from armui.ui.watch import export_text
+from armui.ui.widgets.buttons import named
 from armui.ui.widgets.elided_label import ElidedLabel
 from armui.ui.widgets.figure_field import FigureField
+from armui.ui.widgets.layouts import in_row
 from armui.ui.widgets.text_label import text_label
 from armui.ui.widgets.translated import Translated
 
@@ -62,8 +63,8 @@ class ExportForm(Translated, QWidget):
 
     changed = Signal()
 
-    def __init__(self, controller: ArmController, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self, controller: ArmController) -> None:
+        super().__init__()
         self._controller = controller
         self._log: Path | None = None
         self._target: Path | None = None
@@ -88,8 +89,7 @@ class ExportForm(Translated, QWidget):
         self.begin_field, self.end_field = FigureField(3, "s"), FigureField(3, "s")
         self._until = QLabel()
         stretch = QWidget()
-        times = QHBoxLayout(stretch)
-        times.setContentsMargins(0, 0, 0, 0)
+        times = in_row(on=stretch, margins=0)
         for widget in (self.begin_field, self._until, self.end_field):
             times.addWidget(widget)
         for field in (self.begin_field, self.end_field):
@@ -254,12 +254,9 @@ def _choice(names: Sequence[str]) -> tuple[QButtonGroup, QWidget]:
     """Buttons of which one is chosen, the first one at first."""
     group = QButtonGroup()
     row = QWidget()
-    layout = QHBoxLayout(row)
-    layout.setContentsMargins(0, 0, 0, 0)
-    layout.setSpacing(6)
+    layout = in_row(on=row, spacing=6, margins=0)
     for place, name in enumerate(names):
-        button = QToolButton()
-        button.setObjectName(name)
+        button = named(name, QToolButton())
         button.setCheckable(True)
         button.setProperty("choice", True)
         button.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)

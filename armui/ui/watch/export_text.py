@@ -97,7 +97,7 @@ def remarks(report: dict[str, Any]) -> list[str]:
         first = report["damages"][0]
         text = translate(
             "ExportDialog",
-            "Places of the log that cannot be read: {count}; the first: {place} ({reason}). "
+            "Unreadable places in the log: {count}; the first: {place} ({reason}). "
             "Everything else was exported.",
         )
         lines.append(text.format(count=report["damage_count"], place=first[0], reason=first[1]))
@@ -113,7 +113,7 @@ def remarks(report: dict[str, Any]) -> list[str]:
     text = translate("ExportDialog", "{frames:,} frames read as generation {generation}.")
     line = text.format(frames=report["frames"], generation=report["generation"])
     if report["not_understood"]:
-        text = translate("ExportDialog", "{count:,} of them are none of the arm's.")
+        text = translate("ExportDialog", "{count:,} of them do not belong to the arm.")
         line += " " + text.format(count=report["not_understood"])
     lines.append(line)
     return lines

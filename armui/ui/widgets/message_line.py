@@ -21,6 +21,12 @@ _GAP_PX: Final = 10
 _TWO_LINES: Final = "急\n急"
 """Chinese glyphs may stand higher than the others."""
 _UNBOUNDED_PX: Final = 10_000
+_ICONS: Final = {
+    Level.INFO: "info",
+    Level.DONE: "done",
+    Level.WARNING: "warning",
+    Level.FAULT: "warning",
+}
 
 
 class MessageLine(QWidget):
@@ -97,7 +103,7 @@ class MessageLine(QWidget):
             self._icon.clear()
             return
         _fill, ink = self._paint_colors(colors_of(self))
-        name = "warning" if self._level in {Level.WARNING, Level.FAULT} else "info"
+        name = _ICONS[self._level]
         self._icon.setPixmap(icons.pixmap(name, ink, _ICON_PX, self.devicePixelRatioF()))
 
     def _paint_colors(self, colors: Colors) -> tuple[str, str]:

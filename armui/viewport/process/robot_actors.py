@@ -8,7 +8,7 @@ from vtkmodules.vtkCommonMath import vtkMatrix4x4
 from vtkmodules.vtkRenderingCore import vtkActor
 
 from armui.viewport.palette import ScenePalette, mix, rgb
-from armui.viewport.process.geometry import actor_of, flat, smooth
+from armui.viewport.process.geometry import actor_of, flat, is_closed, smooth
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -35,6 +35,8 @@ class RobotActors:
             actor.SetUserMatrix(self._matrices[part.link])
             actor.GetProperty().SetInterpolationToPhong()
             actor.GetProperty().SetSpecularPower(30.0)
+            # saves a third of a picture's cost where the processor draws it
+            actor.GetProperty().SetBackfaceCulling(is_closed(part.surface))
             self._parts.append((part.link, actor, part.color or _PLAIN))
 
     @property
@@ -79,6 +81,7 @@ class RobotActors:
             look = actor.GetProperty()
             look.SetColor(*rgb(palette.accent))
             look.SetOpacity(_GHOST_OPACITY)
+            look.BackfaceCullingOff()
             look.SetSpecular(0.0)
 
     def joint_of(self, picked: object) -> int | None:

@@ -160,6 +160,15 @@ class Scene:
         self._highlighted_joint = number
         self._paint_robot()
 
+    @property
+    def is_unfinished(self) -> bool:
+        """Whether something that is asked for is still being worked out."""
+        return self._reach.is_unfinished
+
+    def catch_up(self) -> bool:
+        """Show what has been worked out meanwhile; whether there was anything."""
+        return self._reach.catch_up()
+
     def resize(self, width_px: int, height_px: int, pixel_ratio: float) -> None:
         """Change the size of the picture, in device pixels."""
         self._canvas.resize(width_px, height_px)

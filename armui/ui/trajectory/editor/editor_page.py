@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
 from functools import partial
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QEvent, Qt, Signal
 from PySide6.QtGui import QKeySequence, QShortcut
-from PySide6.QtWidgets import QHeaderView, QLineEdit, QWidget
+from PySide6.QtWidgets import QHeaderView, QLineEdit
 
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
@@ -43,6 +43,9 @@ if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
     from armui.ui.trajectory.library.library_work import LibraryWork
 
+_NOTE_PX: Final = 200
+"""Narrower, the note's field goes into a line of its own."""
+
 
 class EditorPage(Page):
     """Edits a trajectory of the library.
@@ -53,7 +56,6 @@ class EditorPage(Page):
         work: Keeps the trajectory in the library.
         trajectory: As it is kept.
         draft: Changes of it that an earlier run of the program could not save.
-        parent: Its owner, before it stands anywhere.
 
     Signals:
         saved: The trajectory is in the library as it is shown.
@@ -77,9 +79,8 @@ class EditorPage(Page):
         trajectory: Trajectory,
         *,
         draft: Trajectory | None = None,
-        parent: QWidget | None = None,
     ) -> None:
-        super().__init__("editor", parent)
+        super().__init__("editor")
         self._controller = controller
         self._work = work
         work.setParent(self)
@@ -93,6 +94,7 @@ class EditorPage(Page):
         self._find_bar = FindBar()
         self._finder = Finder(self.document, self.table, self._find_bar)
         self._note = named("trajectory_note", QLineEdit(trajectory.note))
+        self._note.setMinimumWidth(_NOTE_PX)
         self._message = named("editor_message", MessageLine())
         self._findings = FindingsPane()
         self._run_bar = RunBar(controller, checks, lambda then: then(self.document.trajectory()))
@@ -130,7 +132,7 @@ class EditorPage(Page):
             "redo": partial(self._step, self.document.stack.redo),
             "find": self._find_bar.open,
             "check": self._run_bar.check,
-            "jog": lambda: self._jog.unfold(self._actions["jog"].isChecked()),
+            "jog": self._show_jog,
         }
 
     def _lay_out(self) -> None:
@@ -159,6 +161,12 @@ class EditorPage(Page):
         self._jog.refused.connect(self._on_jogged)
         self._findings.row_wanted.connect(self.table.select_row)
         self.document.changed.connect(self._on_points)
+
+    def _show_jog(self) -> None:
+        """Beside the jog buttons, making a point is what is done most: not running."""
+        jogs = self._actions["jog"].isChecked()
+        self._jog.unfold(jogs)
+        self._run_bar.stand_back(jogs)
 
     # Editing ----------------------------------------------------------------------------------
 
@@ -246,9 +254,6 @@ class EditorPage(Page):
             lambda _: self.saved.emit(),
             self._show_failure,
         )
-
-    def _on_not_run(self, reason: Refusal) -> None:
-        self._say(words.refusal(reason), Level.WARNING)
 
     def _on_progress(self, progress: Progress) -> None:
         ours = progress.name == self.document.name

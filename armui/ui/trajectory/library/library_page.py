@@ -6,7 +6,7 @@ from collections.abc import Callable, Mapping, Sequence
 
 from PySide6.QtCore import QEvent, QModelIndex, Signal
 from PySide6.QtGui import QShowEvent
-from PySide6.QtWidgets import QHeaderView, QWidget
+from PySide6.QtWidgets import QHeaderView
 
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
@@ -63,14 +63,8 @@ class LibraryPage(Page):
     editor_opened = Signal(object)
     preview_wanted = Signal(object)
 
-    def __init__(
-        self,
-        controller: ArmController,
-        background: Background,
-        library: Library,
-        parent: QWidget | None = None,
-    ) -> None:
-        super().__init__("library", parent)
+    def __init__(self, controller: ArmController, background: Background, library: Library) -> None:
+        super().__init__("library")
         self._controller = controller
         self._checks = Checks(controller, background)
         self._checks.get_ready()
@@ -297,9 +291,6 @@ class LibraryPage(Page):
         self._findings.show_check(checked, accept)
         self._findings.setVisible(bool(checked.findings) or accept is not None)
         self.preview_wanted.emit(checked)
-
-    def _on_not_run(self, reason: Refusal) -> None:
-        self._say(words.refusal(reason), Level.WARNING)
 
     def _on_progress(self, progress: Progress) -> None:
         if progress.reason is not None:

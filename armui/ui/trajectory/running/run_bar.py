@@ -21,7 +21,7 @@ from armui.ui import words
 from armui.ui.trajectory.running.preflight import CheckJob, Checks, Preflight
 from armui.ui.trajectory.running.run_options import RunOptions
 from armui.ui.trajectory.running.runner import Runner, ended_early
-from armui.ui.widgets.buttons import named, push_button
+from armui.ui.widgets.buttons import named, push_button, show_primary
 from armui.ui.widgets.enable_or_explain import enable_or_explain
 from armui.ui.widgets.flow import in_flow, pair
 from armui.ui.widgets.text_label import text_label
@@ -89,10 +89,10 @@ class RunBar(Translated, QWidget):
         self._resume = push_button("run_resume", on_enter=False)
         self._cycles = named("run_cycles", QComboBox())
         self._cycles.addItems(["", "", ""])
-        self._times = _spin("run_times", 1, _MOST_CYCLES, 3)
-        self._speed = _spin("run_speed", 1, _FASTEST_PERCENT, 100)
+        self._times = _spin("run_times", _MOST_CYCLES, 3)
+        self._speed = _spin("run_speed", _FASTEST_PERCENT, 100)
         self._speed.setSuffix(" %")
-        self._first = _spin("run_first", 1, 1, 1)
+        self._first = _spin("run_first", 1, 1)
         self._speed_label, self._first_label = QLabel(), QLabel()
         self._steps = named("run_steps", QCheckBox())
 
@@ -194,6 +194,10 @@ class RunBar(Translated, QWidget):
             not recording and self._steps.isChecked(),
         )
 
+    def stand_back(self, wanted: bool) -> None:
+        """Whether something else on the page is done more often than running it."""
+        show_primary(self._send, wanted=not wanted)
+
     def _on_send(self) -> None:
         self._run(self._options())
 
@@ -294,9 +298,9 @@ class RunBar(Translated, QWidget):
         super().hideEvent(event)
 
 
-def _spin(name: str, least: int, most: int, value: int) -> QSpinBox:
+def _spin(name: str, most: int, value: int) -> QSpinBox:
     spin = named(name, QSpinBox())
-    spin.setRange(least, most)
+    spin.setRange(1, most)
     spin.setValue(value)
     spin.setAlignment(Qt.AlignmentFlag.AlignCenter)
     spin.setFixedHeight(_SPIN_PX)
