@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import atexit
 import weakref
 from datetime import datetime
 from typing import TYPE_CHECKING, Final
@@ -26,7 +27,6 @@ if TYPE_CHECKING:
     from armui.session.frames import Channel
     from armui.session.session import Session
 
-_FORGOTTEN_MS: Final = 10_000
 _FILL_AFTER_MS: Final = 120
 """Curves are filled when the operator has come to rest somewhere."""
 
@@ -101,7 +101,10 @@ class LogReplay(QObject):
         worker.failed.connect(self.failed)
         self._worker = worker
         # a window that is destroyed, a program that ends: whoever forgets to close it
-        self._forgotten = weakref.finalize(self, worker.close, _FORGOTTEN_MS)
+        self._forgotten = weakref.finalize(self, _end, worker)
+        # its own turn at the end may come after Qt's, which ends the program over such a thread
+        self._forgotten.atexit = False
+        atexit.register(worker.end_in_time)
         return worker
 
     def open(self) -> None:
@@ -115,7 +118,9 @@ class LogReplay(QObject):
         self._worker = None
         ended = self.controller.shutdown()
         if ended and self._forgotten is not None:
-            self._forgotten.detach()
+            forgotten = self._forgotten.detach()
+            if forgotten is not None:
+                atexit.unregister(forgotten[2][0].end_in_time)
         return ended
 
     # Where it stands --------------------------------------------------------------------------
@@ -241,6 +246,11 @@ class LogReplay(QObject):
         if self._worker is not None and self._going_to is None:
             self.controller.tick()
             self.moved.emit()
+
+
+def _end(worker: LogWorker) -> None:
+    atexit.unregister(worker.end_in_time)
+    worker.end_in_time()
 
 
 def _wall(at_s: float) -> datetime:
