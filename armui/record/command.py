@@ -167,9 +167,24 @@ def _record(
     collector.end()
     ended = recording.wait(_END_S)
     code = _summary(recording, lane, problem, ended=ended, quiet=options.quiet)
+    if ended and recording.frames and recording.path is not None:
+        _count(recording.path)
     if options.format == _MF4 and recording.frames and ended:
         return max(code, _once_more_as_mf4(recording, quiet=options.quiet))
     return code
+
+
+def _count(path: Path) -> None:
+    """Keep beside the recording how many faults its frames tell of, for the list of the window."""
+    from armui.session.recording.counted import counted, keep  # noqa: PLC0415 - numpy
+    from armui.session.recording.recorded_session import RecordedSession  # noqa: PLC0415 - as above
+
+    try:
+        session = RecordedSession(path)
+        keep(path.parent, session.name, counted(session))
+        session.close()
+    except Exception as error:  # noqa: BLE001 - what was recorded is whole all the same
+        sys.stderr.write(f"armui record: its faults were not counted: {error}\n")
 
 
 def _once_more_as_mf4(recording: SessionRecording, *, quiet: bool) -> int:
