@@ -177,6 +177,8 @@ class RefusalCode(StrEnum):
     REPLAY_FAILED = "replay_failed"  # name, text
     REPLAY_NO_DISK = "replay_no_disk"  # text
     REPLAY_NO_LOG = "replay_no_log"  # name, text
+    REPLAY_NOTHING_READ = "replay_nothing_read"  # name
+    REPLAY_ARCHIVE = "replay_archive"  # name
     REPLAY_UNKNOWN_KIND = "replay_unknown_kind"  # name, known
     REPLAY_UNREADABLE = "replay_unreadable"  # name, text
     REPLAYED_LOG = "replayed_log"
