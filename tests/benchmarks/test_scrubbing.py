@@ -144,11 +144,15 @@ def without_window(qtbot, path, chance):
     return taken_s
 
 
+def _no_bus(_device):
+    raise RuntimeError("no arm is connected")
+
+
 @contextlib.contextmanager
 def opened(background, path):
     """The window with a log open, its picture drawn, its events found."""
     window = ReplayWindow(
-        ArmController(lambda _device: None), background, ArmView, open_own=RecordedSession
+        ArmController(_no_bus), background, ArmView, open_own=RecordedSession
     )
     window.resize(*SIZE_PX)
     window.show()
