@@ -84,7 +84,7 @@ def test_watching_cost(qapp, tmp_path, capsys, benchmark):
             pictures.append(time.monotonic())
             begin()
 
-        page.board._book.begin_picture = begin_picture  # type: ignore[method-assign]
+        page.board._book.begin_picture = begin_picture
         page.board.show_plots(PLOTS)
         page.board.set_span(60.0)
         rig.run_for(4.0)
