@@ -320,6 +320,50 @@
         <source>Press Edit in the panel first.</source>
         <translation>请先在该面板中按“编辑”。</translation>
     </message>
+    <message>
+        <source>There is nothing for it to do now.</source>
+        <translation>现在没有可执行的内容。</translation>
+    </message>
+    <message>
+        <source>Folder of the recordings</source>
+        <translation>会话记录的文件夹</translation>
+    </message>
+    <message>
+        <source>Model of the arm</source>
+        <translation>机械臂型号</translation>
+    </message>
+    <message>
+        <source>Way of the tool: off</source>
+        <translation>末端轨迹：关闭</translation>
+    </message>
+    <message>
+        <source>Way of the tool: last 5 s of motion</source>
+        <translation>末端轨迹：最近 5 秒运动</translation>
+    </message>
+    <message>
+        <source>Way of the tool: last 15 s of motion</source>
+        <translation>末端轨迹：最近 15 秒运动</translation>
+    </message>
+    <message>
+        <source>Way of the tool: last 60 s of motion</source>
+        <translation>末端轨迹：最近 60 秒运动</translation>
+    </message>
+    <message>
+        <source>Handles at the tool, along the axes of the base</source>
+        <translation>末端手柄：沿基座坐标轴</translation>
+    </message>
+    <message>
+        <source>Handles at the tool, along its own axes</source>
+        <translation>末端手柄：沿工具坐标轴</translation>
+    </message>
+    <message>
+        <source>Handles at the joints</source>
+        <translation>关节手柄</translation>
+    </message>
+    <message>
+        <source>Speed of the run</source>
+        <translation>运行速度</translation>
+    </message>
 </context>
 <context>
     <name>AdapterTrouble</name>
@@ -2215,10 +2259,6 @@
         <translation>只导出了通道 {channel}；{others} 的 {count:,} 帧未导出。</translation>
     </message>
     <message>
-        <source>{frames:,} frames read as generation {generation}.</source>
-        <translation>已读取 {frames:,} 帧，按第 {generation} 代协议解析。</translation>
-    </message>
-    <message>
         <source>A folder with a file for each message: every frame with its time, decoded into signals with their units.</source>
         <translation>一个文件夹，每种报文一个文件：每一帧带时间，解码为带单位的信号。</translation>
     </message>
@@ -2229,6 +2269,14 @@
     <message>
         <source>{count:,} of them do not belong to the arm.</source>
         <translation>其中 {count:,} 帧不属于该机械臂。</translation>
+    </message>
+    <message>
+        <source>Exported as a {model}, but the end pose in the log fits a {fits}.</source>
+        <translation>已按 {model} 导出，但日志中的末端位姿与 {fits} 相符。</translation>
+    </message>
+    <message>
+        <source>{frames:,} frames read as generation {generation}, {model}.</source>
+        <translation>共 {frames:,} 帧，按第 {generation} 代协议读取，型号 {model}。</translation>
     </message>
 </context>
 <context>
@@ -2336,6 +2384,18 @@
     <message>
         <source>Choose where the folder of the export shall be</source>
         <translation>选择导出文件夹的位置</translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <translation>型号</translation>
+    </message>
+    <message>
+        <source>As the recording tells</source>
+        <translation>按录制内容</translation>
+    </message>
+    <message>
+        <source>Where the links and the tool are depends on it. A recording of this program says it; of other logs it is the one that fits the end pose in them.</source>
+        <translation>连杆与工具的位置取决于型号。本程序的录制文件中已注明；其他日志取与其中末端位姿相符的型号。</translation>
     </message>
 </context>
 <context>
@@ -5605,6 +5665,25 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     </message>
 </context>
 <context>
+    <name>PageDoings</name>
+    <message>
+        <source>Open a trajectory of the library first.</source>
+        <translation>请先在轨迹库中打开一条轨迹。</translation>
+    </message>
+    <message>
+        <source>It stands in a window of its own.</source>
+        <translation>已在独立窗口中。</translation>
+    </message>
+    <message>
+        <source>It stands in no window of its own.</source>
+        <translation>不在独立窗口中。</translation>
+    </message>
+    <message>
+        <source>The drawer is folded away.</source>
+        <translation>抽屉已收起。</translation>
+    </message>
+</context>
+<context>
     <name>PageWindow</name>
     <message>
         <source>Put back</source>
@@ -5868,6 +5947,10 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     <message>
         <source>Replay</source>
         <translation>回放</translation>
+    </message>
+    <message>
+        <source>Drawer</source>
+        <translation>抽屉</translation>
     </message>
 </context>
 <context>
@@ -8071,10 +8154,6 @@ The other program must have ended.</source>
         <translation>使能键按住 {seconds} 秒而设备没有任何动作。请重新按下。</translation>
     </message>
     <message>
-        <source>The main window is not in front, or a menu is open in it. Click into it, then press anew.</source>
-        <translation>主窗口不在最前，或其中打开了菜单。请点击主窗口，然后重新按下。</translation>
-    </message>
-    <message>
         <source>The arm&apos;s firmware {firmware} does not have this: it came with {since}. Updates come from the maker&apos;s support.</source>
         <translation>机械臂固件 {firmware} 不支持此功能：自 {since} 起支持。升级请联系厂家支持。</translation>
     </message>
@@ -8093,6 +8172,10 @@ The other program must have ended.</source>
     <message>
         <source>Not run: the arm&apos;s model or zeros are others than those of the check. Send again.</source>
         <translation>未运行：机械臂的型号或零点约定与检查时不同。请再次点击发送。</translation>
+    </message>
+    <message>
+        <source>The main window, or a page taken out of it, is not in front, or a menu is open. Click into one of them, then press anew.</source>
+        <translation>主窗口或取出的独立窗口不在最前，或有菜单打开。请点击其中一个窗口，再重新按下。</translation>
     </message>
 </context>
 <context>
@@ -8345,6 +8428,10 @@ The other program must have ended.</source>
     <message>
         <source>Step by step</source>
         <translation>单步运行</translation>
+    </message>
+    <message>
+        <source>Checks it and runs it</source>
+        <translation>检查后运行</translation>
     </message>
 </context>
 <context>

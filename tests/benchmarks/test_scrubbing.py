@@ -151,9 +151,7 @@ def _no_bus(_device):
 @contextlib.contextmanager
 def opened(background, path):
     """The window with a log open, its picture drawn, its events found."""
-    window = ReplayWindow(
-        ArmController(_no_bus), background, ArmView, open_own=RecordedSession
-    )
+    window = ReplayWindow(ArmController(_no_bus), background, ArmView, open_own=RecordedSession)
     window.resize(*SIZE_PX)
     window.show()
     try:

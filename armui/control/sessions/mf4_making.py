@@ -51,7 +51,7 @@ class _Order:
     share: float | None = None
 
 
-def _make(folder: Path, name: str, told: Path, unfinished: str) -> None:
+def _make(folder: Path, name: str, told: Path, unfinished: Path) -> None:
     """In the process; see `armui.session.recording.mf4.make_mf4`."""
     from armui.session.recording import mf4  # noqa: PLC0415 - python-can, asammdf
 
@@ -124,7 +124,8 @@ class Mf4Making:
         """
         if order.called_off.is_set():
             raise CancelledError
-        helper, unfinished = self._make_helper(), unfinished_name()
+        helper = self._make_helper()
+        unfinished = unfinished_name(order.folder / f"{order.name}{MF4_SUFFIX}")
         try:
             with TemporaryDirectory(prefix="armui-mf4-") as room:
                 told = Path(room) / "share"
@@ -139,7 +140,7 @@ class Mf4Making:
         finally:
             helper.shutdown()
             with contextlib.suppress(OSError):
-                (order.folder / unfinished).unlink(missing_ok=True)
+                unfinished.unlink(missing_ok=True)
 
 
 def _reason(order: _Order, future: Future[None]) -> Refusal | None:

@@ -14,9 +14,9 @@ from typing import Final
 
 import can
 
-from armui.session.exports.target import WholeFile
 from armui.session.recording.folder import files_of
 from armui.session.recording.kinds import MF4_SUFFIX, RecordingFormat
+from armui.system.atomic import WholeFile, remove_abandoned
 
 PACKAGE: Final = "asammdf"
 _TOLD_EVERY: Final = 2_000
@@ -47,7 +47,7 @@ def make_mf4(
     name: str,
     tell: Callable[[float], object] = lambda _share: None,
     *,
-    unfinished: str | None = None,
+    unfinished: Path | None = None,
 ) -> Path:
     """Make an .mf4 file of a recording, beside it.
 
@@ -79,7 +79,7 @@ def write_mf4(
     target: Path,
     *,
     tell: Callable[[float], object] = lambda _share: None,
-    unfinished: str | None = None,
+    unfinished: Path | None = None,
 ) -> None:
     """Write the frames of some logs, one after another, into one .mf4 file.
 
@@ -93,6 +93,7 @@ def write_mf4(
         FileExistsError: There is one of this name.
         OSError: It could not be written; what there was of it is removed.
     """
+    remove_abandoned(target.parent)
     sizes = [path.stat().st_size for path in paths]
     with WholeFile(target, replace=False, unfinished=unfinished) as whole:
         whole.stream.close()
