@@ -30,6 +30,7 @@ class WholeFile:
         path: The name it shall have; its folder must exist.
         replace: Whether a file of this name may be replaced.
         to_disk: Whether it must outlive a power cut; what can be made anew need not wait for it.
+        unfinished: What it is called meanwhile, for whoever may have to remove it after a kill.
 
     Attributes:
         unfinished: What it is called until then.
@@ -40,14 +41,21 @@ class WholeFile:
         OSError: The folder does not allow it.
     """
 
-    def __init__(self, path: Path, *, replace: bool = True, to_disk: bool = True) -> None:
+    def __init__(
+        self,
+        path: Path,
+        *,
+        replace: bool = True,
+        to_disk: bool = True,
+        unfinished: Path | None = None,
+    ) -> None:
         self._path = path
         self._replace = replace
         self._to_disk = to_disk
         if path.is_dir():
             raise _exists(path)
         self._check()
-        self.unfinished = unfinished_name(path)
+        self.unfinished = unfinished or unfinished_name(path)
         self.stream: BinaryIO = self.unfinished.open("xb")
 
     def _check(self) -> None:

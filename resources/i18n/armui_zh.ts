@@ -64,10 +64,6 @@
         <translation>程序</translation>
     </message>
     <message>
-        <source>; joints 2 and 3 count from the zeros before S-V1.6-3</source>
-        <translation>；关节 2、3 采用 S-V1.6-3 之前的零点</translation>
-    </message>
-    <message>
         <source>unknown: generation 1 does not tell it</source>
         <translation>未知：第 1 代协议不提供</translation>
     </message>
@@ -166,6 +162,10 @@
     <message>
         <source>{type}, number {number}</source>
         <translation>{type}，编号 {number}</translation>
+    </message>
+    <message>
+        <source>; joints 2 and 3 count from the zeros before S-V1.6-3</source>
+        <translation>；关节 2、3 采用 S-V1.6-3 之前的零点</translation>
     </message>
 </context>
 <context>
@@ -1027,6 +1027,13 @@
     <message>
         <source>Restore</source>
         <translation>恢复默认</translation>
+    </message>
+</context>
+<context>
+    <name>CallableOff</name>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
     </message>
 </context>
 <context>
@@ -2252,14 +2259,6 @@
         <translation>只导出了通道 {channel}；{others} 的 {count:,} 帧未导出。</translation>
     </message>
     <message>
-        <source>Exported as a {model}, but the end pose in the log fits a {fits}.</source>
-        <translation>已按 {model} 导出，但日志中的末端位姿与 {fits} 相符。</translation>
-    </message>
-    <message>
-        <source>{frames:,} frames read as generation {generation}, {model}.</source>
-        <translation>共 {frames:,} 帧，按第 {generation} 代协议读取，型号 {model}。</translation>
-    </message>
-    <message>
         <source>A folder with a file for each message: every frame with its time, decoded into signals with their units.</source>
         <translation>一个文件夹，每种报文一个文件：每一帧带时间，解码为带单位的信号。</translation>
     </message>
@@ -2270,6 +2269,14 @@
     <message>
         <source>{count:,} of them do not belong to the arm.</source>
         <translation>其中 {count:,} 帧不属于该机械臂。</translation>
+    </message>
+    <message>
+        <source>Exported as a {model}, but the end pose in the log fits a {fits}.</source>
+        <translation>已按 {model} 导出，但日志中的末端位姿与 {fits} 相符。</translation>
+    </message>
+    <message>
+        <source>{frames:,} frames read as generation {generation}, {model}.</source>
+        <translation>共 {frames:,} 帧，按第 {generation} 代协议读取，型号 {model}。</translation>
     </message>
 </context>
 <context>
@@ -2289,10 +2296,6 @@
     <message>
         <source>Protocol</source>
         <translation>协议</translation>
-    </message>
-    <message>
-        <source>Model</source>
-        <translation>型号</translation>
     </message>
     <message>
         <source>Channel</source>
@@ -2325,14 +2328,6 @@
     <message>
         <source>Generation 2</source>
         <translation>第 2 代</translation>
-    </message>
-    <message>
-        <source>As the recording tells</source>
-        <translation>按录制内容</translation>
-    </message>
-    <message>
-        <source>Where the links and the tool are depends on it. A recording of this program says it; of other logs it is the one that fits the end pose in them.</source>
-        <translation>连杆与工具的位置取决于型号。本程序的录制文件中已注明；其他日志取与其中末端位姿相符的型号。</translation>
     </message>
     <message>
         <source>to</source>
@@ -2389,6 +2384,18 @@
     <message>
         <source>Choose where the folder of the export shall be</source>
         <translation>选择导出文件夹的位置</translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <translation>型号</translation>
+    </message>
+    <message>
+        <source>As the recording tells</source>
+        <translation>按录制内容</translation>
+    </message>
+    <message>
+        <source>Where the links and the tool are depends on it. A recording of this program says it; of other logs it is the one that fits the end pose in them.</source>
+        <translation>连杆与工具的位置取决于型号。本程序的录制文件中已注明；其他日志取与其中末端位姿相符的型号。</translation>
     </message>
 </context>
 <context>
@@ -4605,10 +4612,6 @@ Lamps give no feedback: this is only what will be sent.</source>
         <translation>符合机械臂反馈的位姿，但其它型号也符合。移动一个关节即可判定。</translation>
     </message>
     <message>
-        <source>This very arm was a {before} the last time: choose that and press Connect, or wait until the arm stands still and is compared.</source>
-        <translation>此机械臂上次为 {before}：请选择该型号并点击连接，或等待机械臂静止后自动核对。</translation>
-    </message>
-    <message>
         <source>Not compared yet: the arm must stand still.</source>
         <translation>尚未核对：需要机械臂静止。</translation>
     </message>
@@ -4620,6 +4623,10 @@ Lamps give no feedback: this is only what will be sent.</source>
         <source>Its lengths decide where the tool is. The limits of the joints are always read from the arm.</source>
         <translation>型号决定各连杆长度，从而决定末端位置。关节限位始终从机械臂读取。</translation>
     </message>
+    <message>
+        <source>This very arm was a {before} the last time: choose that and press Connect, or wait until the arm stands still and is compared.</source>
+        <translation>此机械臂上次为 {before}：请选择该型号并点击连接，或等待机械臂静止后自动核对。</translation>
+    </message>
 </context>
 <context>
     <name>ModelMark</name>
@@ -4630,14 +4637,6 @@ Lamps give no feedback: this is only what will be sent.</source>
     <message>
         <source>Click to connect it as a {other}.</source>
         <translation>点击以 {other} 重新连接。</translation>
-    </message>
-    <message>
-        <source>{model}? It was a {before}</source>
-        <translation>{model}？上次为 {before}</translation>
-    </message>
-    <message>
-        <source>This very arm was a {before} the last time. Click to choose.</source>
-        <translation>此机械臂上次为 {before}。点击选择型号。</translation>
     </message>
     <message>
         <source>{model}? The pose fits none</source>
@@ -4656,12 +4655,20 @@ Lamps give no feedback: this is only what will be sent.</source>
         <translation>机械臂型号（操作者选择），尚未核对。</translation>
     </message>
     <message>
-        <source>Joints 2 and 3 count from the zeros before S-V1.6-3.</source>
-        <translation>关节 2、3 采用 S-V1.6-3 之前的零点。</translation>
-    </message>
-    <message>
         <source>Model of the arm: {text}</source>
         <translation>机械臂型号：{text}</translation>
+    </message>
+    <message>
+        <source>{model}? It was a {before}</source>
+        <translation>{model}？上次为 {before}</translation>
+    </message>
+    <message>
+        <source>This very arm was a {before} the last time. Click to choose.</source>
+        <translation>此机械臂上次为 {before}。点击选择型号。</translation>
+    </message>
+    <message>
+        <source>Joints 2 and 3 count from the zeros before S-V1.6-3.</source>
+        <translation>关节 2、3 采用 S-V1.6-3 之前的零点。</translation>
     </message>
 </context>
 <context>
@@ -4918,10 +4925,6 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>尚未发送</translation>
     </message>
     <message>
-        <source>Told this arm last by this program: {mounting}</source>
-        <translation>本程序上次告知此机械臂的安装方式：{mounting}</translation>
-    </message>
-    <message>
         <source>Mounting of the arm</source>
         <translation>机械臂安装方式</translation>
     </message>
@@ -4932,6 +4935,10 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     <message>
         <source>The arm does not answer this and cannot be asked for it: another program, or the arm itself after a power cut, may have another one.</source>
         <translation>机械臂对此不应答，也无法查询：其他程序或断电后的机械臂可能采用不同的设置。</translation>
+    </message>
+    <message>
+        <source>Told this arm last by this program: {mounting}</source>
+        <translation>本程序上次告知此机械臂的安装方式：{mounting}</translation>
     </message>
 </context>
 <context>
@@ -5050,14 +5057,6 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     <message>
         <source>The pose the arm reports fits its angles in no model of the family, {chosen} included.</source>
         <translation>机械臂反馈的位姿与关节角度不符合任何型号（包括 {chosen}）。</translation>
-    </message>
-    <message>
-        <source>This arm (node {node}) was a {before} the last time: taken instead of {chosen}, which was only offered.</source>
-        <translation>此机械臂（节点 {node}）上次为 {before}：已采用该型号，代替默认给出的 {chosen}。</translation>
-    </message>
-    <message>
-        <source>Connected as a {chosen}, but this arm (node {node}) was a {before} the last time. If it is one, connect it as that.</source>
-        <translation>当前按 {chosen} 连接，但此机械臂（节点 {node}）上次为 {before}。如属实，请按该型号重新连接。</translation>
     </message>
     <message>
         <source>Taken over: this program may move the arm.</source>
@@ -5506,6 +5505,14 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     <message>
         <source>Mounting sent: {mounting}. The arm does not tell it back.</source>
         <translation>已发送安装方式：{mounting}。机械臂不会回报。</translation>
+    </message>
+    <message>
+        <source>This arm (node {node}) was a {before} the last time: taken instead of {chosen}, which was only offered.</source>
+        <translation>此机械臂（节点 {node}）上次为 {before}：已采用该型号，代替默认给出的 {chosen}。</translation>
+    </message>
+    <message>
+        <source>Connected as a {chosen}, but this arm (node {node}) was a {before} the last time. If it is one, connect it as that.</source>
+        <translation>当前按 {chosen} 连接，但此机械臂（节点 {node}）上次为 {before}。如属实，请按该型号重新连接。</translation>
     </message>
 </context>
 <context>
@@ -7599,10 +7606,6 @@ The other program must have ended.</source>
         <translation>未运行：机械臂的关节限位与检查时不同。请再次点击发送。</translation>
     </message>
     <message>
-        <source>Not run: the arm&apos;s model or zeros are others than those of the check. Send again.</source>
-        <translation>未运行：机械臂的型号或零点约定与检查时不同。请再次点击发送。</translation>
-    </message>
-    <message>
         <source>No trajectory is running: nothing to pause.</source>
         <translation>没有正在执行的轨迹，无法暂停。</translation>
     </message>
@@ -8059,6 +8062,10 @@ The other program must have ended.</source>
         <translation>MF4 需要 asammdf 软件包（pip install asammdf）。</translation>
     </message>
     <message>
+        <source>You called it off. The recording itself is whole, as .blf.</source>
+        <translation>已取消。录制本身完整，保存为 .blf。</translation>
+    </message>
+    <message>
         <source>The last minutes are being saved already. Wait a moment.</source>
         <translation>最近几分钟的内容正在保存，请稍候。</translation>
     </message>
@@ -8111,6 +8118,14 @@ The other program must have ended.</source>
         <translation>{name} 中没有可读的 CAN 报文（{text}）。请选择记录程序写出的文件，并保留其扩展名。</translation>
     </message>
     <message>
+        <source>Nothing in {name} reads as a frame of a CAN log of its ending. Choose the file that the recording program has written, with its own ending.</source>
+        <translation>{name} 中没有与其扩展名相符的 CAN 报文。请选择记录程序写出的文件，并保留其扩展名。</translation>
+    </message>
+    <message>
+        <source>{name} is a packed archive, whatever its ending says. Unpack it, and open the log that was in it.</source>
+        <translation>无论扩展名如何，{name} 都是压缩包。请先解压，再打开其中的日志。</translation>
+    </message>
+    <message>
         <source>By its name {name} is no CAN log. Known endings: {known}, most of them also with .gz behind. Rename the file, or choose another.</source>
         <translation>从文件名看，{name} 不是 CAN 日志。可识别的扩展名：{known}，多数也可再加 .gz。请改名或选择其他文件。</translation>
     </message>
@@ -8153,6 +8168,10 @@ The other program must have ended.</source>
     <message>
         <source>Another program drives the arm in {other_mode} mode: a mode word of ours would leave its joints limp. End that program, hold the arm, and take the way back that the line above the panels offers.</source>
         <translation>另一程序正以{other_mode}模式驱动机械臂：本程序的模式指令会使关节失力。请结束该程序、扶住机械臂，再按面板上方提示行给出的方式恢复。</translation>
+    </message>
+    <message>
+        <source>Not run: the arm&apos;s model or zeros are others than those of the check. Send again.</source>
+        <translation>未运行：机械臂的型号或零点约定与检查时不同。请再次点击发送。</translation>
     </message>
     <message>
         <source>The main window, or a page taken out of it, is not in front, or a menu is open. Click into one of them, then press anew.</source>

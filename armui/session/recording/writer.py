@@ -200,7 +200,7 @@ class RecordingWriter:
         if self._file is not None and self._file.size >= self._plan.rotate_bytes:
             self._close_file()
             self._closed_bytes += self._file.size
-            self._file.to_disk(now=True)
+            self._file.begin_to_disk()
             self._file.close()
             self._file = None
         if self._file is None or self._format is None:

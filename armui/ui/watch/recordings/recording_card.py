@@ -23,6 +23,7 @@ from armui.ui.background import Job
 from armui.ui.dialogs.files import choose_folder
 from armui.ui.theme import colors_of
 from armui.ui.watch.recordings import figures, recording_files
+from armui.ui.watch.recordings.callable_off import CallableOff
 from armui.ui.widgets import icons
 from armui.ui.widgets.buttons import named, push_button
 from armui.ui.widgets.elided_label import ElidedLabel
@@ -83,6 +84,8 @@ class RecordingCard(Translated, QFrame):
         self.record_button.setIconSize(QSize(_ICON_PX, _ICON_PX))
         self.state_label = named("session_state", ElidedLabel())
         self.figures_label = text_label("session_figures", rank="muted")
+        self.making = CallableOff(self._call_off_mf4)
+        self.making.setObjectName("session_making")
         self._format_label, self._size_label, self._folder_label = QLabel(), QLabel(), QLabel()
         self.format_box = named("session_format", QComboBox())
         for suffix, name in _FORMATS:
@@ -102,7 +105,7 @@ class RecordingCard(Translated, QFrame):
             button.setAutoDefault(False)
 
     def _lay_out(self) -> None:
-        words = in_column(self.state_label, self.figures_label, spacing=2)
+        words = in_column(self.state_label, self.figures_label, self.making, spacing=2)
         head = in_row(self.record_button, (words, 1), spacing=12)
         grid = empty_grid(gaps=(12, 8))
         grid.addWidget(self._format_label, 0, 0)
@@ -145,12 +148,15 @@ class RecordingCard(Translated, QFrame):
             self.size_box.blockSignals(before)
         self.folder_name.show_text(str(self._sessions.choices.folder))
         self._show_button(recording=progress is not None)
+        self.making.show_progress(
+            making=bool(self._sessions.mf4.names), share=self._sessions.mf4.share
+        )
         if progress is None:
             self._before, self._rate = None, 0.0
             self.state_label.show_text(self.tr("Not recording"))
             text = self.tr("The last minutes are kept in memory all the same.")
-            if self._sessions.making_mf4:
-                names = ", ".join(sorted(self._sessions.making_mf4))
+            if self._sessions.mf4.names:
+                names = ", ".join(sorted(self._sessions.mf4.names))
                 text = self.tr("Making the .mf4 file of {name}…").format(name=names)
             self.figures_label.setText(text)
             return
@@ -207,6 +213,9 @@ class RecordingCard(Translated, QFrame):
         else:
             self._sessions.start()
         self.refresh()
+
+    def _call_off_mf4(self) -> None:
+        self._sessions.mf4.call_off()
 
     def _on_format(self) -> None:
         self._store.change(session_format=self.format_box.currentData())

@@ -169,9 +169,9 @@ class SessionsModel(TableModel):
         if column is SessionColumn.SIZE:
             return figures.size(entry.total_bytes)
         if column is SessionColumn.FAULTS:
-            return str(entry.faults) if entry.faults else fmt.NOTHING
+            return fmt.NOTHING if entry.faults is None else str(entry.faults)
         if column is SessionColumn.STOPS:
-            return str(entry.stops) if entry.stops else fmt.NOTHING
+            return fmt.NOTHING if entry.stops is None else str(entry.stops)
         if column is SessionColumn.KIND:
             source = _KINDS.get(entry.reason, entry.reason)
             return QCoreApplication.translate("SessionKind", str(source))
@@ -194,7 +194,7 @@ class SessionsModel(TableModel):
             SessionColumn.BEGUN: entry.begun_unix_s,
             SessionColumn.LENGTH: -1.0 if entry.length_s is None else entry.length_s,
             SessionColumn.SIZE: float(entry.total_bytes),
-            SessionColumn.FAULTS: entry.faults,
-            SessionColumn.STOPS: entry.stops,
+            SessionColumn.FAULTS: -1 if entry.faults is None else entry.faults,
+            SessionColumn.STOPS: -1 if entry.stops is None else entry.stops,
         }
         return keys.get(column, self._text(entry, column).casefold())

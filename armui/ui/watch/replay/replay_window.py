@@ -14,6 +14,7 @@ from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.control.events import Level
 from armui.session.reader import SUFFIXES
+from armui.session.session import KeepsCounts
 from armui.system.helper_process import HelperProcess
 from armui.ui import words
 from armui.ui.background import Job
@@ -231,6 +232,7 @@ class ReplayWindow(ArmDialog):
                 self._say(words.refusal(found), Level.FAULT)
             else:
                 view.show_events(found.log, found.marks)
+                self._keep_counts(view.replay.session, found)
 
         job = self._events = Job(show)
         replay = view.replay
@@ -238,6 +240,11 @@ class ReplayWindow(ArmDialog):
             log_events, replay.session, replay.channel, arm, wall_time, lambda: job.wanted
         )
         self._background.begin_here(job, work)
+
+    def _keep_counts(self, session: Session, found: LoggedEvents) -> None:
+        """What its frames tell is known now: the list of recordings can tell it, too."""
+        if isinstance(session, KeepsCounts) and session.lacks_counts:
+            self._background.begin_here(Job(lambda _done: None), session.keep_counts, found.marks)
 
     def _on_other(self, channel: Channel, generation: Generation) -> None:
         at_s = 0.0 if self.view is None else self.view.replay.position_s
