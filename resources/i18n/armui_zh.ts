@@ -1571,13 +1571,6 @@
     </message>
 </context>
 <context>
-    <name>DragAssistanceDialog</name>
-    <message>
-        <source>Drag teaching</source>
-        <translation>示教</translation>
-    </message>
-</context>
-<context>
     <name>DragAssistancePanel</name>
     <message>
         <source>Drag assistance</source>
@@ -6263,6 +6256,17 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     <message>
         <source>Size</source>
         <translation>大小</translation>
+    </message>
+</context>
+<context>
+    <name>QShortcut</name>
+    <message>
+        <source>Up</source>
+        <translation>↑</translation>
+    </message>
+    <message>
+        <source>Down</source>
+        <translation>↓</translation>
     </message>
 </context>
 <context>
