@@ -35,7 +35,7 @@ WINDOW_SCENES = (
     Scene("view-joint-range", picture.joint_range),
     Scene("view-reach", picture.reach),
     Scene("path-findings", picture.findings),
-    Scene("path-trail", picture.trail),
+    Scene("path-trail", picture.trail, fine=True),
     Scene("dragging", picture.dragging),
     Scene("dragging-joints", picture.dragging_joints),
     Scene("dragging-refused", picture.out_of_reach),

@@ -45,11 +45,7 @@ class OfferModel(QAbstractListModel):
         """The row of an offer that was made at another moment; 0 if it is there no more."""
         if offer is None:
             return 0
-        same = (
-            row
-            for row, each in enumerate(self._offers)
-            if (each.title, each.place) == (offer.title, offer.place)
-        )
+        same = (row for row, each in enumerate(self._offers) if each.is_like(offer))
         return next(same, 0)
 
     def rowCount(self, parent: Index | None = None) -> int:  # noqa: N802 - the name Qt calls

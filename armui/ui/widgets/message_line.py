@@ -30,10 +30,17 @@ _ICONS: Final = {
 
 
 class MessageLine(QWidget):
-    """One message with a sign before it; keeps its room when there is nothing to say."""
+    """One message with a sign before it.
 
-    def __init__(self, parent: QWidget | None = None) -> None:
+    Args:
+        parent: Qt's.
+        keeps_room: Whether its room stays empty when there is nothing to say. Below a table it
+            takes none: what it needs is taken from the table's lower end, and nothing else moves.
+    """
+
+    def __init__(self, parent: QWidget | None = None, *, keeps_room: bool = True) -> None:
         super().__init__(parent)
+        self._keeps_room = keeps_room
         self._level = Level.INFO
         self._icon = QLabel()
         self._icon.setFixedWidth(_ICON_PX)
@@ -55,6 +62,8 @@ class MessageLine(QWidget):
         self._label.setText(text)
         self.setAccessibleName(text)
         self._update_icon()
+        if not self._keeps_room:
+            self.setHidden(not text)
         self.updateGeometry()
         self.update()
 

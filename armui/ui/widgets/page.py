@@ -50,6 +50,11 @@ class Page(Translated, QWidget):
         in_column((self.body, 1), self.footer, on=self, spacing=_GAP_PX, margins=0)
 
     @property
+    def subject(self) -> str:
+        """What it works on, where there are several of its kind."""
+        return ""
+
+    @property
     def title(self) -> str:
         """What it is called now."""
         return self._title

@@ -43,6 +43,8 @@ if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
     from armui.ui.trajectory.library.library_work import LibraryWork
 
+_OF_POINTS: Final = ("go_to", "find", "check")
+"""What can be done with points alone."""
 _NOTE_PX: Final = 200
 """Narrower, the note's field goes into a line of its own."""
 
@@ -95,7 +97,7 @@ class EditorPage(Page):
         self._finder = Finder(self.document, self.table, self._find_bar)
         self._note = named("trajectory_note", QLineEdit(trajectory.note))
         self._note.setMinimumWidth(_NOTE_PX)
-        self._message = named("editor_message", MessageLine())
+        self._message = named("editor_message", MessageLine(keeps_room=False))
         self._findings = FindingsPane()
         self._run_bar = RunBar(controller, checks, lambda then: then(self.document.trajectory()))
         self._actions = EditorActions(self, self.table, self._handlers())
@@ -137,8 +139,9 @@ class EditorPage(Page):
 
     def _lay_out(self) -> None:
         self._find_bar.hide()
-        fill(self.body, self._actions.bar(self._note), self._find_bar, (self.table, 1), self._jog)
-        fill(self.body, self._findings, self._run_bar, self._message)
+        # what comes and goes takes room from the table: jog buttons and 发送 stay where they are
+        fill(self.body, self._actions.bar(self._note), self._find_bar, (self.table, 1))
+        fill(self.body, self._findings, self._message, self._jog, self._run_bar)
 
     def _connect(self) -> None:
         stack = self.document.stack
@@ -152,6 +155,7 @@ class EditorPage(Page):
         self._find_bar.closed.connect(self.table.setFocus)
         self._drafts.failed.connect(self._show_failure)
         self.table.row_chosen.connect(self.selected_row_changed)
+        self._run_bar.listen(self)
         self._run_bar.checked.connect(self._show_check)
         self._run_bar.refused.connect(
             lambda reason: self._say(words.refusal(reason), Level.WARNING)
@@ -161,6 +165,11 @@ class EditorPage(Page):
         self._jog.refused.connect(self._on_jogged)
         self._findings.row_wanted.connect(self.table.select_row)
         self.document.changed.connect(self._on_points)
+
+    @property
+    def subject(self) -> str:
+        """The trajectory's name."""
+        return self.document.name
 
     def _show_jog(self) -> None:
         """Beside the jog buttons, making a point is what is done most: not running."""
@@ -231,6 +240,8 @@ class EditorPage(Page):
         count = len(self.document.points)
         empty = Refusal(RefusalCode.RUN_EMPTY, {"name": self.document.name})
         self._run_bar.show_content(count, nothing=None if count else empty)
+        for name in _OF_POINTS:
+            self._actions.allow(name, "" if count else words.refusal(empty))
 
     def _show_check(self, checked: Preflight, accept: Callable[[], object] | None) -> None:
         self._findings.show_check(checked, accept)
@@ -366,6 +377,7 @@ class EditorPage(Page):
     def retranslate_ui(self) -> None:
         """Put every word into the operator's language."""
         self._actions.retranslate()
+        self._show_count()
         self.model.retranslate()
         self._note.setPlaceholderText(self.tr("What this trajectory is for"))
         self.table.setAccessibleName(self.tr("Points"))

@@ -8,7 +8,7 @@ from functools import partial
 from typing import Final
 
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtGui import QHideEvent, QShowEvent
+from PySide6.QtGui import QHideEvent, QKeySequence, QShortcut, QShowEvent
 from PySide6.QtWidgets import QCheckBox, QComboBox, QLabel, QSpinBox, QWidget
 
 from armui.arm.refusal import Refusal
@@ -18,6 +18,7 @@ from armui.control.operating_state import OperatingState, StopState
 from armui.control.run.progress import ENDLESS, Progress
 from armui.trajectory.files import Content
 from armui.ui import words
+from armui.ui.actions.keys import keys_of
 from armui.ui.trajectory.running.preflight import CheckJob, Checks, Preflight
 from armui.ui.trajectory.running.run_options import RunOptions
 from armui.ui.trajectory.running.runner import Runner, ended_early
@@ -31,6 +32,7 @@ _ONCE, _TIMES, _LOOP = range(3)
 _MOST_CYCLES: Final = 9999
 _FASTEST_PERCENT: Final = 200
 _SPIN_PX: Final = 34
+_SEND_KEY: Final = keys_of("editor.send")
 _SURPRISING_S: Final = 2.0
 """Nobody expects the arm to move so long after the button was pressed."""
 
@@ -108,6 +110,13 @@ class RunBar(Translated, QWidget):
             flow.push(widget)
 
     # What the operator wants ------------------------------------------------------------------
+
+    def listen(self, page: QWidget) -> None:
+        """Have a key press 发送 wherever in its page; a key that is held presses once."""
+        key = QShortcut(QKeySequence(_SEND_KEY), page)
+        key.setContext(Qt.ShortcutContext.WidgetWithChildrenShortcut)
+        key.setAutoRepeat(False)
+        key.activated.connect(self._send.click)
 
     def show_content(
         self, count: int, *, recording: bool = False, nothing: Refusal | None = None
@@ -260,7 +269,8 @@ class RunBar(Translated, QWidget):
         progress, checking = self._runner.progress, self._checking
         why_not = self._why_not()
         self._times.setVisible(self._cycles.currentIndex() == _TIMES)
-        enable_or_explain(self._send, self.tr("Checking…") if checking else why_not)
+        reason = self.tr("Checking…") if checking else why_not
+        enable_or_explain(self._send, reason, self.tr("Checks it and runs it"), key=_SEND_KEY)
         self._state.setText(self.tr("Checking…") if checking else "")
         self._state.setVisible(checking)
         self._call_off.setVisible(checking)

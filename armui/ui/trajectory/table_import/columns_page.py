@@ -79,7 +79,7 @@ class ColumnsPage(Page):
         self._speed.setFixedHeight(_FIELD_PX)
         self._name = named("columns_name", QLineEdit())
         self._move_label, self._speed_label, self._name_label = (QLabel() for _ in range(3))
-        self._message = named("columns_message", MessageLine())
+        self._message = named("columns_message", MessageLine(keeps_room=False))
         self.import_button = push_button("columns_import", primary=True, on_enter=True)
         self._cancel = push_button("columns_cancel", on_enter=False)
 
