@@ -20,6 +20,7 @@ _TOP_PX: Final = 8
 _GAP_PX: Final = 10
 _TWO_LINES: Final = "急\n急"
 """Chinese glyphs may stand higher than the others."""
+_LEAST_PX: Final = 200
 _UNBOUNDED_PX: Final = 10_000
 _ICONS: Final = {
     Level.INFO: "info",
@@ -79,11 +80,16 @@ class MessageLine(QWidget):
         room = QRect(0, 0, width, _UNBOUNDED_PX)
         texts = (self.text(), _TWO_LINES)
         height = max(metrics.boundingRect(room, wrap, text).height() for text in texts)
-        return QSize(200, height + 2 * _TOP_PX)
+        return QSize(_LEAST_PX if self._keeps_room else self._natural_px(), height + 2 * _TOP_PX)
+
+    def _natural_px(self) -> int:
+        """As wide as its longest line, for a row that goes on below where there is no room."""
+        lines = (self.fontMetrics().horizontalAdvance(line) for line in self.text().split("\n"))
+        return max(_LEAST_PX, max(lines) + 2 * _SIDE_PX + _GAP_PX + _ICON_PX)
 
     def minimumSizeHint(self) -> QSize:
-        """No smaller than that."""
-        return self.sizeHint()
+        """No lower than that; narrower, its lines break."""
+        return QSize(_LEAST_PX, self.sizeHint().height())
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         """Fit the text into the new width."""
