@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from typing import Final
+from collections.abc import Callable
+from typing import Final, TypeAlias
 
 from PySide6.QtCore import QEvent, QRect, QRectF, QSize, Qt
 from PySide6.QtGui import QPaintEvent, QResizeEvent
@@ -13,6 +14,9 @@ from armui.ui.theme import Colors, colors_of
 from armui.ui.widgets import icons, painting
 from armui.ui.widgets.layouts import in_row
 from armui.ui.widgets.text_label import text_label
+
+Words: TypeAlias = str | Callable[[], str]
+"""A text, or what makes it in whichever language is chosen."""
 
 _ICON_PX: Final = 20
 _SIDE_PX: Final = 12
@@ -43,6 +47,7 @@ class MessageLine(QWidget):
         super().__init__(parent)
         self._keeps_room = keeps_room
         self._level = Level.INFO
+        self._words: Words = ""
         self._icon = QLabel()
         self._icon.setFixedWidth(_ICON_PX)
         self._label = text_label(wraps=True, plain=True)
@@ -57,9 +62,15 @@ class MessageLine(QWidget):
         """What it says now."""
         return self._label.text()
 
-    def show_message(self, text: str, level: Level = Level.INFO) -> None:
-        """Say something; an empty text says nothing."""
-        self._level = level
+    def show_message(self, words: Words, level: Level = Level.INFO) -> None:
+        """Say something; an empty text says nothing.
+
+        Args:
+            words: What.
+            level: How much it matters.
+        """
+        self._level, self._words = level, words
+        text = words if isinstance(words, str) else words()
         self._label.setText(text)
         self.setAccessibleName(text)
         self._update_icon()
@@ -98,9 +109,11 @@ class MessageLine(QWidget):
             self.updateGeometry()
 
     def changeEvent(self, event: QEvent) -> None:
-        """Follow the colours."""
+        """Follow the colours and the language."""
         if event.type() == QEvent.Type.PaletteChange:
             self._update_icon()
+        elif event.type() == QEvent.Type.LanguageChange and not isinstance(self._words, str):
+            self.show_message(self._words, self._level)
         super().changeEvent(event)
 
     def paintEvent(self, _event: QPaintEvent) -> None:

@@ -38,7 +38,7 @@ from armui.ui.trajectory.running.run_bar import RunBar
 from armui.ui.widgets.buttons import named
 from armui.ui.widgets.flow import in_flow
 from armui.ui.widgets.layouts import fill
-from armui.ui.widgets.message_line import MessageLine
+from armui.ui.widgets.message_line import MessageLine, Words
 from armui.ui.widgets.page import Page
 
 
@@ -324,7 +324,7 @@ class LibraryPage(Page):
 
     # Words ------------------------------------------------------------------------------------
 
-    def _say(self, text: str, level: Level = Level.INFO) -> None:
+    def _say(self, text: Words, level: Level = Level.INFO) -> None:
         self._exchange.withdraw_offers()
         self._message.show_message(text, level)
 
