@@ -126,14 +126,15 @@ def test_our_own_kinematics_of_the_picture_agree_with_yourdfpy(description, urdf
             )
 
 
-def test_limits_axes_and_speed_are_the_arms(urdf, limits_deg):
-    for name, (lower_deg, upper_deg) in zip(ARM_JOINTS, limits_deg, strict=True):
+def test_limits_axes_and_speed_are_the_arms(model, urdf, limits_deg):
+    speeds = [math.radians(each.max_speed_deg_s) for each in model_data(model).limits]
+    for name, speed, (lower_deg, upper_deg) in zip(ARM_JOINTS, speeds, limits_deg, strict=True):
         joint = urdf.joint_map[name]
         assert joint.type == "revolute"
         assert list(joint.axis) == [0, 0, 1]
         assert math.degrees(joint.limit.lower) == pytest.approx(lower_deg, abs=1e-9)
         assert math.degrees(joint.limit.upper) == pytest.approx(upper_deg, abs=1e-9)
-        assert joint.limit.velocity == 3.0
+        assert joint.limit.velocity == pytest.approx(speed)
 
 
 def test_the_gripper_opens_to_70_mm(urdf):

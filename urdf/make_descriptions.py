@@ -33,8 +33,8 @@ _HEADER = """<?xml version="1.0" encoding="utf-8"?>
       i   a/mm     alpha/deg   d/mm     offset/deg   limits/deg
 {table}
 
-  Lengths in metres, angles in radians. Speed limit of every joint: 3 rad/s; effort: the 8 N.m
-  that a torque command of the bus can ask for. Masses and their centres stand in model.json;
+  Lengths in metres, angles in radians. Speed limits are those of model.json ({speeds}); effort: the
+  8 N.m that a torque command of the bus can ask for. Masses and their centres stand in model.json;
   inertial elements are left out, since no inertia that could be trusted is published.
   The meshes are made by make_meshes.py, in metres, each in the frame of its link.
 -->
@@ -173,11 +173,14 @@ def describe(model: str, data: dict[str, Any], sizes: Sizes, *, older_zeros: boo
     )
     shapes, meshes = bodies(sizes), all_parts(sizes)
     firmware = "before S-V1.6-3" if older_zeros else "S-V1.6-3 and later"
-    text = _HEADER.format(name=data["name"], model=model, table=table, firmware=firmware)
+    text = _HEADER.format(
+        name=data["name"], model=model, table=table, firmware=firmware, speeds=data["speeds"]
+    )
     text += _link("base_link", meshes, shapes)
     for number, (row, (low, high)) in enumerate(zip(rows, ranges, strict=True), start=1):
         parent = "base_link" if number == 1 else f"link{number - 1}"
-        text += _joint(number, parent, row, math.radians(low), math.radians(high))
+        speed = data["joints"][number - 1]["max_speed_rad_s"]
+        text += _joint(number, parent, row, math.radians(low), math.radians(high), speed=speed)
         text += _link(f"link{number}", meshes, shapes)
     turned = math.radians(data["gripper"]["turned_deg"])
     origin = f'\n    <origin xyz="0 0 0" rpy="0 0 {_angle(turned)}"/>' if turned else ""
@@ -198,7 +201,13 @@ def roll_pitch_yaw(alpha_deg: float, theta_deg: float) -> tuple[float, float, fl
 
 
 def _joint(
-    number: int, parent: str, row: tuple[float, float, float, float], low: float, high: float
+    number: int,
+    parent: str,
+    row: tuple[float, float, float, float],
+    low: float,
+    high: float,
+    *,
+    speed: float,
 ) -> str:
     a, alpha_deg, d, theta_deg = row
     alpha = math.radians(alpha_deg)
@@ -210,7 +219,7 @@ def _joint(
     <parent link="{parent}"/>
     <child link="link{number}"/>
     <axis xyz="0 0 1"/>
-    <limit lower="{_angle(low)}" upper="{_angle(high)}" effort="8" velocity="3"/>
+    <limit lower="{_angle(low)}" upper="{_angle(high)}" effort="8" velocity="{speed:g}"/>
   </joint>
 """
 

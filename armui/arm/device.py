@@ -22,12 +22,15 @@ class RecordedArm:
         feedback_offset: Added to the identifiers of its feedback (0x470).
         firmware: The version it names, as ``S-V1.8-5``; "" where it names none.
         model: Which arm of the family it was connected as; ``None``: it does not tell.
+        older_zeros: Its poses say that joints 2 and 3 count from the zeros before S-V1.6-3;
+            ``None``: they say nothing.
     """
 
     generation: int
     feedback_offset: int = 0
     firmware: str = ""
     model: PiperModel | None = None
+    older_zeros: bool | None = None
 
 
 @dataclass(frozen=True, slots=True)

@@ -193,8 +193,9 @@ def test_an_arc_seen_from_its_edge_is_turned_like_a_wheel(shape, direction):
         step /= np.linalg.norm(step)
         far = all(depth(grip, projection, place) > 0.0 for place in grip.places)
         drag = GripDrag(grip, projection, *start)
-        amounts = [drag.amount(*(start + step * px)) for px in range(0, 400, 5)]
-        turned = np.diff(np.array(amounts, float)) * (1.0 if far else -1.0)
+        pointers = [start + step * px for px in range(0, 400, 5)]
+        amounts = np.array([drag.amount(*pointer) for pointer in pointers], float)
+        turned = np.diff(amounts) * (1.0 if far else -1.0)
         # on and on, no place where a pixel is more than two degrees, and beyond half a turn
         assert turned.min() > 4.0
         assert turned.max() < 5 * 2.1

@@ -130,6 +130,8 @@ class ModelWatch:
         model = connection.model
         if self._pose_tells is not None:
             self._zeros = device, model, self._pose_tells
+        elif device.recorded is not None and device.recorded.older_zeros is not None:
+            self._zeros = device, model, device.recorded.older_zeros
         elif firmware is not None:
             self._zeros = device, model, model_data(model).older_zeros(firmware)
 

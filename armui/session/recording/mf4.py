@@ -13,9 +13,9 @@ from typing import Final
 
 import can
 
-from armui.session.exports.target import WholeFile
 from armui.session.recording.folder import files_of
 from armui.session.recording.kinds import MF4_SUFFIX, RecordingFormat
+from armui.system.atomic import WholeFile, remove_abandoned
 
 PACKAGE: Final = "asammdf"
 
@@ -60,6 +60,7 @@ def write_mf4(paths: Sequence[Path], target: Path) -> None:
         FileExistsError: There is one of this name.
         OSError: It could not be written; what there was of it is removed.
     """
+    remove_abandoned(target.parent)
     with WholeFile(target, replace=False) as whole:
         whole.stream.close()
         writer = can.MF4Writer(whole.unfinished)

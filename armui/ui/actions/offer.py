@@ -118,10 +118,10 @@ class Offers:
 
     def _seen(self, action: Command) -> QWidget | QAction | None:
         """What does it, if that is shown; of pages with the same buttons that of its place."""
-        found = (
+        found: list[QWidget | QAction] = [
             *self._window.findChildren(QWidget, action.target),
             *self._window.findChildren(QAction, action.target),
-        )
+        ]
         return next((each for each in found if _is_shown(each, action.place)), None)
 
     # -- what else is on the screen -----------------------------------------------------------

@@ -110,8 +110,15 @@ def remarks(report: dict[str, Any]) -> list[str]:
         lines.append(
             text.format(channel=report["channel"], count=report["of_other_channels"], others=others)
         )
-    text = translate("ExportDialog", "{frames:,} frames read as generation {generation}.")
-    line = text.format(frames=report["frames"], generation=report["generation"])
+    if report["pose_fits"]:
+        text = translate(
+            "ExportDialog", "Exported as a {model}, but the end pose in the log fits a {fits}."
+        )
+        lines.append(text.format(model=report["model"], fits=report["pose_fits"]))
+    text = translate("ExportDialog", "{frames:,} frames read as generation {generation}, {model}.")
+    line = text.format(
+        frames=report["frames"], generation=report["generation"], model=report["model"]
+    )
     if report["not_understood"]:
         text = translate("ExportDialog", "{count:,} of them do not belong to the arm.")
         line += " " + text.format(count=report["not_understood"])

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
 
-from armui.session.exports.target import WholeFile
+from armui.system.atomic import WholeFile
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -81,7 +81,7 @@ def write_csv(path: Path, table: Sequence[Column], edge_s: float, edge: datetime
     rows = np.unique(np.concatenate(stamps)) if stamps else np.empty(0, np.int64)
     places = [np.searchsorted(rows, each) for each in stamps]
     titles = [f'"{each.title.replace(chr(34), chr(39))}"' for each in table]
-    with WholeFile(path, replace=True) as whole:
+    with WholeFile(path) as whole:
         # with a mark of its encoding: spreadsheets take it for something else otherwise
         file = io.TextIOWrapper(whole.stream, "utf-8-sig", newline="")
         file.write(",".join(["time", "t_s", *titles]) + "\r\n")

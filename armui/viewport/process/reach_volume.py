@@ -119,7 +119,8 @@ class _Grid(NamedTuple):
             sums = np.cumsum(around, axis=0, dtype=np.int16)
             sums = np.concatenate((np.zeros_like(sums[:1]), sums))
             cells += sums[begin + wide] > sums[begin]
-        return self._replace(cells=cells / len(_SHARES))
+        cells /= np.float32(len(_SHARES))
+        return self._replace(cells=cells)
 
     def soft(self) -> _Grid:
         """The same with a border that is not a staircase."""

@@ -123,21 +123,28 @@ def wait_for(scene):
         scene.catch_up()
 
 
+def last_of(painter):
+    """The picture that nothing is missing from."""
+    longest_s = time.monotonic() + 60.0
+    last = np.zeros((1, 1, 4), np.uint8)
+    while painter.is_rough:
+        assert time.monotonic() < longest_s
+        pixels = painter.refine()
+        last = last if pixels is None else pixels.top_down()
+        time.sleep(0.01)
+    return last
+
+
 def test_pictures_go_on_while_the_border_is_worked_out():
     shown = ViewState(BUILT_IN_ROBOT, width_px=300, height_px=240, reach=Reach(LIMITS_DEG))
     painter = FramePainter(print, print, print)
     try:
-        plain = painter.paint(ViewState(BUILT_IN_ROBOT, width_px=300, height_px=240))
-        plain = plain.top_down()
+        first = painter.paint(ViewState(BUILT_IN_ROBOT, width_px=300, height_px=240))
+        assert first is not None
+        plain = first.top_down()
         assert painter.paint(shown) is not None
         assert painter.is_rough  # asked again, it has more
-        longest_s = time.monotonic() + 60.0
-        last = None
-        while painter.is_rough and time.monotonic() < longest_s:
-            pixels = painter.refine()
-            last = last if pixels is None else pixels.top_down()
-            time.sleep(0.01)
-        assert not painter.is_rough
+        last = last_of(painter)
         assert (np.abs(last[..., :3].astype(int) - plain[..., :3]).max(axis=2) > 6).mean() > 0.2
         assert painter.refine() is None
     finally:
@@ -148,13 +155,15 @@ def test_the_border_follows_the_theme_and_goes():
     scene = Scene(200, 160)
     try:
         scene.load(BUILT_IN_ROBOT.path)
+        robot = scene.robot
+        assert robot is not None
         count = scene._canvas.renderer.GetActors().GetNumberOfItems()
         reach = Reach(LIMITS_DEG)
         for palette in (LIGHT, DARK):
-            scene._reach.show(reach, scene.robot, palette)
+            scene._reach.show(reach, robot, palette)
             wait_for(scene)
             assert scene._canvas.renderer.GetActors().GetNumberOfItems() == count + 3
-        scene._reach.show(None, scene.robot, DARK)
+        scene._reach.show(None, robot, DARK)
         assert scene._canvas.renderer.GetActors().GetNumberOfItems() == count
         assert not scene.is_unfinished
     finally:

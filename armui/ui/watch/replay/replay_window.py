@@ -198,7 +198,9 @@ class ReplayWindow(ArmDialog):
         if self._session is None or self._path is None:
             return
         own = next(each for each in self._surveys if each.channel == channel)
-        arm = RecordedArm(int(generation), own.feedback_offset, own.firmware, own.model)
+        arm = RecordedArm(
+            int(generation), own.feedback_offset, own.firmware, own.model, own.older_zeros
+        )
         replay = LogReplay(self._session, channel, arm, self._path.name, self)
         replay.failed.connect(self._on_failed)
         self.view = ReplayView(
