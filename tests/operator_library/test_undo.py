@@ -174,4 +174,4 @@ def test_what_was_done_is_told_in_the_language_that_is_chosen_afterwards(driver)
     driver.click("delete")
     assert driver.message() == "Deleted: one"
     driver.app_driver.store.change(language="zh")
-    assert driver.message() == "已删除：one"
+    driver.app_driver.wait(lambda: driver.message() == "已删除：one")
