@@ -38,6 +38,10 @@ class Shortcut(NamedTuple):
         return QKeySequence(self.keys).toString(QKeySequence.SequenceFormat.NativeText)
 
 
+_QTS_OWN: Final = (QT_TRANSLATE_NOOP("QShortcut", "Up"), QT_TRANSLATE_NOOP("QShortcut", "Down"))
+"""Keys whose names in Qt's translation are longer than what is printed on them: ours counts."""
+
+
 # fmt: off
 _ONE_PRESS: Final = (
     ("everywhere.palette", "Ctrl+K", "Shortcut",

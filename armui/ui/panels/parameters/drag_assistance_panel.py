@@ -23,6 +23,16 @@ class DragAssistancePanel(LevelsPanel):
         """拖动助力."""
         return self.tr("Drag assistance")
 
+    def stand_in_dialog(self) -> None:
+        """The dialog has the title and the margins."""
+        layout = self.layout()
+        if layout is not None:
+            layout.setContentsMargins(0, 0, 0, 0)
+        policy = self._title.sizePolicy()
+        policy.setRetainSizeWhenHidden(True)  # the button beside it stays at the right
+        self._title.setSizePolicy(policy)
+        self._title.hide()
+
     def note(self) -> str:
         """What the levels do."""
         return self.tr(

@@ -36,8 +36,9 @@ from armui.ui.trajectory.recording.recording_page import RecordingPage
 from armui.ui.trajectory.running.preflight import Checks, Preflight
 from armui.ui.trajectory.running.run_bar import RunBar
 from armui.ui.widgets.buttons import named
-from armui.ui.widgets.layouts import fill, in_row
-from armui.ui.widgets.message_line import MessageLine
+from armui.ui.widgets.flow import in_flow
+from armui.ui.widgets.layouts import fill
+from armui.ui.widgets.message_line import MessageLine, Words
 from armui.ui.widgets.page import Page
 
 
@@ -96,8 +97,9 @@ class LibraryPage(Page):
 
     def _lay_out(self) -> None:
         offers = (self._exchange.report, self._exchange.by_columns)
-        below = in_row((self._message, 1), *offers, self._undo_button)
-        below.insertStretch(1)  # at the right, also while there is no message
+        below = in_flow(self._message)
+        for button in (*offers, self._undo_button):
+            below.push(button)  # at the right, also while there is no message
         self._bar.add_button(self._bin_button)
         # what comes and goes takes its room from the list: 发送 stays where it is
         fill(self.body, self._bar, self._company, (self._table, 1))
@@ -322,7 +324,7 @@ class LibraryPage(Page):
 
     # Words ------------------------------------------------------------------------------------
 
-    def _say(self, text: str, level: Level = Level.INFO) -> None:
+    def _say(self, text: Words, level: Level = Level.INFO) -> None:
         self._exchange.withdraw_offers()
         self._message.show_message(text, level)
 

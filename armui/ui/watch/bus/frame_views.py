@@ -14,7 +14,7 @@ from armui.ui.widgets import icons
 from armui.ui.widgets.table_model import Index
 
 if TYPE_CHECKING:
-    from PySide6.QtGui import QKeyEvent, QMouseEvent, QPainter
+    from PySide6.QtGui import QKeyEvent, QMouseEvent, QPainter, QResizeEvent
     from PySide6.QtWidgets import QStyleOptionViewItem
 
     from armui.ui.watch.bus.frame_model import FrameModel
@@ -24,6 +24,7 @@ if TYPE_CHECKING:
 _ICON_PX: Final = 16
 _PAD_PX: Final = 24
 _INDENT_PX: Final = 22
+_NAME_PX: Final = 190
 
 
 class FrameTree(RowView):
@@ -59,6 +60,14 @@ class FrameTree(RowView):
             header.setSectionResizeMode(column, QHeaderView.ResizeMode.Interactive)
             header.resizeSection(column, width)
         header.setSectionResizeMode(frame_model.NAME, QHeaderView.ResizeMode.Stretch)
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Where not all fits, the name is no wider than it must be: Qt would leave it as it was."""
+        super().resizeEvent(event)
+        header = self.header()
+        others = header.length() - header.sectionSize(frame_model.NAME)
+        if self.viewport().width() - others < _NAME_PX:
+            header.resizeSection(frame_model.NAME, _NAME_PX)
 
     def drawRow(  # noqa: N802 - the name Qt calls
         self, painter: QPainter, option: QStyleOptionViewItem, index: Index

@@ -64,7 +64,7 @@ class JointTable(Translated, QWidget):
         across.setDefaultAlignment(Qt.AlignmentFlag.AlignCenter)
         down.setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
         down.setDefaultAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
-        in_column(self.table, on=self, margins=(0, 8, 0, 0))
+        in_column(self.table, on=self, margins=(8, 8, 8, 6))
         self.monitor.updated.connect(self._on_updated)
         self.retranslate_ui()
 

@@ -81,6 +81,7 @@ class ReplayView(Translated, QWidget):
         self._search = MarkSearch(session.marks, replay.channel)
         self.joints = JointTable(controller)
         self.curves = PlotsArea(controller.telemetry, live, background)
+        self.curves.setContentsMargins(8, 8, 8, 6)
         self.curves.board.show_plots(SETS["follow"])
         self.events = ReplayEvents(live, background)
         self.tabs = named("replay_tabs", QTabWidget())

@@ -115,7 +115,7 @@ class ReplayWindow(ArmDialog):
         self._hint.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self.progress = named("replay_progress", QProgressBar())
         self.progress.setFixedWidth(480)
-        self.choose_button = push_button("replay_choose")
+        self.choose_button = push_button("replay_choose", primary=True)
         self.choose_button.clicked.connect(self.choose)
         self.cancel_button = push_button("replay_cancel")
         self.cancel_button.clicked.connect(self._on_cancel)
