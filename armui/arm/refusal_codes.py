@@ -127,6 +127,7 @@ class RefusalCode(StrEnum):
     MESH_EMPTY = "mesh_empty"
     MESH_MISSING = "mesh_missing"
     MESH_UNREADABLE = "mesh_unreadable"
+    MODEL_CHANGED_SINCE_CHECK = "model_changed_since_check"
     MODEL_DIFFERS = "model_differs"
     MODE_UNKNOWN = "mode_unknown"
     MODEL_OTHER = "model_other"

@@ -24,6 +24,7 @@ from armui.session.recording.ring import FrameRing
 from armui.session.recording.session_recording import SessionRecording
 from armui.session.recording.writer import RecordingPlan, TimeBase
 from armui.system.clock import steady_s
+from armui.system.command_line import add_device
 
 if TYPE_CHECKING:
     import can
@@ -58,9 +59,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "Exit code: 0 recorded as asked; 1 cut short: the disk or the device failed, what was "
         "written is whole; 2 it could not begin."
     )
-    parser.add_argument("--interface", help="python-can's name of the adapter, e.g. socketcan")
-    parser.add_argument("--channel", help="the adapter's channel, e.g. can0")
-    parser.add_argument("--bitrate", type=int, help="bit/s, where the program sets it (1000000)")
+    add_device(parser)
     parser.add_argument(
         "--sim", action="store_true", help="record a simulated arm that lives in this command"
     )

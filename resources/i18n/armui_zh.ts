@@ -64,6 +64,10 @@
         <translation>程序</translation>
     </message>
     <message>
+        <source>; joints 2 and 3 count from the zeros before S-V1.6-3</source>
+        <translation>；关节 2、3 采用 S-V1.6-3 之前的零点</translation>
+    </message>
+    <message>
         <source>unknown: generation 1 does not tell it</source>
         <translation>未知：第 1 代协议不提供</translation>
     </message>
@@ -315,6 +319,50 @@
     <message>
         <source>Press Edit in the panel first.</source>
         <translation>请先在该面板中按“编辑”。</translation>
+    </message>
+    <message>
+        <source>There is nothing for it to do now.</source>
+        <translation>现在没有可执行的内容。</translation>
+    </message>
+    <message>
+        <source>Folder of the recordings</source>
+        <translation>会话记录的文件夹</translation>
+    </message>
+    <message>
+        <source>Model of the arm</source>
+        <translation>机械臂型号</translation>
+    </message>
+    <message>
+        <source>Way of the tool: off</source>
+        <translation>末端轨迹：关闭</translation>
+    </message>
+    <message>
+        <source>Way of the tool: last 5 s of motion</source>
+        <translation>末端轨迹：最近 5 秒运动</translation>
+    </message>
+    <message>
+        <source>Way of the tool: last 15 s of motion</source>
+        <translation>末端轨迹：最近 15 秒运动</translation>
+    </message>
+    <message>
+        <source>Way of the tool: last 60 s of motion</source>
+        <translation>末端轨迹：最近 60 秒运动</translation>
+    </message>
+    <message>
+        <source>Handles at the tool, along the axes of the base</source>
+        <translation>末端手柄：沿基座坐标轴</translation>
+    </message>
+    <message>
+        <source>Handles at the tool, along its own axes</source>
+        <translation>末端手柄：沿工具坐标轴</translation>
+    </message>
+    <message>
+        <source>Handles at the joints</source>
+        <translation>关节手柄</translation>
+    </message>
+    <message>
+        <source>Speed of the run</source>
+        <translation>运行速度</translation>
     </message>
 </context>
 <context>
@@ -1042,14 +1090,6 @@
         <translation>不检测</translation>
     </message>
     <message>
-        <source>All</source>
-        <translation>全部</translation>
-    </message>
-    <message>
-        <source>All joints: level</source>
-        <translation>全部关节：等级</translation>
-    </message>
-    <message>
         <source>Levels 1 to 8 watch for collisions; level 0 does not watch at all.</source>
         <translation>等级 1~8 检测碰撞；等级 0 不检测碰撞。</translation>
     </message>
@@ -1588,14 +1628,6 @@
         <translation>拖动助力</translation>
     </message>
     <message>
-        <source>All</source>
-        <translation>全部</translation>
-    </message>
-    <message>
-        <source>All joints: level</source>
-        <translation>所有关节：等级</translation>
-    </message>
-    <message>
         <source>From 0, the joint does not help the hand, to 10, it helps most. Read and set with the arm at rest; keep a hand on it when it is led for the first time afterwards.</source>
         <translation>0 表示该关节不助力，10 表示助力最大。请在机械臂静止时读取和设置；更改后首次拖动时请始终用手扶住机械臂。</translation>
     </message>
@@ -1967,14 +1999,6 @@
         <source>Copied</source>
         <translation>已复制</translation>
     </message>
-    <message>
-        <source>Not saved: {path}. {reason}</source>
-        <translation>未保存：{path}。{reason}</translation>
-    </message>
-    <message>
-        <source>Saved: {path}</source>
-        <translation>已保存：{path}</translation>
-    </message>
 </context>
 <context>
     <name>EventKind</name>
@@ -2224,24 +2248,28 @@
         <translation>已保存：{target}（{items:,} 条消息）</translation>
     </message>
     <message>
-        <source>Places of the log that cannot be read: {count}; the first: {place} ({reason}). Everything else was exported.</source>
-        <translation>日志中有 {count} 处无法读取；第一处：{place}（{reason}）。其余内容均已导出。</translation>
-    </message>
-    <message>
         <source>Only channel {channel} was exported; {count:,} frames of {others} were left out.</source>
         <translation>只导出了通道 {channel}；{others} 的 {count:,} 帧未导出。</translation>
     </message>
     <message>
-        <source>{frames:,} frames read as generation {generation}.</source>
-        <translation>已读取 {frames:,} 帧，按第 {generation} 代协议解析。</translation>
+        <source>Exported as a {model}, but the end pose in the log fits a {fits}.</source>
+        <translation>已按 {model} 导出，但日志中的末端位姿与 {fits} 相符。</translation>
     </message>
     <message>
-        <source>{count:,} of them are none of the arm&apos;s.</source>
-        <translation>其中 {count:,} 帧不是机械臂的帧。</translation>
+        <source>{frames:,} frames read as generation {generation}, {model}.</source>
+        <translation>共 {frames:,} 帧，按第 {generation} 代协议读取，型号 {model}。</translation>
     </message>
     <message>
         <source>A folder with a file for each message: every frame with its time, decoded into signals with their units.</source>
         <translation>一个文件夹，每种报文一个文件：每一帧带时间，解码为带单位的信号。</translation>
+    </message>
+    <message>
+        <source>Unreadable places in the log: {count}; the first: {place} ({reason}). Everything else was exported.</source>
+        <translation>日志中有 {count} 处无法读取，第一处：{place}（{reason}）。其余内容均已导出。</translation>
+    </message>
+    <message>
+        <source>{count:,} of them do not belong to the arm.</source>
+        <translation>其中 {count:,} 帧不属于该机械臂。</translation>
     </message>
 </context>
 <context>
@@ -2261,6 +2289,10 @@
     <message>
         <source>Protocol</source>
         <translation>协议</translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <translation>型号</translation>
     </message>
     <message>
         <source>Channel</source>
@@ -2293,6 +2325,14 @@
     <message>
         <source>Generation 2</source>
         <translation>第 2 代</translation>
+    </message>
+    <message>
+        <source>As the recording tells</source>
+        <translation>按录制内容</translation>
+    </message>
+    <message>
+        <source>Where the links and the tool are depends on it. A recording of this program says it; of other logs it is the one that fits the end pose in them.</source>
+        <translation>连杆与工具的位置取决于型号。本程序的录制文件中已注明；其他日志取与其中末端位姿相符的型号。</translation>
     </message>
     <message>
         <source>to</source>
@@ -2379,6 +2419,17 @@
     <message>
         <source>Kind</source>
         <translation>类型</translation>
+    </message>
+</context>
+<context>
+    <name>FileExport</name>
+    <message>
+        <source>Not saved: {path}. {reason}</source>
+        <translation>未保存：{path}。{reason}</translation>
+    </message>
+    <message>
+        <source>Saved: {path}</source>
+        <translation>已保存：{path}</translation>
     </message>
 </context>
 <context>
@@ -2552,10 +2603,6 @@
         <translation>途中关节 {joint} 将到 {value}°，超出限位 {minimum}° 至 {maximum}°。请在中间增加一点，或改用 MOVE J。</translation>
     </message>
     <message>
-        <source>The arm cannot bring its flange there: {missing} mm are missing. Move the point nearer.</source>
-        <translation>法兰无法到达该位置：还差 {missing} mm。请把该点移近。</translation>
-    </message>
-    <message>
         <source>After {gone} % of the way the tool would be out of reach. Put another point between, or use MOVE J.</source>
         <translation>走完 {gone} % 后末端将超出工作范围。请在中间增加一点，或改用 MOVE J。</translation>
     </message>
@@ -2607,6 +2654,10 @@
         <source>The tool would be {value} mm below the plane the arm stands on. Accept this only if there is nothing.</source>
         <translation>末端将低于机械臂安装平面 {value} mm。确认下方没有物体时才可接受。</translation>
     </message>
+    <message>
+        <source>The flange cannot get there: the point is {missing} mm too far. Move it nearer.</source>
+        <translation>法兰无法到达该位置：还差 {missing} mm。请把该点移近。</translation>
+    </message>
 </context>
 <context>
     <name>FindingRow</name>
@@ -2617,10 +2668,6 @@
 </context>
 <context>
     <name>FindingsPane</name>
-    <message>
-        <source>Check: errors {errors}, warnings {warnings}</source>
-        <translation>检查：{errors} 个错误，{warnings} 个警告</translation>
-    </message>
     <message>
         <source>Check: nothing found.</source>
         <translation>检查：未发现问题。</translation>
@@ -2652,6 +2699,10 @@
     <message>
         <source>Close</source>
         <translation>关闭</translation>
+    </message>
+    <message>
+        <source>The check found errors: {errors}, warnings: {warnings}</source>
+        <translation>检查：{errors} 个错误，{warnings} 个警告</translation>
     </message>
 </context>
 <context>
@@ -4001,6 +4052,17 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
     </message>
 </context>
 <context>
+    <name>LevelsPanel</name>
+    <message>
+        <source>All</source>
+        <translation>全部</translation>
+    </message>
+    <message>
+        <source>All joints: level</source>
+        <translation>全部关节：等级</translation>
+    </message>
+</context>
+<context>
     <name>LibraryActions</name>
     <message>
         <source>Trajectory</source>
@@ -4438,6 +4500,13 @@ Lamps give no feedback: this is only what will be sent.</source>
     </message>
 </context>
 <context>
+    <name>List</name>
+    <message>
+        <source>, </source>
+        <translation>、</translation>
+    </message>
+</context>
+<context>
     <name>LiveStrip</name>
     <message>
         <source>The arm that is connected now:</source>
@@ -4536,6 +4605,10 @@ Lamps give no feedback: this is only what will be sent.</source>
         <translation>符合机械臂反馈的位姿，但其它型号也符合。移动一个关节即可判定。</translation>
     </message>
     <message>
+        <source>This very arm was a {before} the last time: choose that and press Connect, or wait until the arm stands still and is compared.</source>
+        <translation>此机械臂上次为 {before}：请选择该型号并点击连接，或等待机械臂静止后自动核对。</translation>
+    </message>
+    <message>
         <source>Not compared yet: the arm must stand still.</source>
         <translation>尚未核对：需要机械臂静止。</translation>
     </message>
@@ -4559,6 +4632,14 @@ Lamps give no feedback: this is only what will be sent.</source>
         <translation>点击以 {other} 重新连接。</translation>
     </message>
     <message>
+        <source>{model}? It was a {before}</source>
+        <translation>{model}？上次为 {before}</translation>
+    </message>
+    <message>
+        <source>This very arm was a {before} the last time. Click to choose.</source>
+        <translation>此机械臂上次为 {before}。点击选择型号。</translation>
+    </message>
+    <message>
         <source>{model}? The pose fits none</source>
         <translation>{model}？位姿不符合任何型号</translation>
     </message>
@@ -4573,6 +4654,10 @@ Lamps give no feedback: this is only what will be sent.</source>
     <message>
         <source>Model of the arm, as chosen; not compared yet.</source>
         <translation>机械臂型号（操作者选择），尚未核对。</translation>
+    </message>
+    <message>
+        <source>Joints 2 and 3 count from the zeros before S-V1.6-3.</source>
+        <translation>关节 2、3 采用 S-V1.6-3 之前的零点。</translation>
     </message>
     <message>
         <source>Model of the arm: {text}</source>
@@ -4833,8 +4918,8 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>尚未发送</translation>
     </message>
     <message>
-        <source>Told last by this program: {mounting}</source>
-        <translation>本程序上次发送：{mounting}</translation>
+        <source>Told this arm last by this program: {mounting}</source>
+        <translation>本程序上次告知此机械臂的安装方式：{mounting}</translation>
     </message>
     <message>
         <source>Mounting of the arm</source>
@@ -4965,6 +5050,14 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     <message>
         <source>The pose the arm reports fits its angles in no model of the family, {chosen} included.</source>
         <translation>机械臂反馈的位姿与关节角度不符合任何型号（包括 {chosen}）。</translation>
+    </message>
+    <message>
+        <source>This arm (node {node}) was a {before} the last time: taken instead of {chosen}, which was only offered.</source>
+        <translation>此机械臂（节点 {node}）上次为 {before}：已采用该型号，代替默认给出的 {chosen}。</translation>
+    </message>
+    <message>
+        <source>Connected as a {chosen}, but this arm (node {node}) was a {before} the last time. If it is one, connect it as that.</source>
+        <translation>当前按 {chosen} 连接，但此机械臂（节点 {node}）上次为 {before}。如属实，请按该型号重新连接。</translation>
     </message>
     <message>
         <source>Taken over: this program may move the arm.</source>
@@ -5565,6 +5658,25 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     </message>
 </context>
 <context>
+    <name>PageDoings</name>
+    <message>
+        <source>Open a trajectory of the library first.</source>
+        <translation>请先在轨迹库中打开一条轨迹。</translation>
+    </message>
+    <message>
+        <source>It stands in a window of its own.</source>
+        <translation>已在独立窗口中。</translation>
+    </message>
+    <message>
+        <source>It stands in no window of its own.</source>
+        <translation>不在独立窗口中。</translation>
+    </message>
+    <message>
+        <source>The drawer is folded away.</source>
+        <translation>抽屉已收起。</translation>
+    </message>
+</context>
+<context>
     <name>PageWindow</name>
     <message>
         <source>Put back</source>
@@ -5779,6 +5891,10 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <source>Shows what the arm holds again.</source>
         <translation>重新显示机械臂中的值。</translation>
     </message>
+    <message>
+        <source>{names}: {reason}</source>
+        <translation>{names}：{reason}</translation>
+    </message>
 </context>
 <context>
     <name>PictureExport</name>
@@ -5793,14 +5909,6 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     <message>
         <source>There is no picture of now to be taken: wait until it is drawn.</source>
         <translation>当前画面尚未绘制完成，请稍候再试。</translation>
-    </message>
-    <message>
-        <source>Not saved: {path}. {reason}</source>
-        <translation>未保存：{path}。{reason}</translation>
-    </message>
-    <message>
-        <source>Saved: {path}</source>
-        <translation>已保存：{path}</translation>
     </message>
 </context>
 <context>
@@ -5832,6 +5940,10 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     <message>
         <source>Replay</source>
         <translation>回放</translation>
+    </message>
+    <message>
+        <source>Drawer</source>
+        <translation>抽屉</translation>
     </message>
 </context>
 <context>
@@ -5938,14 +6050,6 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     <message>
         <source>Copied</source>
         <translation>已复制</translation>
-    </message>
-    <message>
-        <source>Not saved: {path}. {reason}</source>
-        <translation>未保存：{path}。{reason}</translation>
-    </message>
-    <message>
-        <source>Saved: {path}</source>
-        <translation>已保存：{path}</translation>
     </message>
 </context>
 <context>
@@ -6228,6 +6332,20 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     <message>
         <source>Close preview</source>
         <translation>关闭预览</translation>
+    </message>
+</context>
+<context>
+    <name>QAbstractFileIconProvider</name>
+    <message>
+        <source>Folder</source>
+        <translation>文件夹</translation>
+    </message>
+</context>
+<context>
+    <name>QFileSystemModel</name>
+    <message>
+        <source>Size</source>
+        <translation>大小</translation>
     </message>
 </context>
 <context>
@@ -6616,10 +6734,6 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>没有剩余数据：请修正标记的输入框。</translation>
     </message>
     <message>
-        <source>{kept} of {count} samples, {time}</source>
-        <translation>保留 {kept}/{count} 个采样，{time}</translation>
-    </message>
-    <message>
         <source>The path is shown in the 3D view.</source>
         <translation>路径已显示在三维视图中。</translation>
     </message>
@@ -6694,6 +6808,10 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     <message>
         <source>The arm comes to rest in every point</source>
         <translation>机械臂会在每个点停下</translation>
+    </message>
+    <message>
+        <source>Keeps {kept} of {count} samples, {time}</source>
+        <translation>保留 {kept}/{count} 个采样，{time}</translation>
     </message>
 </context>
 <context>
@@ -7481,6 +7599,10 @@ The other program must have ended.</source>
         <translation>未运行：机械臂的关节限位与检查时不同。请再次点击发送。</translation>
     </message>
     <message>
+        <source>Not run: the arm&apos;s model or zeros are others than those of the check. Send again.</source>
+        <translation>未运行：机械臂的型号或零点约定与检查时不同。请再次点击发送。</translation>
+    </message>
+    <message>
         <source>No trajectory is running: nothing to pause.</source>
         <translation>没有正在执行的轨迹，无法暂停。</translation>
     </message>
@@ -8017,10 +8139,6 @@ The other program must have ended.</source>
         <translation>使能键按住 {seconds} 秒而设备没有任何动作。请重新按下。</translation>
     </message>
     <message>
-        <source>The main window, or a page taken out of it, is not in front, or a menu is open. Click into one of them, then press anew.</source>
-        <translation>主窗口或取出的独立窗口不在最前，或有菜单打开。请点击其中一个窗口，再重新按下。</translation>
-    </message>
-    <message>
         <source>The arm&apos;s firmware {firmware} does not have this: it came with {since}. Updates come from the maker&apos;s support.</source>
         <translation>机械臂固件 {firmware} 不支持此功能：自 {since} 起支持。升级请联系厂家支持。</translation>
     </message>
@@ -8035,6 +8153,10 @@ The other program must have ended.</source>
     <message>
         <source>Another program drives the arm in {other_mode} mode: a mode word of ours would leave its joints limp. End that program, hold the arm, and take the way back that the line above the panels offers.</source>
         <translation>另一程序正以{other_mode}模式驱动机械臂：本程序的模式指令会使关节失力。请结束该程序、扶住机械臂，再按面板上方提示行给出的方式恢复。</translation>
+    </message>
+    <message>
+        <source>The main window, or a page taken out of it, is not in front, or a menu is open. Click into one of them, then press anew.</source>
+        <translation>主窗口或取出的独立窗口不在最前，或有菜单打开。请点击其中一个窗口，再重新按下。</translation>
     </message>
 </context>
 <context>
@@ -8287,6 +8409,10 @@ The other program must have ended.</source>
     <message>
         <source>Step by step</source>
         <translation>单步运行</translation>
+    </message>
+    <message>
+        <source>Checks it and runs it</source>
+        <translation>检查后运行</translation>
     </message>
 </context>
 <context>
@@ -8755,11 +8881,11 @@ The other program must have ended.</source>
         <translation>手柄…</translation>
     </message>
     <message>
-        <source>on: jogs the arm</source>
+        <source>On: jogs the arm</source>
         <translation>已开启：可以点动机械臂</translation>
     </message>
     <message>
-        <source>off</source>
+        <source>Off</source>
         <translation>已关闭</translation>
     </message>
 </context>
@@ -10349,10 +10475,6 @@ Afterwards the motors must be enabled again.</source>
         <translation>不显示手柄</translation>
     </message>
     <message>
-        <source>Shows what the tool centre point can reach; orange bounds what it can&apos;t within</source>
-        <translation>显示工具中心点能到达的空间；橙色是其中到不了的部分的边界</translation>
-    </message>
-    <message>
         <source>Tool, along the axes of the base</source>
         <translation>末端，沿基坐标系各轴</translation>
     </message>
@@ -10371,6 +10493,10 @@ Afterwards the motors must be enabled again.</source>
     <message>
         <source>Drags the target, or the chosen point, in the picture; the arm does not move. Ctrl: coarse steps, Shift: fine steps, Esc: give up</source>
         <translation>在画面中拖动目标或所选点，机械臂不会运动。Ctrl：大步进，Shift：小步进，Esc：放弃</translation>
+    </message>
+    <message>
+        <source>Shows what the tool centre point can reach; orange bounds what it can&apos;t within</source>
+        <translation>显示工具中心点能到达的空间；橙色是其中到不了的部分的边界</translation>
     </message>
 </context>
 <context>

@@ -276,7 +276,7 @@ def test_the_end_of_the_program_ends_the_recording_well(rig, sessions, tmp_path)
 def as_mf4(sessions, monkeypatch):
     """The operator has chosen MF4; the package for it is a stand-in, in a thread."""
     monkeypatch.setattr(mf4, "can_write", lambda: True)
-    monkeypatch.setattr(mf4.write_mf4, "__defaults__", (Mf4InMemory,))
+    monkeypatch.setattr("can.MF4Writer", Mf4InMemory)
     sessions._mf4 = Mf4Making(lambda: ThreadPoolExecutor(1))
     sessions.choose(replace(sessions.choices, as_mf4=True))
     return sessions

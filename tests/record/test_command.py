@@ -174,7 +174,7 @@ def test_the_simulated_arm_in_a_process_of_its_own_without_qt(tmp_path):
 
 def test_an_mf4_file_is_made_of_all_files_at_the_end(tmp_path, channel, capsys, monkeypatch):
     monkeypatch.setattr(mf4, "can_write", lambda: True)
-    monkeypatch.setattr(mf4.write_mf4, "__defaults__", (Mf4InMemory,))
+    monkeypatch.setattr("can.MF4Writer", Mf4InMemory)
     words = ["--interface", "virtual", "--channel", channel, "-o", str(tmp_path), "--name", "run"]
     assert run(*words, "--format", "mf4", "--duration", "0.6") == EXIT_OK
     assert "run.mf4" in capsys.readouterr().out

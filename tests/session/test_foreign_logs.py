@@ -19,6 +19,7 @@ from armui.session.frames import FrameBatch, LoggedFrame
 from armui.session.reader import LogFile
 from armui.session.session import REMEMBERED_IDS
 from armui.session.survey import survey
+from tests.decode.logs import record
 from tests.session.indexed import open_indexed
 from tests.session.recordings import START_S, frames, greeting, write
 
@@ -32,13 +33,6 @@ def message(at_s: float, arbitration_id: int, data: bytes = b"", channel: int = 
         timestamp=at_s, arbitration_id=arbitration_id, data=data, channel=channel,
         is_extended_id=kind.pop("extended", False), **kind,
     )  # fmt: skip
-
-
-def record(path: Path, *messages: can.Message) -> Path:
-    with can.Logger(path) as logger:
-        for each in messages:
-            logger(each)
-    return path
 
 
 @pytest.fixture(scope="module")

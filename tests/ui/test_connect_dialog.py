@@ -249,6 +249,22 @@ def test_what_is_wrong_with_an_adapter_is_said_with_the_command_that_mends_it(
     assert QApplication.clipboard().text() == commands[0]
 
 
+def test_advice_on_an_adapter_is_not_cut_off(qtbot: QtBot, controller: FakeController) -> None:
+    dialog = ConnectDialog(controller.as_real, background=Background(AtOnce()))
+    trouble = dialog.findChild(AdapterTrouble)
+    down = LinkFacts("can0", "can", False)
+    trouble._look = lambda: judge_can(CanFacts(links=(down,)))
+    shown(qtbot, dialog)
+    controller.devices_found.emit(FOUND)
+    trouble.examine()
+    rows = trouble.findChildren(FindingRow)
+    assert rows
+    for label in rows[0].findChildren(QLabel):
+        assert label.height() >= label.heightForWidth(label.width())
+    table = dialog.findChild(QTableView)
+    assert table.verticalScrollBar().maximum() == 0  # each device is seen
+
+
 def test_where_nothing_is_wrong_nothing_is_said(qtbot: QtBot) -> None:
     trouble = AdapterTrouble(Background(AtOnce()), list)
     qtbot.addWidget(trouble)

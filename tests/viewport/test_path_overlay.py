@@ -9,12 +9,10 @@ import numpy as np
 import pytest
 from PySide6.QtCore import QPoint, Qt
 
-from armui.system.paths import URDF
 from armui.viewport.camera import HOME_CAMERA, OrbitCamera
 from armui.viewport.palette import LIGHT, rgb
 from armui.viewport.path_picture import NOTHING, FindingMark, PathPicture, Preview, Trail
 from armui.viewport.point_tags import finding_at, signs, tags
-from armui.viewport.process.scene import Scene
 from armui.viewport.projection import Projection
 from tests.viewport.pinhole import HEIGHT, WIDTH, project
 from tests.viewport.test_views import pixels
@@ -143,15 +141,6 @@ def test_signs_and_numbers_are_painted_where_they_are_and_go_with_the_path(view,
     qtbot.wait_until(lambda: view.is_settled, timeout=LIMIT_MS)
     gone = np.abs(pixels(view.grab().toImage()) - red).max(axis=2) < 30
     assert not gone.any()
-
-
-@pytest.fixture
-def scene():
-    scene = Scene(WIDTH, HEIGHT)
-    scene.load(URDF / "piper" / "piper.urdf")
-    scene.set_joints(REST, 0.0)
-    yield scene
-    scene.close()
 
 
 def color_at(scene, place_mm):

@@ -3,7 +3,6 @@
 from typing import Any
 
 import numpy as np
-import pytest
 from PySide6.QtCore import QPoint, Qt
 
 from armui.system.paths import URDF
@@ -25,15 +24,6 @@ def path(bad_rows=frozenset()):
     places = np.concatenate(legs)
     speeds = np.linspace(0.0, 250.0, len(places))
     return PathPicture(places, speeds, CORNERS_MM, (0, 1, 2), bad_rows)
-
-
-@pytest.fixture
-def scene():
-    scene = Scene(WIDTH, HEIGHT)
-    scene.load(URDF / "piper" / "piper.urdf")
-    scene.set_joints(REST, 0.0)
-    yield scene
-    scene.close()
 
 
 def picture(scene):

@@ -158,11 +158,6 @@ class LogWorker(QThread):
         return self._playing
 
     @property
-    def is_filling(self) -> bool:
-        """Whether the curves are being filled; the log waits for that."""
-        return self._filling
-
-    @property
     def last(self) -> ReplayedFrame | None:
         """The frame that was taken in last."""
         return self._player.last

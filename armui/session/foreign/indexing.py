@@ -92,11 +92,11 @@ def index_log(path: Path, folder: Path, most_frames: int = MOST_FRAMES) -> LogIn
     )
 
 
-def index_or_reason(path: Path, folder: Path, most_frames: int = MOST_FRAMES) -> LogIndex | Refusal:
+def index_or_reason(path: Path, folder: Path) -> LogIndex | Refusal:
     """The same, or why there is nothing to replay."""
     name = path.name
     try:
-        index = index_log(path, folder, most_frames)
+        index = index_log(path, folder)
     except NotALogError as error:
         if isinstance(error.__cause__, OSError):
             return Refusal(RefusalCode.REPLAY_UNREADABLE, {"name": name, "text": str(error)})

@@ -7,15 +7,15 @@ is killed would lose all of it. So a session is recorded as .blf, and this is ma
 from __future__ import annotations
 
 import importlib.util
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Final
 
 import can
 
-from armui.session.exports.target import WholeFile
 from armui.session.recording.folder import files_of
 from armui.session.recording.kinds import MF4_SUFFIX, RecordingFormat
+from armui.system.atomic import WholeFile, remove_abandoned
 
 PACKAGE: Final = "asammdf"
 
@@ -49,25 +49,21 @@ def make_mf4(folder: Path, name: str) -> Path:
     return target
 
 
-def write_mf4(
-    paths: Sequence[Path],
-    target: Path,
-    make_writer: Callable[[Path], can.Listener] = can.MF4Writer,
-) -> None:
+def write_mf4(paths: Sequence[Path], target: Path) -> None:
     """Write the frames of some logs, one after another, into one .mf4 file.
 
     Args:
         paths: The logs.
         target: The file; it must not exist, and does so only when it is whole.
-        make_writer: python-can's writer.
 
     Raises:
         FileExistsError: There is one of this name.
         OSError: It could not be written; what there was of it is removed.
     """
+    remove_abandoned(target.parent)
     with WholeFile(target, replace=False) as whole:
         whole.stream.close()
-        writer = make_writer(whole.unfinished)
+        writer = can.MF4Writer(whole.unfinished)
         try:
             for path in paths:
                 with can.BLFReader(path) as reader:

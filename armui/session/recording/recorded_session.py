@@ -268,15 +268,6 @@ def _sidecar_of(path: Path) -> tuple[str, list[dict[str, Any]]]:
     raise NotALogError("no recording of this program: there is no sidecar beside it")
 
 
-def is_recorded_here(path: Path) -> bool:
-    """Whether a file belongs to a recording of ours."""
-    try:
-        _sidecar_of(path)
-    except NotALogError:
-        return False
-    return True
-
-
 def _part(batch: FrameBatch, begin: int, end: int, first: int) -> FrameBatch:
     if begin == 0 and end == len(batch):
         return replace(batch, first=first + batch.first)

@@ -20,7 +20,6 @@ from armui.session.recording.rows import FrameRows
 from armui.session.recording.sidecar import Line
 from armui.system.clock import steady_s
 
-LEAST_ROTATE_BYTES: Final = 1_000_000
 _MOST_NAMES: Final = 1_000
 _CLOCK_JUMP_S: Final = 1.0
 

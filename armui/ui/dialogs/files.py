@@ -6,7 +6,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Final, cast
 
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QT_TRANSLATE_NOOP, Qt
 from PySide6.QtWidgets import (
     QFileDialog,
     QGridLayout,
@@ -21,6 +21,12 @@ from armui.control.arm_controller import ArmController
 from armui.ui.widgets.stop_button import StopButton
 
 _SIZE_PX: Final = (780, 540)
+
+_QTS_OWN: Final = (
+    QT_TRANSLATE_NOOP("QFileSystemModel", "Size"),
+    QT_TRANSLATE_NOOP("QAbstractFileIconProvider", "Folder"),
+)
+"""Texts of Qt for which its translation has another word than is usual, or none: ours counts."""
 
 
 class FileDialog(QFileDialog):

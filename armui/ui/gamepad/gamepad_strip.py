@@ -15,6 +15,7 @@ from armui.ui import words
 from armui.ui.shell.page_window import PageWindow
 from armui.ui.theme import Colors, colors_of
 from armui.ui.widgets import icons, painting
+from armui.ui.widgets.buttons import named
 from armui.ui.widgets.elided_label import ElidedLabel
 from armui.ui.widgets.hold_guard import HoldGuard
 from armui.ui.widgets.layouts import in_row
@@ -46,10 +47,8 @@ class GamepadStrip(Translated, QWidget):
         store: Says whether they are switched on.
     """
 
-    def __init__(
-        self, controller: ArmController, store: SettingsStore, parent: QWidget | None = None
-    ) -> None:
-        super().__init__(parent)
+    def __init__(self, controller: ArmController, store: SettingsStore) -> None:
+        super().__init__()
         self.setObjectName("gamepad_strip")
         self._controller = controller
         self._view: PilotView | None = None
@@ -59,8 +58,7 @@ class GamepadStrip(Translated, QWidget):
         self._guard.lost.connect(self._on_lost)
         self._icon = QLabel()
         self._icon.setFixedWidth(_ICON_PX)
-        self._text = ElidedLabel()
-        self._text.setObjectName("gamepad_text")
+        self._text = named("gamepad_text", ElidedLabel())
         margins = (_SIDE_PX, _PADDING_PX, _SIDE_PX, _PADDING_PX)
         in_row(self._icon, (self._text, 1), on=self, spacing=10, margins=margins)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)

@@ -11,6 +11,7 @@ from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QPushButton, QVBoxLayout
 from armui.ui.actions.keys import keys_of
 from armui.ui.theme import colors_of
 from armui.ui.widgets import icons
+from armui.ui.widgets.layouts import in_column
 from armui.ui.widgets.translated import Translated
 
 if TYPE_CHECKING:
@@ -118,7 +119,4 @@ class ViewRegion(Translated, QWidget):
 
 def _with_rim(widget: QWidget) -> QVBoxLayout:
     """A widget a little away from the picture's edge."""
-    layout = QVBoxLayout()
-    layout.setContentsMargins(_RIM_PX, _RIM_PX, _RIM_PX, _RIM_PX)
-    layout.addWidget(widget)
-    return layout
+    return in_column(widget, margins=_RIM_PX)

@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QGridLayout, QSizePolicy, QToolButton, QWidget
 
 from armui.ui.theme import colors_of
 from armui.ui.widgets import icons
+from armui.ui.widgets.buttons import named
 from armui.ui.widgets.translated import Translated
 
 _COLUMNS: Final = 2
@@ -38,16 +39,15 @@ class WatchMenu(Translated, QWidget):
         entries: Row by row.
     """
 
-    def __init__(self, entries: Sequence[WatchEntry], parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self, entries: Sequence[WatchEntry]) -> None:
+        super().__init__()
         self.setObjectName("watch_menu")
         self._buttons: list[tuple[WatchEntry, QToolButton]] = []
         layout = QGridLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
         layout.setSpacing(4)
         for place, entry in enumerate(entries):
-            button = QToolButton()
-            button.setObjectName(f"{entry.key}_button")
+            button = named(f"{entry.key}_button", QToolButton())
             button.setProperty("half", True)
             button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
             button.setIconSize(QSize(18, 18))

@@ -21,13 +21,26 @@ _GAP_PX: Final = 10
 _TWO_LINES: Final = "急\n急"
 """Chinese glyphs may stand higher than the others."""
 _UNBOUNDED_PX: Final = 10_000
+_ICONS: Final = {
+    Level.INFO: "info",
+    Level.DONE: "done",
+    Level.WARNING: "warning",
+    Level.FAULT: "warning",
+}
 
 
 class MessageLine(QWidget):
-    """One message with a sign before it; keeps its room when there is nothing to say."""
+    """One message with a sign before it.
 
-    def __init__(self, parent: QWidget | None = None) -> None:
+    Args:
+        parent: Qt's.
+        keeps_room: Whether its room stays empty when there is nothing to say. Below a table it
+            takes none: what it needs is taken from the table's lower end, and nothing else moves.
+    """
+
+    def __init__(self, parent: QWidget | None = None, *, keeps_room: bool = True) -> None:
         super().__init__(parent)
+        self._keeps_room = keeps_room
         self._level = Level.INFO
         self._icon = QLabel()
         self._icon.setFixedWidth(_ICON_PX)
@@ -49,6 +62,8 @@ class MessageLine(QWidget):
         self._label.setText(text)
         self.setAccessibleName(text)
         self._update_icon()
+        if not self._keeps_room:
+            self.setHidden(not text)
         self.updateGeometry()
         self.update()
 
@@ -97,7 +112,7 @@ class MessageLine(QWidget):
             self._icon.clear()
             return
         _fill, ink = self._paint_colors(colors_of(self))
-        name = "warning" if self._level in {Level.WARNING, Level.FAULT} else "info"
+        name = _ICONS[self._level]
         self._icon.setPixmap(icons.pixmap(name, ink, _ICON_PX, self.devicePixelRatioF()))
 
     def _paint_colors(self, colors: Colors) -> tuple[str, str]:

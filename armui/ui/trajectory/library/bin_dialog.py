@@ -47,7 +47,7 @@ class BinDialog(ArmDialog):
         self._close = push_button(on_enter=False)
         self._message = named("bin_message", MessageLine())
         fill(self.body, self._text, (self._table, 1), self._message)
-        fill(self.footer, STRETCH, self._close, self._back)
+        fill(self.footer, STRETCH, self._back, self._close)
         self._table.itemSelectionChanged.connect(self._show_usable)
         self._table.itemDoubleClicked.connect(lambda _item: self._back.click())
         self._back.clicked.connect(lambda _checked=False: self.wanted.emit(self._chosen()))

@@ -20,7 +20,7 @@ class LibraryActions(QObject):
 
     Args:
         work: Changes the library.
-        is_open: Whether the window of a trajectory is open: then it is left alone.
+        is_open: Whether the page of a trajectory is open: then it is left alone.
         parent: Its owner.
 
     Signals:

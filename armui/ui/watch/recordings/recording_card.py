@@ -11,12 +11,8 @@ from PySide6.QtWidgets import (
     QComboBox,
     QFrame,
     QGridLayout,
-    QHBoxLayout,
     QLabel,
-    QPushButton,
     QSpinBox,
-    QVBoxLayout,
-    QWidget,
 )
 
 from armui.arm.refusal import Refusal
@@ -29,7 +25,9 @@ from armui.ui.dialogs.files import choose_folder
 from armui.ui.theme import colors_of
 from armui.ui.watch.recordings import figures, recording_files
 from armui.ui.widgets import icons
+from armui.ui.widgets.buttons import named, push_button
 from armui.ui.widgets.elided_label import ElidedLabel
+from armui.ui.widgets.layouts import STRETCH, in_column, in_row
 from armui.ui.widgets.text_label import text_label
 from armui.ui.widgets.translated import Translated
 
@@ -60,13 +58,9 @@ class RecordingCard(Translated, QFrame):
     """
 
     def __init__(
-        self,
-        controller: ArmController,
-        background: Background,
-        store: SettingsStore,
-        parent: QWidget | None = None,
+        self, controller: ArmController, background: Background, store: SettingsStore
     ) -> None:
-        super().__init__(parent)
+        super().__init__()
         self._controller = controller
         self._sessions: SessionRecorder = controller.sessions
         self._store = store
@@ -86,38 +80,31 @@ class RecordingCard(Translated, QFrame):
 
     def _make_widgets(self) -> None:
         self._title = text_label(rank="heading")
-        self.record_button = QPushButton()
-        self.record_button.setObjectName("session_record")
+        self.record_button = push_button("session_record")
         self.record_button.setIconSize(QSize(_ICON_PX, _ICON_PX))
-        self.state_label = ElidedLabel()
-        self.state_label.setObjectName("session_state")
+        self.state_label = named("session_state", ElidedLabel())
         self.figures_label = text_label("session_figures", rank="muted")
         self._format_label, self._size_label, self._folder_label = QLabel(), QLabel(), QLabel()
-        self.format_box = QComboBox()
-        self.format_box.setObjectName("session_format")
+        self.format_box = named("session_format", QComboBox())
         for suffix, name in _FORMATS:
             self.format_box.addItem(f"{name} ({suffix})", suffix)
         self.format_note = text_label("session_format_note", rank="muted", wraps=True, plain=True)
         self.format_note.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
-        self.size_box = QSpinBox(minimum=ROTATE_MIN_MB, maximum=ROTATE_MAX_MB, suffix=" MB")
-        self.size_box.setObjectName("session_rotate_size")
+        self.size_box = named(
+            "session_rotate_size",
+            QSpinBox(minimum=ROTATE_MIN_MB, maximum=ROTATE_MAX_MB, suffix=" MB"),
+        )
+        self.size_box.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self.size_box.setKeyboardTracking(False)
         self.size_box.setSingleStep(50)
-        self.folder_name = ElidedLabel()
-        self.folder_name.setObjectName("session_folder")
-        self.folder_button = QPushButton()
-        self.folder_button.setObjectName("session_choose_folder")
+        self.folder_name = named("session_folder", ElidedLabel())
+        self.folder_button = push_button("session_choose_folder")
         for button in (self.record_button, self.folder_button):
             button.setAutoDefault(False)
 
     def _lay_out(self) -> None:
-        head = QHBoxLayout()
-        head.setSpacing(12)
-        head.addWidget(self.record_button)
-        words = QVBoxLayout()
-        words.setSpacing(2)
-        words.addWidget(self.state_label)
-        words.addWidget(self.figures_label)
+        head = in_row(self.record_button, spacing=12)
+        words = in_column(self.state_label, self.figures_label, spacing=2)
         head.addLayout(words, 1)
         grid = QGridLayout()
         grid.setHorizontalSpacing(12)
@@ -131,13 +118,7 @@ class RecordingCard(Translated, QFrame):
         grid.addWidget(self._folder_label, 2, 0)
         grid.addWidget(self.folder_name, 2, 1, 1, 3)
         grid.addWidget(self.folder_button, 2, 4)
-        layout = QVBoxLayout(self)
-        layout.setContentsMargins(16, 12, 16, 14)
-        layout.setSpacing(12)
-        layout.addWidget(self._title)
-        layout.addLayout(head)
-        layout.addLayout(grid)
-        layout.addStretch(1)
+        in_column(self._title, head, grid, STRETCH, on=self, spacing=12, margins=(16, 12, 16, 14))
 
     def retranslate_ui(self) -> None:
         """Put every word into the operator's language."""

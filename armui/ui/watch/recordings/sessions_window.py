@@ -9,7 +9,6 @@ from PySide6.QtCore import QModelIndex, QSize, QSortFilterProxyModel, Qt, QTimer
 from PySide6.QtGui import QDesktopServices
 from PySide6.QtWidgets import (
     QAbstractItemView,
-    QHBoxLayout,
     QHeaderView,
     QLabel,
     QPushButton,
@@ -32,6 +31,8 @@ from armui.ui.watch.recordings.sessions_model import (
     SessionColumn,
     SessionsModel,
 )
+from armui.ui.widgets.buttons import named
+from armui.ui.widgets.layouts import in_row
 from armui.ui.widgets.message_line import MessageLine
 
 if TYPE_CHECKING:
@@ -110,8 +111,7 @@ class SessionsWindow(ArmDialog):
         self._hint = QLabel()
         self._hint.setProperty("rank", "muted")
         self._hint.setAlignment(Qt.AlignmentFlag.AlignCenter)
-        self._message = MessageLine()
-        self._message.setObjectName("sessions_message")
+        self._message = named("sessions_message", MessageLine())
         self._message.hide()
         self._make_buttons()
         self._lay_out()
@@ -143,10 +143,7 @@ class SessionsWindow(ArmDialog):
             button.clicked.connect(act)
 
     def _lay_out(self) -> None:
-        cards = QHBoxLayout()
-        cards.setSpacing(14)
-        cards.addWidget(self.recording, 3)
-        cards.addWidget(self.ring, 2)
+        cards = in_row((self.recording, 3), (self.ring, 2), spacing=14)
         self.body.addLayout(cards)
         self.body.addWidget(self.table, 1)
         self.body.addWidget(self._hint)
@@ -325,8 +322,7 @@ class SessionsWindow(ArmDialog):
 
 
 def _table(shown: QSortFilterProxyModel) -> QTableView:
-    table = QTableView()
-    table.setObjectName("sessions_table")
+    table = named("sessions_table", QTableView())
     table.setModel(shown)
     table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
     table.setSelectionMode(QAbstractItemView.SelectionMode.ExtendedSelection)

@@ -47,8 +47,8 @@ class TimeLine(Translated, QWidget):
 
     wanted = Signal(float)
 
-    def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self) -> None:
+        super().__init__()
         self.setObjectName("time_line")
         self._start_s, self._end_s = 0.0, 1.0
         self._from_s, self._to_s = 0.0, 1.0
