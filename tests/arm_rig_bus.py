@@ -6,7 +6,8 @@ import queue
 import threading
 import time
 from collections import deque
-from collections.abc import Collection
+from collections.abc import Collection, Iterable, Iterator, Sequence
+from contextlib import contextmanager
 from typing import cast
 
 import can
@@ -27,6 +28,7 @@ class ArmBus(VirtualBus):
     def __init__(self, channel: str, deaf: Collection[VirtualBus]) -> None:
         super().__init__(channel=channel)
         self._deaf = [bus.queue for bus in deaf]
+        self._kept: list[can.Message] | None = None
 
     def send(self, msg: can.Message, timeout: float | None = None) -> None:
         """Hand a message, which the caller no longer needs, to all who listen."""
@@ -34,9 +36,32 @@ class ArmBus(VirtualBus):
         msg.timestamp = time.time()
         msg.channel = self.channel_id
         msg.is_rx = True
+        if self._kept is None:
+            self._hand_over([msg])
+        else:
+            self._kept.append(msg)
+
+    @contextmanager
+    def together(self) -> Iterator[None]:
+        """What is sent meanwhile arrives at the end, at once: whoever waits is woken up once."""
+        self._kept = []
+        try:
+            yield
+        finally:
+            kept, self._kept = self._kept, None
+            if kept:
+                self._hand_over(kept)
+
+    def _hand_over(self, messages: Sequence[can.Message]) -> None:
         for inbox in self.channel:
-            if inbox is not self.queue and inbox not in self._deaf:
-                inbox.put(msg, block=True, timeout=timeout)
+            if inbox is self.queue or inbox in self._deaf:
+                continue
+            listener: object = inbox
+            if isinstance(listener, _Inbox):
+                listener.put_all(messages)
+            else:
+                for each in messages:
+                    inbox.put(each)
 
 
 class HostBus(VirtualBus):
@@ -87,8 +112,12 @@ class _Inbox:
 
     def put(self, msg: can.Message, block: bool = True, timeout: float | None = None) -> None:
         """Take a message in; there is always room."""
+        self.put_all([msg])
+
+    def put_all(self, messages: Iterable[can.Message]) -> None:
+        """Take some in; there is always room."""
         with self._changed:
-            self._messages.append(msg)
+            self._messages.extend(messages)
             self._changed.notify_all()
 
     def get(self, timeout: float | None) -> can.Message | None:

@@ -26,19 +26,34 @@ def generation(request):
 
 
 @pytest.fixture
-def rig(qapp, request):
+def arm_repeats():
+    """Whether the arm tells everything as often as a real one, and not once a step of the rig.
+
+    Tests that look between two steps, or at each frame, override this.
+    """
+    return False
+
+
+@pytest.fixture
+def rig(qapp, request, arm_repeats):
     """A simulated arm of generation 2 and the controller, not connected yet."""
-    rig = ArmRig(request.node.nodeid)
+    rig = _as_told(ArmRig(request.node.nodeid), arm_repeats)
     yield rig
     rig.close()
 
 
 @pytest.fixture
-def any_rig(qapp, request, generation):
+def any_rig(qapp, request, generation, arm_repeats):
     """The same, in both generations."""
-    rig = ArmRig(request.node.nodeid, generation)
+    rig = _as_told(ArmRig(request.node.nodeid, generation), arm_repeats)
     yield rig
     rig.close()
+
+
+def _as_told(rig, arm_repeats):
+    if not arm_repeats:
+        rig.repeat_nothing()
+    return rig
 
 
 @pytest.fixture
@@ -50,27 +65,27 @@ def other_host(rig):
 
 
 @pytest.fixture
-def app_driver(qapp, request, tmp_path):
+def app_driver(qapp, request, tmp_path, arm_repeats):
     """The main window before a simulated arm of generation 2, not connected yet, in English."""
     app_driver = AppDriver(qapp, request.node.nodeid, tmp_path / "settings.json", Generation.TWO)
-    yield app_driver
+    yield _as_told(app_driver, arm_repeats)
     app_driver.close()
 
 
 @pytest.fixture
-def slow_driver(qapp, request, tmp_path):
+def slow_driver(qapp, request, tmp_path, arm_repeats):
     """The same; what takes long is only done when `app_driver.workers` is told to work."""
     settings = tmp_path / "settings.json"
     app_driver = AppDriver(qapp, request.node.nodeid, settings, Generation.TWO, Slow())
-    yield app_driver
+    yield _as_told(app_driver, arm_repeats)
     app_driver.close()
 
 
 @pytest.fixture
-def any_driver(qapp, request, tmp_path, generation):
+def any_driver(qapp, request, tmp_path, generation, arm_repeats):
     """The same, in both generations."""
     app_driver = AppDriver(qapp, request.node.nodeid, tmp_path / "settings.json", generation)
-    yield app_driver
+    yield _as_told(app_driver, arm_repeats)
     app_driver.close()
 
 

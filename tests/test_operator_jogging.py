@@ -12,6 +12,11 @@ from tests.generations import ONE_IS_ENOUGH
 LEFT = Qt.MouseButton.LeftButton
 
 
+@pytest.fixture
+def arm_repeats():
+    return True  # it is looked at between two steps
+
+
 def angles(app_driver):
     return [round(angle, 3) for angle in app_driver.firmware.joints_deg]
 

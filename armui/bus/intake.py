@@ -107,7 +107,8 @@ class Intake:
             at_s: When it was heard, by the program's clock.
             flags: Its `FrameFlag` bits.
         """
-        if flags & FrameFlag.ERROR:
+        # most have none: to combine a flag with an int costs as much as all else here
+        if flags and flags & FrameFlag.ERROR:
             self.line.error_frame()
         else:
             self._others.note(frame.arbitration_id, frame.data, at_s)

@@ -31,6 +31,11 @@ JOBS = {
 }
 
 
+@pytest.fixture
+def arm_repeats():
+    return True  # it is looked at between two steps
+
+
 def angles(rig):
     return [round(angle, 3) for angle in rig.firmware.joints_deg]
 

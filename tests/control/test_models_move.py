@@ -17,6 +17,11 @@ from tests.family import MODELS, ranges
 READY_DEG = (10.0, 80.0, -80.0, 10.0, 35.0, 5.0)
 
 
+@pytest.fixture
+def arm_repeats():
+    return True  # it is looked at between two steps
+
+
 @pytest.fixture(params=MODELS)
 def model(request):
     return request.param

@@ -24,6 +24,11 @@ PACE = pace(100, FACTORY_LIMITS, (FACTORY_ACCELERATION_DEG_S2,) * 6)
 TOOL = (10.0, 0.0, 50.0, 0.0, 0.0, 0.0)
 
 
+@pytest.fixture
+def arm_repeats():
+    return True  # it is looked at between two steps
+
+
 def joints(*rates):
     return SteeredJog((*rates, *(0.0,) * (6 - len(rates))), None, DEVICE)
 

@@ -7,6 +7,11 @@ from tests.operator_bus.actions import BusMonitor
 
 
 @pytest.fixture
+def arm_repeats():
+    return True  # rates and counts are read
+
+
+@pytest.fixture
 def monitor(app_driver):
     app_driver.ready()
     monitor = BusMonitor(app_driver)

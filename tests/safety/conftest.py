@@ -1,9 +1,14 @@
-"""An operator with a gamepad in hand."""
+"""What is promised is shown with an arm that says everything as often as a real one."""
 
 import pytest
 
 from tests.gamepad.pads import Pads
 from tests.gamepad.piloting import held_ready
+
+
+@pytest.fixture
+def arm_repeats():
+    return True
 
 
 @pytest.fixture

@@ -23,6 +23,7 @@ from armui.control.safety.recovery_steps import Params
 from armui.protocol.codes import ArmStatusCode, ControlMode
 
 _NONE: Final[Params] = {}
+_KNOWN_CODES: Final = frozenset(map(int, ArmStatusCode))
 
 
 @dataclass(frozen=True, slots=True)
@@ -135,7 +136,7 @@ def working(view: RecoveryView) -> Params | None:
 
 def unknown_status(view: RecoveryView) -> Params | None:
     """The arm reports a status code that the protocol does not list."""
-    known = view.code in frozenset(ArmStatusCode)
+    known = view.code in _KNOWN_CODES
     return None if known or view.code is None else {"status": view.code}
 
 

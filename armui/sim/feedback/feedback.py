@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Mapping
 from functools import partial
 from typing import Final, Protocol
 
@@ -26,6 +26,7 @@ from armui.sim.mechanics.powered_joints import STANDSTILL, SixValues
 
 _DEGREES_PER: Final = {**DEGREES_PER, "pulse": 360.0 / 65536.0}
 """With the encoder's pulses; the protocol text gives no number of them a turn, this is assumed."""
+_NO_ALARM: Final[Mapping[str, float]] = dict.fromkeys((alarm.value for alarm in Alarm), False)
 
 
 class _Parts(Protocol):
@@ -153,8 +154,10 @@ class Feedback:
             BusCurrent=drivers.bus_current_a(index) if self._first_generation else 0.0,
         )
 
-    def _alarm_bits(self, index: int) -> dict[str, float]:
+    def _alarm_bits(self, index: int) -> Mapping[str, float]:
         alarms = self._arm.condition.alarms.of(index)
+        if not alarms:
+            return _NO_ALARM
         bits: dict[str, float] = {alarm.value: alarm in alarms for alarm in Alarm}
         if Alarm.SENSOR in alarms and not self._first_generation:
             bits[Alarm.DRIVER.value] = True

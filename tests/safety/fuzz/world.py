@@ -17,7 +17,6 @@ from armui.bus.link import BusState
 from armui.bus.worker import BusWorker
 from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
-from armui.sim.firmware import Firmware
 from tests.arm_rig import ArmRig
 from tests.arm_rig_bus import HostBus
 from tests.company import OtherHost
@@ -27,7 +26,6 @@ from tests.safety.fuzz.traffic import Sender, Traffic
 STEP_S: Final = 0.02
 _NEVER_MS: Final = 3_600_000
 _MOST_ROUNDS: Final = 100
-_STEP_NS: Final = round(STEP_S * 1e9)
 
 
 # one receiver a frame, and nobody changes one: a copy for each would cost a third of the time
@@ -65,7 +63,7 @@ class World(ArmRig):
         super().__init__(channel, generation)
         # nobody asks what was heard on the bus: a queue that is never read costs copies
         self._ear.shutdown()
-        _thin_out(self.firmware)
+        self.repeat_nothing()
         self.traffic = Traffic(self.firmware, lambda: self.time_s)
         self.other = NotedHost(self)
         self.cable = True
@@ -161,12 +159,6 @@ class World(ArmRig):
         super().close()
         setattr(armui.bus.worker, "BusWorker", BusWorker)  # noqa: B010 - mypy takes no other
         can.Message.__deepcopy__ = self._copy
-
-
-def _thin_out(firmware: Firmware) -> None:
-    """Let the arm tell everything once a step: what lies between two looks is heard by nobody."""
-    for slot in firmware._schedule._slots:
-        slot.period_ns = max(slot.period_ns, _STEP_NS)
 
 
 def _look_away() -> None:
