@@ -116,6 +116,11 @@ class ArmView(LookingView):
         self._look_at(replace(self._state, angles_deg=shown, gripper_mm=gripper_mm, stale=stale))
         self._set_hud(self._hud._replace(angles_deg=angles, angles_stale=stale))
 
+    def forget_joints(self) -> None:
+        """Nothing is known of the angles any more: the arm stays where it was seen last, faded."""
+        self._look_at(replace(self._state, stale=True))
+        self._set_hud(self._hud._replace(angles_deg=None, angles_stale=True))
+
     def set_pose(self, pose: Sequence[float] | None, stale: bool = False) -> None:
         """Show the measured end pose: X, Y, Z in mm, RX, RY, RZ in degrees; None: never heard."""
         self._set_hud(

@@ -38,6 +38,9 @@ class FakeView(QWidget):
     def set_joints(self, angles_deg: Any, gripper_mm: Any, stale: bool = False) -> None:
         self.joints = (angles_deg, gripper_mm, stale)
 
+    def forget_joints(self) -> None:
+        self.joints = None
+
     def set_pose(self, pose: Any, stale: bool = False) -> None:
         self.pose = (pose, stale)
 

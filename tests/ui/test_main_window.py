@@ -19,7 +19,8 @@ from PySide6.QtWidgets import (
 from armui.arm.models import robot_description
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
-from armui.control.operating_state import LinkState
+from armui.arm.state import ArmState
+from armui.control.operating_state import LinkState, OperatingState
 from armui.protocol.piper_model import PiperModel
 from armui.settings import SettingsStore
 from armui.ui.dialogs.confirm_dialog import ConfirmDialog
@@ -366,3 +367,12 @@ def test_closing_at_rest_just_closes(window, controller):
     controller.hear(arm_state())
     assert window.close()
     assert not questions(window)
+
+
+def test_an_arm_whose_cable_is_out_stays_where_it_was_seen_last(window, controller, view):
+    controller.be_ready((1.0, 2.0, -3.0, 4.0, 5.0, 6.0))
+    controller.be(operating_state(link=LinkState.LOST))
+    controller.hear(ArmState())
+    assert view.joints is None  # forgotten, and not sent to its zeros
+    controller.be(OperatingState())
+    assert view.joints == (None, None, False)

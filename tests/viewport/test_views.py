@@ -193,3 +193,15 @@ def test_what_is_drawn_over_an_old_picture_goes_by_the_old_camera(view, qtbot):
     assert view._shown.camera == view.camera
     assert isinstance(view.projection, Projection)
     view.show_tool_frame(wanted=False)
+
+
+def test_an_arm_of_which_nothing_is_known_any_more_stays_faded_where_it_was(view, qtbot):
+    view.set_joints(RAISED, 35.0, stale=True)
+    settle(view, qtbot)
+    stale = view._state
+    view.set_joints(RAISED, 35.0)
+    settle(view, qtbot)
+    view.forget_joints()
+    settle(view, qtbot)
+    assert view._state == stale
+    assert view._hud.angles_deg is None

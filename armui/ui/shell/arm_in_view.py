@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from armui.control.operating_state import LinkState
 from armui.ui.freshness import is_stale
 
 if TYPE_CHECKING:
@@ -18,6 +19,10 @@ def show_in_view(view: ArmView, state: ArmState, operating_state: OperatingState
         any(is_stale(heard, state, operating_state) for heard in six)
         for six in (state.joints_deg, state.pose)
     )
-    gripper_mm = None if state.gripper is None else state.gripper.value.opening_mm
-    view.set_joints(state.angles_deg(), gripper_mm, stale=joints_stale)
+    angles_deg = state.angles_deg()
+    if angles_deg is None and operating_state.link is LinkState.LOST:
+        view.forget_joints()  # the cable is out, and the arm has not gone to its zeros
+    else:
+        gripper_mm = None if state.gripper is None else state.gripper.value.opening_mm
+        view.set_joints(angles_deg, gripper_mm, stale=joints_stale)
     view.set_pose(state.end_pose(), stale=pose_stale)
