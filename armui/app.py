@@ -7,7 +7,7 @@ import logging
 import os
 import signal
 import sys
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import replace
 from functools import partial
@@ -208,12 +208,14 @@ def _run(options: StartOptions) -> int:
     app.aboutToQuit.connect(program.shutdown)
     _end_on_ctrl_c(app)
     program.window.show()
-    _preload_when_idle(app)
+    _preload_when_idle(app, then=program.window.page_doings.reopen)
     device = chosen_device(options)
     if device is not None:
         # the bus waits for nothing: the picture is loaded in a process of its own
         model = options.model or KeptModels(store).of(device) or PiperModel.PIPER
-        program.controller.connect_device(replace(device, model=PiperModel(model)))
+        assumed = options.model is None
+        device = replace(device, model=PiperModel(model), model_assumed=assumed)
+        program.controller.connect_device(device)
     if options.replay is not None:
         program.window.open_replay(options.replay)
     keep_from_collector()
@@ -225,13 +227,24 @@ def _run(options: StartOptions) -> int:
     return code
 
 
-def _preload_when_idle(app: QApplication) -> None:
-    """Load the rest of the program while the operator has not asked for anything yet."""
+def _preload_when_idle(app: QApplication, then: Callable[[], object]) -> None:
+    """Load the rest of the program while the operator has not asked for anything yet.
+
+    Args:
+        app: Qt's application.
+        then: Called when all is loaded.
+    """
     from armui.system import preload  # noqa: PLC0415 - faster start
 
     left = preload.steps()
     timer = QTimer(app, interval=0)
-    timer.timeout.connect(lambda: timer.stop() if next(left, None) is None else None)
+
+    def load() -> None:
+        if next(left, None) is None:
+            timer.stop()
+            then()
+
+    timer.timeout.connect(load)
     timer.start()
 
 

@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import Final
 
 from armui import __version__
+from armui.system.command_line import add_device
 
 _COMMANDS: Final = {
     "decode": ("armui.decode", "print a recorded CAN log frame by frame, in words and units"),
@@ -149,9 +150,7 @@ def _parser() -> argparse.ArgumentParser:
         metavar="VERSION",
         help="firmware version of the simulated arm, as S-V1.7-3 (S-V1.8-9)",
     )
-    parser.add_argument("--interface", help="python-can's name of the adapter, e.g. socketcan")
-    parser.add_argument("--channel", help="the adapter's channel, e.g. can0")
-    parser.add_argument("--bitrate", type=int, help="bit/s, where the program sets it (1000000)")
+    add_device(parser)
     parser.add_argument(
         "--model",
         choices=("piper", "piper_h", "piper_l", "piper_x"),

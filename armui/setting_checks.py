@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Final, Literal, get_args
 
 from armui.arm.json_fields import finite
@@ -12,7 +12,7 @@ from armui.protocol.piper_model import PiperModel
 
 Language = Literal["zh", "en"]
 ThemeName = Literal["light", "dark", "system"]
-MountingName = Literal["", "level", "on_the_left_side", "on_the_right_side", "upside_down"]
+MountingName = Literal["level", "on_the_left_side", "on_the_right_side", "upside_down"]
 PictureDirection = Literal["iso", "front", "side", "top"]
 SessionFormat = Literal[".blf", ".asc", ".log", ".mf4"]
 GamepadMode = Literal["joint", "base", "tool"]
@@ -24,7 +24,7 @@ _MOST_SHOWN: Final = 60
 _LONGEST_PATH: Final = 4096
 _MOST_DEVICES: Final = 200
 _LONGEST_NAME: Final = 200
-_MOST_MODELS: Final = 1000
+_MOST_ARMS: Final = 1000
 
 JOG_STEP_MIN_DEG: Final = 0.001
 """The resolution of an angle on the bus."""
@@ -49,7 +49,7 @@ def check(name: str, value: object) -> Refusal | None:
     allowed = {
         "language": value in get_args(Language),
         "theme": value in get_args(ThemeName),
-        "mounting": value in get_args(MountingName),
+        "mountings": _are_of_arms(value, get_args(MountingName)),
         "stop_again": isinstance(value, bool),
         "urdf_path": value is None or _is_path(value),
         "session_folder": value is None or _is_path(value),
@@ -65,7 +65,7 @@ def check(name: str, value: object) -> Refusal | None:
         "gamepad_mode": value in get_args(GamepadMode),
         "gamepad_one_axis": isinstance(value, bool),
         "gamepad_buttons": _are_buttons(value),
-        "models": _are_models(value),
+        "models": _are_of_arms(value, tuple(PiperModel)),
     }
     if allowed.get(name, False):
         return None
@@ -108,13 +108,13 @@ def _are_buttons(value: object) -> bool:
     )
 
 
-def _are_models(value: object) -> bool:
-    """Whether a value says of arms which models they are."""
+def _are_of_arms(value: object, allowed: Sequence[object]) -> bool:
+    """Whether a value says something of arms, by what they are remembered by."""
     return (
         isinstance(value, dict)
-        and len(value) <= _MOST_MODELS
+        and len(value) <= _MOST_ARMS
         and all(isinstance(key, str) and len(key) <= _LONGEST_PATH for key in value)
-        and all(model in list(PiperModel) for model in value.values())
+        and all(each in allowed for each in value.values())
     )
 
 

@@ -50,7 +50,7 @@ class Choices(TypedDict, total=False):
     jog_step_deg: float
     urdf_path: str | None
     tool: tuple[float, ...]
-    mounting: MountingName
+    mountings: Mapping[str, MountingName]
     stop_again: bool
     session_folder: str | None
     session_format: SessionFormat
@@ -78,7 +78,8 @@ class Settings:
         jog_step_deg: How far − and + move a joint.
         urdf_path: The robot description in the 3D picture; ``None`` for the built-in one.
         tool: The tool centre point in the flange: X, Y, Z in mm, RX, RY, RZ in degrees.
-        mounting: What the arm was told last of how it is mounted; "": it was told nothing.
+        mountings: What each arm was told last of how it is mounted, by the adapter's serial number
+            with the arm's node number.
         stop_again: An emergency stop that another host undoes is sent again by itself.
         session_folder: Where sessions are recorded; ``None``: in the user's folder for data.
         session_format: The suffix of their files.
@@ -102,7 +103,7 @@ class Settings:
     jog_step_deg: float = 1.0
     urdf_path: str | None = None
     tool: tuple[float, ...] = (0.0,) * 6
-    mounting: MountingName = ""
+    mountings: Mapping[str, MountingName] = field(default_factory=dict)
     stop_again: bool = False
     session_folder: str | None = None
     session_format: SessionFormat = ".blf"

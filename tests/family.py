@@ -8,6 +8,10 @@ MODELS = tuple(PiperModel)
 PIPER = model_data(PiperModel.PIPER).geometry
 PIPER_BEFORE_V1_6_3 = model_data(PiperModel.PIPER).older_geometry
 
+FACTORY_LIMITS = model_data(PiperModel.PIPER).limits
+FACTORY_ACCELERATION_DEG_S2 = model_data(PiperModel.PIPER).accelerations_deg_s2[0]
+"""Of a PiPER, the same for all its joints."""
+
 GEOMETRIES: dict[str, Geometry] = {
     f"{model}{suffix}": geometry
     for model, data in all_models().items()

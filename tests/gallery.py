@@ -1,7 +1,8 @@
 """Pictures of the whole program: ``python -m tests.gallery DIR [SCENE …]``; needs no display.
 
 Writes a PNG of the main window in every state, of each panel and of each dialog, in both languages
-and both themes, the window in two sizes. The program is the real one, the arm the simulated one.
+and both themes, the window in two sizes, the workspace also on a screen of 3840×2160 at 200 %. The
+program is the real one, the arm the simulated one.
 Every scene has a program of its own, which has just opened; its clock stands still, so that two
 galleries of the same program are the same pixel by pixel. ``--guide`` makes the pictures of the
 user guide of them.
@@ -15,6 +16,7 @@ import os
 import sys
 import tempfile
 import traceback
+from collections.abc import Sequence
 from concurrent.futures import Future, ProcessPoolExecutor, as_completed
 from pathlib import Path
 
@@ -28,25 +30,35 @@ from tests.gallery_scenes.pictures import Looks, chosen, every_scene, prepare, t
 from tests.gallery_scenes.scene import DialogScene, Scene
 
 QUICK = Looks(("zh",), ("light",), ((1280, 800),))
+FINE_SCALE = 2
+FINE = (
+    Looks(("zh",), ("light",), ((1920, 1080),)),
+    Looks(("en",), ("dark",), ((1920, 1080),)),
+)
+"""The workspace on a screen of 3840×2160 at 200 %."""
 
 
 def _kind(scene: Scene | DialogScene) -> str:
     return "window" if isinstance(scene, Scene) else "dialog"
 
 
-def _take(place: int, folder: Path, looks: Looks) -> int:
+def _take(place: int, folder: Path, looks: Sequence[Looks]) -> int:
     """Take one scene, in a process of the pool; the scene goes there by its place in the list."""
-    return take(every_scene()[place], folder, looks)
+    return sum(take(every_scene()[place], folder, each) for each in looks)
 
 
 def _take_all(
-    scenes: list[Scene | DialogScene], folder: Path, looks: Looks, processes: int
+    scenes: list[Scene | DialogScene],
+    folder: Path,
+    looks: Sequence[Looks],
+    processes: int,
+    scale: int = 1,
 ) -> list[str]:
     """Take every scene, say how many pictures it gave; returns the names of those that failed."""
     failed = []
     total = 0
     with ProcessPoolExecutor(
-        processes, multiprocessing.get_context("spawn"), initializer=prepare
+        processes, multiprocessing.get_context("spawn"), initializer=prepare, initargs=(scale,)
     ) as pool:
         places = {scene: place for place, scene in enumerate(every_scene())}
         futures: dict[Future[int], Scene | DialogScene] = {
@@ -80,7 +92,7 @@ def _make_guide(processes: int) -> int:
     _warn_about_fonts()
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
-        failed = _take_all(chosen(guide.scenes()), folder, guide.LOOKS, processes)
+        failed = _take_all(chosen(guide.scenes()), folder, (guide.LOOKS,), processes)
         if failed:
             return 1
         for path in guide.convert(folder):
@@ -145,7 +157,13 @@ def main() -> int:
     folder = asked.folder.resolve()
     folder.mkdir(parents=True, exist_ok=True)
     _warn_about_fonts()
-    failed = _take_all(scenes, folder, QUICK if asked.quick else Looks(), asked.processes)
+    looks = QUICK if asked.quick else Looks()
+    failed = _take_all(scenes, folder, (looks,), asked.processes)
+    fine: list[Scene | DialogScene] = [
+        each for each in scenes if isinstance(each, Scene) and each.fine
+    ]
+    if fine and not asked.quick:
+        failed += _take_all(fine, folder, FINE, asked.processes, FINE_SCALE)
     for name in failed:
         print(f"failed: {name}", file=sys.stderr)
     same = asked.compare is None or _compare(asked.compare, folder)

@@ -143,6 +143,26 @@ def test_f1_opens_it_at_the_dialog(app_driver):
     assert guide.shown == "settings"
 
 
+@pytest.mark.parametrize("page", ["plots", "events", "bus"])
+def test_f1_in_the_drawer_opens_it_at_the_drawer_or_its_page(app_driver, page):
+    app_driver.click(f"{page}_button")
+    app_driver.find(f"drawer_{page}").setFocus()
+    guide = open_guide(app_driver)
+    assert guide.shown == "drawer"
+    guide.close()
+    app_driver.window.activateWindow()
+    app_driver.find("drawer").current.take_focus()
+    app_driver.find("drawer").current.setFocus()
+    assert open_guide(app_driver).shown == page
+
+
+def test_the_pages_of_the_drawer_stand_in_its_chapter(sections):
+    names = [(each.anchor, each.level) for each in sections]
+    place = names.index(("drawer", 2))
+    assert names[place + 1 : place + 4] == [("plots", 3), ("events", 3), ("bus", 3)]
+    assert names[place + 4][1] == 2
+
+
 def test_f1_in_the_guide_leaves_it_as_it_is(app_driver):
     guide = open_guide(app_driver)
     guide.show_section("bus")

@@ -53,6 +53,21 @@ def test_a_process_that_dies_is_replaced(helper):
     assert helper.submit(warm_up).result(MOST_S) is None
 
 
+def test_a_process_that_dies_is_noted_and_one_that_is_ended_is_not(helper, caplog):
+    with pytest.raises(BrokenExecutor):
+        helper.submit(os._exit, 3).result(MOST_S)
+    assert "Work in the helper process has failed" in caplog.text
+
+    caplog.clear()
+    helper.submit(os.getpid).result(MOST_S)
+    endless = helper.submit(time.sleep, 1e6)
+    while not endless.running() and not helper._pool._pending_work_items:
+        time.sleep(0.01)
+    helper.shutdown()
+    assert not caplog.text
+    assert helper.submit(divmod, 7, 2).result(MOST_S) == (3, 1)
+
+
 def test_the_end_waits_for_no_work(helper):
     pid = helper.submit(os.getpid).result(MOST_S)
     endless, next_in_line = helper.submit(time.sleep, 1e6), helper.submit(warm_up)

@@ -1,8 +1,8 @@
 """One answer all the way: what an arm says, what the window shows, what the program computes.
 
-1,000 random poses of each model: the simulated arm's end pose on the bus, the figures over the
-picture, the poses of the picture's links (by its own way and by yourdfpy), the check's places, the
-inverse kinematics.
+1,000 random poses of each model, with today's zeros and those before S-V1.6-3: the simulated arm's
+end pose on the bus, the figures over the picture, the poses of the picture's links (by its own way
+and by yourdfpy), the check's places, the inverse kinematics.
 """
 
 import math
@@ -11,8 +11,8 @@ import numpy as np
 import pytest
 import yourdfpy
 
-from armui.arm.limits import FACTORY_ACCELERATION_DEG_S2
 from armui.arm.model import ArmModel
+from armui.arm.model_check import ModelFit, fitting_arms
 from armui.arm.models import model_data, robot_description
 from armui.arm.reach import check_pose
 from armui.arm.refusal import Refusal
@@ -27,7 +27,7 @@ from armui.sim.firmware import Firmware
 from armui.trajectory.planning.planned_path import sampled_path
 from armui.viewport.hud import figures
 from armui.viewport.process.urdf_file import load_robot
-from tests.family import MODELS, ranges
+from tests.family import FACTORY_ACCELERATION_DEG_S2, MODELS, ranges
 
 POSES = 1000
 BUS_MM = 2e-3
@@ -40,6 +40,11 @@ def model(request):
     return request.param
 
 
+@pytest.fixture(params=["S-V1.8-9", "S-V1.5-2"])
+def version(request):
+    return request.param
+
+
 @pytest.fixture
 def joints(model):
     low, high = ranges(model)
@@ -47,25 +52,27 @@ def joints(model):
     return np.round(rows, 3)
 
 
-def heard_from_the_bus(model, joints_deg):
+def heard_from_the_bus(model, version, joints_deg):
     """What the program's own tracker makes of a simulated arm's frames."""
     codec = Codec(Generation.TWO)
     tracker = Tracker(codec)
-    arm = Firmware(Generation.TWO, joints_deg=joints_deg, model=model)
+    arm = Firmware(Generation.TWO, joints_deg=joints_deg, model=model, version=version)
     for frame in arm.step(0.006):
         tracker.update(codec.decode(frame), 1.0)
     return tracker.snapshot()
 
 
 @pytest.mark.timeout(240)
-def test_one_answer_along_the_whole_chain(model, joints):
+def test_one_answer_along_the_whole_chain(model, version, joints):
     data = model_data(model)
-    kinematics = Kinematics(data.geometry)
-    robot = load_robot(robot_description(model))
+    fit = ModelFit(model, older_zeros=version == "S-V1.5-2")
+    kinematics = Kinematics(fit.geometry)
+    description = robot_description(model, older_zeros=fit.older_zeros)
+    robot = load_robot(description)
     foreign = yourdfpy.URDF.load(
-        str(robot_description(model)), load_meshes=False, build_collision_scene_graph=False
+        str(description), load_meshes=False, build_collision_scene_graph=False
     )
-    computed = flange_transforms(data.geometry, joints)
+    computed = flange_transforms(fit.geometry, joints)
     arm = ArmModel(
         limits=data.limits,
         accelerations_deg_s2=(FACTORY_ACCELERATION_DEG_S2,) * 6,
@@ -74,12 +81,14 @@ def test_one_answer_along_the_whole_chain(model, joints):
         tool_mm=0.0,
     )
     checked = sampled_path(np.arange(float(POSES)), joints, np.zeros(POSES, dtype=int), arm)
-    ways = solutions(data.geometry, computed)[0]
+    ways = solutions(fit.geometry, computed)[0]
     for index, (angles, place) in enumerate(zip(joints.tolist(), computed, strict=True)):
-        state = heard_from_the_bus(model, angles)
+        state = heard_from_the_bus(model, version, angles)
         # the bus: angles as given, the pose rounded
         assert state.angles_deg() == pytest.approx(angles, abs=0.0006 + 0.002)
         told = Pose(*state.end_pose())
+        arms = fitting_arms(state.angles_deg(), told, version)
+        assert arms == {(model, fit.older_zeros)}, index
         off_mm, off_deg = apart(told, matrix_to_pose(place))
         assert off_mm < BUS_OF_ANGLES_MM, index
         assert off_deg < 0.02, index

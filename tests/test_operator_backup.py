@@ -112,8 +112,9 @@ def sent(app_driver):
 
 def kept_by(app_driver):
     """How many parameters an arm of the generation keeps."""
-    teaching = generation(app_driver) is Generation.TWO
-    return sum(len(batch.parameters()) for batch in all_batches(teaching=teaching))
+    second = generation(app_driver) is Generation.TWO
+    batches = all_batches(teaching=second, drag_assistance=second)
+    return sum(len(batch.parameters()) for batch in batches)
 
 
 def test_everything_is_read_when_it_opens(arm):
@@ -123,6 +124,7 @@ def test_everything_is_read_when_it_opens(arm):
     assert table["J2 Max. angle"] == ("—", "180.0°", "only in the arm")
     assert table["J6 Collision level"] == ("—", "1", "only in the arm")
     assert ("Teaching friction" in table) is second
+    assert ("J4 Drag assistance" in table) is second
     assert not arm.box.restore_button.isEnabled()
     assert "Open a file first" in arm.box.restore_button.toolTip()
 
@@ -143,6 +145,58 @@ def test_a_file_holds_everything_with_units_and_where_it_is_from(arm, tmp_path):
         "unit": "°",
     }
     assert held["max_linear_speed_m_s", None]["unit"] == "m/s"
+
+
+def opened(app_driver, version):
+    """The window over an arm with this firmware."""
+    app_driver.lie((0.0,) * 6, version=version)
+    app_driver.connect()
+    app_driver.ear = HardOfHearing(app_driver.firmware)
+    app_driver.click("menu_end_limits")
+    settled(app_driver)
+    app_driver.click("end_limits_backup_button")
+    app_driver.box = app_driver.dialog(BackupDialog)
+    settled(app_driver)
+    return app_driver
+
+
+def test_drag_assistance_is_kept_and_restored(app_driver, tmp_path):
+    arm = opened(app_driver, "S-V1.8-9")
+    arm.firmware.settings.drag_assistance = (1, 2, 3, 4, 5, 6)
+    arm.click(arm.box.read_button)
+    settled(arm)
+    save(arm, tmp_path / "mine.json")
+    entries = json.loads((tmp_path / "mine.json").read_text(encoding="utf-8"))["parameters"]
+    levels = [row["value"] for row in entries if row["name"] == "drag_assistance"]
+    assert levels == [1, 2, 3, 4, 5, 6]
+
+    arm.firmware.settings.drag_assistance = (1, 2, 9, 4, 5, 6)
+    arm.click(arm.box.read_button)
+    settled(arm)
+    open_file(arm, tmp_path / "mine.json")
+    assert ticks(arm) == ["J3 Drag assistance"]
+    arm.ear.heard.clear()
+    restore(arm)
+    # joint 3 to level 3, the others FF: leave them
+    orders = [each for each in arm.ear.heard if each.arbitration_id == 0x487]
+    assert orders == [frame(0x487, "FF FF 03 FF FF FF 00 00")]
+    assert arm.firmware.settings.drag_assistance == (1, 2, 3, 4, 5, 6)
+
+
+def test_an_arm_without_drag_assistance_keeps_none_and_is_given_none(app_driver, tmp_path):
+    arm = opened(app_driver, "S-V1.7-4")
+    assert "J1 Drag assistance" not in rows(arm)
+    save(arm, tmp_path / "older.json")
+    text = (tmp_path / "older.json").read_text(encoding="utf-8")
+    assert "drag_assistance" not in text
+    rest = json.loads(text)
+    rest["parameters"].append({"name": "drag_assistance", "joint": 1, "value": 7, "unit": ""})
+    (tmp_path / "newer.json").write_text(json.dumps(rest), encoding="utf-8")
+    open_file(arm, tmp_path / "newer.json")
+    assert rows(arm)["J1 Drag assistance"][0] == "7"
+    assert ticks(arm) == []  # it can't be ticked either
+    arm.click(arm.box.all_button)
+    assert "J1 Drag assistance" not in ticks(arm)
 
 
 def test_what_differs_is_found_chosen_and_restored(arm, tmp_path):

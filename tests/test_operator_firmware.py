@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+import json
+from dataclasses import replace
+
 import pytest
 from PySide6.QtWidgets import QAbstractButton
 
 from armui.protocol.codes import ControlMode, MoveMode
 from armui.protocol.frame import Frame
+from armui.settings import SettingsStore
 from armui.ui.dialogs.confirm_dialog import ConfirmDialog
 from armui.ui.dialogs.drag_assistance import DragAssistanceDialog
 from tests.company import OtherHost
@@ -188,9 +192,60 @@ def test_a_mounting_is_told_in_the_modes_the_arm_is_in_and_kept(mounting, name, 
     confirm(mounting)
     # standby, MOVE P, 30 % = 0x1E
     assert sent(mounting, 0x151) == [frame(0x151, f"00 00 1E 00 00 0{code} 00 00")]
-    assert mounting.store.settings.mounting == name
+    key = mounting.device.arm_key(mounting.controller.state.identity.node_number)
+    assert mounting.store.settings.mountings == {key: name}
     assert "does not tell it back" in mounting.read("end_load_message")
-    assert "Told last by this program" in mounting.find("mounting_told").text()
+    assert "Told this arm last by this program" in mounting.find("mounting_told").text()
+
+
+def test_each_arm_has_its_own_mounting(mounting):
+    """Kept by the adapter's serial number and the arm's node number."""
+
+    def told():
+        return mounting.find("mounting_told").text().rpartition(": ")[2]
+
+    def connect(serial):
+        mounting.controller.disconnect_device()
+        mounting.controller.connect_device(replace(mounting.device, serial=serial))
+        mounting.run_until(lambda: mounting.controller.state.identity is not None)
+        mounting.run(0.5)
+
+    assert told() == "nothing yet"
+    connect("0031")
+    mounting.click("mounting_on_the_left_side")
+    confirm(mounting)
+    assert told() == "Left side"
+    mounting.click("mounting_level")  # chosen, and not told
+    connect("0042")
+    assert told() == "nothing yet"
+    assert not mounting.find("mounting_level").isChecked()
+    assert not mounting.find("mounting_on_the_left_side").isChecked()
+    mounting.click("mounting_on_the_right_side")
+    confirm(mounting)
+    connect("0031")
+    assert told() == "Left side"
+    assert mounting.find("mounting_on_the_left_side").isChecked()
+    assert mounting.store.settings.mountings == {
+        "0031 / 15": "on_the_left_side",
+        "0042 / 15": "on_the_right_side",
+    }
+
+
+def test_an_answer_that_was_cut_makes_no_other_arm_of_it(mounting):
+    mounting.click("mounting_level")
+    confirm(mounting)
+    name_version(mounting.controller, TODAY)  # and nothing else
+    mounting.run(0.3)
+    assert mounting.find("mounting_told").text().endswith("Level")
+
+
+@pytest.mark.parametrize("bad", [5, ["level"], {"a": "hanging"}, {"a": None}])
+def test_mountings_in_a_file_that_cannot_be_are_left_out(tmp_path, bad):
+    path = tmp_path / "own.json"
+    path.write_text(json.dumps({"mountings": bad}))
+    store = SettingsStore(path)
+    assert store.settings.mountings == {}
+    assert [each.params["field"] for each in store.problems] == ["mountings"]
 
 
 def test_it_asks_first_and_says_what_the_arm_will_do(mounting):
@@ -243,7 +298,7 @@ def test_no_mounting_is_told_in_high_follow(mounting):
         ("151#010400AD00000000", "MIT by another program"),
         ("151#010600AD00000000", "MIT by another program"),
         ("151#0105320000000000", "CPV by another program"),
-        ("151#010132AD00000000", "high-follow by another program"),
+        ("151#010132AD00000000", "High-follow by another program"),
     ],
 )
 def test_the_mode_of_another_host_is_told_in_words(arm, word, said):

@@ -4,9 +4,9 @@ import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 
+from armui.arm.gripper import GripperFault
 from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
-from armui.sim.mechanics.gripper import GripperError
 from armui.ui.dialogs.confirm_dialog import ConfirmDialog
 from tests.faulty_arm import FaultyDrivers, HardOfHearing
 from tests.generations import ONE_IS_ENOUGH
@@ -127,8 +127,8 @@ def test_enable_holds_and_disable_asks(grip):
 
 
 def test_its_errors_in_words(grip2):
-    grip2.firmware.gripper.fail(GripperError.MOTOR_OVERTEMPERATURE)
-    grip2.firmware.gripper.fail(GripperError.UNDERVOLTAGE)
+    grip2.firmware.gripper.fail(GripperFault.MOTOR_OVERTEMPERATURE)
+    grip2.firmware.gripper.fail(GripperFault.UNDERVOLTAGE)
     grip2.run(0.1)
     assert grip2.read("gripper_power") == "Fault"
     assert grip2.read("gripper_faults") == "motor too hot; supply voltage too low"

@@ -6,7 +6,7 @@ from dataclasses import replace
 import pytest
 
 from armui.arm.device import Device
-from armui.arm.models import robot_description
+from armui.arm.models import model_data, robot_description
 from armui.control.operating_state import LinkState
 from armui.protocol.piper_model import PiperModel
 from armui.settings import SettingsStore
@@ -183,3 +183,85 @@ def test_a_wrong_choice_is_not_kept_by_the_node_number(app_driver, tmp_path):
 
     kept = json.loads((tmp_path / "settings.json").read_text("utf-8"))["models"]
     assert [" / " in each for each in kept] == [False]
+
+
+def connect_again(app_driver, model, *, by_hand=None):
+    """The arm of another connection at the same adapter, a real one for all that is known."""
+    app_driver.controller.disconnect_device()
+    app_driver.lie(LEANING_DEG, model)
+    app_driver.window.open_connect_dialog()
+    (dialog,) = app_driver.window.findChildren(ConnectDialog)
+    device = replace(app_driver.device, simulated=False, serial="0031002F")
+    app_driver.controller.devices_found.emit([device])
+    dialog._table.selectRow(0)
+    if by_hand is not None:
+        choose(dialog, by_hand)
+        dialog.model_choice.box.activated.emit(dialog.model_choice.box.currentIndex())
+    app_driver.click(dialog.connect_button)
+    app_driver.run_until(lambda: app_driver.controller.state.identity is not None)
+    app_driver.run(0.1)
+
+
+def keep(app_driver, **models):
+    """What was chosen for the arms with these node numbers; for the adapter it was the last."""
+    adapter = replace(CANDLE, serial="0031002F")
+    kept = {adapter.arm_key(number.lstrip("_")): model for number, model in models.items()}
+    app_driver.store.change(models={**kept, adapter.arm_key(): list(models.values())[-1]})
+
+
+def node_of(app_driver):
+    return app_driver.controller.state.identity.node_number
+
+
+def test_what_was_kept_for_this_very_arm_is_taken_when_it_names_itself(app_driver):
+    keep(app_driver, _15="piper_l", _16="piper_x")
+    connect_again(app_driver, PiperModel.PIPER_L)
+    assert node_of(app_driver) == "15"
+
+    operating = app_driver.controller.operating_state
+    assert operating.model is PiperModel.PIPER_L  # not the X of the adapter's last connection
+    assert "model_recalled" in app_driver.codes()
+    assert app_driver.window._robot.path == robot_description(PiperModel.PIPER_L)
+    geometry = app_driver.controller.cartesian.kinematics().geometry
+    assert geometry == model_data(PiperModel.PIPER_L).geometry
+    app_driver.run(2.0)
+    assert now(app_driver.controller.operating_state.model_fit).confirmed
+    app_driver.controller.disconnect_device()
+    assert app_driver.store.settings.models["0031002F / 15"] == "piper_l"
+
+
+def test_what_the_operator_has_chosen_this_time_stays_and_is_asked_about(app_driver):
+    keep(app_driver, _15="piper_l")
+    connect_again(app_driver, PiperModel.PIPER_L, by_hand=PiperModel.PIPER_H)
+
+    assert app_driver.controller.operating_state.model is PiperModel.PIPER_H
+    assert "model_recalled" not in app_driver.codes()
+    assert "model_was_other" in app_driver.codes()
+    assert app_driver.find("model_mark").text() == "PiPER H? It was a PiPER L"
+    app_driver.run(2.0)
+    assert now(app_driver.controller.operating_state.model_fit).other is PiperModel.PIPER_L
+
+
+def test_nothing_is_taken_or_said_where_it_was_the_same_or_never_seen(app_driver):
+    keep(app_driver, _15="piper_l")
+    connect_again(app_driver, PiperModel.PIPER_L)
+    keep(app_driver, _16="piper_h")
+    connect_again(app_driver, PiperModel.PIPER_H)
+    assert not {"model_recalled", "model_was_other"} & set(app_driver.codes())
+    assert app_driver.controller.operating_state.model is PiperModel.PIPER_H
+
+
+def test_a_model_is_not_changed_under_an_arm_that_moves(app_driver):
+    keep(app_driver, _16="piper_x")
+    connect_again(app_driver, PiperModel.PIPER_L)
+    controller = app_driver.controller
+    assert controller.motors.enable() is None
+    app_driver.run_until(lambda: controller.operating_state.cannot_move is None)
+    assert controller.motion.jog(1, 20.0) is None
+    app_driver.run(0.2)
+    assert controller.operating_state.moving
+
+    controller.model_watch.recall(PiperModel.PIPER_L, "15")
+
+    assert now(controller.operating_state.model) is PiperModel.PIPER_X
+    assert "model_was_other" in app_driver.codes()

@@ -262,7 +262,8 @@ def test_the_operator_may_say_which_protocol_it_is(replay, log):
 @pytest.mark.parametrize(
     ("name", "content", "told"),
     [
-        ("empty.log", b"", "Nothing in empty.log reads as a frame"),
+        ("empty.log", b"", "empty.log is a log without a single frame"),
+        ("zip.log", b"PK\x03\x04" + bytes(99), "zip.log is a packed archive"),
         ("photo.png", b"\x89PNG", "By its name photo.png is no CAN log"),
         ("noise.blf", bytes(range(256)) * 99, "Nothing in noise.blf reads as a frame"),
     ],

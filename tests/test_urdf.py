@@ -5,6 +5,7 @@ from __future__ import annotations
 import importlib
 import math
 import xml.etree.ElementTree as ET
+from collections.abc import Sequence
 from pathlib import Path
 
 import numpy as np
@@ -12,6 +13,7 @@ import pytest
 import yourdfpy
 
 from armui.arm.models import model_data, robot_description
+from armui.kinematics.geometry import DhRow
 from armui.protocol.piper_model import PiperModel
 from armui.system.paths import URDF
 from armui.viewport.process.urdf_file import load_robot
@@ -25,15 +27,24 @@ def model(request) -> PiperModel:
     return request.param
 
 
+@pytest.fixture(params=[False, True], ids=["", "older_zeros"])
+def older_zeros(request) -> bool:
+    return request.param
+
+
+@pytest.fixture
+def description(model, older_zeros) -> Path:
+    return robot_description(model, older_zeros=older_zeros)
+
+
 @pytest.fixture
 def limits_deg(model) -> list[tuple[float, float]]:
     return [(each.min_deg, each.max_deg) for each in model_data(model).limits]
 
 
-def flange_by_table(model: PiperModel, angles_deg: np.ndarray) -> np.ndarray:
+def flange_by_table(rows: Sequence[DhRow], angles_deg: np.ndarray) -> np.ndarray:
     """4×4 flange pose in mm: the textbook product of Rx(alpha) Tx(a) Rz(theta) Tz(d)."""
     pose = np.eye(4)
-    rows = model_data(model).geometry.rows
     for (a, alpha_deg, d, offset_deg), angle_deg in zip(rows, angles_deg, strict=True):
         ca, sa = math.cos(math.radians(alpha_deg)), math.sin(math.radians(alpha_deg))
         theta = math.radians(angle_deg + offset_deg)
@@ -63,9 +74,9 @@ def angle_between_deg(first: np.ndarray, second: np.ndarray) -> float:
 
 
 @pytest.fixture
-def urdf(model) -> yourdfpy.URDF:
+def urdf(description) -> yourdfpy.URDF:
     return yourdfpy.URDF.load(
-        str(robot_description(model)),
+        str(description),
         load_meshes=False,
         build_scene_graph=True,
         build_collision_scene_graph=False,
@@ -79,18 +90,20 @@ def flange_by_urdf(urdf: yourdfpy.URDF, angles_deg: np.ndarray) -> np.ndarray:
     return pose
 
 
-def test_flange_agrees_with_the_table_over_random_angles(model, urdf, limits_deg):
+def test_flange_agrees_with_the_table_over_random_angles(model, older_zeros, urdf, limits_deg):
+    data = model_data(model)
+    rows = (data.older_geometry if older_zeros else data.geometry).rows
     random = np.random.default_rng(20240613)
     lower, upper = np.array(limits_deg, dtype=float).T
     for angles_deg in (np.zeros(6), *random.uniform(lower, upper, size=(500, 6))):
-        expected = flange_by_table(model, angles_deg)
+        expected = flange_by_table(rows, angles_deg)
         found = flange_by_urdf(urdf, angles_deg)
         assert np.linalg.norm(found[:3, 3] - expected[:3, 3]) < 1e-6, angles_deg
         assert angle_between_deg(expected[:3, :3], found[:3, :3]) < 1e-6, angles_deg
 
 
-def test_our_own_kinematics_of_the_picture_agree_with_yourdfpy(model, urdf):
-    robot = load_robot(robot_description(model))
+def test_our_own_kinematics_of_the_picture_agree_with_yourdfpy(description, urdf):
+    robot = load_robot(description)
     random = np.random.default_rng(7)
     for angles_deg in random.uniform(-120, 120, size=(50, 6)):
         opening_mm = float(random.uniform(0, 70))
@@ -113,14 +126,15 @@ def test_our_own_kinematics_of_the_picture_agree_with_yourdfpy(model, urdf):
             )
 
 
-def test_limits_axes_and_speed_are_the_arms(urdf, limits_deg):
-    for name, (lower_deg, upper_deg) in zip(ARM_JOINTS, limits_deg, strict=True):
+def test_limits_axes_and_speed_are_the_arms(model, urdf, limits_deg):
+    speeds = [math.radians(each.max_speed_deg_s) for each in model_data(model).limits]
+    for name, speed, (lower_deg, upper_deg) in zip(ARM_JOINTS, speeds, limits_deg, strict=True):
         joint = urdf.joint_map[name]
         assert joint.type == "revolute"
         assert list(joint.axis) == [0, 0, 1]
         assert math.degrees(joint.limit.lower) == pytest.approx(lower_deg, abs=1e-9)
         assert math.degrees(joint.limit.upper) == pytest.approx(upper_deg, abs=1e-9)
-        assert joint.limit.velocity == 3.0
+        assert joint.limit.velocity == pytest.approx(speed)
 
 
 def test_the_gripper_opens_to_70_mm(urdf):
@@ -142,28 +156,29 @@ def test_the_gripper_sits_as_the_model_says(model, urdf):
     assert angle_deg == pytest.approx(model_data(model).gripper.turned_deg)
 
 
-def test_angles_are_written_with_nine_digits(model):
-    for element in ET.parse(robot_description(model)).iter("limit"):
+def test_angles_are_written_with_nine_digits(description):
+    for element in ET.parse(description).iter("limit"):
         for bound in (element.get("lower"), element.get("upper")):
             if bound not in {"0", "0.035"}:
                 assert len(bound.rpartition(".")[2]) >= 9
 
 
-def test_meshes_are_named_by_relative_paths_that_exist(model):
-    path = robot_description(model)
-    names = [mesh.get("filename") for mesh in ET.parse(path).iter("mesh")]
+def test_meshes_are_named_by_relative_paths_that_exist(description):
+    names = [mesh.get("filename") for mesh in ET.parse(description).iter("mesh")]
     assert len(names) == 19
     for name in names:
         assert name is not None
         assert not Path(name).is_absolute()
         assert "://" not in name
-        assert (path.parent / name).is_file()
+        assert (description.parent / name).is_file()
 
 
 def test_the_committed_descriptions_are_what_the_script_writes(tmp_path, monkeypatch):
     monkeypatch.syspath_prepend(str(URDF))
     script = importlib.import_module("make_descriptions")
     script.main(tmp_path)
-    for model in MODELS:
-        written = (tmp_path / model / f"{model}.urdf").read_text("utf-8")
-        assert written == robot_description(model).read_text("utf-8")
+    committed = sorted(path.relative_to(URDF) for path in URDF.glob("*/*.urdf"))
+    assert sorted(path.relative_to(tmp_path) for path in tmp_path.glob("*/*.urdf")) == committed
+    assert len(committed) == 2 * len(MODELS)
+    for path in committed:
+        assert (tmp_path / path).read_text("utf-8") == (URDF / path).read_text("utf-8")

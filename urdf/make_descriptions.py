@@ -2,7 +2,8 @@
 
 Each goes to `<model>/<model>.urdf` in the folder; joints and limits are those of
 `<model>/model.json`. The link frames are the frames of the modified DH table, so a joint's angle in
-the description is the angle on the bus.
+the description is the angle on the bus. Firmware before S-V1.6-3 counts joints 2 and 3 from other
+zeros: what its angles mean is described by `<model>/<model>_older_zeros.urdf`.
 """
 
 from __future__ import annotations
@@ -23,7 +24,7 @@ _HEADER = """<?xml version="1.0" encoding="utf-8"?>
   {name}, six-joint arm, with the two-finger gripper.
   Written by make_descriptions.py from model.json.
 
-  Geometry: the modified (Craig) Denavit-Hartenberg table of firmware S-V1.6-3 and later. Each link
+  Geometry: the modified (Craig) Denavit-Hartenberg table of firmware {firmware}. Each link
   frame is the DH frame of the same number, so joint i turns about the z axis of link i, and a joint
   angle here is the angle on the bus (there in degrees, here in radians). Row i (a, alpha, d, theta
   offset) becomes
@@ -32,8 +33,8 @@ _HEADER = """<?xml version="1.0" encoding="utf-8"?>
       i   a/mm     alpha/deg   d/mm     offset/deg   limits/deg
 {table}
 
-  Lengths in metres, angles in radians. Speed limit of every joint: 3 rad/s; effort: the 8 N.m
-  that a torque command of the bus can ask for. Masses and their centres stand in model.json;
+  Lengths in metres, angles in radians. Speed limits are those of model.json ({speeds}); effort: the
+  8 N.m that a torque command of the bus can ask for. Masses and their centres stand in model.json;
   inertial elements are left out, since no inertia that could be trusted is published.
   The meshes are made by make_meshes.py, in metres, each in the frame of its link.
 -->
@@ -149,9 +150,20 @@ def bodies(sizes: Sizes) -> dict[str, list[Body]]:
     return found
 
 
-def describe(model: str, data: dict[str, Any], sizes: Sizes) -> str:
-    """The robot description of a model, as the text of its file."""
-    rows = [(row["a_mm"], row["alpha_deg"], row["d_mm"], row["theta_deg"]) for row in data["dh"]]
+def describe(model: str, data: dict[str, Any], sizes: Sizes, *, older_zeros: bool = False) -> str:
+    """The robot description of a model, as the text of its file.
+
+    Args:
+        model: Its name.
+        data: What stands in its data file.
+        sizes: Of its links.
+        older_zeros: With those of firmware before S-V1.6-3.
+    """
+    shifts = data["older_zeros_deg"] if older_zeros else (0.0,) * len(data["dh"])
+    rows = [
+        (row["a_mm"], row["alpha_deg"], row["d_mm"], row["theta_deg"] + shift)
+        for row, shift in zip(data["dh"], shifts, strict=True)
+    ]
     ranges = [joint["range_deg"] for joint in data["joints"]]
     table = "\n".join(
         f"      {number}   {a:<9g}{alpha:<12g}{d:<9g}{theta:<13g}{low:g} .. {high:g}"
@@ -160,11 +172,15 @@ def describe(model: str, data: dict[str, Any], sizes: Sizes) -> str:
         )
     )
     shapes, meshes = bodies(sizes), all_parts(sizes)
-    text = _HEADER.format(name=data["name"], model=model, table=table)
+    firmware = "before S-V1.6-3" if older_zeros else "S-V1.6-3 and later"
+    text = _HEADER.format(
+        name=data["name"], model=model, table=table, firmware=firmware, speeds=data["speeds"]
+    )
     text += _link("base_link", meshes, shapes)
     for number, (row, (low, high)) in enumerate(zip(rows, ranges, strict=True), start=1):
         parent = "base_link" if number == 1 else f"link{number - 1}"
-        text += _joint(number, parent, row, math.radians(low), math.radians(high))
+        speed = data["joints"][number - 1]["max_speed_rad_s"]
+        text += _joint(number, parent, row, math.radians(low), math.radians(high), speed=speed)
         text += _link(f"link{number}", meshes, shapes)
     turned = math.radians(data["gripper"]["turned_deg"])
     origin = f'\n    <origin xyz="0 0 0" rpy="0 0 {_angle(turned)}"/>' if turned else ""
@@ -185,7 +201,13 @@ def roll_pitch_yaw(alpha_deg: float, theta_deg: float) -> tuple[float, float, fl
 
 
 def _joint(
-    number: int, parent: str, row: tuple[float, float, float, float], low: float, high: float
+    number: int,
+    parent: str,
+    row: tuple[float, float, float, float],
+    low: float,
+    high: float,
+    *,
+    speed: float,
 ) -> str:
     a, alpha_deg, d, theta_deg = row
     alpha = math.radians(alpha_deg)
@@ -197,7 +219,7 @@ def _joint(
     <parent link="{parent}"/>
     <child link="link{number}"/>
     <axis xyz="0 0 1"/>
-    <limit lower="{_angle(low)}" upper="{_angle(high)}" effort="8" velocity="3"/>
+    <limit lower="{_angle(low)}" upper="{_angle(high)}" effort="8" velocity="{speed:g}"/>
   </joint>
 """
 
@@ -237,10 +259,12 @@ def main(folder: Path) -> None:
     """Write every description into its place in a folder."""
     for model in MODELS:
         data = json.loads((Path(__file__).parent / model / "model.json").read_text("utf-8"))
-        path = folder / model / f"{model}.urdf"
-        path.parent.mkdir(parents=True, exist_ok=True)
-        path.write_text(describe(model, data, sizes_of(model)), "utf-8", newline="\n")
-        print(path)
+        for older_zeros in (False, True):
+            path = folder / model / f"{model}{'_older_zeros' if older_zeros else ''}.urdf"
+            path.parent.mkdir(parents=True, exist_ok=True)
+            text = describe(model, data, sizes_of(model), older_zeros=older_zeros)
+            path.write_text(text, "utf-8", newline="\n")
+            print(path)
 
 
 if __name__ == "__main__":

@@ -27,7 +27,9 @@ SUFFIX: Final = ".json"
 _DECIMALS: Final = 6
 """More than any frame can carry, in the operator's units."""
 _GENERATIONS: Final = (1, 2)
-_OF_EACH_JOINT: Final = frozenset({Group.JOINT_LIMITS, Group.JOINT_ACCELERATION, Group.COLLISION})
+_OF_EACH_JOINT: Final = frozenset(
+    {Group.JOINT_LIMITS, Group.JOINT_ACCELERATION, Group.COLLISION, Group.DRAG_ASSISTANCE}
+)
 
 
 @dataclass(frozen=True, slots=True)

@@ -22,12 +22,15 @@ class RecordedArm:
         feedback_offset: Added to the identifiers of its feedback (0x470).
         firmware: The version it names, as ``S-V1.8-5``; "" where it names none.
         model: Which arm of the family it was connected as; ``None``: it does not tell.
+        older_zeros: Its poses say that joints 2 and 3 count from the zeros before S-V1.6-3;
+            ``None``: they say nothing.
     """
 
     generation: int
     feedback_offset: int = 0
     firmware: str = ""
     model: PiperModel | None = None
+    older_zeros: bool | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -43,6 +46,7 @@ class Device:
         simulated: An arm made of software inside this program.
         generation: Which protocol the simulated arm speaks.
         model: Which arm of the family the operator says it is; the simulated arm is that.
+        model_assumed: The model is what was offered; the operator has not chosen it this time.
         listen_only: Nothing is sent on it but an operator's stop.
         recorded: It is a log that is replayed: nothing whatever can be sent.
         options: Further arguments of python-can's constructor.
@@ -56,6 +60,7 @@ class Device:
     simulated: bool = False
     generation: int | None = None
     model: PiperModel = PiperModel.PIPER
+    model_assumed: bool = False
     listen_only: bool = False
     recorded: RecordedArm | None = None
     options: tuple[tuple[str, Any], ...] = ()
@@ -69,6 +74,15 @@ class Device:
     def name(self) -> str:
         """A short name for the top bar and messages."""
         return self.label or f"{self.interface} {self.channel}"
+
+    def arm_key(self, node: str = "") -> str:
+        """What the arm at it is remembered by; an adapter without a serial number by its place.
+
+        Args:
+            node: The arm's node number, where it is known: one adapter serves two arms in turn.
+        """
+        name = self.serial or f"{self.interface} {self.channel}"
+        return f"{name} / {node}" if node else name
 
     def same(self, other: Device) -> bool:
         """Whether both are one device, whatever bit rate and options were chosen."""

@@ -1,7 +1,7 @@
-"""What the arm may do: limits per joint, factory values, and checks that answer in words.
+"""What the arm may do: limits per joint, and checks that answer in words.
 
-Arms in the field carry other limits than the factory's: the values read from the arm (0x473,
-0x47C) go before these.
+Arms in the field carry other limits than the factory's, which stand in `urdf/<model>/model.json`:
+the values read from the arm (0x473, 0x47C) go before those.
 """
 
 from __future__ import annotations
@@ -33,25 +33,6 @@ class JointLimits:
     min_deg: float
     max_deg: float
     max_speed_deg_s: float
-
-
-_SPEED_DEG_S: Final = math.degrees(3.0)
-
-FACTORY_LIMITS: Final = tuple(
-    JointLimits(low, high, _SPEED_DEG_S)
-    for low, high in (
-        (-150.0, 150.0),
-        (0.0, 180.0),
-        (-170.0, 0.0),
-        (-100.0, 100.0),
-        (-70.0, 70.0),
-        (-120.0, 120.0),
-    )
-)
-"""Limits as the arm leaves the factory, joint 1 first."""
-
-FACTORY_ACCELERATION_DEG_S2: Final = math.degrees(5.0)
-"""Highest joint acceleration as the arm leaves the factory, the same for all joints."""
 
 
 _FASTEST_DEG_S: Final = 3600.0

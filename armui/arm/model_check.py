@@ -6,20 +6,35 @@ and the models lie apart by more than 8 mm, or by 60° of the hand (PiPER X), in
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
-from typing import Final
+from typing import TYPE_CHECKING, Final, NamedTuple
 
-from armui.arm.models import all_models, model_data
+from armui.arm.models import ModelData, all_models, model_data
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.protocol.piper_model import PiperModel
+
+if TYPE_CHECKING:
+    from armui.kinematics.geometry import Geometry
 
 FITS_MM: Final = 1.0
 FITS_DEG: Final = 1.0
 """A model fits whose flange is as near as this to where a standing arm says it is."""
 
 Models = frozenset[PiperModel]
+
+
+class FittingArm(NamedTuple):
+    """An arm whose flange is where a standing arm says that it is.
+
+    Attributes:
+        model: Which of the family.
+        older_zeros: It counts joints 2 and 3 from the zeros before S-V1.6-3.
+    """
+
+    model: PiperModel
+    older_zeros: bool
 
 
 @dataclass(frozen=True, slots=True)
@@ -29,10 +44,20 @@ class ModelFit:
     Attributes:
         chosen: By the operator.
         fitting: The models that fit; empty: none does; ``None``: not compared yet.
+        older_zeros: The arm counts joints 2 and 3 from the zeros before S-V1.6-3.
+        before: What this very arm was the last time, where that was another and nothing has been
+            compared yet.
     """
 
     chosen: PiperModel = PiperModel.PIPER
     fitting: Models | None = None
+    older_zeros: bool = False
+    before: PiperModel | None = None
+
+    @property
+    def geometry(self) -> Geometry:
+        """What everything that computes with lengths and angles takes: the one place for it."""
+        return model_data(self.chosen).geometry_with(older_zeros=self.older_zeros)
 
     @property
     def confirmed(self) -> bool:
@@ -59,25 +84,47 @@ class ModelFit:
         )
 
 
-def fitting_models(
+def fitting_arms(
     joints_deg: Sequence[float], pose: Sequence[float], firmware: str | None
-) -> Models:
-    """The models whose flange is where a standing arm says that it is.
+) -> frozenset[FittingArm]:
+    """The arms of the family whose flange is where a standing arm says that it is.
+
+    The version says which zeros an arm counts from. Only where no model fits with them, the others
+    are tried: whether PiPER H, L and X ever had the older ones is not known.
 
     Args:
         joints_deg: Its six angles.
         pose: X, Y, Z in mm and RX, RY, RZ in degrees.
-        firmware: Its version; ``None``: it tells none, and may count from the older zeros.
+        firmware: Its version; ``None``: it tells none, and may count from either.
     """
+    if firmware is None:
+        return _fitting(joints_deg, pose, lambda _data: (False, True))
+    return _fitting(joints_deg, pose, lambda data: (data.older_zeros(firmware),)) or _fitting(
+        joints_deg, pose, lambda data: (not data.older_zeros(firmware),)
+    )
+
+
+def fitting_models(
+    joints_deg: Sequence[float], pose: Sequence[float], firmware: str | None
+) -> Models:
+    """The models among `fitting_arms`."""
+    return frozenset(arm.model for arm in fitting_arms(joints_deg, pose, firmware))
+
+
+def _fitting(
+    joints_deg: Sequence[float],
+    pose: Sequence[float],
+    zeros: Callable[[ModelData], Iterable[bool]],
+) -> frozenset[FittingArm]:
     from armui.kinematics.arm_kinematics import Kinematics  # noqa: PLC0415 - numpy: faster start
     from armui.kinematics.poses import Pose, apart  # noqa: PLC0415 - see above
 
     told = Pose(*pose)
     found = set()
     for model, data in all_models().items():
-        geometries = data.geometries if firmware is None else (data.geometry_of(firmware),)
-        for geometry in geometries:
+        for older_zeros in zeros(data):
+            geometry = data.geometry_with(older_zeros=older_zeros)
             off_mm, off_deg = apart(Kinematics(geometry).forward(joints_deg), told)
             if off_mm <= FITS_MM and off_deg <= FITS_DEG:
-                found.add(model)
+                found.add(FittingArm(model, older_zeros))
     return frozenset(found)

@@ -26,6 +26,7 @@ from armui.system.paths import URDF
 FORMAT: Final = 1
 LINK_NAMES: Final = ("base_link", *(f"link{joint}" for joint in range(1, 7)))
 _SIX: Final = (6,)
+_SPEEDS: Final = {"known": False, "assumed": True}
 
 
 class ModelFileError(Exception):
@@ -93,6 +94,7 @@ class ModelData:
         limits: Of the six joints as the arm leaves the factory: they stand in until the arm has
             told its own.
         accelerations_deg_s2: The highest of the six joints, likewise.
+        speeds_assumed: Speeds and accelerations are the PiPER's, for want of published ones.
         torque: Of the motors.
         links: Masses of the base and the six links.
         gripper: How it is mounted.
@@ -107,6 +109,7 @@ class ModelData:
     older_geometry: Geometry
     limits: tuple[JointLimits, ...]
     accelerations_deg_s2: tuple[float, ...]
+    speeds_assumed: bool
     torque: TorqueCoefficients
     links: tuple[LinkMass, ...]
     gripper: GripperMounting
@@ -121,27 +124,42 @@ class ModelData:
         """Today's and the older one: what an arm may have that tells no version."""
         return self.geometry, self.older_geometry
 
-    def geometry_of(self, version: str) -> Geometry:
-        """Where joints 2 and 3 have their zero; in a version that cannot be read, as of today."""
+    def geometry_with(self, *, older_zeros: bool) -> Geometry:
+        """The dimensions with the zeros before S-V1.6-3, or with today's."""
+        return self.older_geometry if older_zeros else self.geometry
+
+    def older_zeros(self, version: str) -> bool:
+        """Whether a firmware counts from the zeros before S-V1.6-3; one that is unreadable: no."""
         parsed = FirmwareVersion.parse(version)
-        if parsed is not None and quirks_of(parsed, self.model).shifted_zeros:
-            return self.older_geometry
-        return self.geometry
+        return parsed is not None and quirks_of(parsed, self.model).shifted_zeros
+
+    def geometry_of(self, version: str) -> Geometry:
+        """The dimensions with the zeros of a firmware."""
+        return self.geometry_with(older_zeros=self.older_zeros(version))
 
 
-@cache
 def all_models() -> Mapping[PiperModel, ModelData]:
-    """The arms of the family, read once.
+    """The arms of the family.
 
     Raises:
         ModelFileError: The installation lacks a file, or it is damaged.
     """
-    return MappingProxyType({model: read_model(model_folder(model)) for model in PiperModel})
+    return MappingProxyType({model: model_data(model) for model in PiperModel})
 
 
 def model_data(model: PiperModel = PiperModel.PIPER) -> ModelData:
-    """One of them."""
-    return all_models()[model]
+    """One of them.
+
+    Raises:
+        ModelFileError: As with all of them.
+    """
+    return _installed(model)
+
+
+@cache
+def _installed(model: PiperModel) -> ModelData:
+    """The data file of a model, read when it is first asked for."""
+    return read_model(model_folder(model))
 
 
 def model_folder(model: PiperModel) -> Path:
@@ -149,9 +167,15 @@ def model_folder(model: PiperModel) -> Path:
     return URDF / model.value
 
 
-def robot_description(model: PiperModel) -> Path:
-    """The robot description (URDF) of a model."""
-    return model_folder(model) / f"{model.value}.urdf"
+def robot_description(model: PiperModel, *, older_zeros: bool = False) -> Path:
+    """The robot description (URDF) of a model, whose joint angles are those on the bus.
+
+    Args:
+        model: Which.
+        older_zeros: Of an arm that counts from the zeros before S-V1.6-3.
+    """
+    suffix = "_older_zeros" if older_zeros else ""
+    return model_folder(model) / f"{model.value}{suffix}.urdf"
 
 
 def read_model(folder: Path) -> ModelData:
@@ -184,6 +208,7 @@ def _model(fields: Fields) -> ModelData:
         older_geometry=geometry.with_zeros(fields.numbers("older_zeros_deg", _SIX)),
         limits=limits,
         accelerations_deg_s2=accelerations_deg_s2,
+        speeds_assumed=_speeds_assumed(fields),
         torque=TorqueCoefficients(
             torque.numbers("k_nm_per_a", _SIX),
             torque.numbers("b", _SIX),
@@ -222,6 +247,13 @@ def _joints(fields: Fields) -> tuple[tuple[JointLimits, ...], tuple[float, ...]]
         accelerations_deg_s2.append(math.degrees(joint.number("max_acceleration_rad_s2")))
         joint.nothing_else()
     return tuple(limits), tuple(accelerations_deg_s2)
+
+
+def _speeds_assumed(fields: Fields) -> bool:
+    word = fields.text("speeds")
+    if word not in _SPEEDS:
+        raise fields.bad("speeds", " or ".join(_SPEEDS))
+    return _SPEEDS[word]
 
 
 def _links(fields: Fields) -> tuple[LinkMass, ...]:

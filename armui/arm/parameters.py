@@ -239,15 +239,19 @@ KINDS: Final[Mapping[str, ParameterKind]] = {
 """Every parameter by name; those of one group in the order of its frame."""
 
 
-def all_batches(*, teaching: bool) -> Iterator[Batch]:
-    """Everything a backup holds; the teaching handle's in generation 2 only.
+def all_batches(*, teaching: bool, drag_assistance: bool) -> Iterator[Batch]:
+    """Everything a backup holds.
 
-    Drag assistance is no part of it: which firmware has it is not known of a file.
+    Args:
+        teaching: The teaching handle's, in generation 2.
+        drag_assistance: From S-V1.8-1.
     """
     for group in (Group.JOINT_LIMITS, Group.JOINT_ACCELERATION):
         yield from (Batch(group, joint) for joint in JOINTS)
     yield Batch(Group.END_LIMITS)
     yield Batch(Group.COLLISION)
+    if drag_assistance:
+        yield Batch(Group.DRAG_ASSISTANCE)
     if teaching:
         yield Batch(Group.TEACHING)
 

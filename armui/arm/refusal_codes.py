@@ -127,6 +127,7 @@ class RefusalCode(StrEnum):
     MESH_EMPTY = "mesh_empty"
     MESH_MISSING = "mesh_missing"
     MESH_UNREADABLE = "mesh_unreadable"
+    MODEL_CHANGED_SINCE_CHECK = "model_changed_since_check"
     MODEL_DIFFERS = "model_differs"
     MODE_UNKNOWN = "mode_unknown"
     MODEL_OTHER = "model_other"
@@ -176,6 +177,8 @@ class RefusalCode(StrEnum):
     REPLAY_FAILED = "replay_failed"  # name, text
     REPLAY_NO_DISK = "replay_no_disk"  # text
     REPLAY_NO_LOG = "replay_no_log"  # name, text
+    REPLAY_NOTHING_READ = "replay_nothing_read"  # name
+    REPLAY_ARCHIVE = "replay_archive"  # name
     REPLAY_UNKNOWN_KIND = "replay_unknown_kind"  # name, known
     REPLAY_UNREADABLE = "replay_unreadable"  # name, text
     REPLAYED_LOG = "replayed_log"
@@ -199,6 +202,7 @@ class RefusalCode(StrEnum):
     SESSION_NAME_BAD = "session_name_bad"  # name
     SESSION_NAME_TAKEN = "session_name_taken"  # name
     SESSION_NO_MF4 = "session_no_mf4"
+    SESSION_MF4_CALLED_OFF = "session_mf4_called_off"
     SESSION_NONE = "session_none"
     SESSION_READ_ONLY = "session_read_only"  # folder
     SESSION_RECORDED = "session_recorded"

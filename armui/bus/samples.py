@@ -33,8 +33,8 @@ class SampleRing:
         dropped: How many were lost because nobody took them.
     """
 
-    def __init__(self, capacity: int = CAPACITY) -> None:
-        self._samples: deque[Sample] = deque(maxlen=capacity)
+    def __init__(self) -> None:
+        self._samples: deque[Sample] = deque(maxlen=CAPACITY)
         self.wanted = False
         self.dropped = 0
 

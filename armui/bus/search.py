@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 
-from PySide6.QtCore import QObject, QThread, Signal
+from PySide6.QtCore import QThread, Signal
 
 from armui.arm.device import Device
 
@@ -23,12 +23,9 @@ class DeviceSearch(QThread):
     found = Signal(object)
 
     def __init__(
-        self,
-        simulated: Sequence[Device],
-        find: Callable[[], list[Device]] | None = None,
-        parent: QObject | None = None,
+        self, simulated: Sequence[Device], find: Callable[[], list[Device]] | None = None
     ) -> None:
-        super().__init__(parent)
+        super().__init__()
         self.setObjectName("device search")
         self._simulated = list(simulated)
         self._find = find

@@ -93,7 +93,7 @@ class Assessor:
                 running=controller.player.running or controller.replayer.running,
                 jogging=controller.jogging.active,
                 recording=controller.recorder.recording,
-                altering=controller.orders.altering,
+                altering=controller.transactions.altering,
                 run_sets_lamps=controller.player.sets_lamps,
             ),
         )

@@ -98,7 +98,7 @@ class Authority:
             self.command = replace(self.command, sent_s=now_s)
         self._follow_hold(seen)
         self._follow_cancel(now_s)
-        self.overspeed = self._overspeed.observe(state, self._percent_shown)
+        self.overspeed = self._overspeed.observe(state, self._percent_shown, seen.factory_limits)
 
     @property
     def at_rest(self) -> bool:

@@ -67,6 +67,7 @@ class AuthorityWatch:
                 online=connection.link is LinkState.ONLINE,
                 now_s=now_s,
                 waiting=not connection.idle,
+                model=connection.model,
             )
         )
         if self.authority.number != self._voided:

@@ -130,7 +130,7 @@ class ControllerParts(QObject):
         return Recorder(self._context, self)
 
     @cached_property
-    def orders(self) -> TransactionQueue:
+    def transactions(self) -> TransactionQueue:
         """Carries out the commands that are answered."""
         from armui.control.requests.transactions import TransactionQueue
 
@@ -141,14 +141,14 @@ class ControllerParts(QObject):
         """Reads and sets the parameters the arm keeps."""
         from armui.control.parameters.arm_settings import ArmSettings
 
-        return ArmSettings(self._context, self.orders, self)
+        return ArmSettings(self._context, self.transactions, self)
 
     @cached_property
     def joint_errors(self) -> JointErrors:
         """Clears the errors of the joints' drivers."""
         from armui.control.devices.joint_errors import JointErrors
 
-        return JointErrors(self._context, self.orders)
+        return JointErrors(self._context, self.transactions)
 
     @cached_property
     def teaching(self) -> TeachingControl:
@@ -189,7 +189,7 @@ class ControllerParts(QObject):
         """Sets the load, switches the feedback of the end's motion."""
         from armui.control.devices.end_reports import EndReports
 
-        return EndReports(self._context, self.orders)
+        return EndReports(self._context, self.transactions)
 
     @cached_property
     def mounting(self) -> MountingControl:
@@ -203,7 +203,7 @@ class ControllerParts(QObject):
         """Sets the arm's role and its identifiers."""
         from armui.control.devices.linkage import LinkageControl
 
-        return LinkageControl(self._context, self.orders)
+        return LinkageControl(self._context, self.transactions)
 
     @cached_property
     def gripper(self) -> GripperControl:
@@ -217,7 +217,7 @@ class ControllerParts(QObject):
         """Sets the zeros of the joints."""
         from armui.control.devices.zeroing import Zeroing
 
-        return Zeroing(self._context, self.orders, before_zeroing=self._forget_places)
+        return Zeroing(self._context, self.transactions, before_zeroing=self._forget_places)
 
     @cached_property
     def bus(self) -> BusAccess:
@@ -278,7 +278,7 @@ class ControllerParts(QObject):
             self.jogging,
             self.replayer,
             self.recorder,
-            self.orders,
+            self.transactions,
             self.settings,
             self.teaching,
             self.planned_motion,

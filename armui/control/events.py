@@ -36,6 +36,8 @@ class EventCode(StrEnum):
     SENT_SPEED = "sent_speed"  # percent
     MODEL_OTHER = "model_other"  # chosen, fits
     MODEL_NONE = "model_none"  # chosen
+    MODEL_RECALLED = "model_recalled"  # chosen, before, node
+    MODEL_WAS_OTHER = "model_was_other"  # chosen, before, node
     SPEED_WAITS = "speed_waits"  # percent
     OTHER_HOST_MOVES = "other_host_moves"  # frames
     LEADER_ARM_MOVES = "leader_arm_moves"  # frames
@@ -175,6 +177,8 @@ LEVELS: Final[Mapping[EventCode, Level]] = {
     EventCode.SENT_SPEED: Level.INFO,
     EventCode.MODEL_OTHER: Level.WARNING,
     EventCode.MODEL_NONE: Level.WARNING,
+    EventCode.MODEL_RECALLED: Level.INFO,
+    EventCode.MODEL_WAS_OTHER: Level.WARNING,
     EventCode.SPEED_WAITS: Level.WARNING,
     EventCode.OTHER_HOST_MOVES: Level.WARNING,
     EventCode.LEADER_ARM_MOVES: Level.WARNING,

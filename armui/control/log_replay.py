@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import atexit
 import weakref
 from datetime import datetime
 from typing import TYPE_CHECKING, Final
@@ -26,7 +27,6 @@ if TYPE_CHECKING:
     from armui.session.frames import Channel
     from armui.session.session import Session
 
-_FORGOTTEN_MS: Final = 10_000
 _FILL_AFTER_MS: Final = 120
 """Curves are filled when the operator has come to rest somewhere."""
 
@@ -79,6 +79,7 @@ class LogReplay(QObject):
         self._forgotten: weakref.finalize[..., LogReplay] | None = None
         self._going_to: float | None = None
         self._number = 0
+        self._curves_are_seen = True
         self.controller = ArmController(
             _no_device,
             clock=self.clock,
@@ -100,7 +101,10 @@ class LogReplay(QObject):
         worker.failed.connect(self.failed)
         self._worker = worker
         # a window that is destroyed, a program that ends: whoever forgets to close it
-        self._forgotten = weakref.finalize(self, worker.close, _FORGOTTEN_MS)
+        self._forgotten = weakref.finalize(self, _end, worker)
+        # its own turn at the end may come after Qt's, which ends the program over such a thread
+        self._forgotten.atexit = False
+        atexit.register(worker.end_in_time)
         return worker
 
     def open(self) -> None:
@@ -114,7 +118,9 @@ class LogReplay(QObject):
         self._worker = None
         ended = self.controller.shutdown()
         if ended and self._forgotten is not None:
-            self._forgotten.detach()
+            forgotten = self._forgotten.detach()
+            if forgotten is not None:
+                atexit.unregister(forgotten[2][0].end_in_time)
         return ended
 
     # Where it stands --------------------------------------------------------------------------
@@ -162,9 +168,16 @@ class LogReplay(QObject):
     # The operator's wishes --------------------------------------------------------------------
 
     def want_curves(self, back_s: float) -> None:
-        """Have the curves show so much before any place; more than some minutes take seconds."""
-        if self._worker is not None:
-            self._worker.want_history(on=back_s > FILLED_S)
+        """Have the curves show so much before any place; more than some minutes take seconds.
+
+        With nothing wanted, nothing is read for them until the log is played.
+        """
+        if self._worker is None:
+            return
+        self._curves_are_seen = back_s > 0.0
+        if self._curves_are_seen and not self._fill_timer.isActive():
+            self._fill_if_lacking()
+        self._worker.want_history(on=back_s > FILLED_S)
 
     def set_speed(self, speed: float) -> None:
         """From 0.1 to 20 times as fast as it was."""
@@ -178,16 +191,15 @@ class LogReplay(QObject):
             return
         if on and self.is_at_end:
             self.go_to(self.session.start_s)
-        if on and self._fill_timer.isActive():
-            self._fill()
+        if on:
+            self._fill_if_lacking()
         self._worker.play(on=on)
         self.moved.emit()
 
     def step(self) -> None:
         """Stand still, one frame further."""
         if self._worker is not None:
-            if self._fill_timer.isActive():
-                self._fill()
+            self._fill_if_lacking()
             self._worker.step()
 
     def step_back(self) -> None:
@@ -217,9 +229,13 @@ class LogReplay(QObject):
         self.controller.tick()
         if worker.is_playing:
             self._fill()
-        else:
+        elif self._curves_are_seen:
             self._fill_timer.start()
         self.moved.emit()
+
+    def _fill_if_lacking(self) -> None:
+        if self._worker is not None and self._worker.lacks_curves:
+            self._fill()
 
     def _fill(self) -> None:
         self._fill_timer.stop()
@@ -230,6 +246,11 @@ class LogReplay(QObject):
         if self._worker is not None and self._going_to is None:
             self.controller.tick()
             self.moved.emit()
+
+
+def _end(worker: LogWorker) -> None:
+    atexit.unregister(worker.end_in_time)
+    worker.end_in_time()
 
 
 def _wall(at_s: float) -> datetime:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import argparse
-import os
 import sys
 from itertools import chain
 from pathlib import Path
@@ -17,6 +16,7 @@ from armui.protocol.generation import Generation
 from armui.session.detection import detect_generation
 from armui.session.frames import NotALogError
 from armui.session.reader import SUFFIXES, LogFile
+from armui.system.command_line import detach_output
 
 if TYPE_CHECKING:
     from armui.session.frames import Channel, FrameBatch
@@ -76,7 +76,7 @@ def run(options: argparse.Namespace) -> int:
         return EXIT_NO_LOG
     except BrokenPipeError:
         # The reader of the output, such as head, has seen enough.
-        _detach_output()
+        detach_output()
         return EXIT_COMPLETE
     except KeyboardInterrupt:
         return EXIT_INTERRUPTED
@@ -165,10 +165,3 @@ def _complain(path: Path, text: str) -> None:
     # What is already decoded comes first where both outputs meet in one terminal.
     sys.stdout.flush()
     sys.stderr.write(f"armui decode: {path}: {text}\n")
-
-
-def _detach_output() -> None:
-    """Keeps the interpreter from failing once more when it flushes the closed output at its end."""
-    nowhere = os.open(os.devnull, os.O_WRONLY)
-    os.dup2(nowhere, sys.stdout.fileno())
-    os.close(nowhere)

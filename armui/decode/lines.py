@@ -189,7 +189,7 @@ class LineFormat:
         reading = _reading_of(decoded)
         gaps = frozenset(signal.name for signal in plan.gaps)
         entry = _Entry(f"0x{arbitration_id:03X}", plan.channel, reading, b"", gaps)
-        return self._json("%s", entry) if self._as_json else self._text("%14.6f", entry)
+        return self._line_of(entry)
 
     def _single(self, batch: FrameBatch, row: int) -> str:
         """The line of one frame, whatever it is."""
@@ -202,8 +202,7 @@ class LineFormat:
             logged.frame.data,
             frozenset(),
         )
-        template = self._json("%s", entry) if self._as_json else self._text("%14.6f", entry)
-        return template % (logged.time_s,)
+        return self._line_of(entry) % (logged.time_s,)
 
     def _reading(self, entry: LoggedFrame) -> _Reading:
         for flag, kind in _KINDS.items():
@@ -211,9 +210,13 @@ class LineFormat:
                 return _Reading(None, (kind, "not of the arm's protocol"))
         return _reading_of(self._codec.decode(entry.frame))
 
-    def _text(self, time: str, entry: _Entry) -> str:
+    def _line_of(self, entry: _Entry) -> str:
+        """The line but for its time, which a "%" stands for."""
+        return self._json(entry) if self._as_json else self._text(entry)
+
+    def _text(self, entry: _Entry) -> str:
         identifier, channel, (message, invalid_frame), data, gaps = entry
-        parts = [time, f"{identifier:>10}"]
+        parts = ["%14.6f", f"{identifier:>10}"]
         if channel:
             parts.append(_literal(f"[{channel}]"))
         if message is None:
@@ -236,7 +239,7 @@ class LineFormat:
             text += _literal(f" ({word})")
         return text
 
-    def _json(self, time: str, entry: _Entry) -> str:
+    def _json(self, entry: _Entry) -> str:
         identifier, channel, (message, invalid_frame), data, gaps = entry
         line: dict[str, object] = {"id": identifier}
         if channel:
@@ -256,7 +259,7 @@ class LineFormat:
         if message is None:
             tail["data"] = data.hex().upper()
         end = ", " + _literal(json.dumps(tail))[1:] if tail else "}"
-        return f'{{"t": {time}, {head}, "signals": {{{signals}}}{end}'
+        return f'{{"t": %s, {head}, "signals": {{{signals}}}{end}'
 
     def _signal_json(self, message: Message, name: str, gaps: frozenset[str]) -> str:
         value = message.signals[name]

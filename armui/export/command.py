@@ -5,7 +5,6 @@ from __future__ import annotations
 import argparse
 import json
 import math
-import os
 import re
 import sys
 import time
@@ -28,6 +27,7 @@ from armui.session.exports.request import (
     default_target,
 )
 from armui.session.reader import SUFFIXES
+from armui.system.command_line import detach_output
 
 if TYPE_CHECKING:
     from armui.session.exports.request import ExportReport
@@ -220,7 +220,7 @@ class _SaidAsJson(_Said):
             sys.stdout.flush()
         except BrokenPipeError:  # the window that asked for it is gone
             self.heard = False
-            _detach_output()
+            detach_output()
 
 
 def _seconds(text: str) -> float:
@@ -237,10 +237,3 @@ def _version(text: str) -> str:
     if not re.fullmatch(r"S-V\d+\.\d+-\d+", text):
         raise argparse.ArgumentTypeError(f"{text!r} is no firmware version; write it as S-V1.8-5")
     return text
-
-
-def _detach_output() -> None:
-    """Keeps the interpreter from failing once more when it flushes the closed output at its end."""
-    nowhere = os.open(os.devnull, os.O_WRONLY)
-    os.dup2(nowhere, sys.stdout.fileno())
-    os.close(nowhere)

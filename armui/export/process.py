@@ -135,6 +135,8 @@ def _arguments(request: ExportRequest) -> list[str]:
         command += ["--firmware", request.wishes.firmware]
     if request.wishes.channel:
         command += ["--channel", request.wishes.channel]
+    if request.wishes.model is not None:
+        command += ["--model", request.wishes.model.value]
     if request.replace:
         command.append("--force")
     # a name may begin like an option

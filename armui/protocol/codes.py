@@ -234,14 +234,6 @@ class LeaderZero(enum.IntEnum):
     LEADER_TO_ZERO = 0x010101
 
 
-class TransferAnswer(enum.IntEnum):
-    """Answer to a transferred trajectory point: 0x476 byte 3, generation 2."""
-
-    NONE = 0x00
-    RECEIVED = 0xAE
-    SEND_AGAIN = 0xEE
-
-
 VALID = 0xAE
 """Makes a field of 0x159, 0x475 or 0x477 take effect."""
 

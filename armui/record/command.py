@@ -24,6 +24,7 @@ from armui.session.recording.ring import FrameRing
 from armui.session.recording.session_recording import SessionRecording
 from armui.session.recording.writer import RecordingPlan, TimeBase
 from armui.system.clock import steady_s
+from armui.system.command_line import add_device
 
 if TYPE_CHECKING:
     import can
@@ -58,9 +59,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "Exit code: 0 recorded as asked; 1 cut short: the disk or the device failed, what was "
         "written is whole; 2 it could not begin."
     )
-    parser.add_argument("--interface", help="python-can's name of the adapter, e.g. socketcan")
-    parser.add_argument("--channel", help="the adapter's channel, e.g. can0")
-    parser.add_argument("--bitrate", type=int, help="bit/s, where the program sets it (1000000)")
+    add_device(parser)
     parser.add_argument(
         "--sim", action="store_true", help="record a simulated arm that lives in this command"
     )
@@ -168,21 +167,53 @@ def _record(
     collector.end()
     ended = recording.wait(_END_S)
     code = _summary(recording, lane, problem, ended=ended, quiet=options.quiet)
+    if ended and recording.frames and recording.path is not None:
+        _count(recording.path)
     if options.format == _MF4 and recording.frames and ended:
-        return max(code, _once_more_as_mf4(recording))
+        return max(code, _once_more_as_mf4(recording, quiet=options.quiet))
     return code
 
 
-def _once_more_as_mf4(recording: SessionRecording) -> int:
-    """Make an .mf4 of what was recorded; returns the exit code."""
+def _count(path: Path) -> None:
+    """Keep beside the recording how many faults its frames tell of, for the list of the window."""
+    from armui.session.recording.counted import counted, keep  # noqa: PLC0415 - numpy
+    from armui.session.recording.recorded_session import RecordedSession  # noqa: PLC0415 - as above
+
+    try:
+        session = RecordedSession(path)
+        keep(path.parent, session.name, counted(session))
+        session.close()
+    except Exception as error:  # noqa: BLE001 - what was recorded is whole all the same
+        sys.stderr.write(f"armui record: its faults were not counted: {error}\n")
+
+
+def _once_more_as_mf4(recording: SessionRecording, *, quiet: bool) -> int:
+    """Make an .mf4 of what was recorded; another Ctrl-C calls that off. Returns the exit code."""
     from armui.session.recording.mf4 import make_mf4  # noqa: PLC0415 - asammdf takes a second
 
     folder, name = recording.plan.folder, recording.name or ""
+    target = folder / f"{name}{MF4_SUFFIX}"
+    shown = not quiet and sys.stderr.isatty()
+
+    def tell(share: float) -> None:
+        if shown:
+            sys.stderr.write(f"\r{target.name}: {share:4.0%}  (Ctrl-C: no .mf4)".ljust(60))
+            sys.stderr.flush()
+
+    problem = ""
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)
     try:
-        target = make_mf4(folder, name)
+        make_mf4(folder, name, tell)
+    except KeyboardInterrupt:
+        problem = "called off"
     except Exception as error:  # noqa: BLE001 - a package of others may raise anything
-        target = folder / f"{name}{MF4_SUFFIX}"
-        sys.stderr.write(f"armui record: {target}: {error}. The .blf files are whole.\n")
+        problem = str(error)
+    finally:
+        signal.signal(signal.SIGINT, before)
+    if shown:
+        sys.stderr.write("\n")
+    if problem:
+        sys.stderr.write(f"armui record: {target}: {problem}. The .blf files are whole.\n")
         return EXIT_CUT_SHORT
     sys.stdout.write(f"{target}: the same\n")
     return EXIT_OK

@@ -61,7 +61,7 @@ class ObjectStream:
         self._note = note
         self._ahead = b""
         self._tail = b""
-        self._cut = False
+        self._cut = self._is_broken_off = False
         self._idle_bytes = 0
 
     def pieces(self) -> Iterator[bytes]:
@@ -73,8 +73,9 @@ class ObjectStream:
                 continue
             for data in self._unpacked(body, place):
                 yield from self._whole(data, place)
-        if self._tail.strip(b"\0"):
-            self._note(self.position, "the file breaks off here")
+        if self._is_broken_off or self._tail.strip(b"\0"):
+            # once: a container that is cut leaves an object that is cut
+            self._note(self.position, self._source.broken or "the file breaks off here")
 
     def _take(self, size: int) -> bytes:
         if len(self._ahead) < size:
@@ -90,7 +91,7 @@ class ObjectStream:
             head = self._take(_BASE.size)
             if len(head) < _BASE.size:
                 if head.strip(b"\0") or self._source.broken:
-                    self._note(self.position, self._source.broken or "the file breaks off here")
+                    self._is_broken_off = True
                 return None
             signature, _header_size, _version, size, kind = _BASE.unpack(head)
             if signature != _SIGNATURE or not _BASE.size <= size <= _LARGEST:
@@ -99,7 +100,7 @@ class ObjectStream:
                 continue
             body = self._take(size - _BASE.size)
             if len(body) < size - _BASE.size:
-                self._note(self.position, self._source.broken or "the file breaks off here")
+                self._is_broken_off = True
             else:
                 self._take(size % 4)
             return place, kind, body if kind == blf.LOG_CONTAINER else head + body
@@ -204,7 +205,7 @@ class ObjectStream:
         if begin < 0:
             self._idle_bytes += len(data)
             return b""
-        self._cut = False
+        self._cut = self._is_broken_off = False
         self._idle_bytes = 0
         return data[begin:]
 

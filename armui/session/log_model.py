@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Final
 
-from armui.arm.model_check import fitting_models
+from armui.arm.model_check import FittingArm, fitting_arms
 from armui.protocol.addressing import Addressing
 from armui.protocol.codec import Codec, Message
 from armui.protocol.frame import Frame
@@ -43,9 +43,22 @@ def model_of_log(
     codec = Codec(generation, Addressing(feedback_offset))
     for place in _PLACES:
         at_s = session.start_s + place * (session.end_s - session.start_s)
-        fitting = _fitting(session, channel, codec, at_s)
+        fitting = {arm.model for arm in _fitting(session, channel, codec, at_s)}
         if len(fitting) == 1:
-            return next(iter(fitting))
+            return fitting.pop()
+    return None
+
+
+def zeros_of_log(
+    session: Session, channel: Channel, generation: Generation, feedback_offset: int
+) -> bool | None:
+    """Whether the poses in a log are those of the zeros before S-V1.6-3; ``None``: who knows."""
+    codec = Codec(generation, Addressing(feedback_offset))
+    for place in _PLACES:
+        at_s = session.start_s + place * (session.end_s - session.start_s)
+        zeros = {arm.older_zeros for arm in _fitting(session, channel, codec, at_s)}
+        if len(zeros) == 1:
+            return zeros.pop()
     return None
 
 
@@ -56,10 +69,17 @@ def told_model(lines: Iterable[Mapping[str, Any]]) -> PiperModel | None:
     return known[-1] if known else None
 
 
+def told_firmware(lines: Iterable[Mapping[str, Any]]) -> str:
+    """The version that the lines of a sidecar name last, "" where they name none."""
+    told = [line.get("firmware") for line in lines if line.get("kind") == "arm"]
+    known = [each for each in told if isinstance(each, str) and each]
+    return known[-1] if known else ""
+
+
 def _fitting(
     session: Session, channel: Channel, codec: Codec, at_s: float
-) -> frozenset[PiperModel]:
-    """The models that fit the angles and the pose heard last at a moment."""
+) -> frozenset[FittingArm]:
+    """The arms that fit the angles and the pose heard last at a moment."""
     last = session.snapshot_at(at_s)
     if channel not in last.channel_names:
         return frozenset()
@@ -73,4 +93,4 @@ def _fitting(
     if any(name not in heard for name, _signal in (*_ANGLES, *_POSE)):
         return frozenset()
     angles, pose = ([heard[name][signal] for name, signal in each] for each in (_ANGLES, _POSE))
-    return fitting_models(angles, pose, None)
+    return fitting_arms(angles, pose, None)

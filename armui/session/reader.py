@@ -21,7 +21,6 @@ from armui.session.text_logs import NonsenseError, read_text_log
 if TYPE_CHECKING:
     from collections.abc import Iterator
     from pathlib import Path
-    from types import TracebackType
     from typing import Self
 
 SUFFIXES: Final = (".log", ".asc", ".blf", ".trc", ".csv", ".db", ".mf4", ".txt")
@@ -80,12 +79,7 @@ class LogFile:
     def __enter__(self) -> Self:
         return self
 
-    def __exit__(
-        self,
-        kind: type[BaseException] | None,
-        error: BaseException | None,
-        traceback: TracebackType | None,
-    ) -> None:
+    def __exit__(self, *_error: object) -> None:
         self.close()
 
     @property

@@ -120,6 +120,18 @@ class DataRows(NamedTuple):
 
 
 @runtime_checkable
+class KeepsCounts(Protocol):
+    """A `Session` beside which its numbers of faults and stops are kept."""
+
+    @property
+    def lacks_counts(self) -> bool:
+        """Whether nobody has counted them yet."""
+
+    def keep_counts(self, marks: Sequence[SessionMark]) -> None:
+        """Keep how many the marks tell of; waits for a disk."""
+
+
+@runtime_checkable
 class HasDataRows(Protocol):
     """A `Session` that has the frames of each identifier at hand."""
 

@@ -37,7 +37,7 @@ class LogSource:
         Raises:
             NotALogError: It cannot be opened.
         """
-        is_packed = False
+        self._is_packed = False
         self._raw: IO[bytes]
         if isinstance(log, bytes):
             self._raw, self.size = io.BytesIO(log), len(log)
@@ -47,9 +47,9 @@ class LogSource:
                 self.size = log.stat().st_size
             except OSError as error:
                 raise NotALogError(error.strerror or str(error)) from error
-            is_packed = log.suffix.lower() == ".gz"
+            self._is_packed = log.suffix.lower() == ".gz"
         self._stream: IO[bytes] = (
-            cast("IO[bytes]", gzip.GzipFile(fileobj=self._raw)) if is_packed else self._raw
+            cast("IO[bytes]", gzip.GzipFile(fileobj=self._raw)) if self._is_packed else self._raw
         )
         self._is_pipe = not self._raw.seekable()
         self.taken = 0
@@ -65,12 +65,28 @@ class LogSource:
         if self.broken or size <= 0:
             return b""
         try:
-            data = self._stream.read(size)
+            data = self._packed(size) if self._is_packed else self._stream.read(size)
         except READ_ERRORS as error:
             self.broken = _reason(error)
             return b""
         self.taken += len(data)
         return data
+
+    def _packed(self, size: int) -> bytes:
+        """As `read`: where a packed file breaks, what was unpacked before is not lost."""
+        stream = cast("gzip.GzipFile", self._stream)
+        pieces = []
+        while size > 0:
+            try:
+                piece = stream.read1(size)
+            except READ_ERRORS as error:
+                self.broken = _reason(error)
+                break
+            if not piece:
+                break
+            pieces.append(piece)
+            size -= len(piece)
+        return b"".join(pieces)
 
     def close(self) -> None:
         """Closes the file."""

@@ -16,7 +16,7 @@ from armui.protocol.generation import Generation
 from armui.protocol.piper_model import PiperModel
 from armui.protocol.version import VERSION_ID, AnswerCollector, is_question
 from armui.session.frames import NOT_OF_THE_ARM
-from armui.session.log_model import model_of_log
+from armui.session.log_model import model_of_log, zeros_of_log
 from armui.session.session import HasDataRows
 
 if TYPE_CHECKING:
@@ -47,6 +47,8 @@ class ChannelSurvey:
         firmware: The version it names anywhere in the log, as ``S-V1.8-5``; "" where none was
             found.
         model: Which arm of the family it is; ``None``: nothing tells.
+        older_zeros: Its poses say that joints 2 and 3 count from the zeros before S-V1.6-3;
+            ``None``: they say nothing.
     """
 
     channel: Channel
@@ -57,6 +59,7 @@ class ChannelSurvey:
     feedback_offset: int
     firmware: str = ""
     model: PiperModel | None = None
+    older_zeros: bool | None = None
 
 
 def survey(session: Session) -> tuple[ChannelSurvey, ...]:
@@ -94,6 +97,7 @@ def _channel(session: Session, last: FrameBatch, channel: Channel) -> ChannelSur
         firmware=_firmware(session, channel),
         feedback_offset=offset,
         model=model_of_log(session, channel, verdict.generation, offset) if known else None,
+        older_zeros=zeros_of_log(session, channel, verdict.generation, offset) if known else None,
     )
 
 

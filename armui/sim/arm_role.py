@@ -48,7 +48,7 @@ class ArmRole:
             speak: Takes over the identifiers that the settings ask for.
         """
         self._generation = arm.generation
-        self._body = arm.mechanics
+        self._mechanics = arm.mechanics
         self._condition = arm.condition
         self._settings = arm.settings
         self._hand = arm.hand_guiding
@@ -68,11 +68,11 @@ class ArmRole:
             self._forget()
             self.leader = LinkedInput(self._generation, linkage.target_offset)
             self._condition.control_mode = ControlMode.LINKED_TEACHING_INPUT
-            self._body.give_way(self._hand)
+            self._mechanics.give_way(self._hand)
         elif self.leader is not None:
             self.leader = None
             self._condition.control_mode = ControlMode.STANDBY
-            self._body.hold()
+            self._mechanics.hold()
 
     def set(self, linkage: LinkageSettings) -> None:
         """Keeps a setting.
@@ -101,12 +101,12 @@ class ArmRole:
             return
         if command is LeaderZero.LEADER_AND_FOLLOWER:
             self._is_quiet = False
-            self._body.give_way(self._hand)
+            self._mechanics.give_way(self._hand)
             return
         self._is_quiet = command is LeaderZero.LEADER_TO_ZERO
         settings = self._settings
-        self._body.hold()
-        self._body.move_to(
+        self._mechanics.hold()
+        self._mechanics.move_to(
             STANDSTILL,
             [_TO_ZERO_SHARE * limits.max_speed_deg_s for limits in settings.limits],
             settings.accelerations_deg_s2,
@@ -116,4 +116,4 @@ class ArmRole:
         """What a leader sends to its follower now."""
         if self.leader is None or self._is_quiet:
             return []
-        return self.leader.frames(self._body.positions_deg, gripper)
+        return self.leader.frames(self._mechanics.positions_deg, gripper)

@@ -326,8 +326,10 @@ class Firmware(Readings):
         return [self._parameter_server.answer(SettingIndex.MOTION_COMMAND)]
 
     def _mode_control(self, signals: Signals) -> list[Frame]:
-        if self.condition.stopped or self.teaching.entered:
+        if self.condition.stopped or (self.teaching.entered and not self._mode_word_ends_teaching):
             return []
+        if self.teaching.entered:
+            self.teaching.leave()
         condition, control_mode = self.condition, ControlMode(int(signals["ControlMode"]))
         condition.speed_percent = int(signals["SpeedPercent"])
         self.settings_applier.mount(Mounting(int(signals.get("Mounting", Mounting.UNCHANGED))))
@@ -341,6 +343,10 @@ class Firmware(Readings):
         self._moves.mode_word(signals)
         self.bugs.mode_word(was_direct=was_direct)
         return []
+
+    @property
+    def _mode_word_ends_teaching(self) -> bool:
+        return self.generation is Generation.TWO and self.type.quirks.exits_by_mode_word
 
     def _enter(self, control_mode: ControlMode) -> None:
         self.condition.control_mode = control_mode

@@ -7,11 +7,12 @@ the place of the old one in a single step of the file system, and the folder goe
 from __future__ import annotations
 
 import contextlib
+import errno
 import os
 import shutil
 import time
 from pathlib import Path
-from typing import Final
+from typing import BinaryIO, Final, Self
 
 UNFINISHED: Final = ".unfinished"
 """How the name of a file ends that is still being written, or was when the program was killed."""
@@ -20,36 +21,97 @@ _ABANDONED_S: Final = 600.0
 """A file this old is nobody's: another running program may be writing a younger one."""
 
 
+class WholeFile:
+    """A file that has its name only when it is whole; use it in a ``with`` statement.
+
+    Left by an exception, or without `finish`, nothing remains of it.
+
+    Args:
+        path: The name it shall have; its folder must exist.
+        replace: Whether a file of this name may be replaced.
+        to_disk: Whether it must outlive a power cut; what can be made anew need not wait for it.
+        unfinished: What it is called meanwhile, for whoever may have to remove it after a kill.
+
+    Attributes:
+        unfinished: What it is called until then.
+        stream: Where its bytes go.
+
+    Raises:
+        FileExistsError: There is one, and it may not be replaced.
+        OSError: The folder does not allow it.
+    """
+
+    def __init__(
+        self,
+        path: Path,
+        *,
+        replace: bool = True,
+        to_disk: bool = True,
+        unfinished: Path | None = None,
+    ) -> None:
+        self._path = path
+        self._replace = replace
+        self._to_disk = to_disk
+        if path.is_dir():
+            raise _exists(path)
+        self._check()
+        self.unfinished = unfinished or unfinished_name(path)
+        self.stream: BinaryIO = self.unfinished.open("xb")
+
+    def _check(self) -> None:
+        if not self._replace and self._path.exists():
+            raise _exists(self._path)
+
+    def finish(self) -> None:
+        """Everything is written: give it its name.
+
+        Raises:
+            FileExistsError: A file of this name has come meanwhile.
+            OSError: The disk does not take it.
+        """
+        if not self.stream.closed:
+            self.stream.flush()
+            if self._to_disk:
+                os.fsync(self.stream.fileno())
+            self.stream.close()
+        self._check()
+        self.unfinished.replace(self._path)
+        if self._to_disk:
+            sync_folder(self._path.parent)
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, *_error: object) -> None:
+        with contextlib.suppress(OSError):
+            self.stream.close()
+        with contextlib.suppress(OSError):
+            self.unfinished.unlink(missing_ok=True)
+
+
+def _exists(path: Path) -> FileExistsError:
+    return FileExistsError(errno.EEXIST, os.strerror(errno.EEXIST), str(path))
+
+
+def unfinished_name(path: Path) -> Path:
+    """A name of its own, beside a file or folder, for what is to take its place."""
+    return path.with_name(f".{os.urandom(8).hex()}{UNFINISHED}")
+
+
 def write_whole(path: Path, data: bytes, *, to_disk: bool = True) -> None:
     """Put bytes into a file, all or none of them.
 
     Args:
         path: The file; it need not exist, its folder must.
         data: What it is to hold.
-        to_disk: Whether it must outlive a power cut; what can be made anew need not wait for it.
+        to_disk: As of :class:`WholeFile`.
 
     Raises:
         OSError: It was not written; the old file is as it was.
     """
-    fresh = path.with_name(f".{os.urandom(8).hex()}{UNFINISHED}")
-    try:
-        handle = os.open(fresh, os.O_WRONLY | os.O_CREAT | os.O_EXCL | _BINARY, 0o666)
-        with os.fdopen(handle, "wb") as file:
-            file.write(data)
-            if to_disk:
-                file.flush()
-                os.fsync(file.fileno())
-        fresh.replace(path)
-    except OSError:
-        with contextlib.suppress(OSError):
-            fresh.unlink(missing_ok=True)
-        raise
-    if to_disk:
-        sync_folder(path.parent)
-
-
-_BINARY: Final[int] = getattr(os, "O_BINARY", 0)
-"""Without it Windows rewrites line ends."""
+    with WholeFile(path, to_disk=to_disk) as whole:
+        whole.stream.write(data)
+        whole.finish()
 
 
 def sync_folder(folder: Path) -> None:

@@ -48,6 +48,7 @@ class HelperProcess(Executor):
         self._children: set[BaseProcess] = set()
         self._sender: ThreadPoolExecutor | None = None
         self._asked: set[Future[Any]] = set()
+        self._called_off = threading.Event()
         self._folder: Path | None = None
 
     def submit(self, fn: Callable[..., Any], /, *args: Any, **kwargs: Any) -> Future[Any]:
@@ -96,7 +97,7 @@ class HelperProcess(Executor):
             context = multiprocessing.get_context("spawn")
             self._pool = ProcessPoolExecutor(1, mp_context=context, initializer=_settle_in)
         future = self._pool.submit(call_packed, packed, folder)
-        future.add_done_callback(_log_failure)
+        future.add_done_callback(partial(_log_failure, self._called_off))
         self._children |= set(multiprocessing.active_children()) - before
         return future
 
@@ -113,7 +114,9 @@ class HelperProcess(Executor):
         if self._sender is not None:
             self._sender.shutdown(wait=True, cancel_futures=cancel_futures)
             self._sender = None
+        self._called_off.set()
         self._end_process(wait=wait)
+        self._called_off = threading.Event()  # whoever asks for more gets another process
         for answer in tuple(self._asked):
             answer.cancel()
         if self._folder is not None:
@@ -179,9 +182,14 @@ def _settle(
             answer.set_exception(error)
 
 
-def _log_failure(future: Future[Any]) -> None:
-    """Keep in the log what went wrong over there; who asked for the work tells the operator."""
+def _log_failure(called_off: threading.Event, future: Future[Any]) -> None:
+    """Keep in the log what went wrong over there; who asked for the work tells the operator.
+
+    Work that was called off with its process has not failed.
+    """
     error = None if future.cancelled() else future.exception()
+    if isinstance(error, BrokenExecutor) and called_off.is_set():
+        return
     if error is not None:
         trace = "".join(traceback.format_exception(error))
         _LOG.warning("Work in the helper process has failed\n%s", trace)

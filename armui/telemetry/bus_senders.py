@@ -32,8 +32,6 @@ VERSION_ID: Final = 0x4AF
 """The host asks with it, and the arm answers with it."""
 _QUESTION: Final = bytes((1, 0, 0, 0, 0, 0, 0, 0))
 
-MOVABLE_FEEDBACK: Final = range(0x2A1, 0x2A9)
-"""Feedback that 0x470 can move; the rest has the same identifiers on every arm."""
 _FEEDBACK_OFFSETS: Final = range(0x2A1, 0x2C9)
 FIXED_FEEDBACK: Final = frozenset(
     {*range(0x251, 0x257), *range(0x261, 0x267), *range(0x2AA, 0x2AD), *range(0x481, 0x487)}

@@ -43,8 +43,23 @@ def percent(value: float | None) -> str:
 
 
 def joints(numbers: list[int]) -> str:
-    """Joint numbers as they are listed in a sentence: ``J1, J3``."""
+    """Joint numbers as they are listed in a line: ``J1, J3``."""
     return ", ".join(f"J{joint}" for joint in numbers)
+
+
+def joint_spans(numbers: list[int]) -> str:
+    """The same where there is little room, three and more in a row as one: ``J1, J3–J6``."""
+    spans: list[list[int]] = []
+    for joint in sorted(numbers):
+        if spans and joint == spans[-1][-1] + 1:
+            spans[-1].append(joint)
+        else:
+            spans.append([joint])
+    texts = (
+        f"J{span[0]}–J{span[-1]}" if len(span) > 2 else ", ".join(f"J{joint}" for joint in span)
+        for span in spans
+    )
+    return ", ".join(texts)
 
 
 def parse_number(text: str) -> float | None:

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QRect, QSize
 from PySide6.QtGui import QCloseEvent, QContextMenuEvent, QShowEvent
-from PySide6.QtWidgets import QHBoxLayout, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QWidget
 
 from armui.arm.state import ArmState
 from armui.control.devices.joint_monitor import JointMonitor
@@ -31,6 +31,7 @@ from armui.ui.shell.library_button import LibraryButton
 from armui.ui.shell.model_mark import ModelMark
 from armui.ui.shell.operation_area import OperationArea
 from armui.ui.shell.page_area import PageArea
+from armui.ui.shell.page_doings import PageDoings
 from armui.ui.shell.panel_menu import menu_entries
 from armui.ui.shell.recovery_line import RecoveryLine
 from armui.ui.shell.robot_in_view import RobotInView
@@ -52,6 +53,7 @@ from armui.ui.trajectory.preview.path_preview import PathPreview
 from armui.ui.trajectory.preview.preview_bar import PreviewBar
 from armui.ui.widgets.curve_menu import offer_curves
 from armui.ui.widgets.keeps_focus import KeepsFocus
+from armui.ui.widgets.layouts import in_column, in_row
 from armui.ui.widgets.translated import Translated
 from armui.viewport import palette as scene_palette
 
@@ -64,7 +66,6 @@ if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
     from armui.settings import Settings, SettingsStore
     from armui.system.failures import Failure
-    from armui.ui.widgets.page import Page
     from armui.viewport.view import ArmView
 
 _FIRST_SIZE: Final = QSize(1440, 900)
@@ -80,6 +81,9 @@ class MainWindow(Translated, KeepsFocus, QWidget):
         workers: Who does what takes long.
         files: Who does what waits for a disk, in a thread of this process; the workers by default.
         trajectories: The folder of the library; the user's own by default.
+
+    Attributes:
+        page_doings: Opens pages by their names.
     """
 
     def __init__(
@@ -112,7 +116,7 @@ class MainWindow(Translated, KeepsFocus, QWidget):
             background,
             self,
             open_window=self._open,
-            open_page=self._open_in_drawer,
+            open_page=lambda key, make: self._workspace.open_kept(key, make, self._drawer),
             store=preferences,
             robot=lambda: self._settings.urdf_path,
         )
@@ -143,7 +147,11 @@ class MainWindow(Translated, KeepsFocus, QWidget):
         self._watch.show_marks_in(self._status_bar)
         self._actions = WindowActions(self, controller, preferences, background)
         self._status_bar.add_mark(ModelMark(controller, self.open_connect_dialog))
-        self._status_bar.add_mark(self._actions.offer(self._diagnosis, self._watch, self._picture))
+        self.page_doings = PageDoings(
+            self, self._workspace, self._trajectory_pages, self._watch, self._drawer
+        )
+        offer = self._actions.offer(self._diagnosis, self._watch, self._picture, self.page_doings)
+        self._status_bar.add_mark(offer)
         self._lay_out()
         self._connect()
         WindowLayout(self._keeper, self, self._work_column, _FIRST_SIZE)
@@ -164,24 +172,14 @@ class MainWindow(Translated, KeepsFocus, QWidget):
         self._work_area = WorkArea(self._panels, self._pages, self._view_region)
         self._work_column = WorkColumn(self._work_area, RunPlace(self._controller), self._drawer)
 
-        middle = QHBoxLayout()
-        middle.setSpacing(0)
-        middle.addWidget(self._menu)
-        work = QVBoxLayout()
-        work.setSpacing(0)
-        work.addWidget(RecoveryLine(self._controller, self.open_connect_dialog))
-        work.addWidget(GamepadStrip(self._controller, self._preferences))
-        work.addWidget(self._work_column, 1)
-        middle.addLayout(work, 1)
-
-        whole = QVBoxLayout(self)
-        whole.setContentsMargins(0, 0, 0, 0)
-        whole.setSpacing(0)
-        whole.addWidget(TopBar(self._controller, self.open_connect_dialog))
-        whole.addLayout(middle, 1)
+        top = TopBar(self._controller, self.open_connect_dialog)
+        recovery = RecoveryLine(self._controller, self.open_connect_dialog)
+        gamepad = GamepadStrip(self._controller, self._preferences)
         self._failure_line = FailureLine()
-        whole.addWidget(self._failure_line)
-        whole.addWidget(self._status_bar)
+        work = in_column(recovery, gamepad, (self._work_column, 1), spacing=0)
+        middle = (in_row(self._menu, (work, 1), spacing=0), 1)
+        rest = (self._failure_line, self._status_bar)
+        in_column(top, middle, *rest, on=self, spacing=0, margins=0)
         self.setFocus()  # no control has it before the operator takes one
 
     def _connect(self) -> None:
@@ -297,7 +295,7 @@ class MainWindow(Translated, KeepsFocus, QWidget):
             self._work_area.show_pages()
 
     def show_as_curves(self, keys: Sequence[str]) -> None:
-        """Show quantities in the window 曲线, by their keys (`armui.telemetry.quantities`)."""
+        """Show quantities in the page 曲线, by their keys (`armui.telemetry.quantities`)."""
         self._watch.show_as_curves(keys)
 
     def open_replay(self, path: Path | None = None) -> None:
@@ -335,9 +333,6 @@ class MainWindow(Translated, KeepsFocus, QWidget):
     def show_problem(self, reason: Refusal) -> None:
         """Say what stood in the program's way, in the status bar."""
         self._status_bar.show_problem(reason)
-
-    def _open_in_drawer(self, key: str, make: Callable[[], Page]) -> Page:
-        return self._workspace.open_kept(key, make, self._drawer)
 
     def _open(self, name: str, make: Callable[[], QDialog]) -> QDialog:
         """Show a dialog, made at the first time."""

@@ -126,6 +126,8 @@ _CJK_FAMILIES: Final = (
 )
 
 _SMALLEST_FONT_PT: Final = 10.0
+_FOLLOWER: Final = "scheme_follower"
+"""The application's property that holds who follows the system's colours."""
 
 
 def colors_of(widget: QWidget) -> Colors:
@@ -159,11 +161,12 @@ def apply_theme(app: QApplication, theme: Theme, *, before_windows: bool = False
         before_windows: Leave the style sheet for the next call, once the windows are built: Qt asks
             it anew for all that a widget holds each time the widget gets a parent.
     """
-    follower = app.findChild(_SchemeFollower)
+    follower = app.property(_FOLLOWER)  # to look for a child has PySide load every class there is
     if follower is None:
         app.setStyle("Fusion")
         app.setFont(ui_font())
         follower = _SchemeFollower(app)
+        app.setProperty(_FOLLOWER, follower)
     follower.show(theme, with_sheet=not before_windows)
 
 

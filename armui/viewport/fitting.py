@@ -80,21 +80,49 @@ def is_clear(camera: OrbitCamera, groups: Groups, room: Room, slack_px: float = 
         slack_px: So far it may reach into the margin.
     """
     projection = Projection(camera, room.width_px, room.height_px)
+    return all(_is_free(_box(projection, group), room, slack_px) for group in groups)
+
+
+class Ball(NamedTuple):
+    """A ball around places that belong together: one look at it spares looks at each of them."""
+
+    centre: Vector
+    radius_m: float
+
+
+def ball_around(places: Sequence[Vector]) -> Ball:
+    """A ball that all places are in."""
+    sides = [(min(axis) + max(axis)) / 2.0 for axis in zip(*places, strict=True)]
+    centre = (sides[0], sides[1], sides[2])
+    return Ball(centre, max(math.dist(centre, place) for place in places))
+
+
+def is_ball_clear(projection: Projection, ball: Ball, room: Room, slack_px: float) -> bool:
+    """Whether a ball is in the picture, and not behind figures or buttons; in doubt it is not."""
+    across, up, towards = projection.relative(ball.centre)
+    scale_px = projection.scale_px(towards)
+    nearest_px = projection.scale_px(towards + ball.radius_m)
+    if scale_px is None or nearest_px is None:
+        return False
+    x, y = room.width_px / 2.0 + across * scale_px, room.height_px / 2.0 - up * scale_px
+    # as large as its nearest part looks; beside the middle of the picture it looks longer
+    aside_px = max(abs(across), abs(up)) * (nearest_px - scale_px)
+    half_px = ball.radius_m * nearest_px + aside_px
+    return _is_free(Box(x - half_px, y - half_px, x + half_px, y + half_px), room, slack_px)
+
+
+def _is_free(box: Box | None, room: Room, slack_px: float) -> bool:
+    if box is None:
+        return False
     inside = room.inside
-    for group in groups:
-        box = _box(projection, group)
-        if box is None:
-            return False
-        if (
-            box.left < inside.left - slack_px
-            or box.top < inside.top - slack_px
-            or box.right > inside.right + slack_px
-            or box.bottom > inside.bottom + slack_px
-            or box.overlaps(room.figures)
-            or box.overlaps(room.corner)
-        ):
-            return False
-    return True
+    return not (
+        box.left < inside.left - slack_px
+        or box.top < inside.top - slack_px
+        or box.right > inside.right + slack_px
+        or box.bottom > inside.bottom + slack_px
+        or box.overlaps(room.figures)
+        or box.overlaps(room.corner)
+    )
 
 
 def fitted(camera: OrbitCamera, groups: Groups, room: Room, grown: float = 1.0) -> OrbitCamera:

@@ -6,7 +6,8 @@ import enum
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, NamedTuple
 
-from armui.viewport.grips import Grip, GripDrag, grip_at, joint_grips, tool_grips
+from armui.viewport.grip_drag import GripDrag
+from armui.viewport.grips import Grip, grip_at, joint_grips, tool_grips
 from armui.viewport.robot_shape import Rows, composed
 from armui.viewport.strokes import Stroke
 
@@ -93,9 +94,18 @@ class Handles:
         frame = at if place.kind is HandleKind.TOOL_FRAME else None
         return tool_grips(at, frame, projection, palette)
 
+    @property
+    def key(self) -> object:
+        """What their lines depend on, beside the picture, the robot and its tool."""
+        return self._place, self._outstanding
+
+    @property
+    def _outstanding(self) -> tuple[object, int] | None:
+        return self._hovered if self._drag is None else _name(self._drag.grip)
+
     def strokes(self, grips: list[Grip]) -> list[Stroke]:
         """The lines to be drawn; the one that is held, or under the pointer, stands out."""
-        held = self._hovered if self._drag is None else _name(self._drag.grip)
+        held = self._outstanding
         return [
             Stroke(grip.places, grip.color, _HELD_PX if _name(grip) == held else _PLAIN_PX)
             for grip in grips

@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING, Final
 from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QFont, QPainter, QPen, QPolygonF
 
-from armui.viewport.stroke_painter import paint_tag
+from armui.viewport.kept_layer import KeptLayer
+from armui.viewport.stroke_painter import paint_tag, room_around
 
 if TYPE_CHECKING:
     from armui.viewport.palette import ScenePalette
@@ -25,7 +26,7 @@ class PathOverlay:
     """Works out where numbers and signs stand once for each path and camera."""
 
     def __init__(self) -> None:
-        self._key: object = None
+        self._layer = KeptLayer()
         self._tags: list[Tag] = []
         self._signs: list[Sign] = []
 
@@ -36,8 +37,23 @@ class PathOverlay:
         path = preview.path
         if path is None:
             return
-        self._work_out(path, preview, projection)
-        painter.save()
+        rows = (preview.selected_row, preview.current_row)
+        key = (path, projection.key, rows, palette)
+
+        def room() -> QRectF:
+            self._work_out(path, rows, projection)
+            places = [(each.x_px, each.y_px) for each in self._tags]
+            places += [(each.x_px, each.y_px) for each in self._signs]
+            return room_around(places, projection)
+
+        def draw(on: QPainter) -> None:
+            self._draw(on, path, preview.current_row, palette)
+
+        self._layer.paint(painter, key, room, draw)
+
+    def _draw(
+        self, painter: QPainter, path: PathPicture, current_row: int | None, palette: ScenePalette
+    ) -> None:
         font = QFont(painter.font())
         font.setPointSizeF(font.pointSizeF() * _SMALLER)
         painter.setFont(font)
@@ -45,13 +61,12 @@ class PathOverlay:
             color = palette.text
             if tag.row in path.bad_rows:
                 color = palette.fault
-            elif tag.row == preview.current_row:
+            elif tag.row == current_row:
                 color = palette.current
             place = QPointF(tag.x_px + _TAG_OFFSET_PX[0], tag.y_px + _TAG_OFFSET_PX[1])
             paint_tag(painter, place, str(tag.row + 1), color, palette)
         for sign in self._signs:
             _paint_sign(painter, sign, palette)
-        painter.restore()
 
     @staticmethod
     def finding_at(preview: Preview, projection: Projection, at: QPointF) -> FindingMark | None:
@@ -63,15 +78,11 @@ class PathOverlay:
             return None
         return finding_at(path, projection, at.x(), at.y())
 
-    def _work_out(self, path: PathPicture, preview: Preview, projection: Projection) -> None:
+    def _work_out(
+        self, path: PathPicture, rows: tuple[int | None, ...], projection: Projection
+    ) -> None:
         from armui.viewport.point_tags import signs, tags  # noqa: PLC0415 - numpy, with the path
 
-        rows = (preview.selected_row, preview.current_row)
-        size = (projection.width_px, projection.height_px)
-        key = (id(path), projection.camera, size, rows)
-        if key == self._key:
-            return
-        self._key = key
         self._tags = tags(path, projection, frozenset(row for row in rows if row is not None))
         self._signs = signs(path, projection)
 
@@ -88,6 +99,12 @@ def _paint_sign(painter: QPainter, sign: Sign, palette: ScenePalette) -> None:
     )
     painter.setPen(QPen(QColor(palette.plate), 1.5))
     painter.setBrush(QColor(palette.fault if is_error else palette.warning))
+    if sign.beyond is not None:
+        ahead = QPointF(*sign.beyond)
+        aside = QPointF(-ahead.y(), ahead.x())
+        root = centre + ahead * radius * 0.7
+        wings = aside * radius * 0.6
+        painter.drawPolygon(QPolygonF([root - wings, centre + ahead * radius * 1.8, root + wings]))
     painter.drawPolygon(shape)
     font = QFont(painter.font())
     font.setBold(True)

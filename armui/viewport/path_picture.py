@@ -55,13 +55,17 @@ class PathPicture:
     is_numbered: bool = True
 
     def outermost_m(self) -> tuple[tuple[float, float, float], ...]:
-        """The places that reach furthest in each direction, for a view that shows all of it."""
+        """The places that reach furthest in each direction, for a view that shows all of it.
+
+        Points that a check found to be wrong are left out: one that can't be reached may be
+        anywhere, and the arm would be small beside it. Its sign stands at the picture's rim then.
+        """
         outermost: list[tuple[float, float, float]] = []
-        for places in (self.places_mm, self.marks_mm):
+        right = [row not in self.bad_rows for row in self.rows]
+        for places in (self.places_mm, self.marks_mm[right]):
             if len(places):
                 chosen = {int(way) for way in (*places.argmin(axis=0), *places.argmax(axis=0))}
                 outermost += [(x, y, z) for x, y, z in places[sorted(chosen)].tolist()]
-        outermost += [finding.place_mm for finding in self.findings]
         return tuple((x / 1e3, y / 1e3, z / 1e3) for x, y, z in outermost)
 
 

@@ -40,6 +40,11 @@ class Projection:
         self._outward, self._right, self._up = camera.axes()
         self._size_px = _PER_DISTANCE * max(1.0, min(width_px, height_px))
 
+    @property
+    def key(self) -> tuple[OrbitCamera, float, float]:
+        """Equal for two projections that show everything at the same places."""
+        return self.camera, self.width_px, self.height_px
+
     def pixel(self, place_m: Vector) -> tuple[float, float] | None:
         """Where a place is seen, inside the picture or not; ``None`` behind the eye."""
         across, up, towards = self.relative(place_m)

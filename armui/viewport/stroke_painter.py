@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+import math
 from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QPointF, QRectF, Qt
-from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPen, QPolygonF
+from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter, QPen, QPolygonF, QStaticText
+
+from armui.viewport.kept_layer import KeptLayer
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Sequence
+    from collections.abc import Callable, Iterable, Sequence
 
     from armui.viewport.palette import ScenePalette
     from armui.viewport.projection import Projection
@@ -18,37 +21,144 @@ _FILL_OPACITY: Final = 0.14
 _HALO_OPACITY: Final = 0.7
 _HALO_PX: Final = 2.0
 _LABEL_GAP_PX: Final = 4.0
+_RIM_PX: Final = 80.0
+"""So far from its line a label reaches at most."""
 
 
-def paint_strokes(
-    painter: QPainter, strokes: Iterable[Stroke], projection: Projection, palette: ScenePalette
-) -> None:
-    """Draw lines and surfaces, each line with a halo that sets it off from the arm."""
-    painter.save()
-    for stroke in strokes:
-        pixels = [projection.pixel(place) for place in stroke.places]
-        points = [QPointF(*pixel) for pixel in pixels if pixel is not None]
-        if len(points) != len(pixels):
-            continue
-        line = QPolygonF(points)
-        color = QColor(stroke.color)
-        if stroke.filled:
-            color.setAlphaF(_FILL_OPACITY)
-            painter.setPen(Qt.PenStyle.NoPen)
-            painter.setBrush(color)
-            painter.drawPolygon(line)
-            continue
-        halo = QColor(palette.background)
-        halo.setAlphaF(_HALO_OPACITY)
-        for shade, width_px in ((halo, stroke.width_px + 2.0 * _HALO_PX), (color, stroke.width_px)):
-            pen = QPen(shade, width_px)
+class StrokePainter:
+    """Draws lines and surfaces, each line with a halo that sets it off from the arm.
+
+    It paints with every picture while the arm moves: pens, and how large a label is, are kept.
+    """
+
+    def __init__(self) -> None:
+        self._pens: dict[tuple[str, float, float], QPen] = {}
+        self._font: QFont | None = None
+        self._labels: dict[str, QStaticText] = {}
+        self._label_height_px = 0.0
+
+    def paint(
+        self,
+        painter: QPainter,
+        strokes: Iterable[Stroke],
+        projection: Projection,
+        palette: ScenePalette,
+    ) -> None:
+        """Draw them where the camera shows them; one that is partly behind the eye is left out."""
+        painter.save()
+        for stroke in strokes:
+            pixels = [projection.pixel(place) for place in stroke.places]
+            points = [QPointF(*pixel) for pixel in pixels if pixel is not None]
+            if len(points) != len(pixels):
+                continue
+            if stroke.filled:
+                color = QColor(stroke.color)
+                color.setAlphaF(_FILL_OPACITY)
+                painter.setPen(Qt.PenStyle.NoPen)
+                painter.setBrush(color)
+                painter.drawPolygon(points)
+                continue
+            halo_px = stroke.width_px + 2.0 * _HALO_PX
+            for pen in (
+                self._pen(palette.background, _HALO_OPACITY, halo_px),
+                self._pen(stroke.color, 1.0, stroke.width_px),
+            ):
+                painter.setPen(pen)
+                painter.drawPolyline(points)
+            if stroke.label and len(points) > 1:
+                self._label(painter, stroke, points[-2:], palette)
+        painter.restore()
+
+    def _pen(self, color: str, opacity: float, width_px: float) -> QPen:
+        key = (color, opacity, width_px)
+        pen = self._pens.get(key)
+        if pen is None:
+            shade = QColor(color)
+            shade.setAlphaF(opacity)
+            pen = self._pens[key] = QPen(shade, width_px)
             pen.setCapStyle(Qt.PenCapStyle.RoundCap)
             pen.setJoinStyle(Qt.PenJoinStyle.RoundJoin)
-            painter.setPen(pen)
-            painter.drawPolyline(line)
-        if stroke.label and len(points) > 1:
-            _label(painter, stroke.label, points[-2:], color, palette)
-    painter.restore()
+        return pen
+
+    def _label(
+        self, painter: QPainter, stroke: Stroke, line: Sequence[QPointF], palette: ScenePalette
+    ) -> None:
+        """Write beyond the end of a line, so that it stands on neither."""
+        text = self._text(painter, stroke.label)
+        size = text.size()
+        before, end = line
+        across, down = end.x() - before.x(), end.y() - before.y()
+        share = ((size.width() + size.height()) / 4.0 + _LABEL_GAP_PX) / max(
+            1e-6, math.hypot(across, down)
+        )
+        place = QRectF(0.0, 0.0, size.width() + 6.0, self._label_height_px)
+        place.moveCenter(QPointF(end.x() + across * share, end.y() + down * share))
+        painter.setPen(Qt.PenStyle.NoPen)
+        ground = self._pen(palette.background, _HALO_OPACITY, 0.0).color()
+        painter.setBrush(ground)
+        painter.drawRoundedRect(place, 3.0, 3.0)
+        painter.setPen(self._pen(stroke.color, 1.0, stroke.width_px))
+        painter.drawStaticText(place.topLeft() + QPointF(3.0, 0.0), text)
+
+    def _text(self, painter: QPainter, label: str) -> QStaticText:
+        font = painter.font()
+        if font != self._font:
+            self._font = font
+            self._labels.clear()
+            self._label_height_px = QFontMetricsF(font).height()
+        text = self._labels.get(label)
+        if text is None:
+            text = self._labels[label] = QStaticText(label)
+            text.setTextFormat(Qt.TextFormat.PlainText)
+            text.prepare(painter.transform(), font)
+        return text
+
+
+class StrokeLayer:
+    """Lines that are the same in most pictures."""
+
+    def __init__(self, painter: StrokePainter) -> None:
+        self._painter = painter
+        self._layer = KeptLayer()
+
+    def paint(
+        self,
+        painter: QPainter,
+        key: object,
+        strokes: Callable[[], Sequence[Stroke]],
+        projection: Projection,
+        palette: ScenePalette,
+    ) -> None:
+        """Lay them over.
+
+        Args:
+            painter: Of the widget.
+            key: All that the lines depend on but the picture's camera, size and colours.
+            strokes: Says which they are; asked where something has changed.
+            projection: Of the picture.
+            palette: The theme's colours.
+        """
+        known: list[Stroke] = []
+
+        def room() -> QRectF:
+            known.extend(strokes())
+            pixels = (projection.pixel(place) for stroke in known for place in stroke.places)
+            return room_around(pixels, projection)
+
+        def draw(on: QPainter) -> None:
+            self._painter.paint(on, known, projection, palette)
+
+        whole = (key, projection.key, palette)
+        self._layer.paint(painter, whole, room, draw)
+
+
+def room_around(pixels: Iterable[tuple[float, float] | None], projection: Projection) -> QRectF:
+    """The part of a picture that pixels and what is written beside them take."""
+    points = QPolygonF([QPointF(*pixel) for pixel in pixels if pixel is not None])
+    if points.isEmpty():
+        return QRectF()
+    around = points.boundingRect().adjusted(-_RIM_PX, -_RIM_PX, _RIM_PX, _RIM_PX)
+    return around & QRectF(0.0, 0.0, projection.width_px, projection.height_px)
 
 
 def paint_tag(
@@ -66,25 +176,3 @@ def paint_tag(
     painter.setPen(QColor(color))
     painter.drawText(plate, Qt.AlignmentFlag.AlignCenter, text)
     return plate
-
-
-def _label(
-    painter: QPainter, text: str, line: Sequence[QPointF], color: QColor, palette: ScenePalette
-) -> None:
-    """Write beyond the end of a line, so that it stands on neither."""
-    before, end = line
-    metrics = QFontMetricsF(painter.font())
-    along = end - before
-    length = max(1e-6, (along.x() ** 2 + along.y() ** 2) ** 0.5)
-    size = metrics.boundingRect(text)
-    reach = (size.width() + size.height()) / 4.0 + _LABEL_GAP_PX
-    centre = end + along * (reach / length)
-    place = QRectF(0.0, 0.0, size.width() + 6.0, metrics.height())
-    place.moveCenter(centre)
-    ground = QColor(palette.background)
-    ground.setAlphaF(_HALO_OPACITY)
-    painter.setPen(Qt.PenStyle.NoPen)
-    painter.setBrush(ground)
-    painter.drawRoundedRect(place, 3.0, 3.0)
-    painter.setPen(color)
-    painter.drawText(place, Qt.AlignmentFlag.AlignCenter, text)

@@ -38,10 +38,10 @@ class Stroke(NamedTuple):
     label: str = ""
 
 
-def tool_frame(rows: Rows, palette: ScenePalette, length_m: float = FRAME_M) -> list[Stroke]:
+def tool_frame(rows: Rows, palette: ScenePalette) -> list[Stroke]:
     """The axes of the tool centre point."""
     start = (rows[3], rows[7], rows[11])
-    ends = ((length_m, 0.0, 0.0), (0.0, length_m, 0.0), (0.0, 0.0, length_m))
+    ends = ((FRAME_M, 0.0, 0.0), (0.0, FRAME_M, 0.0), (0.0, 0.0, FRAME_M))
     return [
         Stroke((start, moved(rows, end)), color, 2.5, label=name)
         for end, color, name in zip(ends, palette.axes, "xyz", strict=True)

@@ -18,7 +18,7 @@ from armui.viewport.palette import LIGHT, ScenePalette
 from armui.viewport.path_overlay import PathOverlay
 from armui.viewport.projection import Projection
 from armui.viewport.robot_shape import IDENTITY, composed, pose_rows
-from armui.viewport.stroke_painter import paint_strokes
+from armui.viewport.stroke_painter import StrokeLayer, StrokePainter
 from armui.viewport.strokes import joint_range, tool_frame
 from armui.viewport.view_state import BUILT_IN_ROBOT, PickRequest, RobotChoice, ViewState
 
@@ -33,6 +33,7 @@ if TYPE_CHECKING:
     from armui.viewport.grips import Grip
     from armui.viewport.handles import HandlePlace
     from armui.viewport.path_picture import Preview, Reach, Trail
+    from armui.viewport.strokes import Stroke
 
 
 class ArmView(LookingView):
@@ -79,6 +80,9 @@ class ArmView(LookingView):
         self._range: tuple[int, tuple[float, float]] | None = None
         self._path_overlay = PathOverlay()
         self._handles = Handles()
+        self._strokes = StrokePainter()
+        self._range_layer = StrokeLayer(self._strokes)
+        self._handle_layer = StrokeLayer(self._strokes)
         super().__init__(choice, palette, client, parent)
         self._client.joint_picked.connect(self._on_joint_picked)
         self._client.mark_picked.connect(self.mark_picked)
@@ -200,13 +204,22 @@ class ArmView(LookingView):
         if self._range is not None:
             number, limits_deg = self._range
             edited_deg = shown.preview.ghost_deg or angles_deg
-            strokes = joint_range(shape, edited_deg, number, limits_deg, palette)
-            paint_strokes(painter, strokes, projection, palette)
+
+            def its_range() -> list[Stroke]:
+                return joint_range(shape, edited_deg, number, limits_deg, palette)
+
+            depends_on = (shape, edited_deg, self._range)
+            self._range_layer.paint(painter, depends_on, its_range, projection, palette)
         if self._shows_tool and not shown.stale:
             rows = composed(shape.flange(shape.links(angles_deg)), self._tool)
-            paint_strokes(painter, tool_frame(rows, palette), projection, palette)
-        strokes = self._handles.strokes(self._grips(projection))
-        paint_strokes(painter, strokes, projection, palette)
+            self._strokes.paint(painter, tool_frame(rows, palette), projection, palette)
+        if self._handles.place is not None:
+
+            def handles() -> list[Stroke]:
+                return self._handles.strokes(self._grips(projection))
+
+            key = (shape, self._tool, self._handles.key)
+            self._handle_layer.paint(painter, key, handles, projection, palette)
 
     def _grips(self, projection: Projection) -> list[Grip]:
         if self._shape is None:

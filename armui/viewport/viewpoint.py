@@ -10,9 +10,18 @@ from dataclasses import replace
 from typing import Final
 
 from armui.viewport.camera import HOME_CAMERA, OrbitCamera, Vector, ViewDirection
-from armui.viewport.fitting import Room, fitted, is_clear, outermost
+from armui.viewport.fitting import (
+    Ball,
+    Room,
+    ball_around,
+    fitted,
+    is_ball_clear,
+    is_clear,
+    outermost,
+)
 from armui.viewport.look_alike import look_alike
 from armui.viewport.path_picture import Reach
+from armui.viewport.projection import Projection
 from armui.viewport.robot_shape import RobotShape, moved
 
 _GROWN: Final = 1.12
@@ -50,6 +59,7 @@ class Viewpoint:
         self.camera = HOME_CAMERA
         self.mode = ViewMode.FIT
         self._shape: RobotShape | None = None
+        self._balls: list[Ball | None] = []
         self._room = Room(1.0, 1.0)
         self._poses: list[tuple[tuple[float, ...], float]] = [((0.0,) * 6, 0.0)]
         self._places: tuple[Vector, ...] = ()
@@ -66,6 +76,7 @@ class Viewpoint:
         """The robot in the picture is known."""
         if shape != self._shape:
             self._shape = shape
+            self._balls = [ball_around(points) if points else None for points in shape.points]
             self._reached = self._reached_places()
             self._look_again(exactly=True)
 
@@ -180,14 +191,27 @@ class Viewpoint:
         if self.mode is ViewMode.FOLLOW:
             rows = shape.flange(shape.links(*self._poses[0]))
             self.camera = replace(self.camera, focus_m=moved(rows, self._tool_m))
-        elif self.mode is ViewMode.FIT and (
-            exactly or not is_clear(self.camera, self._groups(), self._room, _SLACK_PX)
-        ):
+        elif self.mode is ViewMode.FIT and (exactly or not self._is_all_clear(shape)):
             if exactly:
                 self._been.clear()
             # where the arm has been it may go again: the picture is not to swing to and fro
             self.camera = self._fitted(1.0 if exactly else _GROWN)
             self._been = outermost(self.camera, [*self._groups(), *self._been])
+
+    def _is_all_clear(self, shape: RobotShape) -> bool:
+        """Whether everything is in the picture; asked twelve times a second while the arm moves."""
+        projection = Projection(self.camera, self._room.width_px, self._room.height_px)
+        doubtful: list[Sequence[Vector]] = []
+        for pose in self._poses:
+            links = shape.links(*pose)
+            for rows, points, ball in zip(links, shape.points, self._balls, strict=True):
+                if ball is None:
+                    continue
+                there = ball._replace(centre=moved(rows, ball.centre))
+                if not is_ball_clear(projection, there, self._room, _SLACK_PX):
+                    doubtful.append([moved(rows, point) for point in points])
+        doubtful += [(place,) for place in (*self._places, *self._reached)]
+        return is_clear(self.camera, doubtful, self._room, _SLACK_PX)
 
     def _fitted(self, grown: float) -> OrbitCamera:
         return fitted(self.camera, [*self._groups(), *self._been], self._room, grown)

@@ -163,6 +163,10 @@
         <source>{type}, number {number}</source>
         <translation>{type}，编号 {number}</translation>
     </message>
+    <message>
+        <source>; joints 2 and 3 count from the zeros before S-V1.6-3</source>
+        <translation>；关节 2、3 采用 S-V1.6-3 之前的零点</translation>
+    </message>
 </context>
 <context>
     <name>AboutArmDialog</name>
@@ -315,6 +319,50 @@
     <message>
         <source>Press Edit in the panel first.</source>
         <translation>请先在该面板中按“编辑”。</translation>
+    </message>
+    <message>
+        <source>There is nothing for it to do now.</source>
+        <translation>现在没有可执行的内容。</translation>
+    </message>
+    <message>
+        <source>Folder of the recordings</source>
+        <translation>会话记录的文件夹</translation>
+    </message>
+    <message>
+        <source>Model of the arm</source>
+        <translation>机械臂型号</translation>
+    </message>
+    <message>
+        <source>Way of the tool: off</source>
+        <translation>末端轨迹：关闭</translation>
+    </message>
+    <message>
+        <source>Way of the tool: last 5 s of motion</source>
+        <translation>末端轨迹：最近 5 秒运动</translation>
+    </message>
+    <message>
+        <source>Way of the tool: last 15 s of motion</source>
+        <translation>末端轨迹：最近 15 秒运动</translation>
+    </message>
+    <message>
+        <source>Way of the tool: last 60 s of motion</source>
+        <translation>末端轨迹：最近 60 秒运动</translation>
+    </message>
+    <message>
+        <source>Handles at the tool, along the axes of the base</source>
+        <translation>末端手柄：沿基座坐标轴</translation>
+    </message>
+    <message>
+        <source>Handles at the tool, along its own axes</source>
+        <translation>末端手柄：沿工具坐标轴</translation>
+    </message>
+    <message>
+        <source>Handles at the joints</source>
+        <translation>关节手柄</translation>
+    </message>
+    <message>
+        <source>Speed of the run</source>
+        <translation>运行速度</translation>
     </message>
 </context>
 <context>
@@ -982,6 +1030,13 @@
     </message>
 </context>
 <context>
+    <name>CallableOff</name>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+</context>
+<context>
     <name>CartesianPanel</name>
     <message>
         <source>Fills the fields with the measured pose; nothing moves.</source>
@@ -1040,14 +1095,6 @@
     <message>
         <source>no detection</source>
         <translation>不检测</translation>
-    </message>
-    <message>
-        <source>All</source>
-        <translation>全部</translation>
-    </message>
-    <message>
-        <source>All joints: level</source>
-        <translation>全部关节：等级</translation>
     </message>
     <message>
         <source>Levels 1 to 8 watch for collisions; level 0 does not watch at all.</source>
@@ -1575,25 +1622,10 @@
     </message>
 </context>
 <context>
-    <name>DragAssistanceDialog</name>
-    <message>
-        <source>Drag teaching</source>
-        <translation>示教</translation>
-    </message>
-</context>
-<context>
     <name>DragAssistancePanel</name>
     <message>
         <source>Drag assistance</source>
         <translation>拖动助力</translation>
-    </message>
-    <message>
-        <source>All</source>
-        <translation>全部</translation>
-    </message>
-    <message>
-        <source>All joints: level</source>
-        <translation>所有关节：等级</translation>
     </message>
     <message>
         <source>From 0, the joint does not help the hand, to 10, it helps most. Read and set with the arm at rest; keep a hand on it when it is led for the first time afterwards.</source>
@@ -1967,14 +1999,6 @@
         <source>Copied</source>
         <translation>已复制</translation>
     </message>
-    <message>
-        <source>Not saved: {path}. {reason}</source>
-        <translation>未保存：{path}。{reason}</translation>
-    </message>
-    <message>
-        <source>Saved: {path}</source>
-        <translation>已保存：{path}</translation>
-    </message>
 </context>
 <context>
     <name>EventKind</name>
@@ -2224,24 +2248,28 @@
         <translation>已保存：{target}（{items:,} 条消息）</translation>
     </message>
     <message>
-        <source>Places of the log that cannot be read: {count}; the first: {place} ({reason}). Everything else was exported.</source>
-        <translation>日志中有 {count} 处无法读取；第一处：{place}（{reason}）。其余内容均已导出。</translation>
-    </message>
-    <message>
         <source>Only channel {channel} was exported; {count:,} frames of {others} were left out.</source>
         <translation>只导出了通道 {channel}；{others} 的 {count:,} 帧未导出。</translation>
     </message>
     <message>
-        <source>{frames:,} frames read as generation {generation}.</source>
-        <translation>已读取 {frames:,} 帧，按第 {generation} 代协议解析。</translation>
-    </message>
-    <message>
-        <source>{count:,} of them are none of the arm&apos;s.</source>
-        <translation>其中 {count:,} 帧不是机械臂的帧。</translation>
-    </message>
-    <message>
         <source>A folder with a file for each message: every frame with its time, decoded into signals with their units.</source>
         <translation>一个文件夹，每种报文一个文件：每一帧带时间，解码为带单位的信号。</translation>
+    </message>
+    <message>
+        <source>Unreadable places in the log: {count}; the first: {place} ({reason}). Everything else was exported.</source>
+        <translation>日志中有 {count} 处无法读取，第一处：{place}（{reason}）。其余内容均已导出。</translation>
+    </message>
+    <message>
+        <source>{count:,} of them do not belong to the arm.</source>
+        <translation>其中 {count:,} 帧不属于该机械臂。</translation>
+    </message>
+    <message>
+        <source>Exported as a {model}, but the end pose in the log fits a {fits}.</source>
+        <translation>已按 {model} 导出，但日志中的末端位姿与 {fits} 相符。</translation>
+    </message>
+    <message>
+        <source>{frames:,} frames read as generation {generation}, {model}.</source>
+        <translation>共 {frames:,} 帧，按第 {generation} 代协议读取，型号 {model}。</translation>
     </message>
 </context>
 <context>
@@ -2350,6 +2378,18 @@
         <source>Choose where the folder of the export shall be</source>
         <translation>选择导出文件夹的位置</translation>
     </message>
+    <message>
+        <source>Model</source>
+        <translation>型号</translation>
+    </message>
+    <message>
+        <source>As the recording tells</source>
+        <translation>按录制内容</translation>
+    </message>
+    <message>
+        <source>Where the links and the tool are depends on it. A recording of this program says it; of other logs it is the one that fits the end pose in them.</source>
+        <translation>连杆与工具的位置取决于型号。本程序的录制文件中已注明；其他日志取与其中末端位姿相符的型号。</translation>
+    </message>
 </context>
 <context>
     <name>FailureLine</name>
@@ -2379,6 +2419,17 @@
     <message>
         <source>Kind</source>
         <translation>类型</translation>
+    </message>
+</context>
+<context>
+    <name>FileExport</name>
+    <message>
+        <source>Not saved: {path}. {reason}</source>
+        <translation>未保存：{path}。{reason}</translation>
+    </message>
+    <message>
+        <source>Saved: {path}</source>
+        <translation>已保存：{path}</translation>
     </message>
 </context>
 <context>
@@ -2552,10 +2603,6 @@
         <translation>途中关节 {joint} 将到 {value}°，超出限位 {minimum}° 至 {maximum}°。请在中间增加一点，或改用 MOVE J。</translation>
     </message>
     <message>
-        <source>The arm cannot bring its flange there: {missing} mm are missing. Move the point nearer.</source>
-        <translation>法兰无法到达该位置：还差 {missing} mm。请把该点移近。</translation>
-    </message>
-    <message>
         <source>After {gone} % of the way the tool would be out of reach. Put another point between, or use MOVE J.</source>
         <translation>走完 {gone} % 后末端将超出工作范围。请在中间增加一点，或改用 MOVE J。</translation>
     </message>
@@ -2607,6 +2654,10 @@
         <source>The tool would be {value} mm below the plane the arm stands on. Accept this only if there is nothing.</source>
         <translation>末端将低于机械臂安装平面 {value} mm。确认下方没有物体时才可接受。</translation>
     </message>
+    <message>
+        <source>The flange cannot get there: the point is {missing} mm too far. Move it nearer.</source>
+        <translation>法兰无法到达该位置：还差 {missing} mm。请把该点移近。</translation>
+    </message>
 </context>
 <context>
     <name>FindingRow</name>
@@ -2617,10 +2668,6 @@
 </context>
 <context>
     <name>FindingsPane</name>
-    <message>
-        <source>Check: errors {errors}, warnings {warnings}</source>
-        <translation>检查：{errors} 个错误，{warnings} 个警告</translation>
-    </message>
     <message>
         <source>Check: nothing found.</source>
         <translation>检查：未发现问题。</translation>
@@ -2652,6 +2699,10 @@
     <message>
         <source>Close</source>
         <translation>关闭</translation>
+    </message>
+    <message>
+        <source>The check found errors: {errors}, warnings: {warnings}</source>
+        <translation>检查：{errors} 个错误，{warnings} 个警告</translation>
     </message>
 </context>
 <context>
@@ -4001,6 +4052,17 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
     </message>
 </context>
 <context>
+    <name>LevelsPanel</name>
+    <message>
+        <source>All</source>
+        <translation>全部</translation>
+    </message>
+    <message>
+        <source>All joints: level</source>
+        <translation>全部关节：等级</translation>
+    </message>
+</context>
+<context>
     <name>LibraryActions</name>
     <message>
         <source>Trajectory</source>
@@ -4438,6 +4500,13 @@ Lamps give no feedback: this is only what will be sent.</source>
     </message>
 </context>
 <context>
+    <name>List</name>
+    <message>
+        <source>, </source>
+        <translation>、</translation>
+    </message>
+</context>
+<context>
     <name>LiveStrip</name>
     <message>
         <source>The arm that is connected now:</source>
@@ -4547,6 +4616,10 @@ Lamps give no feedback: this is only what will be sent.</source>
         <source>Its lengths decide where the tool is. The limits of the joints are always read from the arm.</source>
         <translation>型号决定各连杆长度，从而决定末端位置。关节限位始终从机械臂读取。</translation>
     </message>
+    <message>
+        <source>This very arm was a {before} the last time: choose that and press Connect, or wait until the arm stands still and is compared.</source>
+        <translation>此机械臂上次为 {before}：请选择该型号并点击连接，或等待机械臂静止后自动核对。</translation>
+    </message>
 </context>
 <context>
     <name>ModelMark</name>
@@ -4577,6 +4650,18 @@ Lamps give no feedback: this is only what will be sent.</source>
     <message>
         <source>Model of the arm: {text}</source>
         <translation>机械臂型号：{text}</translation>
+    </message>
+    <message>
+        <source>{model}? It was a {before}</source>
+        <translation>{model}？上次为 {before}</translation>
+    </message>
+    <message>
+        <source>This very arm was a {before} the last time. Click to choose.</source>
+        <translation>此机械臂上次为 {before}。点击选择型号。</translation>
+    </message>
+    <message>
+        <source>Joints 2 and 3 count from the zeros before S-V1.6-3.</source>
+        <translation>关节 2、3 采用 S-V1.6-3 之前的零点。</translation>
     </message>
 </context>
 <context>
@@ -4833,10 +4918,6 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>尚未发送</translation>
     </message>
     <message>
-        <source>Told last by this program: {mounting}</source>
-        <translation>本程序上次发送：{mounting}</translation>
-    </message>
-    <message>
         <source>Mounting of the arm</source>
         <translation>机械臂安装方式</translation>
     </message>
@@ -4847,6 +4928,10 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     <message>
         <source>The arm does not answer this and cannot be asked for it: another program, or the arm itself after a power cut, may have another one.</source>
         <translation>机械臂对此不应答，也无法查询：其他程序或断电后的机械臂可能采用不同的设置。</translation>
+    </message>
+    <message>
+        <source>Told this arm last by this program: {mounting}</source>
+        <translation>本程序上次告知此机械臂的安装方式：{mounting}</translation>
     </message>
 </context>
 <context>
@@ -5414,6 +5499,14 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <source>Mounting sent: {mounting}. The arm does not tell it back.</source>
         <translation>已发送安装方式：{mounting}。机械臂不会回报。</translation>
     </message>
+    <message>
+        <source>This arm (node {node}) was a {before} the last time: taken instead of {chosen}, which was only offered.</source>
+        <translation>此机械臂（节点 {node}）上次为 {before}：已采用该型号，代替默认给出的 {chosen}。</translation>
+    </message>
+    <message>
+        <source>Connected as a {chosen}, but this arm (node {node}) was a {before} the last time. If it is one, connect it as that.</source>
+        <translation>当前按 {chosen} 连接，但此机械臂（节点 {node}）上次为 {before}。如属实，请按该型号重新连接。</translation>
+    </message>
 </context>
 <context>
     <name>Observed</name>
@@ -5562,6 +5655,25 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     <message>
         <source>Takes this page out into a window of its own, for a second screen.</source>
         <translation>把本页移到独立窗口，例如放到第二块屏幕上。</translation>
+    </message>
+</context>
+<context>
+    <name>PageDoings</name>
+    <message>
+        <source>Open a trajectory of the library first.</source>
+        <translation>请先在轨迹库中打开一条轨迹。</translation>
+    </message>
+    <message>
+        <source>It stands in a window of its own.</source>
+        <translation>已在独立窗口中。</translation>
+    </message>
+    <message>
+        <source>It stands in no window of its own.</source>
+        <translation>不在独立窗口中。</translation>
+    </message>
+    <message>
+        <source>The drawer is folded away.</source>
+        <translation>抽屉已收起。</translation>
     </message>
 </context>
 <context>
@@ -5779,6 +5891,10 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <source>Shows what the arm holds again.</source>
         <translation>重新显示机械臂中的值。</translation>
     </message>
+    <message>
+        <source>{names}: {reason}</source>
+        <translation>{names}：{reason}</translation>
+    </message>
 </context>
 <context>
     <name>PictureExport</name>
@@ -5793,14 +5909,6 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     <message>
         <source>There is no picture of now to be taken: wait until it is drawn.</source>
         <translation>当前画面尚未绘制完成，请稍候再试。</translation>
-    </message>
-    <message>
-        <source>Not saved: {path}. {reason}</source>
-        <translation>未保存：{path}。{reason}</translation>
-    </message>
-    <message>
-        <source>Saved: {path}</source>
-        <translation>已保存：{path}</translation>
     </message>
 </context>
 <context>
@@ -5832,6 +5940,10 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     <message>
         <source>Replay</source>
         <translation>回放</translation>
+    </message>
+    <message>
+        <source>Drawer</source>
+        <translation>抽屉</translation>
     </message>
 </context>
 <context>
@@ -5938,14 +6050,6 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     <message>
         <source>Copied</source>
         <translation>已复制</translation>
-    </message>
-    <message>
-        <source>Not saved: {path}. {reason}</source>
-        <translation>未保存：{path}。{reason}</translation>
-    </message>
-    <message>
-        <source>Saved: {path}</source>
-        <translation>已保存：{path}</translation>
     </message>
 </context>
 <context>
@@ -6228,6 +6332,31 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     <message>
         <source>Close preview</source>
         <translation>关闭预览</translation>
+    </message>
+</context>
+<context>
+    <name>QAbstractFileIconProvider</name>
+    <message>
+        <source>Folder</source>
+        <translation>文件夹</translation>
+    </message>
+</context>
+<context>
+    <name>QFileSystemModel</name>
+    <message>
+        <source>Size</source>
+        <translation>大小</translation>
+    </message>
+</context>
+<context>
+    <name>QShortcut</name>
+    <message>
+        <source>Up</source>
+        <translation>↑</translation>
+    </message>
+    <message>
+        <source>Down</source>
+        <translation>↓</translation>
     </message>
 </context>
 <context>
@@ -6616,10 +6745,6 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>没有剩余数据：请修正标记的输入框。</translation>
     </message>
     <message>
-        <source>{kept} of {count} samples, {time}</source>
-        <translation>保留 {kept}/{count} 个采样，{time}</translation>
-    </message>
-    <message>
         <source>The path is shown in the 3D view.</source>
         <translation>路径已显示在三维视图中。</translation>
     </message>
@@ -6694,6 +6819,10 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     <message>
         <source>The arm comes to rest in every point</source>
         <translation>机械臂会在每个点停下</translation>
+    </message>
+    <message>
+        <source>Keeps {kept} of {count} samples, {time}</source>
+        <translation>保留 {kept}/{count} 个采样，{time}</translation>
     </message>
 </context>
 <context>
@@ -7937,6 +8066,10 @@ The other program must have ended.</source>
         <translation>MF4 需要 asammdf 软件包（pip install asammdf）。</translation>
     </message>
     <message>
+        <source>You called it off. The recording itself is whole, as .blf.</source>
+        <translation>已取消。录制本身完整，保存为 .blf。</translation>
+    </message>
+    <message>
         <source>The last minutes are being saved already. Wait a moment.</source>
         <translation>最近几分钟的内容正在保存，请稍候。</translation>
     </message>
@@ -7989,6 +8122,14 @@ The other program must have ended.</source>
         <translation>{name} 中没有可读的 CAN 报文（{text}）。请选择记录程序写出的文件，并保留其扩展名。</translation>
     </message>
     <message>
+        <source>Nothing in {name} reads as a frame of a CAN log of its ending. Choose the file that the recording program has written, with its own ending.</source>
+        <translation>{name} 中没有与其扩展名相符的 CAN 报文。请选择记录程序写出的文件，并保留其扩展名。</translation>
+    </message>
+    <message>
+        <source>{name} is a packed archive, whatever its ending says. Unpack it, and open the log that was in it.</source>
+        <translation>无论扩展名如何，{name} 都是压缩包。请先解压，再打开其中的日志。</translation>
+    </message>
+    <message>
         <source>By its name {name} is no CAN log. Known endings: {known}, most of them also with .gz behind. Rename the file, or choose another.</source>
         <translation>从文件名看，{name} 不是 CAN 日志。可识别的扩展名：{known}，多数也可再加 .gz。请改名或选择其他文件。</translation>
     </message>
@@ -8017,10 +8158,6 @@ The other program must have ended.</source>
         <translation>使能键按住 {seconds} 秒而设备没有任何动作。请重新按下。</translation>
     </message>
     <message>
-        <source>The main window is not in front, or a menu is open in it. Click into it, then press anew.</source>
-        <translation>主窗口不在最前，或其中打开了菜单。请点击主窗口，然后重新按下。</translation>
-    </message>
-    <message>
         <source>The arm&apos;s firmware {firmware} does not have this: it came with {since}. Updates come from the maker&apos;s support.</source>
         <translation>机械臂固件 {firmware} 不支持此功能：自 {since} 起支持。升级请联系厂家支持。</translation>
     </message>
@@ -8035,6 +8172,14 @@ The other program must have ended.</source>
     <message>
         <source>Another program drives the arm in {other_mode} mode: a mode word of ours would leave its joints limp. End that program, hold the arm, and take the way back that the line above the panels offers.</source>
         <translation>另一程序正以{other_mode}模式驱动机械臂：本程序的模式指令会使关节失力。请结束该程序、扶住机械臂，再按面板上方提示行给出的方式恢复。</translation>
+    </message>
+    <message>
+        <source>Not run: the arm&apos;s model or zeros are others than those of the check. Send again.</source>
+        <translation>未运行：机械臂的型号或零点约定与检查时不同。请再次点击发送。</translation>
+    </message>
+    <message>
+        <source>The main window, or a page taken out of it, is not in front, or a menu is open. Click into one of them, then press anew.</source>
+        <translation>主窗口或取出的独立窗口不在最前，或有菜单打开。请点击其中一个窗口，再重新按下。</translation>
     </message>
 </context>
 <context>
@@ -8287,6 +8432,10 @@ The other program must have ended.</source>
     <message>
         <source>Step by step</source>
         <translation>单步运行</translation>
+    </message>
+    <message>
+        <source>Checks it and runs it</source>
+        <translation>检查后运行</translation>
     </message>
 </context>
 <context>
@@ -8755,11 +8904,11 @@ The other program must have ended.</source>
         <translation>手柄…</translation>
     </message>
     <message>
-        <source>on: jogs the arm</source>
+        <source>On: jogs the arm</source>
         <translation>已开启：可以点动机械臂</translation>
     </message>
     <message>
-        <source>off</source>
+        <source>Off</source>
         <translation>已关闭</translation>
     </message>
 </context>
@@ -10309,10 +10458,6 @@ Afterwards the motors must be enabled again.</source>
         <translation>工作空间</translation>
     </message>
     <message>
-        <source>Shows how far the tool centre point can reach</source>
-        <translation>显示工具中心点可到达的范围</translation>
-    </message>
-    <message>
         <source>Save picture…</source>
         <translation>保存画面…</translation>
     </message>
@@ -10371,6 +10516,10 @@ Afterwards the motors must be enabled again.</source>
     <message>
         <source>Drags the target, or the chosen point, in the picture; the arm does not move. Ctrl: coarse steps, Shift: fine steps, Esc: give up</source>
         <translation>在画面中拖动目标或所选点，机械臂不会运动。Ctrl：大步进，Shift：小步进，Esc：放弃</translation>
+    </message>
+    <message>
+        <source>Shows what the tool centre point can reach; orange bounds what it can&apos;t within</source>
+        <translation>显示工具中心点能到达的空间；橙色是其中到不了的部分的边界</translation>
     </message>
 </context>
 <context>

@@ -17,7 +17,8 @@ from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import ArmState, Reading
 from armui.protocol.piper_model import PiperModel
 
-EVERY = [each for batch in all_batches(teaching=True) for each in batch.parameters()]
+BATCHES = list(all_batches(teaching=True, drag_assistance=True))
+EVERY = [each for batch in BATCHES for each in batch.parameters()]
 MAX_J1 = Parameter("max_angle_deg", 1)
 MIN_J1 = Parameter("min_angle_deg", 1)
 LINEAR = Parameter("max_linear_speed_m_s")

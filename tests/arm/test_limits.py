@@ -2,8 +2,9 @@ import math
 
 import pytest
 
-from armui.arm.limits import FACTORY_LIMITS, check_joint, check_joints
+from armui.arm.limits import check_joint, check_joints
 from armui.arm.refusal_codes import RefusalCode
+from tests.family import FACTORY_LIMITS
 
 
 def test_the_factory_limits_are_those_of_the_facts():

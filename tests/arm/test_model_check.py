@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from armui.arm.model_check import ModelFit, fitting_models
+from armui.arm.model_check import ModelFit, fitting_arms, fitting_models
 from armui.arm.models import model_data
 from armui.arm.refusal_codes import RefusalCode
 from armui.kinematics.forward import flange_transforms
@@ -61,6 +61,15 @@ def test_an_arm_that_tells_no_version_is_never_taken_for_another_alone(model, ve
         assert model in fitting, joints_deg
         alone += fitting == {model}
     assert alone >= 99
+
+
+@pytest.mark.parametrize(("version", "zeros"), [(NEWER, OLDER), (OLDER, NEWER)])
+@pytest.mark.parametrize("model", MODELS)
+def test_an_arm_with_other_zeros_than_its_version_has_tells_them_by_its_pose(model, version, zeros):
+    for joints_deg in standing_poses(model, 20, 5):
+        angles, pose = told(model, zeros, joints_deg)
+        fitting = fitting_arms(angles, pose, version)
+        assert fitting == {(model, zeros == OLDER)}, joints_deg
 
 
 def test_what_the_comparison_says_of_the_choice():

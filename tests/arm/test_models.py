@@ -5,7 +5,6 @@ import math
 
 import pytest
 
-from armui.arm.limits import FACTORY_ACCELERATION_DEG_S2, FACTORY_LIMITS
 from armui.arm.models import (
     LINK_NAMES,
     ModelFileError,
@@ -67,8 +66,9 @@ def test_the_ranges_are_those_of_the_table():
         PiperModel.PIPER_L: [127.0, 89.5, 180.0],
         PiperModel.PIPER_X: [89.0, 89.0, 170.0],
     }
-    assert model_data().limits == FACTORY_LIMITS
-    assert set(model_data().accelerations_deg_s2) == {FACTORY_ACCELERATION_DEG_S2}
+    assert set(model_data().accelerations_deg_s2) == {math.degrees(5.0)}
+    assumed = {model for model, data in all_models().items() if data.speeds_assumed}
+    assert assumed == set(MODELS) - {PiperModel.PIPER}
 
 
 @pytest.mark.parametrize("model", MODELS)
@@ -107,6 +107,7 @@ def test_firmware_before_1_6_3_has_its_zeros_2_degrees_elsewhere(model, version,
         ("torque.b", [1, 2], "6 × 0.0"),
         ("gripper.turned", 90, "gripper.turned is unknown"),
         ("name", None, "name"),
+        ("speeds", "guessed", "known or assumed"),
     ],
 )
 def test_a_wrong_field_is_named_with_the_file(changed, tmp_path, field, value, says):

@@ -133,7 +133,8 @@ class Gaps(QObject):
             self._done.clear()
             self._posted_s = time.perf_counter()
             QApplication.postEvent(self, QEvent(QEvent.Type.User))
-            self._done.wait()
+            while not self._done.wait(self.PERIOD_S) and not self._ending.is_set():
+                pass  # nobody takes the event any more once it is ended
 
     def event(self, event: QEvent) -> bool:
         if event.type() == QEvent.Type.User:

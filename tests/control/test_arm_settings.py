@@ -5,12 +5,12 @@ import math
 import can
 import pytest
 
-from armui.arm.limits import FACTORY_LIMITS
 from armui.arm.parameters import Batch, Group, Parameter, all_batches, heard
 from armui.arm.refusal_codes import RefusalCode
 from armui.control.parameters.setting_cell import CellState
 from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
+from tests.family import FACTORY_LIMITS
 from tests.faulty_arm import HardOfHearing
 
 END = Batch(Group.END_LIMITS)
@@ -65,7 +65,9 @@ def saved(rig, changes):
 def test_everything_an_arm_keeps_is_read(any_rig):
     any_rig.connect()
     generation = any_rig.controller.operating_state.generation
-    batches = list(all_batches(teaching=generation is Generation.TWO))
+    second = generation is Generation.TWO
+    batches = list(all_batches(teaching=second, drag_assistance=second))
+    assert any_rig.controller.settings.everything() == batches
     assert any_rig.controller.settings.read(batches) is None
     settled(any_rig)
     for batch in batches:

@@ -8,7 +8,7 @@ from typing import Any
 import pytest
 
 from armui.arm.device import Device
-from armui.arm.limits import FACTORY_LIMITS, JointLimits
+from armui.arm.limits import JointLimits
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import ArmState, Reading
@@ -20,6 +20,7 @@ from armui.protocol.addressing import Addressing
 from armui.protocol.codes import ArmStatusCode, ControlMode
 from armui.protocol.generation import Generation
 from tests.control.heard_arm import DRIVER, HERE, NORMAL, THERE, Arm, status
+from tests.family import FACTORY_LIMITS
 
 DEVICE = Device("virtual", "one")
 OFF = replace(DRIVER, enabled=False)

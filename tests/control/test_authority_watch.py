@@ -18,6 +18,7 @@ from armui.control.motion.motion_command import CommandKind, End, Mover
 from armui.control.operating_state import LinkState
 from armui.protocol.addressing import Addressing
 from armui.protocol.codes import MoveMode
+from armui.protocol.piper_model import PiperModel
 from tests.control.heard_arm import DRIVER, HERE, status
 from tests.moments import now
 from tests.ui.arm_states import heard_six
@@ -36,6 +37,7 @@ class Connection:
         self.offsets = OffsetFollower()
         self.link = LinkState.ONLINE
         self.idle = True
+        self.model = PiperModel.PIPER
         self.hosts = OtherHosts()
         self.joints_deg = HERE
         self.status = status()

@@ -11,7 +11,6 @@ from armui.arm.refusal_codes import RefusalCode
 from armui.control.devices.gripper_ranges import figures_of
 from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
-from armui.sim.mechanics.gripper import GripperError
 from tests.faulty_arm import FaultyDrivers, HardOfHearing
 
 ONE, TWO = Generation.ONE, Generation.TWO
@@ -74,7 +73,7 @@ def test_power_without_a_motion(arm):
 
 
 def test_an_error_is_told_and_cleared(arm2):
-    arm2.firmware.gripper.fail(GripperError.OVERCURRENT)
+    arm2.firmware.gripper.fail(GripperFault.OVERCURRENT)
     arm2.run(0.1)
     assert arm2.controller.state.gripper.value.faults == {GripperFault.OVERCURRENT}
     assert arm2.gripper.clear_error() is None

@@ -6,7 +6,6 @@ from dataclasses import replace
 
 import pytest
 
-from armui.arm.limits import FACTORY_LIMITS
 from armui.arm.state import ArmState, Reading, Status
 from armui.control.link.handshake import Handshake, HandshakePhase
 from armui.protocol.addressing import Addressing
@@ -14,6 +13,7 @@ from armui.protocol.codec import Codec
 from armui.protocol.firmware_version import MitLayout
 from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
+from tests.family import FACTORY_LIMITS
 from tests.moments import now
 from tests.ui.arm_states import heard_six
 

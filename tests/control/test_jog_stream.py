@@ -3,7 +3,7 @@
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from armui.arm.limits import FACTORY_ACCELERATION_DEG_S2, JointLimits
+from armui.arm.limits import JointLimits
 from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import Reading
 from armui.control.motion.jog_pace import REST_S, accelerations, pace
@@ -11,6 +11,7 @@ from armui.control.motion.jog_path import JointJog, JointJogPath
 from armui.control.motion.jog_stream import JogStream
 from armui.sim.mechanics.powered_joints import JointMotion
 from tests.examples import examples
+from tests.family import FACTORY_ACCELERATION_DEG_S2
 
 BASE_DEG = (0.0, 90.0, -90.0, 0.0, 0.0, 0.0)
 
@@ -94,4 +95,12 @@ def test_a_joint_that_sags_under_load_is_not_pulled_back():
 def test_a_corrupt_acceleration_is_not_relied_on():
     heard = (None, Reading(65535.0, 1.0), Reading(0.0, 1.0), Reading(100.0, 1.0), None, None)
     factory = FACTORY_ACCELERATION_DEG_S2
-    assert accelerations(heard) == (factory, factory, factory, 100.0, factory, factory)
+    braking = accelerations(heard, (factory,) * 6)
+    assert braking == (factory, factory, factory, 100.0, factory, factory)
+
+
+def test_a_model_whose_joints_brake_harder_or_softer_is_jogged_by_its_own_table():
+    of_model = (100.0, 200.0, 300.0, 400.0, 500.0, 600.0)
+    assert accelerations((None,) * 6, of_model) == of_model
+    heard = tuple(Reading(350.0, 1.0) for _ in range(6))
+    assert accelerations(heard, of_model) == (100.0, 200.0, 300.0, 350.0, 350.0, 350.0)

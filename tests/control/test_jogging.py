@@ -4,7 +4,6 @@ import math
 
 import pytest
 
-from armui.arm.limits import FACTORY_LIMITS
 from armui.arm.refusal_codes import RefusalCode
 from armui.control.motion.jog_pace import REST_S, pace
 from armui.control.motion.jog_path import JointJog, ToolJog
@@ -23,7 +22,7 @@ from tests.control.jogger import (
     release,
     rest_s,
 )
-from tests.family import PIPER
+from tests.family import FACTORY_LIMITS, PIPER
 
 JOBS = {
     "joint": JointJog(1, 1),

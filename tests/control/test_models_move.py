@@ -27,9 +27,14 @@ def model(request):
     return request.param
 
 
+@pytest.fixture(params=["S-V1.8-9", "S-V1.5-2"])
+def version(request):
+    return request.param
+
+
 @pytest.fixture
-def standing(rig, model):
-    rig.lie(READY_DEG, model)
+def standing(rig, model, version):
+    rig.lie(READY_DEG, model, version=version)
     rig.connect(model)
     assert rig.controller.motors.enable() is None
     rig.run_until(lambda: rig.controller.operating_state.cannot_move is None)
@@ -39,7 +44,8 @@ def standing(rig, model):
 
 def place(rig, model):
     """Where the simulated arm's flange truly is."""
-    return Kinematics(model_data(model).geometry).forward(rig.firmware.joints_deg)
+    geometry = model_data(model).geometry_of(rig.firmware.type.version)
+    return Kinematics(geometry).forward(rig.firmware.joints_deg)
 
 
 def arrived(rig):

@@ -11,6 +11,7 @@ from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import ArmState, Reading
 from armui.control.safety.overspeed import OverspeedWatch
+from tests.family import FACTORY_LIMITS
 from tests.ui.arm_states import heard_six
 
 BEGIN_S = 0.25
@@ -30,6 +31,7 @@ class Motion:
         self.now_s = BEGIN_S
         self.angles_deg = [0.0] * 6
         self.limits = (None if limits is None else Reading(limits, BEGIN_S),) * 6
+        self.factory = FACTORY_LIMITS
         self.refusal: Refusal | None = None
 
     def state(self) -> ArmState:
@@ -40,7 +42,7 @@ class Motion:
     def turn(self, speed_deg_s: float, steps: int, joint: int = 1, percent: int | None = PERCENT):
         """Measure so many times, each 1/64 s after the last; what is said at the end."""
         for _ in range(steps):
-            self.refusal = self.watch.observe(self.state(), percent)
+            self.refusal = self.watch.observe(self.state(), percent, self.factory)
             self.now_s += STEP_S
             self.angles_deg[joint - 1] += speed_deg_s * STEP_S
         return self.refusal
@@ -117,6 +119,13 @@ def test_limits_that_cannot_be_true_are_the_factorys(limits, shown):
     assert Motion(limits).turn(100.0, 9).params["maximum"] == shown
 
 
+def test_a_model_with_faster_joints_is_measured_by_its_own_table():
+    motion = Motion(None)
+    motion.factory = tuple(JointLimits(-180.0, 180.0, 300.0) for _ in range(6))
+    assert motion.turn(90.0, 9) is None  # 20 % of 300 °/s is 60 °/s; half again and 2 are 92
+    assert motion.turn(100.0, 9).params["maximum"] == 60.0
+
+
 def test_nothing_is_compared_without_a_speed_shown(motion):
     assert motion.turn(100.0, 20, percent=None) is None
     assert motion.turn(100.0, 7) is None  # what was measured before is not of this motion
@@ -135,16 +144,16 @@ def test_angles_that_are_not_all_known_are_none(motion, index):
     motion.turn(100.0, 7)
     state = motion.state()
     some = (*state.joints_deg[:index], None, *state.joints_deg[index + 1 :])
-    assert motion.watch.observe(replace(state, joints_deg=some), PERCENT) is None
-    assert motion.watch.observe(state, PERCENT) is None
+    assert motion.watch.observe(replace(state, joints_deg=some), PERCENT, FACTORY_LIMITS) is None
+    assert motion.watch.observe(state, PERCENT, FACTORY_LIMITS) is None
     assert motion.turn(100.0, 7) is None
 
 
 def test_the_same_angles_seen_again_are_measured_once(motion):
     motion.turn(50.0, 7)
     state = motion.state()
-    first = motion.watch.observe(state, PERCENT)
-    again = [motion.watch.observe(state, PERCENT) for _ in range(20)]
+    first = motion.watch.observe(state, PERCENT, FACTORY_LIMITS)
+    again = [motion.watch.observe(state, PERCENT, FACTORY_LIMITS) for _ in range(20)]
     assert first is not None
     assert again == [first] * 20
 
@@ -156,7 +165,7 @@ def test_a_measurement_is_complete_with_its_last_frame(motion):
     last = Reading(0.0, float(str(newer - STEP_S)))
     early = (Reading(motion.angles_deg[0] + 2.0, newer), *(Reading(0.0, newer),) * 3, last, last)
     state = replace(motion.state(), joints_deg=early)
-    assert [motion.watch.observe(state, PERCENT) for _ in range(3)] == [None] * 3
+    assert [motion.watch.observe(state, PERCENT, FACTORY_LIMITS) for _ in range(3)] == [None] * 3
 
 
 def test_a_long_gap_between_two_measurements_is_judged_by_what_lies_between(motion):

@@ -16,7 +16,9 @@ def fail(*_args, **_kwargs):
 
 
 @pytest.mark.parametrize("act", ["halt", "advance"])
-@pytest.mark.parametrize("part", ["motors", "motion", "gripper", "recorder", "orders", "settings"])
+@pytest.mark.parametrize(
+    "part", ["motors", "motion", "gripper", "recorder", "transactions", "settings"]
+)
 def test_a_stop_ends_a_jog_whatever_else_fails(rig, monkeypatch, part, act):
     joint_jog(rig)
     monkeypatch.setattr(getattr(rig.controller, part), act, fail)

@@ -15,6 +15,7 @@ import pytest
 from can.interfaces.virtual import VirtualBus
 
 from armui.arm.refusal_codes import RefusalCode
+from armui.control.sessions import mf4_making
 from armui.control.sessions.choices import SessionChoices
 from armui.control.sessions.mf4_making import Mf4Making
 from armui.protocol.frame import Frame, FrameFlag
@@ -26,6 +27,7 @@ from armui.session.recording.recorded_session import RecordedSession
 from armui.session.session import MarkKind
 from armui.sim.faults.schedule import fault
 from armui.telemetry.event_json import from_json
+from tests.control import slow_mf4
 from tests.session.recording.made import Mf4InMemory
 
 
@@ -161,7 +163,7 @@ def test_a_fault_of_the_arm_is_marked_with_its_end_and_saves_the_ring(rig, sessi
     wait_for(lambda: "ring_saved" in rig.codes())
 
     (entry,) = list_recordings(sessions.choices.folder)
-    assert (entry.reason, entry.faults > 0) == ("fault", True)
+    assert (entry.reason, bool(entry.faults)) == ("fault", True)
     session = opened(entry)
     faults = [mark for mark in session.marks if mark.kind is MarkKind.FAULT]
     assert session.start_s <= faults[0].at_s <= session.end_s
@@ -276,8 +278,8 @@ def test_the_end_of_the_program_ends_the_recording_well(rig, sessions, tmp_path)
 def as_mf4(sessions, monkeypatch):
     """The operator has chosen MF4; the package for it is a stand-in, in a thread."""
     monkeypatch.setattr(mf4, "can_write", lambda: True)
-    monkeypatch.setattr(mf4.write_mf4, "__defaults__", (Mf4InMemory,))
-    sessions._mf4 = Mf4Making(lambda: ThreadPoolExecutor(1))
+    monkeypatch.setattr("can.MF4Writer", Mf4InMemory)
+    sessions.mf4 = Mf4Making(lambda: ThreadPoolExecutor(1))
     sessions.choose(replace(sessions.choices, as_mf4=True))
     return sessions
 
@@ -313,7 +315,7 @@ def test_the_files_of_which_an_mf4_file_is_made_stay_in_their_places(
     session = record(rig, as_mf4, wait_for)
     (entry,) = list_recordings(as_mf4.choices.folder)
     assert session.frames > 0
-    assert as_mf4.making_mf4 == as_mf4.busy_names() == {entry.name}
+    assert as_mf4.mf4.names == as_mf4.busy_names() == {entry.name}
     assert not list(as_mf4.choices.folder.glob("*.mf4"))  # it has its name when it is whole
     going_on.set()
     wait_for(lambda: "mf4_saved" in rig.codes())
@@ -342,3 +344,32 @@ def test_an_mf4_file_that_cannot_be_made_is_told(rig, as_mf4, wait_for, monkeypa
     assert session.frames > 0
     files = {path.suffix for path in as_mf4.choices.folder.iterdir()}
     assert files == {".blf", ".idx", ".jsonl"}
+
+
+def test_making_an_mf4_file_is_called_off_and_nothing_is_left(rig, as_mf4, wait_for, monkeypatch):
+    monkeypatch.setattr(mf4_making, "_make", slow_mf4.make)
+    as_mf4.mf4 = Mf4Making()
+    rig.connect()
+    record(rig, as_mf4, wait_for)
+    wait_for(lambda: as_mf4.mf4.share == 0.5)
+    folder = as_mf4.choices.folder
+    assert list(folder.glob(".*.unfinished"))
+
+    as_mf4.mf4.call_off()
+    wait_for(lambda: "mf4_not_saved" in rig.codes())
+    told = next(event for event in rig.events if event.code == "mf4_not_saved")
+    assert told.params["reason"].code == RefusalCode.SESSION_MF4_CALLED_OFF
+    assert {path.suffix for path in folder.iterdir()} == {".blf", ".idx", ".jsonl"}
+    assert not as_mf4.busy_names()
+    assert as_mf4.mf4.share is None
+
+
+def test_an_mf4_file_in_the_making_ends_with_the_program(rig, as_mf4, wait_for, monkeypatch):
+    monkeypatch.setattr(mf4_making, "_make", slow_mf4.make)
+    as_mf4.mf4 = Mf4Making()
+    rig.connect()
+    record(rig, as_mf4, wait_for)
+    wait_for(lambda: as_mf4.mf4.share == 0.5)
+    assert rig.controller.shutdown()
+    wait_for(lambda: not list(as_mf4.choices.folder.glob(".*.unfinished")))
+    assert {path.suffix for path in as_mf4.choices.folder.iterdir()} == {".blf", ".idx", ".jsonl"}

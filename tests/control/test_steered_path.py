@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from armui.arm.limits import FACTORY_ACCELERATION_DEG_S2, FACTORY_LIMITS, JointLimits
+from armui.arm.limits import JointLimits
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.control.motion.jog_pace import pace
@@ -17,7 +17,7 @@ from armui.kinematics.arm_kinematics import Kinematics
 from armui.kinematics.axes import JogFrame
 from armui.kinematics.poses import matrix_to_pose, moved, pose_to_matrix, rotation, shifted
 from tests.control.jogger import BENT_DEG, TICK_S, bend, hold, rest_s
-from tests.family import PIPER
+from tests.family import FACTORY_ACCELERATION_DEG_S2, FACTORY_LIMITS, PIPER
 
 DEVICE = "pad"
 PACE = pace(100, FACTORY_LIMITS, (FACTORY_ACCELERATION_DEG_S2,) * 6)

@@ -51,7 +51,7 @@ class Connection:
 
 
 class Program:
-    """The line of orders and all it needs, with what came of them.
+    """The line of transactions and all it needs, with what came of them.
 
     Attributes:
         sent: When, what, and how long it may wait.

@@ -14,6 +14,7 @@ import pytest
 from armui.export import add_arguments, run
 from armui.export.process import ExportDone, ExportProcess
 from armui.export.progress_bar import ProgressBar
+from armui.protocol.piper_model import PiperModel
 from armui.session.exports.request import (
     ArmWishes,
     ExportFormat,
@@ -187,7 +188,7 @@ class Listener:
 def test_a_process_exports_what_was_asked_for(log):
     listener = Listener()
     target = log.with_name("-o 输出.csv")
-    wishes = ArmWishes(channel="can0", firmware="S-V1.8-5")
+    wishes = ArmWishes(channel="can0", firmware="S-V1.8-5", model=PiperModel.PIPER_L)
     request = ExportRequest(log, target, ExportFormat.CSV, 0.1, 0.2, wishes)
     process = ExportProcess(request, listener)
     assert listener.over.wait(60)
@@ -195,6 +196,7 @@ def test_a_process_exports_what_was_asked_for(log):
     (done,) = listener.done
     assert done.report is not None
     assert (done.problem, done.report["items"], done.report["firmware"]) == (None, 21, "S-V1.8-5")
+    assert done.report["model"] == "PiPER L"
     assert target.exists()
     assert listener.progress[-1].frames > 0
 

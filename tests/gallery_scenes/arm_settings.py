@@ -7,11 +7,11 @@ from pathlib import Path
 
 from PySide6.QtWidgets import QDialog
 
-from armui.arm.limits import FACTORY_ACCELERATION_DEG_S2, FACTORY_LIMITS
 from armui.ui.dialogs.backup import BackupDialog
 from armui.ui.dialogs.confirm_dialog import ConfirmDialog
 from armui.ui.dialogs.files import FileDialog
 from tests.app_driver import AppDriver
+from tests.family import FACTORY_ACCELERATION_DEG_S2, FACTORY_LIMITS
 from tests.gallery_scenes.scene import settled
 
 

@@ -19,6 +19,7 @@ PICTURES: Final = {
     "library": "window-library",
     "editor": "window-editor",
     "joint-status": "dialog-joint-status",
+    "drawer": "window-drawer-curves",
     "plots": "dialog-plots-follow",
     "events": "dialog-events",
     "sessions": "dialog-sessions",

@@ -5,6 +5,7 @@ from __future__ import annotations
 import datetime as dt
 import itertools
 import multiprocessing.util
+import os
 import sys
 import tempfile
 from collections.abc import Iterable, Iterator
@@ -36,6 +37,8 @@ from tests.gallery_scenes.scene import DialogScene, Scene, close_dialogs
 
 _NOON: Final = dt.datetime(2026, 1, 15, 12, 0)
 
+_QUALITY: Final = 80
+"""Of a PNG: how little time is taken to make the file small; nothing is lost."""
 _LOOK_MS: Final = 20
 _LONGEST_MS: Final = 60_000
 
@@ -54,8 +57,14 @@ class Looks:
     sizes: tuple[tuple[int, int], ...] = ((1280, 800), (1920, 1080))
 
 
-def prepare() -> None:
-    """Make Qt ready in this process, with a clock that stands still and a caret that is steady."""
+def prepare(scale: int = 1) -> None:
+    """Make Qt ready in this process, with a clock that stands still and a caret that is steady.
+
+    Args:
+        scale: Device pixels a logical pixel.
+    """
+    if scale != 1:
+        os.environ["QT_SCALE_FACTOR"] = str(scale)
     qInstallMessageHandler(_pass_on)
     app = QApplication(sys.argv[:1])
     app.setCursorFlashTime(0)
@@ -114,7 +123,8 @@ class _WindowPictures:
         scene.play(self._driver)
         count = 0
         sizes = self._looks.sizes if len(self._looks.sizes) == 1 else scene.sizes
-        for size, theme in itertools.product(sizes or self._looks.sizes, self._looks.themes):
+        # another theme costs more than another size
+        for theme, size in itertools.product(self._looks.themes, sizes or self._looks.sizes):
             self._change(size, theme)
             for language in self._looks.languages:
                 self._driver.store.change(language=language)
@@ -128,7 +138,9 @@ class _WindowPictures:
         self, scene: Scene, look: str, size: tuple[int, int]
     ) -> Iterator[tuple[str, QWidget]]:
         window = self._driver.window
-        yield f"window-{scene.name}-{look}-{size[0]}x{size[1]}", window
+        ratio = window.devicePixelRatioF()
+        pixels = f"{round(size[0] * ratio)}x{round(size[1] * ratio)}"
+        yield f"window-{scene.name}-{look}-{pixels}", window
         if scene.panels and size == self._looks.sizes[0]:
             for panel, widget in _panels(window).items():
                 yield f"panel-{panel}-{scene.name}-{look}", widget
@@ -147,7 +159,7 @@ class _WindowPictures:
 def _take_dialog(app_driver: AppDriver, scene: DialogScene, folder: Path, looks: Looks) -> int:
     next(window for window in WINDOW_SCENES if window.name == scene.during).play(app_driver)
     count = 0
-    for language, theme in itertools.product(looks.languages, looks.themes):
+    for theme, language in itertools.product(looks.themes, looks.languages):
         app_driver.store.change(language=language, theme=theme)
         _let_work()
         _save(_steady(scene.open(app_driver)), folder, f"dialog-{scene.name}-{language}-{theme}")
@@ -182,7 +194,7 @@ def _steady(widget: QWidget) -> QImage:
 
 def _save(picture: QImage, folder: Path, name: str) -> None:
     path = folder / f"{name}.png"
-    if not picture.save(str(path)):
+    if not picture.save(str(path), quality=_QUALITY):
         raise OSError(f"could not write {path}")
 
 

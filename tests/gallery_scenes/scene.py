@@ -20,12 +20,14 @@ class Scene:
         play: Brings a window that has just opened, with no device, to this state.
         panels: Whether each panel of the operation area is a picture, too.
         sizes: Of the window, in pixels, where others than the usual ones tell more.
+        fine: Whether it is taken once more on a screen of 3840×2160 at 200 %.
     """
 
     name: str
     play: Callable[[AppDriver], object]
     panels: bool = False
     sizes: tuple[tuple[int, int], ...] = ()
+    fine: bool = False
 
 
 @dataclass(frozen=True)

@@ -364,3 +364,12 @@ def test_a_codec_that_is_not_proven_is_said(monitor):
     monitor.window.look()
 
     assert monitor.read("bus_counted").startswith("Generation not known yet")
+
+
+def test_in_a_narrow_window_the_data_are_seen_whole(monitor):
+    window = monitor.window.window()
+    window.resize(1500, 700)
+    window.resize(800, 700)
+    header = monitor.tree.header()
+    right = header.sectionViewportPosition(frame_model.DATA) + header.sectionSize(frame_model.DATA)
+    assert right <= monitor.tree.viewport().width()

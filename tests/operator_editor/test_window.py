@@ -111,3 +111,13 @@ def test_everything_is_said_in_the_language_chosen(editor):
     assert titles[0] == "Motion"
     assert all(titles)
     assert editor.table.mapTo(editor.window, QPoint(0, 0)).x() >= 0
+
+
+def test_beside_the_jog_buttons_one_button_is_lit(editor):
+    send = editor.child("run_send")
+    assert send.property("primary")
+    editor.click("editor_jog")
+    assert editor.child("box_insert").property("primary")
+    assert not send.property("primary")
+    editor.click("editor_jog")
+    assert send.property("primary")

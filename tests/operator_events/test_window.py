@@ -320,3 +320,19 @@ def test_ten_thousand_events_are_searched_in_pieces(events):
     events.driver.wait(lambda: not events.model.searching)
     assert set(events.read()) == {"J4 beyond its angle limit"}
     assert events.model.rowCount() == sum(each.params["joint"] == 4 for each in log.entries())
+
+
+def test_in_a_narrow_window_what_happened_is_read_and_the_rest_is_told_below(events):
+    across = events.table.horizontalHeader()
+    window = events.window.window()
+    window.resize(1400, 700)
+    assert not events.table.isColumnHidden(EventColumn.END)
+    window.resize(800, 700)
+    assert events.table.isColumnHidden(EventColumn.END)
+    assert across.sectionSize(EventColumn.TEXT) >= 200
+    row = events.row(HOT)
+    events.click(row)
+    entry = events.model.entry(row)
+    assert clock(entry, entry.ended_s) in events.window.detail.text()
+    window.resize(1400, 700)
+    assert not events.table.isColumnHidden(EventColumn.END)

@@ -167,3 +167,11 @@ def test_what_undoing_brings_back_leaves_the_list_of_the_deleted(driver):
     assert bin_.names() == ["one"]
     driver.click("undo")
     assert bin_.names() == []
+
+
+def test_what_was_done_is_told_in_the_language_that_is_chosen_afterwards(driver):
+    driver.choose("one")
+    driver.click("delete")
+    assert driver.message() == "Deleted: one"
+    driver.app_driver.store.change(language="zh")
+    driver.app_driver.wait(lambda: driver.message() == "已删除：one")

@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QApplication
 
 from armui.protocol.generation import Generation
 from armui.settings import SettingsStore
+from armui.system.atomic import UNFINISHED
 from armui.ui.dialogs.files import FileDialog
 from armui.ui.watch.plot_layout import SETS
 from armui.ui.watch.round_figures import ticks
@@ -92,7 +93,7 @@ def test_a_file_that_is_being_replaced_stays_whole(plots, tmp_path, monkeypatch)
     QApplication.processEvents()
     assert "No space left" in plots.window.area.message.text()
     assert path.read_text() == "old"
-    assert list(tmp_path.glob("*.new")) == []
+    assert list(tmp_path.glob(f"*{UNFINISHED}")) == []
 
 
 def test_copies(plots):

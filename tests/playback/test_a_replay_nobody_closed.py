@@ -14,7 +14,15 @@ from armui.control.log_replay import LogReplay
 from tests.playback.logs import log_with, settled
 
 OPEN_AT_THE_END = """
-import sys
+import sys, weakref
+
+class Early:
+    pass
+
+if len(sys.argv) > 2:  # as in a process of a pool: Qt's turn at the end is before this one's
+    early = Early()
+    weakref.finalize(early, int)
+
 from pathlib import Path
 from PySide6.QtCore import QCoreApplication
 from tests.playback.logs import log_with
@@ -52,9 +60,10 @@ def test_its_thread_ends_with_its_owner(qtbot, log):
     assert worker.isFinished()
 
 
-def test_a_program_that_ends_takes_it_along(tmp_path):
+@pytest.mark.parametrize("more", [[], ["early"]])
+def test_a_program_that_ends_takes_it_along(tmp_path, more):
     ended = subprocess.run(
-        [sys.executable, "-c", OPEN_AT_THE_END, str(tmp_path)],
+        [sys.executable, "-c", OPEN_AT_THE_END, str(tmp_path), *more],
         capture_output=True, text=True, timeout=50, check=False,
     )  # fmt: skip
     assert "QThread" not in ended.stderr

@@ -194,6 +194,47 @@ def test_while_it_is_read_its_share_is_told_and_the_replay_plays(qtbot, replay, 
     qtbot.waitUntil(lambda: reaches_back(replay, log.start_s), timeout=5000)
 
 
+def test_curves_that_nobody_sees_are_read_when_they_are_shown(qtbot, replay, log):
+    replay.want_curves(0.0)
+    replay.go_to(log.start_s + 2.0)
+    settled(qtbot, replay)
+    assert not replay._fill_timer.isActive()
+    assert replay._worker.lacks_curves
+    replay.want_curves(NEAR_S)
+    qtbot.waitUntil(lambda: reaches_back(replay, log.start_s + 1.5), timeout=5000)
+
+
+@pytest.mark.parametrize("play", [lambda replay: replay.play(on=True), LogReplay.step])
+def test_curves_that_nobody_sees_are_whole_once_the_log_goes_on(qtbot, replay, log, play):
+    replay.want_curves(0.0)
+    replay.go_to(log.start_s + 2.0)
+    settled(qtbot, replay)
+    play(replay)
+    qtbot.waitUntil(lambda: replay.position_s > log.start_s + 2.0, timeout=5000)
+    assert reaches_back(replay, log.start_s + 1.5)
+
+
+def test_the_next_place_does_not_wait_for_the_curves_of_this_one(qtbot, replay, log, monkeypatch):
+    go_on = threading.Event()
+    wait = curve_history.CurveHistory._goes_on
+    monkeypatch.setattr(
+        curve_history.CurveHistory,
+        "_goes_on",
+        lambda history, at_s: go_on.wait(10) and wait(history, at_s),
+    )
+    replay.go_to(log.start_s + 2.0)
+    settled(qtbot, replay)
+    replay.want_curves(1800.0)
+    qtbot.waitUntil(lambda: replay.loading is not None, timeout=5000)
+    history = replay._worker.history
+    replay.go_to(log.start_s + 2.5)
+    assert replay.loading is None  # before the place is at hand
+    assert not history._wanted
+    go_on.set()
+    settled(qtbot, replay)
+    qtbot.waitUntil(lambda: reaches_back(replay, log.start_s), timeout=5000)
+
+
 def test_series_are_adopted_and_caches_made_anew():
     shape = Shape("x", 10.0, ("a",))
     old, new = Series(shape, 400.0), Series(shape, 400.0)

@@ -60,7 +60,7 @@ BY_HAND = {
     # 70 mm = 0x11170, 1.5 N·m = 0x5DC
     "move_gripper_opening": ["159 0001117005DC0100"],
     "disable_gripper": ["159 0000000000000000"],
-    "clear_gripper_error": ["159 0000000000000300"],
+    "clear_gripper_error": ["159 0000000000000200"],
     "set_gripper_zero": ["159 00000000000000AE"],
     "enable_motors": ["471 0702000000000000"],
     "disable_motors": ["471 0301000000000000"],
@@ -109,7 +109,6 @@ CALLS: dict[str, tuple[tuple[Any, ...], dict[str, Any]]] = {
     "arc_point": ((ArcPointNumber.MIDDLE,), {}),
     "move_arc": ((POSE, POSE, POSE), {"speed_percent": 10}),
     "move_gripper_opening": ((), {"opening_mm": 70, "torque_nm": 1.5}),
-    "clear_gripper_error": ((), {"enable": True}),
     "disable_motors": ((3,), {}),
     "query_limits": ((1,), {}),
     "query_acceleration": ((6,), {}),

@@ -157,7 +157,6 @@ TABLES = [
     (codes.ParameterQuery, "ParameterCommand", "Query"),
     (codes.FactoryReset, "ParameterCommand", "Reset"),
     (codes.EndLoad, "ParameterCommand", "Load"),
-    (codes.TransferAnswer, "SettingResponse", "Transfer"),
     (codes.GripperMeasure, "GripperCommand", "Measure"),
     (codes.GripperMeasure, "GripperFeedback", "Measure"),
     (codes.CpvAction, "CpvControl1", "Action"),

@@ -20,6 +20,7 @@ from armui.protocol.frame import FrameFlag
 from armui.record.command import EXIT_CANNOT_BEGIN, EXIT_CUT_SHORT, EXIT_OK
 from armui.record.listening import BusListener
 from armui.session.recording import mf4
+from armui.session.recording.folder import list_recordings
 from armui.session.recording.recorded_session import RecordedSession
 from tests.session.recording.made import Mf4InMemory, all_of
 from tests.session.recording.test_disk import FullDisk
@@ -32,6 +33,13 @@ SAID = [
     can.Message(arbitration_id=0x321, data=bytes(64), is_fd=True, bitrate_switch=True,
                 is_extended_id=False),
 ]  # fmt: skip
+
+
+def ended(session):
+    """How it ended: behind that stands only what was counted."""
+    *_, end, counted = session.lines
+    assert (end["kind"], counted["kind"]) == ("end", "counted")
+    return end
 
 
 def run(*words: str) -> int:
@@ -79,7 +87,7 @@ def test_every_sort_of_frame_is_recorded(tmp_path, channel, capsys, suffix):
     assert sorts == {0, FrameFlag.REMOTE, FrameFlag.ERROR, FrameFlag.FD | FrameFlag.BITRATE_SWITCH}
     extended = {each.frame.arbitration_id for each in all_of(session)} & {0x18FEF100}
     assert extended
-    assert session.lines[-1]["reason"] == "duration"
+    assert ended(session)["reason"] == "duration"
 
 
 @pytest.mark.parametrize("asked", [signal.SIGINT, signal.SIGTERM])
@@ -92,7 +100,7 @@ def test_a_signal_ends_it_well(tmp_path, channel, asked):
     timer.join()
     assert signal.getsignal(asked) is before
     session = RecordedSession(tmp_path / "run.blf")
-    assert session.lines[-1]["kind"] == "end"
+    assert ended(session)
     assert session.frames > 0
 
 
@@ -174,7 +182,7 @@ def test_the_simulated_arm_in_a_process_of_its_own_without_qt(tmp_path):
 
 def test_an_mf4_file_is_made_of_all_files_at_the_end(tmp_path, channel, capsys, monkeypatch):
     monkeypatch.setattr(mf4, "can_write", lambda: True)
-    monkeypatch.setattr(mf4.write_mf4, "__defaults__", (Mf4InMemory,))
+    monkeypatch.setattr("can.MF4Writer", Mf4InMemory)
     words = ["--interface", "virtual", "--channel", channel, "-o", str(tmp_path), "--name", "run"]
     assert run(*words, "--format", "mf4", "--duration", "0.6") == EXIT_OK
     assert "run.mf4" in capsys.readouterr().out
@@ -198,3 +206,10 @@ def test_mf4_without_its_package_is_refused_before_anything_is_recorded(monkeypa
     monkeypatch.setattr(mf4, "can_write", lambda: False)
     assert run("--sim", "--format", "mf4") == EXIT_CANNOT_BEGIN
     assert "pip install asammdf" in capsys.readouterr().err
+
+
+def test_its_faults_are_counted_when_it_ends(tmp_path, capsys):
+    assert run("--sim", "-o", str(tmp_path), "--name", "arm", "--duration", "1.5") == EXIT_OK
+    (entry,) = list_recordings(tmp_path)
+    assert (entry.faults, entry.stops, entry.ended) == (0, 0, True)
+    assert not capsys.readouterr().err

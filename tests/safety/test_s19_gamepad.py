@@ -14,27 +14,15 @@ from armui.arm.refusal_codes import RefusalCode
 from armui.gamepad.dead_man import HoldPhase
 from tests.company import OtherHost
 from tests.control.jogger import bend, rest_s
-from tests.gamepad.pads import MOUSE, OTHER_PAD, PAD, Pads, switch_on
+from tests.gamepad.pads import MOUSE, OTHER_PAD, PAD, switch_on
 from tests.gamepad.piloting import (
     drive,
-    held_ready,
     is_sent_nothing,
     pass_time,
     pick_up,
     pilot,
     reasons,
 )
-
-
-@pytest.fixture
-def pads():
-    return Pads()
-
-
-@pytest.fixture
-def ready(app_driver, pads):
-    return held_ready(app_driver, pads)
-
 
 # What a hold ends with ----------------------------------------------------------------------------
 

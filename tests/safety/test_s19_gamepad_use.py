@@ -1,7 +1,8 @@
 """S19: where a gamepad moves nothing, its stop that always works, and how it moves the arm."""
 
 import pytest
-from PySide6.QtWidgets import QMenu
+from PySide6.QtCore import QEvent
+from PySide6.QtWidgets import QApplication, QMenu
 
 from armui.arm.refusal_codes import RefusalCode
 from armui.control.events import EventCode
@@ -9,29 +10,18 @@ from armui.control.motion.jog_path import JointJog
 from armui.gamepad.dead_man import HoldPhase
 from armui.gamepad.layout import JogMode
 from armui.telemetry.events import Asker
+from armui.ui.shell.page_window import PageWindow
 from tests.control.jogger import bend
-from tests.gamepad.pads import MOUSE, PAD, Pads, switch_on
+from tests.gamepad.pads import MOUSE, PAD, switch_on
 from tests.gamepad.piloting import (
     angles,
     drive,
-    held_ready,
     is_sent_nothing,
     pass_time,
     pick_up,
     pilot,
     reasons,
 )
-
-
-@pytest.fixture
-def pads():
-    return Pads()
-
-
-@pytest.fixture
-def ready(app_driver, pads):
-    return held_ready(app_driver, pads)
-
 
 # The window ---------------------------------------------------------------------------------------
 
@@ -59,6 +49,67 @@ def test_with_another_window_in_front_nothing_begins(ready, pads, open_it):
     pads.push(left_x=-1.0)
     assert is_sent_nothing(ready)
     assert "not in front" in ready.read("gamepad_text")
+
+
+@pytest.fixture
+def taken_out(ready, pads):
+    """A page in a window of its own, in front; the dead-man button is pressed there."""
+    pads.release("left_shoulder")
+    ready.click("library_button")
+    ready.click("page_take_out")
+    window = ready.window.findChild(PageWindow)
+    window.activateWindow()
+    pass_time(ready, 0.02)
+    assert window.isActiveWindow()
+    pads.press("left_shoulder")
+    pass_time(ready, 0.02)
+    return window
+
+
+def test_a_page_that_was_taken_out_is_ours_too(ready, pads, taken_out):
+    drive(ready, pads)
+
+
+def main_window_in_front(app_driver, window):
+    app_driver.window.activateWindow()
+
+
+def page_closed(app_driver, window):
+    window.reject()
+
+
+def main_window_hidden(app_driver, window):
+    app_driver.window.hide()
+
+
+def main_window_minimised(app_driver, window):
+    app_driver.window.showMinimized()
+
+
+def another_window(app_driver, window):
+    QApplication.sendEvent(window, QEvent(QEvent.Type.WindowDeactivate))
+
+
+@pytest.mark.parametrize(
+    "end",
+    [
+        main_window_in_front,
+        page_closed,
+        main_window_hidden,
+        main_window_minimised,
+        another_window,
+    ],
+)
+def test_what_takes_the_page_s_window_away_takes_the_hold_away(ready, pads, taken_out, end):
+    drive(ready, pads)
+    end(ready, taken_out)
+    pass_time(ready, 0.03)
+    assert not ready.controller.jogging.active
+    pads.push(left_x=0.0)
+    pass_time(ready, 0.1)
+    pads.push(left_x=-1.0)
+    pass_time(ready, 0.05)
+    assert not ready.controller.jogging.active  # it takes a new press
 
 
 def test_a_button_on_the_screen_that_is_held_goes_before(ready, pads):

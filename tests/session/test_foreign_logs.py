@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gzip
 import math
 from pathlib import Path
 
@@ -19,6 +20,7 @@ from armui.session.frames import FrameBatch, LoggedFrame
 from armui.session.reader import LogFile
 from armui.session.session import REMEMBERED_IDS
 from armui.session.survey import survey
+from tests.decode.logs import record
 from tests.session.indexed import open_indexed
 from tests.session.recordings import START_S, frames, greeting, write
 
@@ -32,13 +34,6 @@ def message(at_s: float, arbitration_id: int, data: bytes = b"", channel: int = 
         timestamp=at_s, arbitration_id=arbitration_id, data=data, channel=channel,
         is_extended_id=kind.pop("extended", False), **kind,
     )  # fmt: skip
-
-
-def record(path: Path, *messages: can.Message) -> Path:
-    with can.Logger(path) as logger:
-        for each in messages:
-            logger(each)
-    return path
 
 
 @pytest.fixture(scope="module")
@@ -213,8 +208,13 @@ def refused(path: Path, tmp_path: Path) -> Refusal:
 @pytest.mark.parametrize(
     ("name", "content", "code"),
     [
-        ("empty.log", b"", "replay_no_log"),
-        ("nonsense.log", bytes(range(256)) * 400, "replay_no_log"),
+        ("empty.log", b"", "replay_empty"),
+        ("empty.blf", b"", "replay_empty"),
+        ("nonsense.log", bytes(range(256)) * 400, "replay_nothing_read"),
+        ("blf.log", b"LOGG" + bytes(4000), "replay_no_log"),  # it is said what it looks like
+        ("renamed.blf", b"PK\x03\x04" + bytes(4000), "replay_archive"),
+        ("renamed.log", b"7z\xbc\xaf\x27\x1c" + bytes(4000), "replay_archive"),
+        ("packed.asc", b"\x1f\x8b\x08" + bytes(4000), "replay_archive"),
         ("nonsense.blf", b"LOGX" + bytes(4000), "replay_no_log"),
         ("picture.png", b"\x89PNG", "replay_unknown_kind"),
         ("header.asc", b"date Sat Nov 21 02:00:00.000 2026\nbase hex  timestamps absolute\n",
@@ -230,6 +230,32 @@ def test_what_is_no_log_is_called_so(tmp_path, name, content, code):
     assert reason.params["name"] == name
 
 
+def test_mf4_without_its_package_says_what_it_needs(tmp_path, monkeypatch):
+    monkeypatch.setattr("armui.session.database_logs.find_spec", lambda _name: None)
+    monkeypatch.setattr("armui.session.foreign.indexing.find_spec", lambda _name: None)
+    (tmp_path / "log.mf4").write_bytes(b"MDF     4.10")
+    assert refused(tmp_path / "log.mf4", tmp_path).code == "session_no_mf4"
+
+
+def test_of_a_packed_log_that_breaks_off_what_there_is_is_read(tmp_path):
+    lines = [f"({number}.0) can0 2A5#{number:016X}\n" for number in range(5000)]
+    whole = gzip.compress("".join(lines).encode())
+    (tmp_path / "cut.log.gz").write_bytes(whole[: len(whole) * 3 // 4])
+    session = open_indexed(tmp_path / "cut.log.gz")
+    assert 2500 < session.frames < 5000
+    assert session.damage_count
+    session.close()
+
+
+def test_a_container_that_is_cut_is_one_damaged_place(tmp_path):
+    write(tmp_path / "whole.blf", frames(0.5))
+    whole = (tmp_path / "whole.blf").read_bytes()
+    (tmp_path / "cut.blf").write_bytes(whole[:-1000])
+    session = open_indexed(tmp_path / "cut.blf")
+    assert session.damage_count == 1
+    session.close()
+
+
 def test_a_file_that_is_gone_is_called_so(tmp_path):
     reason = refused(tmp_path / "gone.blf", tmp_path)
 
@@ -242,7 +268,7 @@ def test_gigabytes_of_nothing_end_soon(tmp_path, name):
     with (tmp_path / name).open("wb") as file:
         file.truncate(2 << 30)
 
-    assert refused(tmp_path / name, tmp_path).code == "replay_no_log"
+    assert refused(tmp_path / name, tmp_path).code == "replay_nothing_read"
 
 
 # What it tells of its arms ---------------------------------------------------------------------

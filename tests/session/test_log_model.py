@@ -14,6 +14,7 @@ from armui.sim.firmware import Firmware
 from tests.family import MODELS
 from tests.session.indexed import open_indexed
 from tests.session.recordings import START_S, write
+from tests.waiting import wait_until
 
 LEANING_DEG = (10.0, 60.0, -60.0, 5.0, 30.0, 0.0)
 
@@ -43,6 +44,29 @@ def test_the_replay_shows_the_model_of_the_log(qapp, tmp_path):
     replay.open()
 
     assert replay.controller.operating_state.model is PiperModel.PIPER_L
+    replay.close()
+    session.close()
+
+
+@pytest.mark.parametrize("version", ["S-V1.8-9", "S-V1.5-2"])
+def test_the_replay_has_the_zeros_of_the_log_while_it_stands_still(qapp, tmp_path, version):
+    """The log names no version: its poses tell."""
+    session = log_of(tmp_path / "arm.blf", PiperModel.PIPER, version)
+    own = survey(session)[0]
+    assert own.older_zeros is (version == "S-V1.5-2")
+    arm = RecordedArm(
+        int(own.generation), own.feedback_offset, own.firmware, own.model, own.older_zeros
+    )
+    replay = LogReplay(session, own.channel, arm, "arm.blf")
+    replay.open()
+    wait_until(lambda: not replay.is_travelling)
+
+    controller = replay.controller
+    assert controller.operating_state.model_fit.older_zeros is (version == "S-V1.5-2")
+    angles_deg = controller.state.angles_deg()
+    assert angles_deg is not None
+    shown = controller.cartesian.kinematics().forward(angles_deg)
+    assert tuple(shown) == pytest.approx(controller.state.end_pose(), abs=0.06)
     replay.close()
     session.close()
 

@@ -52,10 +52,12 @@ def target(*joints_deg: float) -> list[str]:
 
 
 def ready(
-    generation: Generation = Generation.TWO, joints_deg: Iterable[float] = (0.0,) * 6
+    generation: Generation = Generation.TWO,
+    joints_deg: Iterable[float] = (0.0,) * 6,
+    version: str | None = None,
 ) -> Firmware:
-    """An arm with power on its motors, still in standby."""
-    arm = Firmware(generation, joints_deg=tuple(joints_deg))
+    """An arm with power on its motors, still in standby; its firmware today's or another."""
+    arm = Firmware(generation, joints_deg=tuple(joints_deg), version=version)
     tell(arm, ENABLE)
     return arm
 

@@ -6,10 +6,10 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from armui.arm.limits import FACTORY_LIMITS
 from armui.protocol.generation import Generation
 from armui.sim.firmware import Firmware
 from armui.sim.mechanics.gravity import gravity_torques_nm
+from tests.family import FACTORY_LIMITS
 from tests.sim.talk import ready, tell
 
 poses = st.tuples(*(st.floats(j.min_deg, j.max_deg) for j in FACTORY_LIMITS))

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import pytest
 
+from armui.arm.gripper import GripperFault
 from armui.protocol.codec import Codec
 from armui.protocol.firmware_version import FirmwareVersion
 from armui.protocol.generation import Generation
 from armui.sim.firmware import Firmware
-from armui.sim.mechanics.gripper import GripperError
 from tests.sim.talk import BOTH, STOP, frame, heard, tell
 
 ONE, TWO = Generation.ONE, Generation.TWO
@@ -102,15 +102,15 @@ def test_setting_zero_counts_from_here() -> None:
 @pytest.mark.parametrize(
     ("error", "flag"),
     [
-        (GripperError.UNDERVOLTAGE, 0x01),
-        (GripperError.MOTOR_OVERTEMPERATURE, 0x02),
-        (GripperError.OVERCURRENT, 0x04),
-        (GripperError.DRIVER_OVERTEMPERATURE, 0x08),
-        (GripperError.SENSOR_FAULT, 0x10),
-        (GripperError.DRIVER_FAULT, 0x20),
+        (GripperFault.UNDERVOLTAGE, 0x01),
+        (GripperFault.MOTOR_OVERTEMPERATURE, 0x02),
+        (GripperFault.OVERCURRENT, 0x04),
+        (GripperFault.DRIVER_OVERTEMPERATURE, 0x08),
+        (GripperFault.SENSOR, 0x10),
+        (GripperFault.DRIVER, 0x20),
     ],
 )
-def test_an_error_takes_its_power_until_it_is_cleared(error: GripperError, flag: int) -> None:
+def test_an_error_takes_its_power_until_it_is_cleared(error: GripperFault, flag: int) -> None:
     arm = Firmware(TWO)
     tell(arm, OPEN)
     arm.step(0.1)
@@ -130,7 +130,7 @@ def test_an_error_takes_its_power_until_it_is_cleared(error: GripperError, flag:
 def test_in_generation_1_an_error_shows_as_no_power() -> None:
     arm = Firmware(ONE)
     tell(arm, "159#0000753003E80100")
-    arm.gripper.fail(GripperError.OVERCURRENT)
+    arm.gripper.fail(GripperFault.OVERCURRENT)
     assert said(arm)[12:14] == "00"
     tell(arm, "159#0000753003E80300")
     assert said(arm)[12:14] == "01"

@@ -8,10 +8,10 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 
-from armui.arm.limits import FACTORY_LIMITS
 from armui.sim.mechanics.joint_dynamics import DriverLaw, JointDynamics, JointLosses
 from armui.sim.mechanics.links import piper_links
 from armui.sim.mechanics.rigid_body import DOWN, RigidBody
+from tests.family import FACTORY_LIMITS
 
 TICK_S = 0.005
 BODY = RigidBody(piper_links())

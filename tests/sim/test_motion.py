@@ -9,9 +9,9 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from armui.arm.limits import FACTORY_LIMITS
 from armui.sim.mechanics.powered_joints import SLOWEST_DEG_S, JointMotion, MotionError
 from tests.examples import examples
+from tests.family import FACTORY_LIMITS
 from tests.moments import now
 
 STEP_S = 0.001

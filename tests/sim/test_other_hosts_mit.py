@@ -10,7 +10,6 @@ from __future__ import annotations
 import json
 import math
 import subprocess
-import sys
 from collections.abc import Iterator
 from typing import Any
 
@@ -20,7 +19,7 @@ import pytest
 from armui.protocol.generation import Generation
 from armui.sim.firmware import Firmware
 from armui.sim.node import Node
-from tests.sim.test_sdk_host import ROOT, WITHIN_S, Meeting, Sdk, meeting, sdk, until
+from tests.sim.test_sdk_host import WITHIN_S, Meeting, Sdk, meeting, sdk, until
 
 __all__ = ["meeting", "sdk"]
 
@@ -56,15 +55,7 @@ class ControlHost:
 
 @pytest.fixture
 def host(meeting: Meeting) -> Iterator[ControlHost]:
-    with subprocess.Popen(
-        [sys.executable, "-m", "tests.sim.control_host", meeting.group],
-        env=meeting.environment(),
-        cwd=ROOT,
-        text=True,
-        stdin=subprocess.PIPE,
-        stdout=subprocess.PIPE,
-        stderr=subprocess.DEVNULL,
-    ) as process:
+    with meeting.host("control_host") as process:
         yield ControlHost(process)
         assert process.stdin is not None
         process.stdin.close()

@@ -9,10 +9,10 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from armui.arm.limits import FACTORY_LIMITS
 from armui.sim.mechanics.gravity import DOWN_BY_MOUNTING
 from armui.sim.mechanics.links import piper_links
 from armui.sim.mechanics.rigid_body import ROTOR_INERTIAS_KG_M2, RigidBody
+from tests.family import FACTORY_LIMITS
 
 poses = st.tuples(*(st.floats(j.min_deg, j.max_deg) for j in FACTORY_LIMITS)).map(np.radians)
 speeds = st.tuples(*(st.floats(-3.0, 3.0) for _ in FACTORY_LIMITS)).map(np.array)

@@ -58,6 +58,18 @@ class Meeting(NamedTuple):
             "PYTHONUNBUFFERED": "1",
         }
 
+    def host(self, name: str) -> subprocess.Popen[str]:
+        """A host of these tests in a process of its own, asked by its input and output."""
+        return subprocess.Popen(
+            [sys.executable, "-m", f"tests.sim.{name}", self.group],
+            env=self.environment(),
+            cwd=ROOT,
+            text=True,
+            stdin=subprocess.PIPE,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.DEVNULL,
+        )
+
 
 @pytest.fixture
 def meeting() -> Meeting:
@@ -103,21 +115,9 @@ def arm(meeting: Meeting) -> Iterator[Node]:
         yield node
 
 
-def sdk_process(meeting: Meeting) -> subprocess.Popen[str]:
-    return subprocess.Popen(
-        [sys.executable, "-m", "tests.sim.sdk_host", meeting.group],
-        env=meeting.environment(),
-        cwd=ROOT,
-        text=True,
-        stdin=subprocess.PIPE,
-        stdout=subprocess.PIPE,
-        stderr=subprocess.DEVNULL,
-    )
-
-
 @pytest.fixture
 def sdk(meeting: Meeting) -> Iterator[Sdk]:
-    with sdk_process(meeting) as process:
+    with meeting.host("sdk_host") as process:
         assert process.stdin is not None
         assert process.stdout is not None
         yield Sdk(process.stdin, process.stdout)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 import pytest
 
@@ -9,7 +11,18 @@ from armui.protocol.codes import ArmStatusCode, ControlMode, MotionState
 from armui.protocol.generation import Generation
 from armui.sim.firmware import Firmware
 from tests.moments import now
-from tests.sim.talk import BOTH, DISABLE, ENABLE, RESUME, STOP, mode, ready, status_bytes, tell
+from tests.sim.talk import (
+    BOTH,
+    DISABLE,
+    ENABLE,
+    RESUME,
+    STOP,
+    mode,
+    ready,
+    status_bytes,
+    target,
+    tell,
+)
 
 TWO = Generation.TWO
 HOME = (0.0,) * 6
@@ -24,9 +37,9 @@ ABORT = "150#0000060000000000"
 TO_START = "150#0000070000000000"
 
 
-def taught(generation: Generation = TWO) -> Firmware:
+def taught(generation: Generation = TWO, **arm_type: Any) -> Firmware:
     """An arm that was led from home to `THERE` and back half the way."""
-    arm = ready(generation)
+    arm = ready(generation, **arm_type)
     tell(arm, RECORD)
     arm.hand_guiding.lead_to(THERE, speed_deg_s=40.0)
     arm.step(1.5)
@@ -151,7 +164,7 @@ def test_an_arm_without_power_cannot_be_taught() -> None:
 
 
 def test_drag_teaching_is_left_by_a_reset_near_the_rest_pose_only() -> None:
-    arm = taught()
+    arm = taught(version="S-V1.8-4")
     tell(arm, TO_START)
     until_reached(arm)
     tell(arm, mode(50))
@@ -165,13 +178,55 @@ def test_drag_teaching_is_left_by_a_reset_near_the_rest_pose_only() -> None:
 
 
 def test_a_reset_far_from_the_rest_pose_does_not_leave_drag_teaching() -> None:
-    arm = taught()
+    arm = taught(version="S-V1.8-4")
     tell(arm, STOP, RESUME, ENABLE, mode(50))
     assert now(arm.control_mode) is ControlMode.TEACHING
     tell(arm, TO_START)
     until_reached(arm)
     tell(arm, STOP, RESUME)
     assert now(arm.control_mode) is ControlMode.STANDBY
+
+
+@pytest.mark.parametrize("far", [True, False], ids=["far from rest", "near rest"])
+def test_newer_firmware_leaves_drag_teaching_by_a_mode_word_and_holds(far: bool) -> None:
+    """A clean change out of teaching from S-V1.8-5 on: no reset, and the arm doesn't drop."""
+    arm = taught(version="S-V1.8-5")
+    if not far:
+        tell(arm, TO_START)
+        until_reached(arm)
+    here = arm.joints_deg
+
+    tell(arm, mode(50))
+    track = steps(arm, 400)
+
+    assert now(arm.control_mode) is ControlMode.CAN_CONTROL
+    assert not arm.teaching.entered
+    assert all(arm.mechanics.powered)
+    assert np.abs(np.array(track) - here).max() < 1e-6
+    tell(arm, *target(*HOME), mode(50))
+    until_reached(arm)
+    assert arm.joints_deg == pytest.approx(HOME, abs=0.01)
+
+
+def test_a_mode_word_ends_a_recording_or_a_replay_of_newer_firmware() -> None:
+    arm = ready()
+    tell(arm, RECORD)
+    arm.hand_guiding.lead_to(THERE, speed_deg_s=20.0)
+    arm.step(1.0)
+    tell(arm, mode(50))
+    here = now(arm.joints_deg)
+    arm.step(1.0)
+    assert arm.joints_deg == here
+    assert arm.status is ArmStatusCode.NORMAL
+
+    arm = taught()
+    tell(arm, RUN)
+    track = steps(arm, 60)
+    tell(arm, mode(50))
+    track += steps(arm, 400)
+    check_limits(track)  # it brakes
+    assert track[-1] == track[-2]
+    assert now(arm.control_mode) is ControlMode.CAN_CONTROL
 
 
 @pytest.mark.parametrize("line", [STOP, DISABLE])

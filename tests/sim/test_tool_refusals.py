@@ -9,13 +9,13 @@ from collections.abc import Sequence
 import numpy as np
 import pytest
 
-from armui.arm.limits import FACTORY_LIMITS, check_joints
+from armui.arm.limits import check_joints
 from armui.kinematics.arm_kinematics import Kinematics
 from armui.kinematics.poses import Pose, matrix_to_pose, pose_to_matrix
 from armui.kinematics.tool_path import Line
 from armui.protocol.codes import ArmStatusCode, MotionState
 from armui.protocol.generation import Generation
-from tests.family import PIPER
+from tests.family import FACTORY_LIMITS, PIPER
 from tests.moments import now
 from tests.sim.talk import BOTH, arc_point, mode, pose_target, ready, status_bytes, target, tell
 

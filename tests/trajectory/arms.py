@@ -4,13 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from armui.arm.limits import FACTORY_ACCELERATION_DEG_S2, FACTORY_LIMITS
 from armui.arm.model import ArmModel
 from armui.arm.state import EndLimits
 from armui.kinematics.arm_kinematics import Kinematics
 from armui.protocol.codes import MoveMode
 from armui.trajectory.points.program import Trajectory, Waypoint
-from tests.family import PIPER
+from tests.family import FACTORY_ACCELERATION_DEG_S2, FACTORY_LIMITS, PIPER
 
 KINEMATICS = Kinematics(PIPER)
 ARM = ArmModel(

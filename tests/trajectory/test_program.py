@@ -11,7 +11,6 @@ import numpy as np
 import pytest
 from hypothesis import given
 
-from armui.arm.limits import FACTORY_LIMITS
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.kinematics.arm_kinematics import Kinematics
@@ -27,7 +26,7 @@ from armui.trajectory.points.program import (
     check_trajectory,
 )
 from armui.trajectory.samples.recording import Recording, check_recording
-from tests.family import PIPER
+from tests.family import FACTORY_LIMITS, PIPER
 from tests.trajectory.strategies import RECORDINGS, TRAJECTORIES
 
 HERE = (10.0, 70.0, -60.0, 10.0, 25.0, -20.0)

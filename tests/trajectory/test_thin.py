@@ -5,9 +5,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from armui.arm.limits import FACTORY_LIMITS
 from armui.trajectory.samples.recording import Recording
 from armui.trajectory.samples.thin import thin, to_points, trim
+from tests.family import FACTORY_LIMITS
 
 
 def recording(joints_deg, step_s=0.01, opening_mm=np.nan):

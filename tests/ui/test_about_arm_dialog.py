@@ -11,7 +11,6 @@ from PySide6.QtWidgets import QLabel
 from pytestqt.qtbot import QtBot
 
 from armui.arm.device import Device
-from armui.arm.limits import FACTORY_LIMITS
 from armui.arm.model_check import ModelFit
 from armui.arm.state import Reading
 from armui.control.operating_state import LinkState, OperatingState
@@ -24,6 +23,7 @@ from armui.ui.dialogs import about_arm
 from armui.ui.dialogs.about_arm import AboutArmDialog
 from armui.ui.dialogs.online_since import OnlineSince
 from tests.app_driver import AtOnce
+from tests.family import FACTORY_LIMITS
 from tests.ui.arm_states import NOW_S, arm_state, operating_state
 from tests.ui.dialog_reading import shown
 from tests.ui.fake_controller import FakeController

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import pytest
 from PySide6.QtCore import QItemSelectionModel, Qt
 from PySide6.QtWidgets import QApplication, QLabel, QLineEdit, QTableView
@@ -60,6 +62,15 @@ def chosen_rows(dialog: ConnectDialog) -> list[int]:
     return [index.row() for index in dialog.findChild(QTableView).selectionModel().selectedRows()]
 
 
+def connected(controller: FakeController) -> Device:
+    """What is to be connected; the model is the one that was offered."""
+    call, device = controller.calls[-1]
+    assert call == "connect_device"
+    assert isinstance(device, Device)
+    assert device.model_assumed
+    return replace(device, model_assumed=False)
+
+
 def test_opening_it_searches_each_time(
     qtbot: QtBot, controller: FakeController, connect: ConnectDialog
 ) -> None:
@@ -87,7 +98,7 @@ def test_a_click_and_the_button_connect(
     click_row(qtbot, connect, 0)
     qtbot.mouseClick(connect.connect_button, LEFT)
 
-    assert controller.calls[-1] == ("connect_device", CAN0)
+    assert connected(controller) == CAN0
 
 
 def test_a_double_click_connects(
@@ -98,7 +109,7 @@ def test_a_double_click_connects(
     qtbot.mouseClick(table.viewport(), LEFT, pos=place)
     qtbot.mouseDClick(table.viewport(), LEFT, pos=place)
 
-    assert controller.calls[-1] == ("connect_device", SIM_1)
+    assert connected(controller) == SIM_1
 
 
 def test_by_keyboard(qtbot: QtBot, controller: FakeController, connect: ConnectDialog) -> None:
@@ -106,7 +117,7 @@ def test_by_keyboard(qtbot: QtBot, controller: FakeController, connect: ConnectD
     qtbot.keyClick(table, Qt.Key.Key_Down)
     qtbot.keyClick(table, Qt.Key.Key_Return)
 
-    assert controller.calls[-1] == ("connect_device", CANDLE)
+    assert connected(controller) == CANDLE
 
 
 def test_the_bit_rate_can_be_chosen_where_the_program_sets_it(
@@ -119,7 +130,7 @@ def test_the_bit_rate_can_be_chosen_where_the_program_sets_it(
     qtbot.mouseClick(connect.connect_button, LEFT)
 
     expected = Device("gs_usb", "0", 500_000, serial="0031002F")
-    assert controller.calls[-1] == ("connect_device", expected)
+    assert connected(controller) == expected
 
 
 @pytest.mark.parametrize(("row", "reason"), [(2, "simulated"), (0, "operating system")])
@@ -146,7 +157,7 @@ def test_a_device_that_no_search_finds_can_be_named(
     assert cells(connect)[2][1:3] == ["slcan", "/dev/ttyACM0"]
     assert chosen_rows(connect) == [2]
     qtbot.mouseClick(connect.connect_button, LEFT)
-    assert controller.calls[-1] == ("connect_device", Device("slcan", "/dev/ttyACM0", 1_000_000))
+    assert connected(controller) == Device("slcan", "/dev/ttyACM0", 1_000_000)
 
 
 @pytest.mark.parametrize(
@@ -169,7 +180,7 @@ def test_named_devices_as_python_can_wants_them(
     qtbot.mouseClick(connect._manual.add_button, LEFT)
     qtbot.mouseClick(connect.connect_button, LEFT)
 
-    assert controller.calls[-1] == ("connect_device", expected)
+    assert connected(controller) == expected
 
 
 def test_a_named_device_survives_the_next_search_and_is_listed_once(
@@ -247,6 +258,22 @@ def test_what_is_wrong_with_an_adapter_is_said_with_the_command_that_mends_it(
     assert commands == ['sudo usermod -aG dialout "$USER"']
     qtbot.mouseClick(rows[0].copy_buttons[0], LEFT)
     assert QApplication.clipboard().text() == commands[0]
+
+
+def test_advice_on_an_adapter_is_not_cut_off(qtbot: QtBot, controller: FakeController) -> None:
+    dialog = ConnectDialog(controller.as_real, background=Background(AtOnce()))
+    trouble = dialog.findChild(AdapterTrouble)
+    down = LinkFacts("can0", "can", False)
+    trouble._look = lambda: judge_can(CanFacts(links=(down,)))
+    shown(qtbot, dialog)
+    controller.devices_found.emit(FOUND)
+    trouble.examine()
+    rows = trouble.findChildren(FindingRow)
+    assert rows
+    for label in rows[0].findChildren(QLabel):
+        assert label.height() >= label.heightForWidth(label.width())
+    table = dialog.findChild(QTableView)
+    assert table.verticalScrollBar().maximum() == 0  # each device is seen
 
 
 def test_where_nothing_is_wrong_nothing_is_said(qtbot: QtBot) -> None:

@@ -14,6 +14,7 @@ from pytestqt.qtbot import QtBot
 
 from armui.export.process import ExportDone
 from armui.protocol.generation import Generation
+from armui.protocol.piper_model import PiperModel
 from armui.session.exports.request import (
     ArmWishes,
     ExportFormat,
@@ -31,6 +32,7 @@ LEFT = Qt.MouseButton.LeftButton
 LOG = Path("/records/run.blf")
 REPORT = {
     "items": 1234, "frames": 5678, "generation": 2, "why_generation": "", "firmware": "",
+    "model": "PiPER", "why_model": "", "pose_fits": "",
     "offset": 0, "channel": "can0", "other_channels": [], "of_other_channels": 0,
     "not_understood": 0, "without_stamp": 0, "damages": [], "damage_count": 0,
 }  # fmt: skip
@@ -93,11 +95,12 @@ def test_what_is_entered_is_asked_for(dialog, exports):
     QTest.keyClicks(dialog.form.begin_field, "1.5")
     QTest.keyClicks(dialog.form.end_field, "20")
     QTest.keyClicks(dialog.form.channel_field, "can1")
+    dialog.form.model_box.setCurrentText("PiPER X")
     press_export(dialog)
     assert exports.requests == [
         ExportRequest(
             LOG, Path("/records/run.csv"), ExportFormat.CSV, 1.5, 20.0,
-            ArmWishes(Generation.ONE, None, "can1"),
+            ArmWishes(Generation.ONE, None, "can1", PiperModel.PIPER_X),
         )
     ]  # fmt: skip
 
@@ -140,7 +143,7 @@ def test_progress_and_the_end_are_shown(qtbot, dialog, exports):
     exports.tell(ExportDone(report=REPORT))
     qtbot.waitUntil(dialog.export_button.isEnabled)
     assert message(dialog) == f"Saved: {Path('/records/run.mcap')} (1,234 messages)"
-    assert remarks(dialog) == "5,678 frames read as generation 2."
+    assert remarks(dialog) == "5,678 frames read as generation 2, PiPER."
     assert not dialog.progress.isVisible()
     choose(dialog, "format_csv")
     assert (message(dialog), remarks(dialog)) == ("", "")
@@ -158,12 +161,9 @@ def test_damage_other_channels_and_foreign_frames_are_said(qtbot, dialog, export
     qtbot.waitUntil(dialog.export_button.isEnabled)
     assert message(dialog) == f"Saved: {Path('/records/run.csv')} (1,234 rows)"
     assert remarks(dialog).split("\n") == [
-        (
-            "Places of the log that cannot be read: 3; the first: line 7 ('x'). "
-            "Everything else was exported."
-        ),
+        "Unreadable places in the log: 3; the first: line 7 ('x'). Everything else was exported.",
         "Only channel can0 was exported; 50 frames of can1 were left out.",
-        "5,678 frames read as generation 2. 4 of them are none of the arm's.",
+        "5,678 frames read as generation 2, PiPER. 4 of them do not belong to the arm.",
     ]
 
 

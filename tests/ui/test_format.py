@@ -44,3 +44,9 @@ def test_limits_are_short():
 )
 def test_typed_figures(text, value):
     assert fmt.parse_number(text) == value
+
+
+def test_joints_in_a_row_are_one_span():
+    assert fmt.joint_spans([1, 3, 4, 5, 6]) == "J1, J3–J6"
+    assert fmt.joint_spans([1, 2, 5, 6]) == "J1, J2, J5, J6"
+    assert fmt.joint_spans([]) == ""

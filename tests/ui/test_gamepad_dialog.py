@@ -29,7 +29,7 @@ def dialog(app_driver, pads):
     app_driver.controller.gamepad.make_reader = pads.make
     app_driver.window.open_settings_dialog()
     settings = app_driver.dialog(SettingsDialog)
-    assert settings._gamepad_state.text() == "off"
+    assert settings._gamepad_state.text() == "Off"
     QTest.mouseClick(settings.gamepad_button, LEFT)
     return app_driver.dialog(GamepadDialog)
 

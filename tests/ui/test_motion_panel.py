@@ -5,7 +5,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QComboBox, QLineEdit, QPushButton
 
 from armui.arm.device import Device
-from armui.arm.limits import FACTORY_LIMITS, JointLimits
+from armui.arm.limits import JointLimits
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import ArmState
@@ -15,6 +15,7 @@ from armui.ui.widgets.jog_button import JogButton
 from armui.ui.widgets.message_line import MessageLine
 from armui.ui.widgets.track_slider import TrackSlider
 from armui.ui.widgets.value_label import ValueLabel
+from tests.family import FACTORY_LIMITS
 from tests.ui.arm_states import NOW_S, arm_state, operating_state
 
 LEFT = Qt.MouseButton.LeftButton

@@ -23,6 +23,7 @@ from armui.trajectory.points.program import GripperOpening, Waypoint, check_poin
 from armui.ui import words
 from armui.ui.translation import LANGUAGES, Language, Translator
 from armui.ui.words import events, refusals
+from armui.ui.words.text import sentence
 
 AT = datetime(2026, 1, 2, 3, 4, 5).astimezone()
 
@@ -149,7 +150,7 @@ def test_an_angle_out_of_limits_names_joint_value_and_limits(chinese: None) -> N
 @pytest.mark.parametrize(
     ("refusal", "expected"),
     [
-        (Refusal(RefusalCode.NOT_ENABLED, {"joints": "1, 3"}), "1, 3"),
+        (Refusal(RefusalCode.NOT_ENABLED, {"joints": "1, 3"}), "1、3"),
         (Refusal(RefusalCode.SPEED_OUT_OF_RANGE, {"value": 101}), "101 %"),
         (Refusal(RefusalCode.JOINT_NOT_A_NUMBER, {"joint": 4, "value": "abc"}), "“abc”"),
         (Refusal(RefusalCode.OTHER_CONTROL, {"mode": 2}), "示教模式"),
@@ -336,3 +337,10 @@ def test_sentences_use_only_plain_placeholders() -> None:
             assert name is None or name.isidentifier()
             assert not spec
             assert conversion is None
+
+
+def test_a_list_is_parted_as_the_language_does_it(chinese: None) -> None:
+    assert sentence("Nowhere", "{it}", {"it": "0x151, 0x155"}) == "0x151、0x155"
+    assert sentence("Nowhere", "{it}", {"it": "1, 2, 6"}) == "1、2、6"
+    # a name is left as somebody wrote it
+    assert sentence("Nowhere", "{it}", {"it": "pick, place"}) == "pick, place"

@@ -2,6 +2,7 @@
 
 import pytest
 
+from armui.system.paths import URDF
 from armui.viewport.palette import LIGHT
 from armui.viewport.path_picture import NOTHING
 from armui.viewport.view import ArmView
@@ -43,3 +44,15 @@ def view(drawn_view):
     wait_until(lambda: drawn_view.is_settled)
     assert drawn_view.mode is ViewMode.FIT
     return drawn_view
+
+
+@pytest.fixture
+def scene():
+    """The picture's process without a process, with the arm at its zeros."""
+    from armui.viewport.process.scene import Scene  # noqa: PLC0415 - most tests need no VTK
+
+    scene = Scene(WIDTH, HEIGHT)
+    scene.load(URDF / "piper" / "piper.urdf")
+    scene.set_joints((0.0,) * 6, 0.0)
+    yield scene
+    scene.close()

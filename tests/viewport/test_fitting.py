@@ -1,10 +1,19 @@
 """The arm fills the room it has, and stands neither outside nor behind the figures."""
 
+import numpy as np
 import pytest
 
 from armui.system.paths import URDF
 from armui.viewport.camera import HOME_CAMERA, OrbitCamera, ViewDirection
-from armui.viewport.fitting import MARGIN_PX, Box, Room, fitted, is_clear
+from armui.viewport.fitting import (
+    MARGIN_PX,
+    Box,
+    Room,
+    ball_around,
+    fitted,
+    is_ball_clear,
+    is_clear,
+)
 from armui.viewport.process.outline import shape_of
 from armui.viewport.process.urdf_file import load_robot
 from armui.viewport.projection import Projection
@@ -147,3 +156,36 @@ def test_following_keeps_the_tool_in_the_middle(looking, shape):
     looking.viewpoint.move_by_hand(panned, only_turned=False)
     modes.append(looking.viewpoint.mode)
     assert modes == [ViewMode.FOLLOW, ViewMode.FREE]
+
+
+def test_a_ball_that_is_clear_has_nothing_in_it_that_is_not():
+    rng = np.random.default_rng(3)
+    room, found = room_of((840, 660)), [0, 0]
+    for _ in range(1500):
+        away, turn, height = rng.uniform((0.4, -180.0, -89.0), (3.0, 180.0, 89.0))
+        looking = OrbitCamera((0.0, 0.0, 0.2), away, turn, height, bool(rng.integers(2)))
+        places = rng.uniform(-0.6, 0.6, 3) + rng.uniform(-0.2, 0.2, (12, 3))
+        group = [(x, y, z) for x, y, z in places.tolist()]
+        ball = ball_around(group)
+        assert all(np.linalg.norm(places - ball.centre, axis=1) <= ball.radius_m + 1e-9)
+        projection = Projection(looking, room.width_px, room.height_px)
+        is_all_clear = is_clear(looking, [group], room)
+        if is_ball_clear(projection, ball, room, 0.0):
+            assert is_all_clear
+            found[0] += 1
+        found[1] += is_all_clear
+    assert found[0] > 0.3 * found[1] > 30  # and it is of use
+
+
+def test_whether_the_arm_is_in_the_picture_is_told_as_point_by_point(shape):
+    looking = Viewpoint()
+    looking.take_shape(shape)
+    looking.take_room(room_of((840, 660)))
+    rng = np.random.default_rng(4)
+    told = []
+    for angles in rng.uniform((-150, 0, -170, -90, -70, -90), (150, 180, 0, 90, 70, 90), (150, 6)):
+        looking._poses = [(tuple(angles), 20.0)]
+        told.append(looking._is_all_clear(shape))
+        assert told[-1] == is_clear(looking.camera, looking._groups(), looking._room, 10.0)
+    assert any(told)
+    assert not all(told)

@@ -5,9 +5,21 @@ import math
 import numpy as np
 import pytest
 
+from armui.system.paths import URDF
 from armui.viewport.camera import HOME_CAMERA, OrbitCamera, ViewDirection
-from armui.viewport.grips import GripDrag, GripKind, grip_at, snapped, tool_grips
+from armui.viewport.grip_drag import GripDrag
+from armui.viewport.grips import (
+    EDGE_ON,
+    GripKind,
+    grip_at,
+    joint_grips,
+    sight,
+    snapped,
+    tool_grips,
+)
 from armui.viewport.palette import LIGHT
+from armui.viewport.process.outline import shape_of
+from armui.viewport.process.urdf_file import load_robot
 from armui.viewport.projection import Projection
 from armui.viewport.robot_shape import composed, pose_rows, rotation
 
@@ -108,3 +120,87 @@ def test_a_ring_is_not_torn_off_where_the_pointer_leads_to_no_place_of_its_plane
 def test_snapping_goes_to_the_nearest_step():
     assert snapped(303.9, 10.0) == 300.0
     assert snapped(-7.6, 5.0) == -10.0
+
+
+ARM_DEG = (0.0, 60.0, -70.0, 0.0, 35.0, 15.0)
+
+
+@pytest.fixture(scope="module")
+def shape():
+    return shape_of(load_robot(URDF / "piper" / "piper.urdf"))
+
+
+def looking(direction, *, orthographic):
+    camera = OrbitCamera(HOME_CAMERA.focus_m, 1.6, orthographic=orthographic)
+    return Projection(camera.turned_to(direction), 800, 600)
+
+
+def arcs(shape, projection):
+    return {grip.number: grip for grip in joint_grips(shape, ARM_DEG, projection, LIGHT)}
+
+
+def on_the_arc(grip, place, degrees):
+    """A place of an arc after the joint has turned on."""
+    rows = np.array(rotation(grip.axis, math.radians(degrees))).reshape(3, 4)[:, :3]
+    return np.array(grip.origin) + rows @ (np.array(place) - grip.origin)
+
+
+def depth(grip, projection, place):
+    """How far behind the axis a place of an arc is, in radii: −1 nearest to the eye."""
+    ahead = sight(projection, grip.origin)
+    return np.dot(np.array(place) - grip.origin, ahead) / math.dist(place, grip.origin)
+
+
+FACING = -0.55
+"""What turns no more than 56° away from the eye."""
+
+
+@pytest.mark.parametrize("orthographic", [True, False])
+@pytest.mark.parametrize("direction", ViewDirection)
+def test_an_arc_follows_the_pointer_from_wherever_it_is_seen(shape, direction, orthographic):
+    projection = looking(direction, orthographic=orthographic)
+    grips = arcs(shape, projection)
+    assert set(grips) == set(range(1, 7))
+    followed = 0
+    for grip in grips.values():
+        for place in grip.places[::4]:
+            drag = GripDrag(grip, projection, *seen(projection, place))
+            for degrees in range(-60, 61, 5):
+                there = on_the_arc(grip, place, degrees)
+                ends = (depth(grip, projection, each) for each in (place, there))
+                if is_edge_on(grip, projection) and max(ends) > FACING:
+                    continue
+                pointer = seen(projection, there)
+                amount = drag.amount(*pointer)
+                assert amount is not None
+                carried = seen(projection, on_the_arc(grip, place, amount))
+                assert math.dist(carried, pointer) < 1.0
+                followed += 1
+    assert followed > 200
+
+
+@pytest.mark.parametrize("direction", [ViewDirection.FRONT, ViewDirection.SIDE, ViewDirection.TOP])
+def test_an_arc_seen_from_its_edge_is_turned_like_a_wheel(shape, direction):
+    projection = looking(direction, orthographic=True)
+    edges = [grip for grip in arcs(shape, projection).values() if is_edge_on(grip, projection)]
+    assert edges
+    for grip in edges:
+        ahead = np.array(sight(projection, grip.origin))
+        along = np.cross(grip.axis, ahead)  # where the far side goes to
+        middle = np.array(grip.places[len(grip.places) // 2])
+        start = seen(projection, middle)
+        step = np.array(seen(projection, middle + 0.01 * along / np.linalg.norm(along))) - start
+        step /= np.linalg.norm(step)
+        far = all(depth(grip, projection, place) > 0.0 for place in grip.places)
+        drag = GripDrag(grip, projection, *start)
+        pointers = [start + step * px for px in range(0, 400, 5)]
+        amounts = np.array([drag.amount(*pointer) for pointer in pointers], float)
+        turned = np.diff(amounts) * (1.0 if far else -1.0)
+        # on and on, no place where a pixel is more than two degrees, and beyond half a turn
+        assert turned.min() > 4.0
+        assert turned.max() < 5 * 2.1
+        assert abs(amounts[-1]) > 360.0
+
+
+def is_edge_on(grip, projection):
+    return abs(np.dot(grip.axis, sight(projection, grip.origin))) <= EDGE_ON

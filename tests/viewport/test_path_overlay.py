@@ -1,5 +1,6 @@
 """Numbers of points and signs of findings, and the tool's way, pixel by pixel."""
 
+import dataclasses
 import time
 from array import array
 from typing import Any
@@ -8,12 +9,10 @@ import numpy as np
 import pytest
 from PySide6.QtCore import QPoint, Qt
 
-from armui.system.paths import URDF
 from armui.viewport.camera import HOME_CAMERA, OrbitCamera
 from armui.viewport.palette import LIGHT, rgb
 from armui.viewport.path_picture import NOTHING, FindingMark, PathPicture, Preview, Trail
 from armui.viewport.point_tags import finding_at, signs, tags
-from armui.viewport.process.scene import Scene
 from armui.viewport.projection import Projection
 from tests.viewport.pinhole import HEIGHT, WIDTH, project
 from tests.viewport.test_views import pixels
@@ -72,6 +71,37 @@ def test_the_sign_of_a_finding_is_found_where_it_happens():
         assert finding_at(shown, PROJECTION, x + 40.0, y) is None
 
 
+def test_what_happens_outside_of_the_picture_has_its_sign_at_the_rim():
+    far = FindingMark((1200.0, 900.0, 300.0), True, 1, "too far")
+    shown = path(findings=(far, WARNING))
+    inside, outside = signs(shown, PROJECTION)
+    assert inside.beyond is None
+    x, y = project(np.array([far.place_mm]) / 1000.0)[0]
+    assert not (0.0 < x < WIDTH and 0.0 < y < HEIGHT)
+    assert 0.0 < outside.x_px < WIDTH
+    assert 0.0 < outside.y_px < HEIGHT
+    assert outside.beyond is not None
+    way = np.array([x - outside.x_px, y - outside.y_px])
+    assert outside.beyond == pytest.approx(tuple(way / np.linalg.norm(way)))
+    assert finding_at(shown, PROJECTION, outside.x_px, outside.y_px) == far
+
+
+def test_what_happens_behind_the_eye_has_its_sign_at_the_rim_too():
+    behind = FindingMark((2500.0, -900.0, 300.0), True, 1, "too far")
+    (sign,) = signs(path(findings=(behind,)), PROJECTION)
+    assert PROJECTION.pixel((2.5, -0.9, 0.3)) is None
+    assert sign.beyond is not None
+    across, _, _ = PROJECTION.relative((2.5, -0.9, 0.3))
+    assert sign.beyond[0] * across > 0.0
+
+
+def test_what_cannot_be_reached_makes_the_arm_no_smaller():
+    marks = np.vstack((CORNERS_MM, [[2000.0, 0.0, 100.0]]))
+    shown = path(marks, findings=(FindingMark((3000.0, 0.0, 0.0), True, 3, ""),))
+    shown = dataclasses.replace(shown, places_mm=CORNERS_MM, bad_rows=frozenset({3}))
+    assert np.abs(shown.outermost_m()).max() == pytest.approx(0.4)
+
+
 def test_of_two_findings_at_a_place_the_error_is_on_top():
     warning = FindingMark(ERROR.place_mm, False, 4, "also")
     x, y = project(np.array([ERROR.place_mm]) / 1000.0)[0]
@@ -111,15 +141,6 @@ def test_signs_and_numbers_are_painted_where_they_are_and_go_with_the_path(view,
     qtbot.wait_until(lambda: view.is_settled, timeout=LIMIT_MS)
     gone = np.abs(pixels(view.grab().toImage()) - red).max(axis=2) < 30
     assert not gone.any()
-
-
-@pytest.fixture
-def scene():
-    scene = Scene(WIDTH, HEIGHT)
-    scene.load(URDF / "piper" / "piper.urdf")
-    scene.set_joints(REST, 0.0)
-    yield scene
-    scene.close()
 
 
 def color_at(scene, place_mm):

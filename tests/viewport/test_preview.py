@@ -3,7 +3,6 @@
 from typing import Any
 
 import numpy as np
-import pytest
 from PySide6.QtCore import QPoint, Qt
 
 from armui.system.paths import URDF
@@ -25,15 +24,6 @@ def path(bad_rows=frozenset()):
     places = np.concatenate(legs)
     speeds = np.linspace(0.0, 250.0, len(places))
     return PathPicture(places, speeds, CORNERS_MM, (0, 1, 2), bad_rows)
-
-
-@pytest.fixture
-def scene():
-    scene = Scene(WIDTH, HEIGHT)
-    scene.load(URDF / "piper" / "piper.urdf")
-    scene.set_joints(REST, 0.0)
-    yield scene
-    scene.close()
 
 
 def picture(scene):
@@ -91,6 +81,22 @@ def test_a_ghost_shines_through_where_no_arm_is(scene):
     assert changed(with_ghost, picture(scene)).any()
     scene.set_preview(NOTHING)
     assert not changed(before, picture(scene)).any()
+
+
+def test_the_ghost_shows_only_what_of_it_stands_elsewhere(scene):
+    """Its base stands in the arm's: two surfaces in one place flicker."""
+
+    def seen():
+        return {link for link, actor, _ in scene._ghost._parts if actor.GetVisibility()}
+
+    scene.set_joints(REST, 0.0)
+    scene.set_preview(Preview(ghost_deg=(*REST[:4], 40.0, 0.0)))
+    beyond = {"link5", "link6", "gripper_base", "finger_left", "finger_right"}
+    assert seen() <= beyond
+    assert {"link5", "gripper_base"} <= seen()
+    scene.set_joints((10.0, *REST[1:]), 0.0)  # the arm has left all but its base
+    assert {"link1", "link2", "link5"} <= seen()
+    assert "base_link" not in seen()
 
 
 def test_a_ghost_is_no_arm_to_pick(scene):

@@ -8,9 +8,7 @@ import pytest
 from armui.kinematics.arm_kinematics import Kinematics
 from armui.kinematics.poses import pose_to_matrix
 from armui.system.paths import URDF
-from armui.viewport.path_picture import Reach
 from armui.viewport.process.outline import shape_of
-from armui.viewport.process.reach_actor import profile_of
 from armui.viewport.process.urdf_file import load_robot
 from armui.viewport.robot_shape import moved, pose_rows
 from tests.family import PIPER
@@ -76,28 +74,3 @@ def test_a_pose_becomes_the_transform_the_kinematics_make_of_it():
     expected = pose_to_matrix(pose)
     np.testing.assert_allclose(rows[:, :3], expected[:3, :3], atol=1e-12)
     assert moved(pose_rows(pose), (0.0, 0.0, 0.0)) == pytest.approx((0.1, -0.05, 0.22))
-
-
-LIMITS_DEG = (
-    (-150.0, 150.0),
-    (0.0, 180.0),
-    (-170.0, 0.0),
-    (-100.0, 100.0),
-    (-70.0, 70.0),
-    (-120.0, 120.0),
-)
-
-
-def test_no_pose_of_the_arm_is_outside_of_the_shell_of_its_reach(robot):
-    profile = profile_of(robot, Reach(LIMITS_DEG))
-    shoulder_m = np.array([0.0, 0.0, 0.123])
-    furthest = np.hypot(*(profile - shoulder_m)[:, (0, 2)].T)
-    angles = np.arctan2((profile - shoulder_m)[:, 2], (profile - shoulder_m)[:, 0])
-    rng = np.random.default_rng(5)
-    lows, highs = np.array(LIMITS_DEG).T
-    for pose in rng.uniform(lows, highs, (400, 6)):
-        x, y, z = np.array(Kinematics(PIPER).forward(pose)[:3]) / 1000.0 - shoulder_m
-        out, far = math.hypot(x, y), math.dist((x, y, z), (0.0, 0.0, 0.0))
-        near = np.interp(math.atan2(z, out), angles, furthest)
-        # behind the arm's back a way may lead that the profile, taken before it, does not show
-        assert far < near + 0.02

@@ -86,6 +86,81 @@ def test_what_was_taken_out_stands_where_it_stood(started):
     assert pages.driver.dialog(PageWindow).geometry() == QRect(40, 60, 640, 480)
 
 
+def test_windows_that_were_open_open_again_where_they_stood(started):
+    pages = started()
+    pages.open_editor("two")
+    pages.take_out().setGeometry(30, 50, 700, 500)
+    pages.driver.click("events_button")
+    pages.driver.click("drawer_take_out")
+    (events,) = (each for each in pages.windows() if each.objectName() == "events_window")
+    events.setGeometry(10, 90, 780, 440)
+    pages = started()
+    assert not pages.windows(), "a start waits for no other window"
+    reopen(pages)
+    where = {each.windowTitle(): each.geometry() for each in pages.windows()}
+    assert where == {"two": QRect(30, 50, 700, 500), "Events": QRect(10, 90, 780, 440)}
+    assert not pages.driver.find("page_area").isVisible()
+    assert pages.driver.find("drawer").isHidden()
+
+
+def reopen(pages):
+    """As the program does once it has loaded the rest of itself."""
+    pages.driver.window.page_doings.reopen()
+    pages.driver.wait(lambda: pages.driver.window.page_doings.is_done)
+
+
+def test_what_was_closed_or_put_back_does_not_open_again(started):
+    pages = started()
+    pages.open_editor("two")
+    pages.take_out()
+    (editor,) = pages.windows()
+    pages.open_library()
+    pages.driver.click("page_take_out")
+    (library,) = (each for each in pages.windows() if each is not editor)
+    editor.close()
+    pages.driver.click(library.findChild(QWidget, "page_put_back"))
+    pages = started()
+    reopen(pages)
+    assert not pages.windows()
+
+
+def test_a_trajectory_that_is_gone_keeps_nothing_from_opening(started):
+    pages = started()
+    pages.open_editor("two")
+    pages.take_out()
+    pages.driver.click("events_button")
+    pages.driver.click("drawer_take_out")
+    for file in pages.driver.library_folder.glob("two*"):
+        file.unlink()
+    pages = started()
+    for file in pages.driver.library_folder.glob("two*"):
+        file.unlink()
+    reopen(pages)
+    assert [each.objectName() for each in pages.windows()] == ["events_window"]
+    pages = started()
+    reopen(pages)
+    assert [each.objectName() for each in pages.windows()] == ["events_window"]
+
+
+def test_a_program_that_ends_before_they_are_open_does_not_forget_them(started):
+    pages = started()
+    pages.open_library()
+    pages.take_out()
+    started()
+    pages = started()
+    reopen(pages)
+    assert len(pages.windows()) == 1
+
+
+def test_on_a_smaller_screen_they_open_on_it(started, tmp_path):
+    far = {"taken_out": {"events": [5000, 3000, 2000, 1500]}, "open_windows": [["events", ""]]}
+    file_of(tmp_path).write_text(json.dumps(far))
+    pages = started()
+    reopen(pages)
+    (window,) = pages.windows()
+    assert QGuiApplication.primaryScreen().availableGeometry().contains(window.geometry())
+
+
 def test_what_was_put_back_stays_there(started):
     pages = started()
     pages.open_library()
@@ -123,10 +198,15 @@ def test_the_window_itself_opens_on_a_screen_there_is(started, tmp_path):
 
 
 @pytest.mark.parametrize(
-    "text", ["", "{", "[]", '{"window": [1, 2], "columns": 7, "page_share": "x"}']
+    "text",
+    [
+        *("", "{", "[]", '{"window": [1, 2], "columns": 7, "page_share": "x"}'),
+        '{"open_windows": [["plots"], 7, ["nothing", "x"], [1, 2]]}',
+    ],
 )
 def test_no_file_keeps_the_program_from_starting(started, tmp_path, text):
     file_of(tmp_path).write_text(text)
     pages = started()
+    reopen(pages)
     pages.open_editor()
     assert pages.path() == "Trajectory library › one"

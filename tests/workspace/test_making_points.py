@@ -121,6 +121,12 @@ def test_an_empty_trajectory_says_what_to_do_first(pages):
     hint = editor.findChild(QWidget, "editor_hint")
     assert hint.isVisible()
     assert pages.driver.find("jog_box").isVisible()
-    pages.driver.click(editor.findChild(QWidget, "hint_insert_measured"))
+    for name in ("editor_go_to", "editor_find", "editor_check"):
+        button = editor.findChild(QWidget, name)
+        assert not button.isEnabled()
+        assert "no points" in button.toolTip()
+    pages.driver.click("box_insert")
+    assert editor.findChild(QWidget, "editor_check").isEnabled()
+    assert editor.findChild(QWidget, "editor_check").toolTip() == "Check (Ctrl+E)"
     assert len(editor.document.points) == 1
     assert not hint.isVisible()

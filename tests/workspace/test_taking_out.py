@@ -1,6 +1,7 @@
 """A page in a window of its own, and back; the stops go with it."""
 
 from PySide6.QtCore import Qt
+from PySide6.QtGui import QGuiApplication
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QWidget
 
@@ -19,6 +20,24 @@ def test_a_page_is_taken_out_and_the_panel_is_seen_again(pages):
     assert window.windowTitle() == "Trajectory library"
     assert pages.driver.window.findChild(OperationArea, "operation_area").isVisible()
     assert not pages.driver.find("page_area").isVisible()
+
+
+def test_it_opens_where_it_stood_wholly_on_the_screen_and_beside_the_picture(pages):
+    pages.driver.window.resize(1280, 800)  # larger than the rig's screen
+    page = pages.open_library()
+    width = page.width()
+    window = pages.take_out()
+    screen = QGuiApplication.primaryScreen().availableGeometry()
+    assert screen.contains(window.geometry())
+    assert window.width() <= width + 60
+
+
+def test_a_page_of_the_drawer_gets_a_window_that_shows_something(pages):
+    pages.driver.click("events_button")
+    pages.driver.click("drawer_take_out")
+    (window,) = pages.windows()
+    assert window.height() >= 400
+    assert QGuiApplication.primaryScreen().availableGeometry().contains(window.geometry())
 
 
 def test_it_is_put_back(pages):

@@ -75,7 +75,7 @@ class LogPlayer:
         self._series: dict[int, SeriesTap] = {}
         self.lock = threading.RLock()
         self.intake = Intake(codec, self._for_log(taps), answered)
-        self._folding = Folding(codec)
+        self._folding: Folding | None = None
         self._recalled: Sequence[ReplayedFrame] = ()
         self._at_entry = True
         self._waiting: list[FrameColumns] = []
@@ -113,7 +113,7 @@ class LogPlayer:
         before = self.intake.codec
         self.intake.take_codec(self._clock())
         if self.intake.codec is not before:
-            self._folding = Folding(self.intake.codec)
+            self._folding = None
 
     # Another place ----------------------------------------------------------------------------
 
@@ -131,7 +131,7 @@ class LogPlayer:
         with self.lock:
             self._cursor.go_behind(at_s)
             self._recalled, self._at_entry = recalled, True
-            self._folding = Folding(self.intake.codec)
+            self._folding = None
             self.intake.forget_others()
             self._waiting = []
             self.last = recalled[-1] if recalled else None
@@ -253,7 +253,10 @@ class LogPlayer:
         self._take_codec()
         before = self.played
         self._waiting.append(frames)
-        for row in self._folding.rows(frames).tolist():
+        folding = self._folding
+        if folding is None:
+            folding = self._folding = Folding(self.intake.codec)
+        for row in folding.rows(frames).tolist():
             data = frames.payloads[row, : frames.lengths[row]].tobytes()
             frame = Frame(int(frames.ids[row]), data)
             self._take(ReplayedFrame(frame, float(frames.times_s[row]), int(frames.flags[row])))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import threading
 import time
 from typing import TYPE_CHECKING, Final
@@ -30,6 +31,7 @@ if TYPE_CHECKING:
 SLOWEST, FASTEST = 0.1, 20.0
 _TURN_S: Final = 0.01
 """How long the thread rests between two looks at the clock on the wall."""
+_END_MS: Final = 10_000
 _LONGEST_TURN_S: Final = 0.25
 """A computer that slept or was busy does not make the log jump: it goes on where it was."""
 
@@ -150,17 +152,16 @@ class LogWorker(QThread):
             self._wake.notify()
         return self.wait(within_ms)
 
+    def end_in_time(self) -> None:
+        """End the thread before it is destroyed, which would end the program."""
+        self.close(_END_MS)
+
     # The operator's wishes; any thread --------------------------------------------------------
 
     @property
     def is_playing(self) -> bool:
         """Whether the log runs."""
         return self._playing
-
-    @property
-    def is_filling(self) -> bool:
-        """Whether the curves are being filled; the log waits for that."""
-        return self._filling
 
     @property
     def last(self) -> ReplayedFrame | None:
@@ -191,6 +192,7 @@ class LogWorker(QThread):
             self._travelling = True
             self._wanted = self._asked, at_s
             self._steps = 0
+            self._drop_history()
             self._wake.notify()
             return self._asked
 
@@ -203,7 +205,6 @@ class LogWorker(QThread):
         at_hand = self._at_hand
         if at_hand is None or at_hand[0] != number or number != self._asked:
             return False
-        self._drop_history()
         self._player.enter(at_hand[1], at_hand[2])
         self._report(BusState.LOST)
         self._report(BusState.OPEN)
@@ -231,13 +232,19 @@ class LogWorker(QThread):
         return self._history
 
     @property
+    def lacks_curves(self) -> bool:
+        """Whether nothing of what led to this place is in the curves, nor will be by itself."""
+        return not self._filling and math.isinf(self.curves_from_s)
+
+    @property
     def curves_from_s(self) -> float:
         """Log time from which on everything is in the curves."""
         return self._player.curves_from_s
 
     def _drop_history(self) -> None:
+        """Nothing more is read of another place: whoever looks up the next one goes first."""
         with self._wake:
-            history, self._history = self._history, None
+            history, self._history, self._history_due = self._history, None, False
         if history is not None:
             history.end()
 
@@ -324,7 +331,9 @@ class LogWorker(QThread):
 
     def _is_history_to_do(self) -> bool:
         history = self._history
-        return self._history_due if history is None else history.is_over
+        if history is not None:
+            return history.is_over
+        return self._history_due and math.isfinite(self.curves_from_s)
 
     def _see_to_history(self) -> None:
         """Begin to read it, once what is near is shown; show it when it is read."""

@@ -24,12 +24,12 @@ class EndReports:
 
     Args:
         context: What the parts of the controller share.
-        orders: Carries out commands that are answered.
+        transactions: Carries out commands that are answered.
     """
 
-    def __init__(self, context: Context, orders: TransactionQueue) -> None:
+    def __init__(self, context: Context, transactions: TransactionQueue) -> None:
         self._context = context
-        self._orders = orders
+        self._transactions = transactions
         self._busy = False
 
     def set_load(self, load: EndLoad) -> Refusal | None:
@@ -44,7 +44,7 @@ class EndReports:
             return context.refuse(refusal)
         self._busy = True
         context.tell(EventCode.LOAD_SENT, load=int(load))
-        self._orders.submit(
+        self._transactions.submit(
             Transaction(
                 commands.set_load(context.connection.codec, load),
                 partial(self._after_load, load),
@@ -71,7 +71,7 @@ class EndReports:
             return context.refuse(refusal)
         self._busy = True
         context.tell(EventCode.END_FEEDBACK_SENT)
-        self._orders.submit(
+        self._transactions.submit(
             Transaction(
                 commands.set_end_feedback(context.connection.codec, on=on),
                 partial(self._after_switch, on),

@@ -23,12 +23,12 @@ class JointErrors:
 
     Args:
         context: What the parts of the controller share.
-        orders: Carries out commands that are answered.
+        transactions: Carries out commands that are answered.
     """
 
-    def __init__(self, context: Context, orders: TransactionQueue) -> None:
+    def __init__(self, context: Context, transactions: TransactionQueue) -> None:
         self._context = context
-        self._orders = orders
+        self._transactions = transactions
         self._joint: int | None = None
 
     @property
@@ -55,7 +55,7 @@ class JointErrors:
             return context.refuse(refusal)
         self._joint = joint
         context.tell(EventCode.CLEAR_ERROR_SENT, joint=joint)
-        self._orders.submit(
+        self._transactions.submit(
             Transaction(
                 commands.clear_joint_error(context.connection.codec, joint),
                 partial(self._on_finished, joint),

@@ -26,12 +26,12 @@ class LinkageControl:
 
     Args:
         context: What the parts of the controller share.
-        orders: Carries out commands that are answered.
+        transactions: Carries out commands that are answered.
     """
 
-    def __init__(self, context: Context, orders: TransactionQueue) -> None:
+    def __init__(self, context: Context, transactions: TransactionQueue) -> None:
         self._context = context
-        self._orders = orders
+        self._transactions = transactions
         self._busy = False
         self._used = _NO_OFFSET
         self._was_known = True
@@ -86,7 +86,7 @@ class LinkageControl:
             ends_input=context.operating_state().teaching_input,
         )
         context.tell(EventCode.LINKAGE_SENT)
-        self._orders.submit(
+        self._transactions.submit(
             Transaction(
                 frames,
                 partial(self._on_finished, role),

@@ -36,19 +36,19 @@ _LONGEST_S: Final = 0.3
 
 
 class Zeroing:
-    """Sets zeros, one order at a time.
+    """Sets zeros, one transaction at a time.
 
     Args:
         context: What the parts of the controller share.
-        orders: Carries out commands that are answered.
+        transactions: Carries out commands that are answered.
         before_zeroing: Called when angles are about to be counted anew: setpoints are void.
     """
 
     def __init__(
-        self, context: Context, orders: TransactionQueue, before_zeroing: Callable[[], None]
+        self, context: Context, transactions: TransactionQueue, before_zeroing: Callable[[], None]
     ) -> None:
         self._context = context
-        self._orders = orders
+        self._transactions = transactions
         self._before_zeroing = before_zeroing
         self._busy = False
 
@@ -88,7 +88,7 @@ class Zeroing:
         context.tell(
             EventCode.ZERO_SENT if joint == ALL_JOINTS else EventCode.ZERO_SENT_JOINT, joint=joint
         )
-        self._orders.submit(
+        self._transactions.submit(
             Transaction(
                 commands.set_joint_zero(context.connection.codec, joint),
                 partial(self._on_finished, joint),

@@ -38,14 +38,8 @@ class EventKeeper(QObject):
         files: Does what waits for a disk.
     """
 
-    def __init__(
-        self,
-        collector: EventCollector,
-        folder: Path,
-        files: Executor,
-        parent: QObject | None = None,
-    ) -> None:
-        super().__init__(parent)
+    def __init__(self, collector: EventCollector, folder: Path, files: Executor) -> None:
+        super().__init__()
         self._collector = collector
         self._folder = folder
         self._files = files

@@ -1,14 +1,19 @@
-"""Compares the chosen model with what the arm tells, and warns; it changes nothing by itself."""
+"""Compares the chosen model with what the arm tells, and warns; the choice stays the operator's.
+
+What is found out here, too, is where the arm counts joints 2 and 3 from: by its version, and by the
+pose it reports, which goes before the version.
+"""
 
 from __future__ import annotations
 
 from typing import TYPE_CHECKING, Final
 
-from armui.arm.model_check import ModelFit, Models, fitting_models
+from armui.arm.model_check import FittingArm, ModelFit, Models, fitting_arms
 from armui.arm.models import model_data
 from armui.control.events import EventCode
 
 if TYPE_CHECKING:
+    from armui.arm.device import Device
     from armui.arm.state import ArmState
     from armui.control.context import Context
     from armui.protocol.piper_model import PiperModel
@@ -38,27 +43,73 @@ class ModelWatch:
         self._looks = 0
         self._looked_s = -_EVERY_S
         self._warned: Models | None = None
+        self._pose_tells: bool | None = None
+        self._before: PiperModel | None = None
+        self._zeros: tuple[Device, PiperModel, bool] | None = None
 
     def fit(self) -> ModelFit:
         """What is known of the model that was chosen."""
-        return ModelFit(self._context.connection.model, self.fitting)
+        connection = self._context.connection
+        arm = connection.device, connection.model
+        older_zeros = self._zeros is not None and self._zeros == (*arm, True)
+        before = self._before if self.fitting is None else None
+        return ModelFit(connection.model, self.fitting, older_zeros, before)
+
+    def recall(self, model: PiperModel, node: str) -> None:
+        """What this very arm was connected as the last time is known, now that it has named itself.
+
+        It is taken in the place of a model that was only offered, while nothing is under way. What
+        the operator has chosen this time stays, and is asked about.
+
+        Args:
+            model: Kept for the arm, which had confirmed it.
+            node: Its node number.
+        """
+        connection = self._context.connection
+        now = self._context.refresh()
+        device, chosen = connection.device, connection.model
+        if device is None or device.simulated or device.recorded is not None or model is chosen:
+            return
+        names = {
+            "chosen": model_data(chosen).name,
+            "before": model_data(model).name,
+            "node": node,
+        }
+        idle = now.occupied is None and not now.moving and not self._context.authority.under_way
+        if self.fit().confirmed:
+            return  # the arm itself says so
+        if not (device.model_assumed and idle):
+            self._before = model
+            self._context.tell(EventCode.MODEL_WAS_OTHER, **names)
+            self._context.refresh()
+            return
+        connection.model = model
+        self.forget()
+        self._context.tell(EventCode.MODEL_RECALLED, **names)
+        self._context.refresh()
 
     def assume(self, model: PiperModel) -> None:
         """Plan for a model while no device is open."""
-        if self._context.connection.device is None:
-            self._context.connection.model = model
+        connection = self._context.connection
+        if connection.device is None and connection.model is not model:
+            connection.model = model
             self._context.refresh()
 
     def advance(self) -> None:
         """Look at the arm, if it stands."""
         now_s = self._context.clock()
+        self._look_for_zeros()
         if now_s - self._looked_s < _EVERY_S or not self._context.authority.at_rest:
             return
         joints_deg, pose = _told(self._context.state(), now_s)
         if joints_deg is None or pose is None:
             return
         self._looked_s = now_s
-        self._take(fitting_models(joints_deg, pose, self._context.state().firmware))
+        device = self._context.connection.device
+        found = fitting_arms(joints_deg, pose, _version(self._context.state(), device))
+        self._take_zeros(found)
+        self._look_for_zeros()
+        self._take(frozenset(arm.model for arm in found))
 
     def halt(self) -> None:
         """A stop changes no model."""
@@ -67,6 +118,29 @@ class ModelWatch:
         """Another arm may be another model."""
         self.fitting = self._seen = self._warned = None
         self._looks = 0
+        self._pose_tells = self._before = None
+
+    def _look_for_zeros(self) -> None:
+        """Where the arm counts from; as it was last in this connection while nothing tells."""
+        connection = self._context.connection
+        device = connection.device
+        firmware = _version(self._context.state(), device)
+        if device is None:
+            return
+        model = connection.model
+        if self._pose_tells is not None:
+            self._zeros = device, model, self._pose_tells
+        elif device.recorded is not None and device.recorded.older_zeros is not None:
+            self._zeros = device, model, device.recorded.older_zeros
+        elif firmware is not None:
+            self._zeros = device, model, model_data(model).older_zeros(firmware)
+
+    def _take_zeros(self, found: frozenset[FittingArm]) -> None:
+        """The pose says it, if it fits the chosen model with one of the two."""
+        chosen = self._context.connection.model
+        zeros = {arm.older_zeros for arm in found if arm.model is chosen}
+        if len(zeros) == 1:
+            self._pose_tells = zeros.pop()
 
     def _take(self, found: Models) -> None:
         before = self.fitting
@@ -87,6 +161,12 @@ class ModelWatch:
                 self._context.tell(EventCode.MODEL_OTHER, **fit.wrong.params)
             else:
                 self._context.tell(EventCode.MODEL_NONE, chosen=chosen)
+
+
+def _version(state: ArmState, device: Device | None) -> str | None:
+    """The version the arm has named, or that of the arm in a log."""
+    recorded = None if device is None else device.recorded
+    return state.firmware or (recorded.firmware if recorded is not None else None) or None
 
 
 def _told(

@@ -38,14 +38,9 @@ class Neighbours(QObject):
     _counted = Signal(object, object, int)
 
     def __init__(
-        self,
-        controller: ArmController,
-        settings: Path,
-        folder: Path,
-        look_s: float = 1.0,
-        parent: QObject | None = None,
+        self, controller: ArmController, settings: Path, folder: Path, look_s: float = 1.0
     ) -> None:
-        super().__init__(parent)
+        super().__init__()
         self._controller = controller
         self._folder = folder
         self._look_s = look_s

@@ -63,27 +63,18 @@ class Cartesian:
 
     def prepare(self) -> None:
         """Load what computes with poses, before there is an arm that must not wait for it."""
+        from armui.arm.models import all_models  # noqa: PLC0415 - see above
+
+        all_models()  # an arm is compared with each of them: files, which are read now
         self.kinematics()
 
     def kinematics(self) -> Kinematics:
-        """Of the chosen model, with the zeros that fit the pose the arm reports.
-
-        Older firmware counts joints 2 and 3 from other zeros, and an arm of generation 1 tells no
-        version: its own pose does. The model is never another than the operator's.
-        """
-        from armui.arm.models import model_data  # noqa: PLC0415 - see above
+        """Of the chosen model, with the zeros this arm counts from: as the picture shows it."""
         from armui.kinematics.arm_kinematics import Kinematics  # noqa: PLC0415 - see above
 
-        state = self._context.state()
-        data = model_data(self._context.connection.model)
-        if (
-            self._model is None
-            or self._model.geometry not in data.geometries
-            or not self._fits(self._model, state)
-        ):
-            models = [Kinematics(geometry) for geometry in data.geometries]
-            fitting = [model for model in models if self._fits(model, state)]
-            self._model = (fitting or models)[0]
+        geometry = self._context.operating_state().model_fit.geometry
+        if self._model is None or self._model.geometry != geometry:
+            self._model = Kinematics(geometry)
         return self._model
 
     def tool_pose(self, state: ArmState) -> Pose | None:

@@ -21,7 +21,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Final
 
-from armui.arm.limits import FACTORY_ACCELERATION_DEG_S2, JointLimits
+from armui.arm.limits import JointLimits
 from armui.arm.state import Reading
 
 HORIZON_S: Final = 0.045
@@ -83,15 +83,19 @@ def pace(
     )
 
 
-def accelerations(heard: Sequence[Reading[float] | None]) -> tuple[float, ...]:
+def accelerations(
+    heard: Sequence[Reading[float] | None], factory: Sequence[float]
+) -> tuple[float, ...]:
     """What to rely on for braking: as read from the arm, and never more than the factory's.
 
     A corrupted flash answers with far too much; an arm that brakes harder than this only rests
     sooner.
+
+    Args:
+        heard: Of the six joints, °/s².
+        factory: Those of the arm's model.
     """
     return tuple(
-        FACTORY_ACCELERATION_DEG_S2
-        if each is None or each.value <= 0.0
-        else min(each.value, FACTORY_ACCELERATION_DEG_S2)
-        for each in heard
+        most if each is None or each.value <= 0.0 else min(each.value, most)
+        for each, most in zip(heard, factory, strict=True)
     )

@@ -97,15 +97,55 @@ class JointJogPath:
         )
 
 
-class ToolJogPath:
-    """The tool centre point goes straight along an axis, or turns about one.
+class HeldToolPath:
+    """What the ways of the tool centre point share: they are gone as far as the arm reaches.
 
     Args:
-        jog: Which axis, and where to.
         kinematics: Of the arm.
         base_deg: Six angles to begin with.
         tool: The tool centre point in the flange: X, Y, Z in mm, RX, RY, RZ in degrees.
         limits: Of the six joints.
+    """
+
+    def __init__(
+        self,
+        kinematics: Kinematics,
+        base_deg: Sequence[float],
+        tool: Sequence[float],
+        limits: Sequence[JointLimits],
+    ) -> None:
+        from armui.kinematics.poses import tool_matrix  # noqa: PLC0415 - numpy, loaded when asked for
+
+        self._kinematics = kinematics
+        self._tool = tuple(tool)
+        self._limits = tuple(limits)
+        self._start: Matrix = tool_matrix(kinematics.matrix(base_deg), self._tool)
+
+    def room(self) -> float:
+        """As far as the arm reaches: that is found out on the way."""
+        return float("inf")
+
+    def end(self) -> Refusal:
+        """The edge of the arm's reach."""
+        return Refusal(RefusalCode.JOG_OUT_OF_REACH)
+
+    def _joints_of(self, target: Matrix, near_deg: Sequence[float]) -> tuple[float, ...] | Refusal:
+        """The solution nearest to ``near_deg``, or why there is none."""
+        from armui.kinematics import poses  # noqa: PLC0415 - see above
+
+        pose = poses.matrix_to_pose(poses.flange_matrix(target, self._tool))
+        solutions = self._kinematics.inverse(pose, near_deg)
+        if not solutions:
+            return self.end()
+        beyond = check_joints(solutions[0], self._limits)
+        return solutions[0] if beyond is None else at_limit(beyond)
+
+
+class ToolJogPath(HeldToolPath):
+    """The tool centre point goes straight along an axis, or turns about one.
+
+    Args:
+        jog: Which axis, and where to; for the others see :class:`HeldToolPath`.
     """
 
     def __init__(
@@ -116,40 +156,20 @@ class ToolJogPath:
         tool: Sequence[float],
         limits: Sequence[JointLimits],
     ) -> None:
-        from armui.kinematics.poses import tool_matrix  # noqa: PLC0415 - numpy, loaded when asked for
-
+        super().__init__(kinematics, base_deg, tool, limits)
         self._jog = jog
-        self._kinematics = kinematics
-        self._tool = tuple(tool)
-        self._limits = tuple(limits)
-        self._start: Matrix = tool_matrix(kinematics.matrix(base_deg), self._tool)
 
     def speed(self, pace: Pace) -> float:
         """The tool's, at the present speed percentage."""
         return pace.share * (TOOL_MM_S if self._jog.axis < LINEAR_AXES else TOOL_DEG_S)
 
-    def room(self) -> float:
-        """As far as the arm reaches: that is found out on the way."""
-        return float("inf")
-
     def joints_at(self, gone: float, near_deg: Sequence[float]) -> tuple[float, ...] | Refusal:
         """The solution nearest to ``near_deg``, or why there is none."""
-        from armui.kinematics import poses  # noqa: PLC0415 - see above
+        from armui.kinematics.poses import shifted  # noqa: PLC0415 - see above
 
         jog = self._jog
-        target = poses.shifted(self._start, jog.axis, jog.direction * gone, jog.frame)
-        pose = poses.matrix_to_pose(poses.flange_matrix(target, self._tool))
-        solutions = self._kinematics.inverse(pose, near_deg)
-        if not solutions:
-            return self.end()
-        beyond = check_joints(solutions[0], self._limits)
-        if beyond is None:
-            return solutions[0]
-        return at_limit(beyond)
-
-    def end(self) -> Refusal:
-        """The edge of the arm's reach."""
-        return Refusal(RefusalCode.JOG_OUT_OF_REACH)
+        target = shifted(self._start, jog.axis, jog.direction * gone, jog.frame)
+        return self._joints_of(target, near_deg)
 
 
 def at_limit(beyond: Refusal) -> Refusal:

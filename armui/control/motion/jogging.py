@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING, Final
 from PySide6.QtCore import Qt, QTimer
 
 from armui.arm.limits import JOINTS
+from armui.arm.models import model_data
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.control.context import Context
@@ -244,7 +245,10 @@ class Jogging:
         present = pace(
             self._motion.speed_percent,
             operating_state.limits,
-            accelerations(context.state().accelerations_deg_s2),
+            accelerations(
+                context.state().accelerations_deg_s2,
+                model_data(operating_state.model).accelerations_deg_s2,
+            ),
         )
         reason = stream.advance(measured_deg, dt_s, present)
         target_deg = tuple(round(angle, 3) for angle in stream.setpoint_deg)

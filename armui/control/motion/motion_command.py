@@ -6,7 +6,11 @@ import enum
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, NamedTuple
 
+from armui.arm.models import model_data
+from armui.protocol.piper_model import PiperModel
+
 if TYPE_CHECKING:
+    from armui.arm.limits import JointLimits
     from armui.arm.other_hosts import OtherTraffic
     from armui.arm.state import ArmState
     from armui.kinematics.poses import Matrix
@@ -102,6 +106,7 @@ class Observation(NamedTuple):
         online: Whether the arm is heard at all.
         now_s: Monotonic time.
         waiting: Whether frames of ours have not left yet.
+        model: Which arm it is: its table stands in for what the arm has not told.
     """
 
     state: ArmState
@@ -110,3 +115,9 @@ class Observation(NamedTuple):
     online: bool
     now_s: float
     waiting: bool
+    model: PiperModel = PiperModel.PIPER
+
+    @property
+    def factory_limits(self) -> tuple[JointLimits, ...]:
+        """Of its model."""
+        return model_data(self.model).limits

@@ -6,16 +6,15 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Final
 
-from armui.arm.limits import JointLimits, check_joints
+from armui.arm.limits import JointLimits
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
-from armui.control.motion.jog_path import TOOL_DEG_S, TOOL_MM_S, at_limit
+from armui.control.motion.jog_path import TOOL_DEG_S, TOOL_MM_S, HeldToolPath
 from armui.kinematics.axes import LINEAR_AXES, JogFrame
 
 if TYPE_CHECKING:
     from armui.control.motion.jog_pace import Pace
     from armui.kinematics.arm_kinematics import Kinematics
-    from armui.kinematics.poses import Matrix
 
 _NOWHERE_DEG: Final = float("inf")
 
@@ -85,18 +84,14 @@ class SteeredJointPath:
         return bounds.max_deg if self._ways[place] > 0 else bounds.min_deg
 
 
-class SteeredToolPath:
+class SteeredToolPath(HeldToolPath):
     """The tool centre point goes along and turns about the axes of a frame at once.
 
     The way is told in seconds at full speed.
 
     Args:
         rates: Six, −1 to 1, not all 0. The point is never faster than along one axis alone.
-        frame: Whose axes.
-        kinematics: Of the arm.
-        base_deg: Six angles to begin with.
-        tool: The tool centre point in the flange: X, Y, Z in mm, RX, RY, RZ in degrees.
-        limits: Of the six joints.
+        frame: Whose axes; for the others see :class:`HeldToolPath`.
     """
 
     def __init__(
@@ -109,42 +104,23 @@ class SteeredToolPath:
         tool: Sequence[float],
         limits: Sequence[JointLimits],
     ) -> None:
-        from armui.kinematics.poses import tool_matrix  # noqa: PLC0415 - numpy, loaded when asked for
-
+        super().__init__(kinematics, base_deg, tool, limits)
         linear, turning = rates[:LINEAR_AXES], rates[LINEAR_AXES:]
         self._mm_s = tuple(TOOL_MM_S * rate for rate in _within_one(linear))
         self._deg_s = tuple(TOOL_DEG_S * rate for rate in _within_one(turning))
         self._frame = frame
-        self._kinematics = kinematics
-        self._tool = tuple(tool)
-        self._limits = tuple(limits)
-        self._start: Matrix = tool_matrix(kinematics.matrix(base_deg), self._tool)
 
     def speed(self, pace: Pace) -> float:
         """The present share of full speed."""
         return pace.share
 
-    def room(self) -> float:
-        """As far as the arm reaches: that is found out on the way."""
-        return float("inf")
-
     def joints_at(self, gone: float, near_deg: Sequence[float]) -> tuple[float, ...] | Refusal:
         """The solution nearest to ``near_deg``, or why there is none."""
-        from armui.kinematics import poses  # noqa: PLC0415 - see above
+        from armui.kinematics.poses import moved  # noqa: PLC0415 - numpy, loaded when asked for
 
         way_mm = [gone * each for each in self._mm_s]
         turn_deg = [gone * each for each in self._deg_s]
-        target = poses.moved(self._start, way_mm, turn_deg, self._frame)
-        pose = poses.matrix_to_pose(poses.flange_matrix(target, self._tool))
-        solutions = self._kinematics.inverse(pose, near_deg)
-        if not solutions:
-            return self.end()
-        beyond = check_joints(solutions[0], self._limits)
-        return solutions[0] if beyond is None else at_limit(beyond)
-
-    def end(self) -> Refusal:
-        """The edge of the arm's reach."""
-        return Refusal(RefusalCode.JOG_OUT_OF_REACH)
+        return self._joints_of(moved(self._start, way_mm, turn_deg, self._frame), near_deg)
 
 
 def _within_one(rates: Sequence[float]) -> tuple[float, ...]:

@@ -54,7 +54,7 @@ class ArmSettings(QObject):
 
     Args:
         context: What the parts of the controller share.
-        orders: Carries out commands that are answered.
+        transactions: Carries out commands that are answered.
 
     Signals:
         changed: How some parameter stands is another.
@@ -65,11 +65,11 @@ class ArmSettings(QObject):
     finished = Signal()
 
     def __init__(
-        self, context: Context, orders: TransactionQueue, parent: QObject | None = None
+        self, context: Context, transactions: TransactionQueue, parent: QObject | None = None
     ) -> None:
         super().__init__(parent)
         self._context = context
-        self._orders = orders
+        self._transactions = transactions
         self._cells: dict[Parameter, SettingCellState] = {}
         self._open = 0
         self._saving: list[Parameter] = []
@@ -93,7 +93,9 @@ class ArmSettings(QObject):
         if refusal is not None:
             return refusal
         generation = self._context.connection.generation
-        return list(all_batches(teaching=generation is Generation.TWO))
+        second = generation is Generation.TWO
+        assistance = second and self.why_not_kept([Batch(Group.DRAG_ASSISTANCE)]) is None
+        return list(all_batches(teaching=second, drag_assistance=assistance))
 
     def holds(self, parameter: Parameter, value: float) -> bool:
         """Whether what the arm said last is a value, as far as its frames can tell the two apart.
@@ -258,9 +260,9 @@ class ArmSettings(QObject):
         """What has come up since the press against setting parameters."""
         return self._context.operating_state().occupied or why_moving(self._context.state())
 
-    def _submit(self, *orders: Transaction) -> None:
-        self._open += len(orders)
-        self._orders.submit(*orders)
+    def _submit(self, *transactions: Transaction) -> None:
+        self._open += len(transactions)
+        self._transactions.submit(*transactions)
 
     # How it ends ------------------------------------------------------------------------------
 

@@ -38,13 +38,13 @@ _KEEP_S: Final = 0.5
 
 @dataclass(frozen=True, slots=True)
 class ReadBack:
-    """How an order is checked.
+    """How a transaction is checked.
 
     Attributes:
         query: The question.
         heard_since: Whether the arm has answered it since a monotonic time.
-        against: What speaks against the order having been taken, by what was read.
-        proves: Whether reading what was wanted shows that the order was taken: not where the arm
+        against: What speaks against its having been taken, by what was read.
+        proves: Whether reading what was wanted shows that it was taken: not where the arm
             held just that before.
     """
 
@@ -90,7 +90,7 @@ class _Phase(enum.Enum):
 
 @dataclass(eq=False, slots=True)
 class _Task:
-    """An order and how far it has come.
+    """A transaction and how far it has come.
 
     Attributes:
         arm: Which arm was online when it was submitted; ``None``: none was.
@@ -101,7 +101,7 @@ class _Task:
         unanswered: The reason to tell if the value cannot be read back either.
     """
 
-    order: Transaction
+    transaction: Transaction
     arm: int | None
     begin_by_s: float | None
     phase: _Phase
@@ -128,29 +128,29 @@ class TransactionQueue:
 
     @property
     def busy(self) -> bool:
-        """Whether an order is under way or waits."""
+        """Whether a transaction is under way or waits."""
         return self._task is not None
 
     @property
     def altering(self) -> str | None:
         """What of the arm is being set, or waits to be, that a motion counts on."""
-        altered = (task.order.alters for task in self._all())
+        altered = (task.transaction.alters for task in self._all())
         return next((what for what in altered if what is not None), None)
 
-    def submit(self, *orders: Transaction) -> None:
-        """Take the orders of one action on.
+    def submit(self, *transactions: Transaction) -> None:
+        """Take the transactions of one action on.
 
         Its first command begins within a second or is dropped; the others follow it.
         """
         now_s = self._context.clock()
         arm = self._context.connection.arm
         begin_by_s: float | None = now_s + _WITHIN_S
-        for order in orders:
-            if order.frames:
-                self._commands.append(_Task(order, arm, begin_by_s, _Phase.ANSWER))
+        for transaction in transactions:
+            if transaction.frames:
+                self._commands.append(_Task(transaction, arm, begin_by_s, _Phase.ANSWER))
                 begin_by_s = None
             else:
-                self._readings.append(_Task(order, arm, None, _Phase.READING))
+                self._readings.append(_Task(transaction, arm, None, _Phase.READING))
         self._set_reading_aside()
         self._begin_next()
 
@@ -160,7 +160,7 @@ class TransactionQueue:
         task = self._task
         if task is None:
             return
-        read_back = task.order.read_back
+        read_back = task.transaction.read_back
         if task.phase is _Phase.READING and read_back is not None:
             state = self._context.state()
             if read_back.heard_since(state, task.sent_s):
@@ -174,8 +174,8 @@ class TransactionQueue:
 
     def halt(self) -> None:
         """Settings move nothing: a stop leaves them be, but for those that say otherwise."""
-        self._drop(lambda task: task.order.ends_with_stop, Refusal(RefusalCode.ENDED_BY_STOP))
-        if self._task is not None and self._task.order.ends_with_stop:
+        self._drop(lambda task: task.transaction.ends_with_stop, Refusal(RefusalCode.ENDED_BY_STOP))
+        if self._task is not None and self._task.transaction.ends_with_stop:
             self._end(Refusal(RefusalCode.ENDED_BY_STOP))
 
     def forget(self) -> None:
@@ -185,7 +185,7 @@ class TransactionQueue:
         self._commands.clear()
         self._readings.clear()
         for task in tasks:
-            task.order.finished(Refusal(RefusalCode.LINK_LOST))
+            task.transaction.finished(Refusal(RefusalCode.LINK_LOST))
 
     def _all(self) -> list[_Task]:
         under_way = [] if self._task is None else [self._task]
@@ -203,7 +203,7 @@ class TransactionQueue:
         self._commands = deque(task for task in self._commands if not is_dropped(task))
         self._readings = deque(task for task in self._readings if not is_dropped(task))
         for task in dropped:
-            task.order.finished(reason)
+            task.transaction.finished(reason)
 
     def _set_reading_aside(self) -> None:
         """Let a new action pass what is only being read; it is asked for again afterwards."""
@@ -237,16 +237,16 @@ class TransactionQueue:
         self._send(task)
 
     def _send(self, task: _Task) -> None:
-        order, connection = task.order, self._context.connection
+        transaction, connection = task.transaction, self._context.connection
         now_s = self._context.clock()
         if task.phase is _Phase.READING:
             refusal = None if connection.arm is None else self._why_another_arm(task)
-            frames = () if order.read_back is None else order.read_back.query
+            frames = () if transaction.read_back is None else transaction.read_back.query
             keep_s = _KEEP_S
         else:
             self._context.refresh()
-            refusal = self._why_another_arm(task) or order.recheck()
-            frames = order.frames
+            refusal = self._why_another_arm(task) or transaction.recheck()
+            frames = transaction.frames
             keep_s = min(_KEEP_S, task.send_by_s - now_s)
         if refusal is not None:
             self._end(refusal)
@@ -257,11 +257,11 @@ class TransactionQueue:
         task.deadline_s = now_s + _WAIT_S
         if not connection.send(frames, keep_s):
             self._end(Refusal(RefusalCode.LINK_LOST))
-        elif task.phase is _Phase.ANSWER and order.index is None:
+        elif task.phase is _Phase.ANSWER and transaction.index is None:
             self._after_answer(task)
 
     def _why_another_arm(self, task: _Task) -> Refusal | None:
-        """Why the arm that the order was meant for is not the one to be spoken to now."""
+        """Why the arm it was meant for is not the one to be spoken to now."""
         connection = self._context.connection
         if task.arm is None or task.arm == connection.arm:
             return None
@@ -271,16 +271,16 @@ class TransactionQueue:
         task = self._task
         if task is None or task.phase is not _Phase.ANSWER or answer.name != "SettingResponse":
             return
-        if answer.signals["Index"] != task.order.index:
+        if answer.signals["Index"] != task.transaction.index:
             return
-        against = task.order.against(answer)
+        against = task.transaction.against(answer)
         if against is not None:
             self._end(against)
         else:
             self._after_answer(task)
 
     def _after_answer(self, task: _Task) -> None:
-        if task.order.read_back is None:
+        if task.transaction.read_back is None:
             self._end(None)
         else:
             self._begin(task, _Phase.READING)
@@ -288,9 +288,9 @@ class TransactionQueue:
     def _on_overdue(self, task: _Task) -> None:
         reading = task.phase is _Phase.READING
         in_time = reading or self._context.clock() < task.send_by_s
-        if task.attempt < (_ATTEMPTS if reading else task.order.attempts) and in_time:
+        if task.attempt < (_ATTEMPTS if reading else task.transaction.attempts) and in_time:
             self._send(task)
-        elif not reading and task.order.read_back is not None:
+        elif not reading and task.transaction.read_back is not None:
             # what the arm holds now decides, but if it can't be read the missing answer is told
             task.unanswered = Refusal(RefusalCode.SETTING_UNANSWERED)
             self._begin(task, _Phase.READING)
@@ -302,5 +302,5 @@ class TransactionQueue:
     def _end(self, refusal: Refusal | None) -> None:
         task, self._task = self._task, None
         if task is not None:
-            task.order.finished(refusal)
+            task.transaction.finished(refusal)
         self._begin_next()

@@ -7,7 +7,7 @@ from collections import deque
 from collections.abc import Sequence
 from typing import Final, NamedTuple
 
-from armui.arm.limits import FACTORY_LIMITS, plausible
+from armui.arm.limits import JointLimits, plausible
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import ArmState
@@ -36,13 +36,16 @@ class OverspeedWatch:
         """Another speed is shown from now on."""
         self._samples.clear()
 
-    def observe(self, state: ArmState, percent: int | None) -> Refusal | None:
+    def observe(
+        self, state: ArmState, percent: int | None, factory: Sequence[JointLimits]
+    ) -> Refusal | None:
         """Take in what is measured.
 
         Args:
             state: The arm as heard.
             percent: The speed shown for the motion under way, of each joint's highest; ``None``:
                 there is nothing to compare with.
+            factory: Of the arm's model: they stand in where the arm has told none.
 
         Returns:
             Which joint is too fast, or ``None``.
@@ -58,16 +61,18 @@ class OverspeedWatch:
             samples.popleft()
         if samples[-1].at_s - samples[0].at_s < _FOR_S:
             return None
-        return self._judge(state, percent)
+        return self._judge(state, percent, factory)
 
-    def _judge(self, state: ArmState, percent: int) -> Refusal | None:
+    def _judge(
+        self, state: ArmState, percent: int, factory: Sequence[JointLimits]
+    ) -> Refusal | None:
         first, newest = self._samples[0], self._samples[-1]
         middle = next(each for each in self._samples if each.at_s >= newest.at_s - _HALF_S)
         speeds = _speeds_deg_s(first, newest)
         before, after = _speeds_deg_s(first, middle), _speeds_deg_s(middle, newest)
-        for index, (limits, factory) in enumerate(zip(state.limits, FACTORY_LIMITS, strict=True)):
+        for index, (limits, stands_in) in enumerate(zip(state.limits, factory, strict=True)):
             known = limits is not None and plausible(limits.value)
-            highest = limits.value if limits is not None and known else factory
+            highest = limits.value if limits is not None and known else stands_in
             shown_deg_s = highest.max_speed_deg_s * percent / 100.0
             too_fast = speeds[index] > _TOO_FAST * shown_deg_s + _SLACK_DEG_S
             if too_fast and after[index] >= _BRAKING * before[index]:

@@ -2,18 +2,27 @@
 
 from __future__ import annotations
 
-from concurrent.futures import CancelledError
-from typing import TYPE_CHECKING, NamedTuple
+import contextlib
+import threading
+from concurrent.futures import CancelledError, ThreadPoolExecutor
+from concurrent.futures import wait as wait_for
+from dataclasses import dataclass, field
+from pathlib import Path
+from tempfile import TemporaryDirectory
+from typing import TYPE_CHECKING, Final, NamedTuple
 
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.session.recording.kinds import MF4_SUFFIX
 from armui.session.recording.problems import why_not_written
+from armui.system.atomic import unfinished_name
 
 if TYPE_CHECKING:
     from collections.abc import Callable
     from concurrent.futures import Executor, Future
-    from pathlib import Path
+
+_LOOK_S: Final = 0.1
+_END_S: Final = 1.0
 
 
 class Mf4Made(NamedTuple):
@@ -28,11 +37,26 @@ class Mf4Made(NamedTuple):
     reason: Refusal | None
 
 
-def _make(folder: Path, name: str) -> Path:
-    """In the process; see `armui.session.recording.mf4.make_mf4`."""
-    from armui.session.recording.mf4 import make_mf4  # noqa: PLC0415 - python-can, asammdf
+@dataclass(slots=True, eq=False)
+class _Order:
+    """One that is to be made.
 
-    return make_mf4(folder, name)
+    Attributes:
+        share: How much of it is done, 0 to 1; ``None`` before it is begun.
+    """
+
+    folder: Path
+    name: str
+    called_off: threading.Event = field(default_factory=threading.Event)
+    share: float | None = None
+
+
+def _make(folder: Path, name: str, told: Path, unfinished: Path) -> None:
+    """In the process; see `armui.session.recording.mf4.make_mf4`."""
+    from armui.session.recording import mf4  # noqa: PLC0415 - python-can, asammdf
+
+    with mf4.told_in(told) as tell:
+        mf4.make_mf4(folder, name, tell, unfinished=unfinished)
 
 
 def _helper() -> Executor:
@@ -42,50 +66,93 @@ def _helper() -> Executor:
 
 
 class Mf4Making:
-    """Makes one after another.
+    """Makes one after another; whatever waits for a disk or a process is done by a thread.
 
     Args:
-        make_helper: Makes what does the work, with the first.
+        make_helper: Makes what does the work, for each a new one.
     """
 
     def __init__(self, make_helper: Callable[[], Executor] = _helper) -> None:
         self._make_helper = make_helper
-        self._helper: Executor | None = None
-        self._making: dict[str, tuple[Path, Future[Path]]] = {}
+        self._thread: ThreadPoolExecutor | None = None
+        self._making: dict[str, tuple[_Order, Future[None]]] = {}
 
     @property
     def names(self) -> frozenset[str]:
         """The recordings of which one is being made: their files must not be moved."""
         return frozenset(self._making)
 
+    @property
+    def share(self) -> float | None:
+        """How much of the one that is being made is done, 0 to 1; ``None``: nobody knows."""
+        return next((order.share for order, _done in self._making.values()), None)
+
     def begin(self, folder: Path, name: str) -> None:
         """Have one made of a recording that was written as .blf."""
-        if self._helper is None:
-            self._helper = self._make_helper()
-        self._making[name] = folder, self._helper.submit(_make, folder, name)
+        if self._thread is None:
+            self._thread = ThreadPoolExecutor(1, "armui-mf4")
+        order = _Order(folder, name)
+        self._making[name] = order, self._thread.submit(self._work, order)
+
+    def call_off(self) -> None:
+        """Make none of them; nothing remains of the one that was begun. `take` tells it."""
+        for order, _done in self._making.values():
+            order.called_off.set()
 
     def take(self) -> list[Mf4Made]:
         """Those that are done since the last call."""
-        done = [(name, *each) for name, each in self._making.items() if each[1].done()]
-        for name, _folder, _future in done:
-            del self._making[name]
-        return [Mf4Made(name, _reason(name, future, folder)) for name, folder, future in done]
+        done = [each for each in self._making.values() if each[1].done()]
+        for order, _future in done:
+            del self._making[order.name]
+        return [Mf4Made(order.name, _reason(order, future)) for order, future in done]
 
     def end(self) -> None:
         """End the process at once; the recordings stay, as .blf."""
-        if self._helper is not None:
-            self._helper.shutdown(wait=False)
-            self._helper = None
+        self.call_off()
+        if self._thread is not None:
+            wait_for([future for _order, future in self._making.values()], _END_S)
+            self._thread.shutdown(wait=False, cancel_futures=True)
+            self._thread = None
         self._making.clear()
 
+    def _work(self, order: _Order) -> None:
+        """Make one, in the thread.
 
-def _reason(name: str, future: Future[Path], folder: Path) -> Refusal | None:
+        Raises:
+            CancelledError: It was called off; nothing remains of it.
+            Exception: Whatever was wrong.
+        """
+        if order.called_off.is_set():
+            raise CancelledError
+        helper = self._make_helper()
+        unfinished = unfinished_name(order.folder / f"{order.name}{MF4_SUFFIX}")
+        try:
+            with TemporaryDirectory(prefix="armui-mf4-") as room:
+                told = Path(room) / "share"
+                future = helper.submit(_make, order.folder, order.name, told, unfinished)
+                while not (wait_for([future], _LOOK_S).done or order.called_off.is_set()):
+                    with contextlib.suppress(OSError, ValueError):
+                        order.share = float(told.read_text())
+                if not future.done():
+                    helper.shutdown()
+                    raise CancelledError
+                future.result()
+        finally:
+            helper.shutdown()
+            with contextlib.suppress(OSError):
+                unfinished.unlink(missing_ok=True)
+
+
+def _reason(order: _Order, future: Future[None]) -> Refusal | None:
+    name = f"{order.name}{MF4_SUFFIX}"
     try:
         error = future.exception()
     except CancelledError as cancelled:
         error = cancelled
+    if isinstance(error, CancelledError):
+        return Refusal(RefusalCode.SESSION_MF4_CALLED_OFF)
     if isinstance(error, ModuleNotFoundError):
         return Refusal(RefusalCode.SESSION_NO_MF4)
     if isinstance(error, FileExistsError):
-        return Refusal(RefusalCode.SESSION_NAME_TAKEN, {"name": f"{name}{MF4_SUFFIX}"})
-    return None if error is None else why_not_written(error, folder)
+        return Refusal(RefusalCode.SESSION_NAME_TAKEN, {"name": name})
+    return None if error is None else why_not_written(error, order.folder)

@@ -59,6 +59,7 @@ class SessionRecorder(QObject):
 
     Attributes:
         choices: Where and how.
+        mf4: Makes .mf4 files of recordings that have ended; it can be called off.
 
     Signals:
         changed: A recording has begun or ended, or the ring was saved.
@@ -80,7 +81,7 @@ class SessionRecorder(QObject):
         self._saver: ThreadPoolExecutor | None = None
         self._saving: Future[Path] | None = None
         self._saving_plan: RecordingPlan | None = None
-        self._mf4 = Mf4Making()
+        self.mf4 = Mf4Making()
         self._at_faults = SaveAtFaults(KEPT_S)
         self._lost_told = self._dropped_before = 0
         self._device: object = None
@@ -102,18 +103,13 @@ class SessionRecorder(QObject):
         """Whether the ring is being saved."""
         return self._saving is not None
 
-    @property
-    def making_mf4(self) -> frozenset[str]:
-        """The recordings of which an .mf4 file is being made."""
-        return self._mf4.names
-
     def busy_names(self) -> frozenset[str]:
         """The recordings whose files are being written: they must not be moved."""
         writing = [*self._ending] + ([self._recording] if self._recording is not None else [])
         names = {each.name for each in writing if each.name is not None}
         if self._saving_plan is not None:
             names.add(self._saving_plan.name)
-        return self._mf4.names | names
+        return self.mf4.names | names
 
     def progress(self) -> RecordingProgress | None:
         """The recording under way, if any."""
@@ -223,7 +219,7 @@ class SessionRecorder(QObject):
         if self._recording is not None:
             self._end(self._recording, "program ended")
         self._timer.stop()
-        self._mf4.end()
+        self.mf4.end()
         if self._collector is not None:
             self._collector.end()
         until_s = time.monotonic() + _END_S
@@ -323,10 +319,10 @@ class SessionRecorder(QObject):
 
     def _begin_mf4(self, plan: RecordingPlan | None, name: str) -> None:
         if plan is not None and (plan.facts or {}).get("also") == MF4_SUFFIX:
-            self._mf4.begin(plan.folder, name)
+            self.mf4.begin(plan.folder, name)
 
     def _follow_mf4(self) -> None:
-        for made in self._mf4.take():
+        for made in self.mf4.take():
             if made.reason is None:
                 self._context.tell(EventCode.MF4_SAVED, name=made.name)
             else:

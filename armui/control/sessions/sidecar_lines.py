@@ -43,7 +43,7 @@ class SidecarLines:
                     "interface": connection.device.interface,
                     "serial": connection.device.serial,
                     "bitrate": connection.device.bitrate,
-                    "model": connection.device.model.value,
+                    "model": connection.model.value,
                     "listen_only": connection.device.listen_only,
                     "generation": None if generation is None else int(generation),
                     "firmware": state.firmware,
@@ -60,7 +60,7 @@ class SidecarLines:
 def settings_read(state: ArmState) -> list[dict[str, object]]:
     """The parameters that were read from the arm, as the file of a backup names them."""
     rows: list[dict[str, object]] = []
-    for batch in all_batches(teaching=True):
+    for batch in all_batches(teaching=True, drag_assistance=True):
         for parameter in batch.parameters():
             known = heard(state, parameter)
             if known is not None:

@@ -167,18 +167,12 @@ def move_arc(
     return frames + _can_control(codec, MoveMode.MOVE_C, speed_percent)
 
 
-def move_gripper_opening(
-    codec: Codec, *, opening_mm: float, torque_nm: float, enable: bool = True
-) -> list[Frame]:
+def move_gripper_opening(codec: Codec, *, opening_mm: float, torque_nm: float) -> list[Frame]:
     """Moves the gripper to an opening with a torque of 0–5 N·m (0x159, generation 2)."""
-    return [
-        codec.encode("GripperCommand", Opening=opening_mm, Torque=torque_nm, Enable=int(enable))
-    ]
+    return [codec.encode("GripperCommand", Opening=opening_mm, Torque=torque_nm, Enable=1)]
 
 
-def move_gripper_to_angle(
-    codec: Codec, *, angle_deg: float, torque_nm: float, enable: bool = True
-) -> list[Frame]:
+def move_gripper_to_angle(codec: Codec, *, angle_deg: float, torque_nm: float) -> list[Frame]:
     """Moves the gripper to an angle with a torque of 0–5 N·m (0x159, from S-V1.8-8)."""
     return [
         codec.encode(
@@ -186,16 +180,14 @@ def move_gripper_to_angle(
             Measure=GripperMeasure.ANGLE,
             Angle=angle_deg,
             Torque=torque_nm,
-            Enable=int(enable),
+            Enable=1,
         )
     ]
 
 
-def move_gripper_angle(
-    codec: Codec, *, angle_deg: float, speed_rad_s: float, enable: bool = True
-) -> list[Frame]:
+def move_gripper_angle(codec: Codec, *, angle_deg: float, speed_rad_s: float) -> list[Frame]:
     """Moves the gripper to an angle with a speed (0x159, generation 1)."""
-    return [codec.encode("GripperCommand", Angle=angle_deg, Speed=speed_rad_s, Enable=int(enable))]
+    return [codec.encode("GripperCommand", Angle=angle_deg, Speed=speed_rad_s, Enable=1)]
 
 
 def disable_gripper(codec: Codec) -> list[Frame]:
@@ -203,9 +195,9 @@ def disable_gripper(codec: Codec) -> list[Frame]:
     return [codec.encode("GripperCommand")]
 
 
-def clear_gripper_error(codec: Codec, *, enable: bool = False) -> list[Frame]:
-    """Clears the gripper's error, and enables it with the same frame if asked for (0x159)."""
-    return [codec.encode("GripperCommand", ClearError=1, Enable=int(enable))]
+def clear_gripper_error(codec: Codec) -> list[Frame]:
+    """Clears the gripper's error (0x159)."""
+    return [codec.encode("GripperCommand", ClearError=1)]
 
 
 def set_gripper_zero(codec: Codec) -> list[Frame]:

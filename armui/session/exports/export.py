@@ -20,8 +20,9 @@ from armui.session.exports.request import (
 )
 from armui.session.exports.sink import ExportFacts, TimeSpan
 from armui.session.exports.source import open_source
-from armui.session.exports.target import WholeFile, WholeFolder
+from armui.session.exports.target import WholeFolder
 from armui.session.frames import NotALogError
+from armui.system.atomic import WholeFile, remove_abandoned
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator
@@ -95,7 +96,7 @@ class _Export:
         request = self._request
         with _whole(request) as target:
             self._begun(target.unfinished)
-            arm, batches = look_at(self._source.batches(), request.wishes)
+            arm, batches = look_at(self._source.batches(), request.wishes, self._source.lines)
             if arm is None:
                 raise ExportError(ExportProblem.NO_FRAMES)
             sink = _sink(request.format, target, _facts(request, arm))
@@ -145,6 +146,7 @@ class _Export:
             firmware=arm.firmware,
             model=arm.model.name,
             why_model=arm.why_model,
+            pose_fits=arm.pose_fits,
             offset=arm.codec.addressing.feedback_offset,
             channel=_name(arm.channel),
             other_channels=tuple(_name(each) for each in reader.other_channels),
@@ -169,6 +171,7 @@ def _facts(request: ExportRequest, arm: ExportedArm) -> ExportFacts:
 
 
 def _whole(request: ExportRequest) -> WholeFile | WholeFolder:
+    remove_abandoned(request.target.parent)
     if request.format.is_folder:
         return WholeFolder(request.target, ".csv", replace=request.replace)
     return WholeFile(request.target, replace=request.replace)

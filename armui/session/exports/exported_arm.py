@@ -23,9 +23,11 @@ from armui.session.exports.ros.streams import signals_at
 from armui.session.exports.sink import TimeSpan
 from armui.session.exports.table import table_rows
 from armui.session.frames import NOT_OF_THE_ARM
+from armui.session.log_model import told_firmware, told_model
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Iterator
+    from collections.abc import Iterable, Iterator, Mapping, Sequence
+    from typing import Any
 
     from numpy.typing import NDArray
 
@@ -62,6 +64,7 @@ class ExportedArm(NamedTuple):
         firmware: What the log tells or was said; "" where neither.
         model: Which arm of the family it is.
         why_model: In words.
+        pose_fits: Another model that the end pose in the log fits better; "" where there is none.
         geometry: With the zeros of its firmware.
         start_s: When the log's first frame was recorded.
     """
@@ -72,18 +75,20 @@ class ExportedArm(NamedTuple):
     firmware: str
     model: ModelData
     why_model: str
+    pose_fits: str
     geometry: Geometry
     start_s: float
 
 
 def look_at(
-    batches: Iterator[FrameBatch], wishes: ArmWishes
+    batches: Iterator[FrameBatch], wishes: ArmWishes, lines: Sequence[Mapping[str, Any]] = ()
 ) -> tuple[ExportedArm | None, Iterator[FrameBatch]]:
     """Reads a log's beginning.
 
     Args:
         batches: The log; read further than it was.
         wishes: What is known.
+        lines: What the recording says of itself (its sidecar).
 
     Returns:
         What was found out, `None` of a log without frames; and the whole log again.
@@ -105,11 +110,11 @@ def look_at(
     channel = _channel(looked_at, wishes.channel)
     pieces = list(ArmFrameReader(channel).pieces(looked_at))
     addressing = _addressing(pieces)
-    firmware = wishes.firmware or _firmware(pieces)
+    firmware = wishes.firmware or _firmware(pieces) or told_firmware(lines)
     codec = Codec(generation, addressing, FirmwareVersion.parse(firmware))
-    model, why_model, geometry = _model(pieces, codec, firmware, wishes.model)
+    found = _model(pieces, codec, firmware, wishes.model, told_model(lines))
     start_s = float(looked_at[0].times_s[0])
-    arm = ExportedArm(codec, why, channel, firmware, model, why_model, geometry, start_s)
+    arm = ExportedArm(codec, why, channel, firmware, *found, start_s)
     return arm, chain(looked_at, batches)
 
 
@@ -166,38 +171,49 @@ def _firmware(pieces: Iterable[ArmFrames]) -> str:
 
 
 def _model(
-    pieces: Iterable[ArmFrames], codec: Codec, firmware: str, wish: PiperModel | None
-) -> tuple[ModelData, str, Geometry]:
-    """The model, and its geometry, whose flange is nearest to where the arm itself says it is.
+    pieces: Iterable[ArmFrames],
+    codec: Codec,
+    firmware: str,
+    wish: PiperModel | None,
+    told: PiperModel | None,
+) -> tuple[ModelData, str, str, Geometry]:
+    """The model, why, which other the pose fits, and the geometry.
 
-    Older firmware counts joints 2 and 3 from other zeros, and generation 1 tells no version. Where
-    nothing tells, it is a PiPER of today.
+    It is what is asked for, else what the recording says, else the one whose flange is nearest to
+    where the arm itself says it is. Older firmware counts joints 2 and 3 from other zeros, and
+    generation 1 tells no version. Where nothing tells, it is a PiPER of today.
     """
-    models = [each for each in all_models().values() if wish in {None, each.model}]
     candidates = [
         (model, geometry)
-        for model in models
+        for model in all_models().values()
         for geometry in ([model.geometry_of(firmware)] if firmware else model.geometries)
     ]
     off_mm = np.zeros(len(candidates))
     rows = 0
-    if len(candidates) > 1:
-        history = History(codec)
-        for frames in pieces:
-            history.take(frames)
-            at = table_rows(history, TimeSpan(-np.inf, np.inf))
-            if at is None:
-                continue
-            angles, poses = signals_at(history, at, _ANGLES), signals_at(history, at, _POSES)
-            known = ~(np.isnan(angles).any(axis=1) | np.isnan(poses).any(axis=1))
-            rows += int(known.sum())
-            told = pose_to_matrix(poses[known])
-            for place, (_, geometry) in enumerate(candidates):
-                off_mm[place] += _off_mm(flange_transforms(geometry, angles[known]), told)
-    model, geometry = candidates[int(np.argmin(off_mm))]
-    if wish is not None:
-        return model, "as asked for", geometry
-    return model, "its end pose fits" if rows else "nothing in the log tells", geometry
+    history = History(codec)
+    for frames in pieces:
+        history.take(frames)
+        at = table_rows(history, TimeSpan(-np.inf, np.inf))
+        if at is None:
+            continue
+        angles, poses = signals_at(history, at, _ANGLES), signals_at(history, at, _POSES)
+        known = ~(np.isnan(angles).any(axis=1) | np.isnan(poses).any(axis=1))
+        rows += int(known.sum())
+        reported = pose_to_matrix(poses[known])
+        for place, (_, geometry) in enumerate(candidates):
+            off_mm[place] += _off_mm(flange_transforms(geometry, angles[known]), reported)
+    nearest = min(range(len(candidates)), key=lambda place: off_mm[place])
+    said = wish or told
+    if said is None:
+        model, geometry = candidates[nearest]
+        return model, "its end pose fits" if rows else "nothing in the log tells", "", geometry
+    own = [place for place, (model, _) in enumerate(candidates) if model.model is said]
+    model, geometry = candidates[min(own, key=lambda place: off_mm[place])]
+    why = "as asked for" if wish is not None else "as the recording says"
+    fits = candidates[nearest][0].name
+    if rows and fits != model.name:
+        return model, f"{why}; but its end pose fits a {fits}", fits, geometry
+    return model, why, "", geometry
 
 
 def _off_mm(one: NDArray[np.float64], other: NDArray[np.float64]) -> float:

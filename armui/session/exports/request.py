@@ -123,6 +123,7 @@ class ExportReport:
         firmware: Told by the log or said, "" if neither.
         model: Which arm of the family it was taken for.
         why_model: In words.
+        pose_fits: Another model that the end pose in the log fits better; "" where there is none.
         offset: The identifier offset of the arm's feedback (0x470).
         channel: Whose frames were exported, as text; "" where the log has none.
         other_channels: Those left out.
@@ -141,6 +142,7 @@ class ExportReport:
     firmware: str
     model: str
     why_model: str
+    pose_fits: str
     offset: int
     channel: str
     other_channels: tuple[str, ...]

@@ -10,8 +10,9 @@ from armui.session.reader import LogFile
 from armui.session.recording.recorded_session import RecordedSession
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator, Sequence
+    from collections.abc import Iterator, Mapping, Sequence
     from pathlib import Path
+    from typing import Any
 
     from armui.session.frames import Damage, FrameBatch
 
@@ -24,7 +25,11 @@ class ExportSource(Protocol):
         done: How much of it that is, 0 to 1; `None` where nobody knows.
         damages: The damaged places met so far, or the first of them.
         damage_count: All of those met so far.
+        lines: What a recording of this program says of itself; nothing of other logs.
     """
+
+    @property
+    def lines(self) -> Sequence[Mapping[str, Any]]: ...  # noqa: D102 - said above
 
     @property
     def frames(self) -> int: ...  # noqa: D102 - said above
@@ -54,6 +59,8 @@ class FileSource:
     Raises:
         NotALogError: It cannot be opened, or is no log.
     """
+
+    lines: Sequence[Mapping[str, Any]] = ()
 
     def __init__(self, path: Path) -> None:
         self._log = LogFile(path)
@@ -119,6 +126,7 @@ class SessionSource:
     def __init__(self, session: TimedFrames) -> None:
         self._session = session
         self._at_s = session.start_s
+        self.lines: Sequence[Mapping[str, Any]] = getattr(session, "lines", ())
         self.frames = 0
 
     @property

@@ -33,8 +33,6 @@ LONG_DATA: Final = "long_data"
 LONG_BYTES: Final = 64
 """Frames with more than 8 bytes: their numbers, uint32, and their data, 64 bytes each."""
 
-BYTES_A_FRAME: Final = sum(kind.itemsize for kind in COLUMNS.values()) + 4
-"""What an indexed log takes of the disk."""
 MOST_FRAMES: Final = 40_000_000
 """Further ones are not read: 3.7 hours of an arm at 3,000 frames a second, 1.1 GB of the disk."""
 SPARE_BYTES: Final = 256 << 20

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import mmap
 import shutil
+from importlib.util import find_spec
 from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
@@ -31,6 +32,7 @@ from armui.session.foreign.times import straightened
 from armui.session.frames import NOT_OF_THE_ARM, NotALogError
 from armui.session.log_marks import LogFrames, marks_of
 from armui.session.reader import SUFFIXES, LogFile, is_known_kind
+from armui.session.recording.kinds import MF4_SUFFIX
 from armui.system.error_text import error_text
 
 if TYPE_CHECKING:
@@ -49,6 +51,9 @@ _DISK_EVERY: Final = 256
 """Batches between two looks at the space that is left."""
 _GENERATION_FRAMES: Final = 6_000
 _MOST_LOOKED_AT: Final = 200_000
+
+_ARCHIVES: Final = (b"PK\x03\x04", b"7z\xbc\xaf\x27\x1c", b"Rar!", b"\x1f\x8b", b"BZh", b"\xfd7zXZ")
+"""How zip, 7z, rar, gzip, bzip2 and xz begin."""
 
 _NOT_DATA: Final = FrameFlag.EXTENDED | FrameFlag.REMOTE | FrameFlag.ERROR
 
@@ -92,21 +97,41 @@ def index_log(path: Path, folder: Path, most_frames: int = MOST_FRAMES) -> LogIn
     )
 
 
-def index_or_reason(path: Path, folder: Path, most_frames: int = MOST_FRAMES) -> LogIndex | Refusal:
+def index_or_reason(path: Path, folder: Path) -> LogIndex | Refusal:
     """The same, or why there is nothing to replay."""
     name = path.name
     try:
-        index = index_log(path, folder, most_frames)
+        index = index_log(path, folder)
     except NotALogError as error:
-        if isinstance(error.__cause__, OSError):
-            return Refusal(RefusalCode.REPLAY_UNREADABLE, {"name": name, "text": str(error)})
-        if not is_known_kind(path):
-            known = ", ".join(SUFFIXES)
-            return Refusal(RefusalCode.REPLAY_UNKNOWN_KIND, {"name": name, "known": known})
-        return Refusal(RefusalCode.REPLAY_NO_LOG, {"name": name, "text": str(error)})
+        return _why_not(path, error)
     except OSError as error:
         return Refusal(RefusalCode.REPLAY_NO_DISK, {"text": error_text(error)})
     return index if index.frames else Refusal(RefusalCode.REPLAY_EMPTY, {"name": name})
+
+
+def _why_not(path: Path, error: NotALogError) -> Refusal:
+    """What is wrong with a file that is no log, as far as its beginning tells."""
+    name = {"name": path.name}
+    if isinstance(error.__cause__, OSError):
+        return Refusal(RefusalCode.REPLAY_UNREADABLE, {**name, "text": str(error)})
+    if not is_known_kind(path):
+        known = ", ".join(SUFFIXES)
+        return Refusal(RefusalCode.REPLAY_UNKNOWN_KIND, {**name, "known": known})
+    try:
+        with path.open("rb") as file:
+            beginning = file.read(len(max(_ARCHIVES, key=len)))
+    except OSError as gone:
+        return Refusal(RefusalCode.REPLAY_UNREADABLE, {**name, "text": error_text(gone)})
+    if not beginning:
+        return Refusal(RefusalCode.REPLAY_EMPTY, name)
+    if path.suffix.lower() != ".gz" and beginning.startswith(_ARCHIVES):
+        return Refusal(RefusalCode.REPLAY_ARCHIVE, name)
+    if path.suffix.lower() == MF4_SUFFIX and find_spec("asammdf") is None:
+        return Refusal(RefusalCode.SESSION_NO_MF4)
+    text = str(error).removeprefix("no CAN log: ")
+    if text.startswith("nothing in it reads") and text.endswith(" file"):  # and no more is known
+        return Refusal(RefusalCode.REPLAY_NOTHING_READ, name)
+    return Refusal(RefusalCode.REPLAY_NO_LOG, {**name, "text": text})
 
 
 class _Columns:

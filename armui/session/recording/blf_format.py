@@ -57,20 +57,22 @@ _PECULIAR: Final = FrameFlag.ERROR | FrameFlag.FD
 """Frames that are no object CAN_MESSAGE."""
 
 
+_CHANNEL: Final = 1
+"""As Vector's tools count them, from 1."""
+
+
 class BlfFormat:
     """The blocks of one file.
 
     Args:
         start_s: Time of its first frame, since 1970.
-        channel: As Vector's tools count them, from 1.
     """
 
     suffix: Final = ".blf"
 
-    def __init__(self, start_s: float, channel: int = 1) -> None:
+    def __init__(self, start_s: float) -> None:
         self.start_s = float(math.floor(start_s))  # the header has milliseconds; this has none
         self._stop_s = start_s
-        self._channel = channel
         self._objects = 0
         self._unpacked = blf.FILE_HEADER_SIZE
 
@@ -148,7 +150,7 @@ class BlfFormat:
         objects["kind"] = blf.CAN_MESSAGE
         objects["time_flags"] = blf.TIME_ONE_NANS
         objects["time"] = self._ticks(rows.times_s)
-        objects["channel"] = self._channel
+        objects["channel"] = _CHANNEL
         flags = table["flags"]
         sent = np.where(flags & FrameFlag.TRANSMITTED, blf.DIR, 0)
         remote = np.where(flags & FrameFlag.REMOTE, blf.REMOTE_FLAG, 0)
@@ -169,7 +171,7 @@ class BlfFormat:
         if flags & FrameFlag.ERROR:
             kind = blf.CAN_ERROR_EXT
             body = blf.CAN_ERROR_EXT_STRUCT.pack(
-                self._channel, 0, 0, 0, 0, len(data), 0, arbitration_id, 0, data
+                _CHANNEL, 0, 0, 0, 0, len(data), 0, arbitration_id, 0, data
             )
         else:
             kind = blf.CAN_FD_MESSAGE
@@ -178,7 +180,7 @@ class BlfFormat:
             marks |= blf.BRS if flags & FrameFlag.BITRATE_SWITCH else 0
             marks |= blf.ESI if flags & FrameFlag.ERROR_STATE else 0
             body = blf.CAN_FD_MSG_STRUCT.pack(
-                self._channel,
+                _CHANNEL,
                 sent,
                 len2dlc(len(data)),
                 arbitration_id,

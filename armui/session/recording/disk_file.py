@@ -5,6 +5,7 @@ from __future__ import annotations
 import contextlib
 import errno
 import os
+import threading
 import time
 from pathlib import Path
 from typing import Final
@@ -34,6 +35,8 @@ class DiskFile:
         self.size = 0
         self._handle = os.open(path, _FLAGS, 0o666)
         self._to_disk_s = time.monotonic()
+        self._syncing: threading.Thread | None = None
+        self._sync_error: OSError | None = None
 
     def append(self, data: bytes) -> None:
         """Write a piece behind the others.
@@ -64,14 +67,43 @@ class DiskFile:
             os.lseek(self._handle, self.size, os.SEEK_SET)
 
     def to_disk(self, *, now: bool = False) -> None:
-        """Have the system bring it to the disk now and then, or now.
+        """Have the system bring it to the disk now and then, or wait for that now.
 
         Raises:
             OSError: The disk has failed.
         """
-        if now or time.monotonic() - self._to_disk_s >= _TO_DISK_S:
+        if now:
             os.fsync(self._handle)
-            self._to_disk_s = time.monotonic()
+        elif time.monotonic() - self._to_disk_s >= _TO_DISK_S:
+            self.begin_to_disk()
+        error, self._sync_error = self._sync_error, None
+        if error is not None:
+            raise error
+
+    def begin_to_disk(self) -> None:
+        """Have the system bring it to the disk; what is written meanwhile does not wait.
+
+        A busy disk takes seconds for that: a program killed then would lose them.
+
+        Raises:
+            OSError: There are no more handles.
+        """
+        if self._syncing is not None and self._syncing.is_alive():
+            return
+        self._to_disk_s = time.monotonic()
+        same = os.dup(self._handle)  # it may be closed meanwhile
+        self._syncing = threading.Thread(
+            target=self._sync, args=(same,), name="armui-to-disk", daemon=True
+        )
+        self._syncing.start()
+
+    def _sync(self, handle: int) -> None:
+        try:
+            os.fsync(handle)
+        except OSError as error:
+            self._sync_error = error
+        finally:
+            os.close(handle)
 
     def close(self) -> None:
         """Close it; a disk that is gone changes nothing."""

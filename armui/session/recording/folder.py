@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import Any, Final
 
 from armui.session.recording import index_file, sidecar
+from armui.session.recording.counted import counts_in
 from armui.session.recording.kinds import MF4_SUFFIX, RecordingFormat
 from armui.session.recording.names import file_name, is_name
 
@@ -32,7 +33,7 @@ class RecordingEntry:
         length_s: From its first frame to its last; None if its index does not tell.
         total_bytes: Of all its files.
         files: How many hold frames.
-        faults, stops: How many of each are marked in it.
+        faults, stops: How many of each are marked in it; ``None``: nobody has counted.
         ended: Whether it was ended in good order; one under way is not.
         failure: What ended it before its time, "" if nothing did.
         reason: Who or what asked for it: ``operator``, ``ring``, ``fault``, ``stop``, ``command``.
@@ -44,8 +45,8 @@ class RecordingEntry:
     length_s: float | None
     total_bytes: int
     files: int
-    faults: int
-    stops: int
+    faults: int | None
+    stops: int | None
     ended: bool
     failure: str = ""
     reason: str = "operator"
@@ -83,7 +84,7 @@ def _entry(folder: Path, name: str) -> RecordingEntry:
     kind = RecordingFormat(first.get("format"))
     paths = _parts(folder, name, kind)
     last = next((line for line in reversed(lines) if line["kind"] == "end"), None)
-    marks = [line.get("mark") for line in sidecar.events_of(lines)]
+    counts = counts_in(lines)
     return RecordingEntry(
         name=name,
         path=paths[0] if paths else None,
@@ -91,8 +92,8 @@ def _entry(folder: Path, name: str) -> RecordingEntry:
         length_s=_length_s(folder / f"{name}{index_file.SUFFIX}"),
         total_bytes=sum(path.stat().st_size for path in paths),
         files=len(paths),
-        faults=marks.count("fault"),
-        stops=marks.count("stop"),
+        faults=None if counts is None else counts.faults,
+        stops=None if counts is None else counts.stops,
         ended=last is not None,
         failure="" if last is None else str(last.get("failure", "")),
         reason=str(first.get("reason", "operator")),

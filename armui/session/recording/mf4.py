@@ -6,18 +6,22 @@ is killed would lose all of it. So a session is recorded as .blf, and this is ma
 
 from __future__ import annotations
 
+import contextlib
 import importlib.util
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 from typing import Final
 
 import can
 
-from armui.session.exports.target import WholeFile
 from armui.session.recording.folder import files_of
 from armui.session.recording.kinds import MF4_SUFFIX, RecordingFormat
+from armui.system.atomic import WholeFile, remove_abandoned
 
 PACKAGE: Final = "asammdf"
+_TOLD_EVERY: Final = 2_000
+_TAKEN_IN: Final = 0.9
+"""This share of the work is done when every frame was taken in; the rest is its writing."""
 
 
 def can_write() -> bool:
@@ -25,12 +29,33 @@ def can_write() -> bool:
     return importlib.util.find_spec(PACKAGE) is not None
 
 
-def make_mf4(folder: Path, name: str) -> Path:
+@contextlib.contextmanager
+def told_in(path: Path) -> Iterator[Callable[[float], None]]:
+    """Tells how much is done by a figure in a file, for another process."""
+    with path.open("w") as file:
+
+        def tell(share: float) -> None:
+            file.seek(0)
+            file.write(f"{share:.4f}")
+            file.flush()
+
+        yield tell
+
+
+def make_mf4(
+    folder: Path,
+    name: str,
+    tell: Callable[[float], object] = lambda _share: None,
+    *,
+    unfinished: Path | None = None,
+) -> Path:
     """Make an .mf4 file of a recording, beside it.
 
     Args:
         folder: Where the recording is.
         name: What it is called.
+        tell: Told now and then how much is done, 0 to 1; what it raises calls it off.
+        unfinished: What the file is called until it is whole.
 
     Returns:
         The new file.
@@ -45,34 +70,46 @@ def make_mf4(folder: Path, name: str) -> Path:
         raise ModuleNotFoundError(PACKAGE, name=PACKAGE)
     target = folder / f"{name}{MF4_SUFFIX}"
     paths = [path for path in files_of(folder, name) if path.suffix == RecordingFormat.BLF.value]
-    write_mf4(paths, target)
+    write_mf4(paths, target, tell=tell, unfinished=unfinished)
     return target
 
 
 def write_mf4(
     paths: Sequence[Path],
     target: Path,
-    make_writer: Callable[[Path], can.Listener] = can.MF4Writer,
+    *,
+    tell: Callable[[float], object] = lambda _share: None,
+    unfinished: Path | None = None,
 ) -> None:
     """Write the frames of some logs, one after another, into one .mf4 file.
 
     Args:
         paths: The logs.
         target: The file; it must not exist, and does so only when it is whole.
-        make_writer: python-can's writer.
+        tell: As for `make_mf4`.
+        unfinished: Likewise.
 
     Raises:
         FileExistsError: There is one of this name.
         OSError: It could not be written; what there was of it is removed.
     """
-    with WholeFile(target, replace=False) as whole:
+    remove_abandoned(target.parent)
+    sizes = [path.stat().st_size for path in paths]
+    with WholeFile(target, replace=False, unfinished=unfinished) as whole:
         whole.stream.close()
-        writer = make_writer(whole.unfinished)
+        writer = can.MF4Writer(whole.unfinished)
         try:
-            for path in paths:
+            for place, path in enumerate(paths):
                 with can.BLFReader(path) as reader:
-                    for message in reader:
+                    for number, message in enumerate(reader):
                         writer.on_message_received(message)
-        finally:
+                        if number % _TOLD_EVERY == 0:
+                            read = sum(sizes[:place]) + reader.file.tell()
+                            tell(_TAKEN_IN * min(1.0, read / max(1, sum(sizes))))
             writer.stop()
+        except BaseException:
+            # `stop` would write all of it first
+            with contextlib.suppress(AttributeError, OSError):
+                writer.file.close()
+            raise
         whole.finish()

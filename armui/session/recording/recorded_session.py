@@ -22,6 +22,7 @@ from armui.session.frames import (
 )
 from armui.session.recording import index_file, sidecar
 from armui.session.recording.block_reader import read_block
+from armui.session.recording.counted import counts_in, counts_of, is_over, keep
 from armui.session.recording.index_file import Block
 from armui.session.recording.kinds import RecordingFormat
 from armui.session.recording.names import file_name, names_of
@@ -104,6 +105,18 @@ class RecordedSession:
     def facts(self) -> Mapping[str, Any]:
         """The first line of its sidecar."""
         return self.lines[0]
+
+    @property
+    def lacks_counts(self) -> bool:
+        """Whether nobody has counted its faults and stops yet."""
+        return counts_in(self.lines) is None
+
+    def keep_counts(self, marks: Sequence[SessionMark]) -> None:
+        """Keep beside it how many faults and stops its frames tell of."""
+        counts = counts_of(marks)
+        self.lines.append({"kind": "counted", **counts._asdict()})
+        if is_over(self._folder, self.name, self.lines):
+            keep(self._folder, self.name, counts)
 
     def frames_between(self, t0_s: float, t1_s: float) -> Iterator[FrameBatch]:
         """The frames with t0_s <= time < t1_s, in the order of time."""
@@ -266,15 +279,6 @@ def _sidecar_of(path: Path) -> tuple[str, list[dict[str, Any]]]:
         if lines and lines[0]["kind"] == "session" and lines[0].get("format") in known:
             return each, lines
     raise NotALogError("no recording of this program: there is no sidecar beside it")
-
-
-def is_recorded_here(path: Path) -> bool:
-    """Whether a file belongs to a recording of ours."""
-    try:
-        _sidecar_of(path)
-    except NotALogError:
-        return False
-    return True
 
 
 def _part(batch: FrameBatch, begin: int, end: int, first: int) -> FrameBatch:

@@ -18,7 +18,7 @@ from armui.system.clock import steady_s
 _LOG: Final = logging.getLogger(__name__)
 
 _ROWS_OF_A_BLOCK: Final = 3_000
-BLOCK_S: Final = 0.4
+BLOCK_S: Final = 0.25
 """How often frames are written: a program that is killed loses no more, and what was on its way."""
 MOST_WAITING: Final = 400_000
 """Frames that may wait for a disk that is busy: over two minutes of a full bus, 9 MB."""
@@ -128,8 +128,10 @@ class SessionRecording:
             self.failure = error
             return
         try:
+            due_s = time.monotonic() + BLOCK_S
             while not self._ending.is_set():
-                self._urgent.wait(BLOCK_S)
+                self._urgent.wait(max(0.0, due_s - time.monotonic()))
+                due_s = time.monotonic() + BLOCK_S  # writing takes its time, too
                 self._write(writer)
             self._write(writer)
         except Exception as error:  # noqa: BLE001 - a disk, a format: what is written stays readable

@@ -7,7 +7,8 @@ Kinds: ``session`` (format, program, device, time base), ``arm`` and ``settings`
 was recorded), ``event`` (an entry of the program's events, its log time and the sort of mark it
 is), ``file`` (a file was begun; the log time from which it
 counts), ``lost`` (frames that are missing from here on), ``clock``
-(the time of day was set meanwhile), ``end``.
+(the time of day was set meanwhile), ``end``, ``counted`` (what its frames tell, where no events
+stand beside them).
 """
 
 from __future__ import annotations
@@ -15,6 +16,7 @@ from __future__ import annotations
 import json
 import math
 from collections.abc import Mapping, Sequence
+from pathlib import Path
 from typing import Any, Final
 
 from armui.session.session import MarkKind, SessionMark
@@ -24,6 +26,11 @@ VERSION: Final = 1
 Line = Mapping[str, object]
 MOST_BYTES: Final = 64_000_000
 """A larger file is something else, or holds events that nobody can look through."""
+
+
+def path_of(folder: Path, name: str) -> Path:
+    """Where the sidecar of a recording is."""
+    return folder / f"{name}{SUFFIX}"
 
 
 def as_bytes(lines: Sequence[Line]) -> bytes:

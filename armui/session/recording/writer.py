@@ -20,7 +20,6 @@ from armui.session.recording.rows import FrameRows
 from armui.session.recording.sidecar import Line
 from armui.system.clock import steady_s
 
-LEAST_ROTATE_BYTES: Final = 1_000_000
 _MOST_NAMES: Final = 1_000
 _CLOCK_JUMP_S: Final = 1.0
 
@@ -201,7 +200,7 @@ class RecordingWriter:
         if self._file is not None and self._file.size >= self._plan.rotate_bytes:
             self._close_file()
             self._closed_bytes += self._file.size
-            self._file.to_disk(now=True)
+            self._file.begin_to_disk()
             self._file.close()
             self._file = None
         if self._file is None or self._format is None:

@@ -41,7 +41,7 @@ class Protection:
     ) -> None:
         """Watches one arm; `brake` is called when an alarm asks for it."""
         self._brake = brake
-        self._body = mechanics
+        self._mechanics = mechanics
         self._drivers = drivers
         self._condition = condition
         self._settings = settings
@@ -50,8 +50,8 @@ class Protection:
     def set_alarm(self, index: int, alarm: Alarm, *, present: bool) -> None:
         """Says whether the cause of an alarm of a joint (0–5) is there."""
         is_new = self._condition.alarms.set(index, alarm, present=present)
-        if present and alarm in CUTS_POWER and self._body.powered[index]:
-            self._body.power_off((index,), UnpoweredJoints.FREE)
+        if present and alarm in CUTS_POWER and self._mechanics.powered[index]:
+            self._mechanics.power_off((index,), UnpoweredJoints.FREE)
         if is_new:
             self._brake()
 
@@ -61,9 +61,9 @@ class Protection:
 
     def push(self, index: int, torque_nm: float) -> None:
         """Pushes at a joint (0–5) from outside, until told otherwise with 0."""
-        pushes_nm = list(self._body.weight.pushes_nm)
+        pushes_nm = list(self._mechanics.weight.pushes_nm)
         pushes_nm[index] = torque_nm
-        self._body.weight.pushes_nm = tuple(pushes_nm)
+        self._mechanics.weight.pushes_nm = tuple(pushes_nm)
 
     def may_power(self, index: int) -> bool:
         """Whether a motor may be switched on: nothing keeps its driver off."""
@@ -77,7 +77,7 @@ class Protection:
             periods_ns: How often the frames of each name are made.
         """
         self.watch_torques()
-        self._drivers.measure(self._body)
+        self._drivers.measure(self._mechanics)
         for joint in JOINTS:
             name = f"DriverSlow{joint}"
             if name in names:
@@ -88,12 +88,12 @@ class Protection:
         """Looks for stalled joints and collisions."""
         if any(self._blocked):
             self._find_stall()
-        weight = self._body.weight
+        weight = self._mechanics.weight
         if weight.payload_kg == weight.told_kg and not any(weight.pushes_nm):
             if self._condition.alarms.collision:
                 self._compare((0.0,) * JOINT_COUNT)
             return
-        positions_deg = self._body.positions_deg
+        positions_deg = self._mechanics.positions_deg
         expected = weight.expected_nm(positions_deg)
         real = weight.torques_nm(positions_deg)
         self._compare(a - b for a, b in zip(real, expected, strict=True))
@@ -113,11 +113,11 @@ class Protection:
         for index, torque_nm in enumerate(unexplained_nm):
             level = self._settings.collision_levels[index]
             felt = level > 0 and abs(torque_nm) >= level * COLLISION_STEP_NM[index]
-            self.set_alarm(index, Alarm.COLLISION, present=felt and self._body.powered[index])
+            self.set_alarm(index, Alarm.COLLISION, present=felt and self._mechanics.powered[index])
 
     def _find_stall(self) -> None:
         """Stops all joints when one that is driven cannot turn, and raises its alarm."""
-        mechanics = self._body
+        mechanics = self._mechanics
         if not mechanics.moving:
             return
         stalled = [

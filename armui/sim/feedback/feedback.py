@@ -7,6 +7,7 @@ from collections.abc import Callable, Iterable, Mapping
 from functools import partial
 from typing import Final, Protocol
 
+from armui.arm.gripper import GripperFault
 from armui.arm.limits import JOINTS
 from armui.arm.units import DEGREES_PER
 from armui.kinematics.arm_kinematics import Kinematics
@@ -19,7 +20,7 @@ from armui.sim.faults.alarms import Alarm
 from armui.sim.feedback.end_motion import end_motion
 from armui.sim.feedback.frame_cache import FrameCache
 from armui.sim.mechanics.drivers import Drivers
-from armui.sim.mechanics.gripper import GripperError, SimulatedGripper
+from armui.sim.mechanics.gripper import SimulatedGripper
 from armui.sim.mechanics.mechanics import Mechanics
 from armui.sim.mechanics.powered_joints import STANDSTILL, SixValues
 
@@ -126,7 +127,7 @@ class Feedback:
             Torque=gripper.torque_nm,
             Enabled=gripper.enabled,
             Homed=1,
-            **{error.value: error in gripper.errors for error in GripperError},
+            **{fault.value: fault in gripper.errors for fault in GripperFault},
         )
 
     def _driver_fast(self, joint: int) -> Frame:

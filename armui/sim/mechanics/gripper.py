@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-import enum
 import math
 from typing import Final
 
+from armui.arm.gripper import GripperFault
 from armui.protocol.codes import GripperMeasure
 from armui.protocol.generation import Generation
 from armui.sim.parameters.settings import ArmSettingsRecord
@@ -15,17 +15,6 @@ _WIDEST_MM: Final = 100.0
 _WIDEST_DEG: Final = 100.0
 _MM_PER_DEG: Final = 1.0
 """How an angle of the gripper becomes an opening isn't published: 1 mm for 1° is assumed."""
-
-
-class GripperError(enum.StrEnum):
-    """Errors of the gripper's driver: the flags of 0x2A8 byte 6, generation 2."""
-
-    UNDERVOLTAGE = "Undervoltage"
-    MOTOR_OVERTEMPERATURE = "MotorOvertemperature"
-    OVERCURRENT = "Overcurrent"
-    DRIVER_OVERTEMPERATURE = "DriverOvertemperature"
-    SENSOR_FAULT = "SensorFault"
-    DRIVER_FAULT = "DriverFault"
 
 
 class SimulatedGripper:
@@ -52,7 +41,7 @@ class SimulatedGripper:
         self.speed = 0.0
         self.torque_nm = 0.0
         self.enabled = False
-        self.errors: set[GripperError] = set()
+        self.errors: set[GripperFault] = set()
         self.measure = GripperMeasure.OPENING
         self.object_width: float | None = None
         self._target = 0.0
@@ -106,7 +95,7 @@ class SimulatedGripper:
         self.speed = self.torque_nm = 0.0
         self._target = self.travel
 
-    def fail(self, error: GripperError) -> None:
+    def fail(self, error: GripperFault) -> None:
         """Sets an error of its driver, which takes its power."""
         self.errors.add(error)
         self.release()

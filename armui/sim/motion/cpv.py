@@ -217,7 +217,7 @@ class CpvControl:
             quirks: What its firmware does.
             unsupported: Counts what the arm understands but does not do.
         """
-        self._body = mechanics
+        self._mechanics = mechanics
         self._condition = condition
         self._quirks = quirks
         self._motion = CpvMotion(settings)
@@ -232,7 +232,7 @@ class CpvControl:
         was_in_cpv, self._in_cpv = self._in_cpv, condition.obeys(MoveMode.MOVE_CPV)
         if self._in_cpv and not was_in_cpv:
             self._primed = [False] * JOINT_COUNT
-        elif was_in_cpv and not self._in_cpv and self._body.follows(self._motion):
+        elif was_in_cpv and not self._in_cpv and self._mechanics.follows(self._motion):
             self._motion.run(0.0)
 
     def take(self, name: str, signals: dict[str, float]) -> bool:
@@ -271,13 +271,13 @@ class CpvControl:
             self._primed[index] = True
             return
         motion = self._motion
-        if not self._body.follows(motion):
-            motion.start_from(self._body.setpoints_deg)
+        if not self._mechanics.follows(motion):
+            motion.start_from(self._mechanics.setpoints_deg)
         if kind is CpvKind.POSITION_TARGET:
             motion.go_to(index, self._quirks.cpv_position_signs[index] * value)
         else:
             motion.turn(index, self._quirks.cpv_speed_signs[index] * value)
-        self._body.follow(motion)
+        self._mechanics.follow(motion)
 
     @property
     def _may_move(self) -> bool:
@@ -285,7 +285,7 @@ class CpvControl:
         able = not (condition.stopped or condition.hindered or condition.needs_reset)
         return (
             able
-            and all(self._body.powered)
+            and all(self._mechanics.powered)
             and condition.control_mode is ControlMode.CAN_CONTROL
             and condition.move_mode is MoveMode.MOVE_CPV
         )

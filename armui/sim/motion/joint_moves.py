@@ -32,7 +32,7 @@ class JointMoves:
         follow: Callable[[SixValues], None],
     ) -> None:
         """Moves one arm; `follow` takes the targets that are not planned (high-follow)."""
-        self._travel = executor
+        self._executor = executor
         self._condition = condition
         self._settings = settings
         self._follow = follow
@@ -42,7 +42,7 @@ class JointMoves:
 
     def take(self, angles_deg: Mapping[int, float]) -> None:
         """Takes one frame of a target: angles by joint number."""
-        if not self._travel.may_move:
+        if not self._executor.may_move:
             return
         for joint, angle_deg in angles_deg.items():
             self._staged[joint - 1] = angle_deg
@@ -72,13 +72,13 @@ class JointMoves:
         beyond = beyond_limits(target_deg, self._settings)
         if any(beyond):
             planning_error = PlanningError(ArmStatusCode.TARGET_BEYOND_LIMIT, beyond)
-            self._travel.refuse(target_deg, planning_error)
+            self._executor.refuse(target_deg, planning_error)
         elif self._condition.direct:
-            self._travel.forget()
+            self._executor.forget()
             self._condition.accept_target()
             self._follow(target_deg)
         else:
-            self._travel.begin(target_deg, [target_deg], MoveMode.MOVE_J, target_deg)
+            self._executor.begin(target_deg, [target_deg], MoveMode.MOVE_J, target_deg)
 
 
 def beyond_limits(joints_deg: SixValues, settings: ArmSettingsRecord) -> list[bool]:

@@ -36,7 +36,7 @@ class DirectControl:
     """Joints that follow setpoints in their drivers, without a plan."""
 
     def __init__(self, mechanics: Mechanics, condition: Condition, arm_type: ArmType) -> None:
-        self._body = mechanics
+        self._mechanics = mechanics
         self._condition = condition
         self._quirks = arm_type.quirks
         self._torque_scale = arm_type.mit_torque_scale
@@ -55,7 +55,7 @@ class DirectControl:
         elif was_direct:
             condition.needs_reset = not self._quirks.exits_by_mode_word
         if was_direct or condition.direct:
-            self._body.let_go(range(JOINT_COUNT))
+            self._mechanics.let_go(range(JOINT_COUNT))
 
     def take(self, name: str, signals: dict[str, float]) -> bool:
         """Takes a frame 0x15A–0x15F; whether it was one. Outside MIT it does nothing."""
@@ -71,16 +71,16 @@ class DirectControl:
         for index, angle_deg in enumerate(target_deg):
             kp, kd = _FOLLOW_GAINS[index]
             setpoint = DriverSetpoint(angle_deg, kp=kp, kd=kd, carries_weight=True)
-            self._body.steer(index, setpoint)
+            self._mechanics.steer(index, setpoint)
 
     def power_on(self, indices: Iterable[int]) -> None:
         """Powers motors; in MIT and high-follow those that had none are limp."""
         if not self._condition.direct:
-            self._body.power_on(indices)
+            self._mechanics.power_on(indices)
             return
-        off = [index for index in indices if not self._body.powered[index]]
-        self._body.power_on(off)
-        self._body.let_go(off)
+        off = [index for index in indices if not self._mechanics.powered[index]]
+        self._mechanics.power_on(off)
+        self._mechanics.let_go(off)
 
     def _set(self, index: int, signals: dict[str, float]) -> None:
         sign = self._quirks.mit_signs[index]
@@ -91,4 +91,4 @@ class DirectControl:
             signals["Kd"],
             sign * signals["Torque"] * self._torque_scale[index],
         )
-        self._body.steer(index, setpoint)
+        self._mechanics.steer(index, setpoint)

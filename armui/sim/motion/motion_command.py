@@ -40,7 +40,7 @@ class MotionCommandHandler:
             enter: Puts it in a control mode.
         """
         self._generation = arm.generation
-        self._body = arm.mechanics
+        self._mechanics = arm.mechanics
         self._condition = arm.condition
         self._teaching = arm.teaching
         self._unsupported = arm.unsupported
@@ -51,11 +51,11 @@ class MotionCommandHandler:
         """Obeys one command; whether it asks for an answer."""
         if signals["EmergencyStop"] == StopCommand.EMERGENCY_STOP:
             self.drop_work()
-            self._body.power_off(_ALL_INDICES, UnpoweredJoints.DAMPED)
+            self._mechanics.power_off(_ALL_INDICES, UnpoweredJoints.DAMPED)
             self._condition.stopped = True
         elif signals["EmergencyStop"] == StopCommand.RESUME:
             self.drop_work()
-            self._body.power_off(_ALL_INDICES, UnpoweredJoints.FREE)
+            self._mechanics.power_off(_ALL_INDICES, UnpoweredJoints.FREE)
             self._condition.clear_errors()
             if self._teaching.reset():
                 self._enter(ControlMode.STANDBY)

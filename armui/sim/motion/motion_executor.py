@@ -36,7 +36,7 @@ class MotionExecutor:
     def __init__(
         self, mechanics: Mechanics, condition: Condition, settings: ArmSettingsRecord
     ) -> None:
-        self._body = mechanics
+        self._mechanics = mechanics
         self._condition = condition
         self._settings = settings
         self._legs: list[Leg] = []
@@ -52,7 +52,7 @@ class MotionExecutor:
         """Whether the arm is in a state to take targets at all."""
         condition = self._condition
         able = not (condition.stopped or condition.hindered or condition.needs_reset)
-        return able and all(self._body.powered)
+        return able and all(self._mechanics.powered)
 
     def serves(self, order: Hashable) -> bool:
         """Whether this very order is under way, or was done or refused just here."""
@@ -138,7 +138,7 @@ class MotionExecutor:
             return
         leg = self._legs[0]
         if isinstance(leg, tuple):
-            if self._body.setpoints_deg == leg:
+            if self._mechanics.setpoints_deg == leg:
                 self._next_leg()
         elif self._running is None:
             self.drive()
@@ -153,12 +153,12 @@ class MotionExecutor:
         limits = self._settings.limits
         speeds = [self._share * each.max_speed_deg_s for each in limits]
         try:
-            self._body.move_to(goal_deg, speeds, self._settings.accelerations_deg_s2)
+            self._mechanics.move_to(goal_deg, speeds, self._settings.accelerations_deg_s2)
         except MotionError:
-            self._body.halt()
+            self._mechanics.halt()
             self.refuse(self._order, PlanningError(ArmStatusCode.NO_SOLUTION))
             return
-        if self._body.moving:
+        if self._mechanics.moving:
             self._condition.motion_state = MotionState.NOT_REACHED
         else:
             self._next_leg()
@@ -166,11 +166,11 @@ class MotionExecutor:
     def _drive_path(self, leg: PathMotion | Callable[[SixValues], PathMotion | None]) -> None:
         """Runs along a path; one not begun waits until the joints stand."""
         if self._running is None:
-            if self._body.moving:
+            if self._mechanics.moving:
                 self._brake()
                 return
             try:
-                path = leg if isinstance(leg, PathMotion) else leg(self._body.setpoints_deg)
+                path = leg if isinstance(leg, PathMotion) else leg(self._mechanics.setpoints_deg)
             except PlanningError as planning_error:
                 self.refuse(self._order, planning_error)
                 return
@@ -181,7 +181,7 @@ class MotionExecutor:
             self.targets_deg = path.end_deg
         self._condition.motion_state = MotionState.NOT_REACHED
         self._running.run(self._share)
-        self._body.follow(self._running)
+        self._mechanics.follow(self._running)
 
     def _next_leg(self) -> None:
         self._running = None
@@ -193,13 +193,13 @@ class MotionExecutor:
             self._condition.motion_state = MotionState.REACHED
 
     def _brake(self) -> None:
-        self._body.brake(self._settings.accelerations_deg_s2)
+        self._mechanics.brake(self._settings.accelerations_deg_s2)
 
     def _conditions(self) -> tuple[object, ...]:
         """What the outcome of an order depends on."""
         settings = self._settings
         return (
-            self._body.positions_deg,
+            self._mechanics.positions_deg,
             tuple(settings.limits),
             tuple(settings.accelerations_deg_s2),
             settings.end_limits,

@@ -52,18 +52,18 @@ class Moves:
             arm_type: Which arm it is.
             unsupported: Counts what the arm understands but does not do.
         """
-        self._body = mechanics
+        self._mechanics = mechanics
         self._direct = DirectControl(mechanics, condition, arm_type)
         self.cpv = CpvControl(mechanics, condition, settings, arm_type.quirks, unsupported)
-        self._travel = MotionExecutor(mechanics, condition, settings)
-        self._joints = JointMoves(self._travel, condition, settings, self._direct.follow)
-        self._tool = ToolMotions(self._travel, condition, settings, kinematics)
+        self._executor = MotionExecutor(mechanics, condition, settings)
+        self._joints = JointMoves(self._executor, condition, settings, self._direct.follow)
+        self._tool = ToolMotions(self._executor, condition, settings, kinematics)
         self._takers: dict[str, Callable[[dict[str, float]], None]] = {
             **dict.fromkeys(_JOINT_TARGETS, self._take_joints),
             **dict.fromkeys(_TOOL_TARGETS, self._take_pose),
             "ArcPoint": self._take_arc_point,
         }
-        executor = self._travel
+        executor = self._executor
         self._commands: dict[TrajectoryCommand, Callable[[], None]] = {
             TrajectoryCommand.PAUSE: executor.pause,
             TrajectoryCommand.CONTINUE: executor.go_on,
@@ -75,7 +75,7 @@ class Moves:
     @property
     def targets_deg(self) -> SixValues:
         """Where the last target taken on leads."""
-        return self._travel.targets_deg
+        return self._executor.targets_deg
 
     @property
     def ik_solution_deg(self) -> SixValues | None:
@@ -85,7 +85,7 @@ class Moves:
     @property
     def paused(self) -> bool:
         """Whether the host has paused the motion."""
-        return self._travel.paused
+        return self._executor.paused
 
     def take(self, name: str, signals: dict[str, float]) -> bool:
         """Takes a frame that is part of a target; whether it was one."""
@@ -125,42 +125,42 @@ class Moves:
         """
         self._direct.mode_word(signals)
         self.cpv.mode_changed()
-        self._travel.mode_changed()
+        self._executor.mode_changed()
         self._joints.mode_changed()
-        self._tool.mode_changed(self._body.positions_deg)
+        self._tool.mode_changed(self._mechanics.positions_deg)
 
     def speed_changed(self) -> None:
         """Takes a 0x151 that keeps the modes."""
-        self._travel.mode_changed()
+        self._executor.mode_changed()
 
     def cut_short(self) -> None:
         """Brakes; the target counts as not reached. One that waits goes on waiting."""
-        self._travel.cut_short()
+        self._executor.cut_short()
 
     def forget(self) -> None:
         """Drops every target, whole or in parts; what moves is left to the caller."""
-        self._travel.forget()
+        self._executor.forget()
         self._joints.forget()
         self._tool.forget()
 
     def time_passed(self) -> None:
         """Advances in time: notes the targets that have been reached."""
-        self._travel.time_passed()
+        self._executor.time_passed()
 
     def _abort(self) -> None:
         self._joints.drop_parts()
         self._tool.drop_parts()
-        self._travel.cut_short()
+        self._executor.cut_short()
 
     def _clear_all(self) -> None:
         self.forget()
-        self._travel.cut_short()
+        self._executor.cut_short()
 
     def _take_joints(self, signals: dict[str, float]) -> None:
         self._joints.take({int(name[1:]): angle_deg for name, angle_deg in signals.items()})
 
     def _take_pose(self, signals: dict[str, float]) -> None:
-        self._tool.take(signals, self._body.positions_deg)
+        self._tool.take(signals, self._mechanics.positions_deg)
 
     def _take_arc_point(self, signals: dict[str, float]) -> None:
-        self._tool.mark(ArcPointNumber(int(signals["Point"])), self._body.positions_deg)
+        self._tool.mark(ArcPointNumber(int(signals["Point"])), self._mechanics.positions_deg)

@@ -33,7 +33,8 @@ class SimulatedTeaching:
     """Records what a hand does with the arm, and replays it.
 
     A replay is as fast as the hand was, and slower where the hand asked more than the motors can
-    do. Once in drag teaching the arm obeys no mode until it is reset near its rest pose.
+    do. Once in drag teaching the arm obeys no mode until it is reset near its rest pose; from
+    S-V1.8-5 on a mode word leads out of it.
 
     Attributes:
         entered: Whether the arm is in drag teaching.
@@ -47,7 +48,7 @@ class SimulatedTeaching:
         settings: ArmSettingsRecord,
         hand_guiding: HandGuiding,
     ) -> None:
-        self._body = mechanics
+        self._mechanics = mechanics
         self._condition = condition
         self._settings = settings
         self._hand = hand_guiding
@@ -81,10 +82,19 @@ class SimulatedTeaching:
 
     def reset(self) -> bool:
         """Leaves drag teaching, if the arm is near its rest pose; whether it is left."""
-        if self.entered and max(map(abs, self._body.positions_deg)) > _NEAR_REST_DEG:
+        if self.entered and max(map(abs, self._mechanics.positions_deg)) > _NEAR_REST_DEG:
             return False
         self.entered = False
         return True
+
+    def leave(self) -> None:
+        """Leaves drag teaching as a mode word does from S-V1.8-5 on: the arm holds or brakes."""
+        if self._phase is _Phase.RECORDING:
+            self._stop_recording()
+        else:
+            self._abort()
+        self.interrupt()
+        self.entered = False
 
     def time_passed(self, dt_s: float) -> None:
         """Records, watches the hand's speed, notices what is reached."""
@@ -92,13 +102,13 @@ class SimulatedTeaching:
             self._record(dt_s)
         elif self._phase is not _Phase.IDLE and self._condition.hindered:
             self._abort()
-        elif self._phase is _Phase.TO_START and not self._body.moving:
+        elif self._phase is _Phase.TO_START and not self._mechanics.moving:
             self._at_start()
         elif self._phase is _Phase.RUNNING and self._path is not None and self._path.at_end:
             self._finish()
 
     def _record(self, dt_s: float) -> None:
-        limits, speeds = self._settings.limits, self._body.speeds_deg_s
+        limits, speeds = self._settings.limits, self._mechanics.speeds_deg_s
         if any(abs(v) > each.max_speed_deg_s for v, each in zip(speeds, limits, strict=True)):
             self._stop_recording()
             self._condition.activity = ArmStatusCode.OVERSPEED_WHILE_TEACHING
@@ -107,25 +117,25 @@ class SimulatedTeaching:
         self._since_sample_s += dt_s
         if self._since_sample_s > _SAMPLE_S - 1e-9 and len(self.recording) * _SAMPLE_S < _LONGEST_S:
             self._since_sample_s = 0.0
-            self.recording.append(self._body.positions_deg)
+            self.recording.append(self._mechanics.positions_deg)
 
     def _start_recording(self) -> bool:
-        if not all(self._body.powered) or self._condition.hindered:
+        if not all(self._mechanics.powered) or self._condition.hindered:
             return False
         self.entered = True
-        self.recording = [self._body.positions_deg]
+        self.recording = [self._mechanics.positions_deg]
         self._since_sample_s = 0.0
         self._phase, self._path = _Phase.RECORDING, None
         self._condition.control_mode = ControlMode.TEACHING
         self._condition.activity = ArmStatusCode.TEACHING_RECORDING
-        self._body.give_way(self._hand)
+        self._mechanics.give_way(self._hand)
         return True
 
     def _stop_recording(self) -> bool:
         if self._phase is not _Phase.RECORDING:
             return False
-        self.recording.append(self._body.positions_deg)
-        self._body.hold()
+        self.recording.append(self._mechanics.positions_deg)
+        self._mechanics.hold()
         self._phase = _Phase.IDLE
         self._condition.activity = ArmStatusCode.NORMAL
         return True
@@ -140,12 +150,12 @@ class SimulatedTeaching:
         return self._go_to_start(goes_on=False)
 
     def _go_to_start(self, *, goes_on: bool) -> bool:
-        ready = self.entered and self._phase is _Phase.IDLE and all(self._body.powered)
+        ready = self.entered and self._phase is _Phase.IDLE and all(self._mechanics.powered)
         if not ready or not self.recording or self._condition.hindered:
             return False
         settings = self._settings
         speeds = [_TO_START_SHARE * limits.max_speed_deg_s for limits in settings.limits]
-        self._body.move_to(self.recording[0], speeds, settings.accelerations_deg_s2)
+        self._mechanics.move_to(self.recording[0], speeds, settings.accelerations_deg_s2)
         self._phase, self._goes_on = _Phase.TO_START, goes_on
         self._condition.activity = ArmStatusCode.NORMAL
         self._condition.motion_state = MotionState.NOT_REACHED
@@ -163,7 +173,7 @@ class SimulatedTeaching:
             return
         self._path, self._phase = path, _Phase.RUNNING
         path.run(1.0)
-        self._body.follow(path)
+        self._mechanics.follow(path)
 
     def _pause(self) -> bool:
         if self._phase is not _Phase.RUNNING or self._path is None:
@@ -177,7 +187,7 @@ class SimulatedTeaching:
         if self._phase is not _Phase.PAUSED or self._path is None:
             return False
         self._path.run(1.0)
-        self._body.follow(self._path)
+        self._mechanics.follow(self._path)
         self._phase = _Phase.RUNNING
         self._condition.activity = ArmStatusCode.TEACHING_RUNNING
         return True
@@ -185,7 +195,7 @@ class SimulatedTeaching:
     def _abort(self) -> bool:
         if self._phase in (_Phase.IDLE, _Phase.RECORDING):
             return False
-        self._body.brake(self._settings.accelerations_deg_s2)
+        self._mechanics.brake(self._settings.accelerations_deg_s2)
         self.interrupt()
         return True
 

@@ -46,7 +46,7 @@ class ToolMotions:
         settings: ArmSettingsRecord,
         kinematics: Kinematics,
     ) -> None:
-        self._travel = executor
+        self._executor = executor
         self._condition = condition
         self._settings = settings
         self._kinematics = kinematics
@@ -64,7 +64,7 @@ class ToolMotions:
             values: By the names of the signals: X, Y, Z in mm, RX, RY, RZ in degrees.
             joints_deg: Where the joints are.
         """
-        if not self._travel.may_move:
+        if not self._executor.may_move:
             return
         self._staged.update(values)
         self._fresh.add(frozenset(values))
@@ -80,8 +80,8 @@ class ToolMotions:
         pose = self._latest
         if point is ArcPointNumber.NONE or pose is None:
             return
-        if any(self._travel.pursues((mode, (pose,))) for mode in _POSE_MODES):
-            self._travel.cut_short()
+        if any(self._executor.pursues((mode, (pose,))) for mode in _POSE_MODES):
+            self._executor.cut_short()
         self._latest = self._waiting = None
         if point is ArcPointNumber.START:
             self._arc.clear()
@@ -111,7 +111,7 @@ class ToolMotions:
 
     def _pursue(self, order: Order, joints_deg: SixValues) -> None:
         """Takes on an order, or refuses it and stays."""
-        if self._travel.serves(order):
+        if self._executor.serves(order):
             return
         move_mode, poses = order
         try:
@@ -128,9 +128,9 @@ class ToolMotions:
                 arc = self._arc_from(start_deg, poses)
                 legs, end_deg = [start_deg, arc], arc.end_deg
         except PlanningError as planning_error:
-            self._travel.refuse(order, planning_error)
+            self._executor.refuse(order, planning_error)
             return
-        self._travel.begin(order, legs, move_mode, end_deg)
+        self._executor.begin(order, legs, move_mode, end_deg)
 
     def _nearest(self, pose: Pose, joints_deg: SixValues) -> SixValues:
         """The nearest way to a pose within the joints' limits.

@@ -68,7 +68,7 @@ class PathMotion:
         self._way = way
         self._rate = way.derivative()
         self._bend = way.derivative(2)
-        self._rail = PathProfile(end, acceleration)
+        self._profile = PathProfile(end, acceleration)
         self._top_speed = top_speed
         self.end_deg: SixValues = tuple(way(end).tolist())
         self.positions_deg: SixValues = tuple(way(0.0).tolist())
@@ -78,20 +78,20 @@ class PathMotion:
     @property
     def at_end(self) -> bool:
         """Whether the path is done."""
-        return self._rail.at_end
+        return self._profile.at_end
 
     @property
     def moving(self) -> bool:
         """Whether the joints turn, or are about to."""
-        return self._rail.moving
+        return self._profile.moving
 
     def run(self, share: float) -> None:
         """Goes on with a share of the highest speed; 0 brakes along the path."""
-        self._rail.run(share * self._top_speed)
+        self._profile.run(share * self._top_speed)
 
     def advance(self, dt_s: float) -> None:
         """Lets time pass."""
-        profile = self._rail
+        profile = self._profile
         profile.advance(dt_s)
         if profile.at_end:
             self.positions_deg = self.end_deg

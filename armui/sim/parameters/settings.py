@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field, fields
 from typing import Annotated, NamedTuple
 
-from armui.arm.limits import FACTORY_ACCELERATION_DEG_S2, FACTORY_LIMITS, JOINTS, JointLimits
+from armui.arm.limits import JOINTS, JointLimits
 from armui.arm.models import model_data
 from armui.protocol.codes import EndLoad, LinkageRole
 from armui.protocol.piper_model import PiperModel
@@ -38,9 +38,12 @@ class LinkageSettings(NamedTuple):
     target_offset: int = 0
 
 
-def factory_accelerations() -> list[float]:
-    """Highest acceleration of each joint as the arm leaves the factory, in °/s²."""
-    return [FACTORY_ACCELERATION_DEG_S2] * len(JOINTS)
+def _factory_limits() -> list[JointLimits]:
+    return list(model_data().limits)
+
+
+def _factory_accelerations() -> list[float]:
+    return list(model_data().accelerations_deg_s2)
 
 
 def factory_settings(model: PiperModel) -> ArmSettingsRecord:
@@ -72,8 +75,8 @@ class ArmSettingsRecord:
         lights: The lamps, by joint; dark again after a power cycle.
     """
 
-    limits: list[JointLimits] = field(default_factory=lambda: list(FACTORY_LIMITS))
-    accelerations_deg_s2: list[float] = field(default_factory=factory_accelerations)
+    limits: list[JointLimits] = field(default_factory=_factory_limits)
+    accelerations_deg_s2: list[float] = field(default_factory=_factory_accelerations)
     end_limits: tuple[float, ...] = (1.0, 1.0, 1.0, 1.0)
     collision_levels: tuple[int, ...] = (1,) * 6
     load: EndLoad = EndLoad.EMPTY

@@ -41,7 +41,7 @@ class SettingsApplier:
         self._quirks = arm_type.quirks
         self._settings = settings
         self._flash = flash
-        self._body = mechanics
+        self._mechanics = mechanics
         self._condition = condition
         self._schedule = schedule
         self._forget = forget
@@ -67,7 +67,7 @@ class SettingsApplier:
             return
         down = DOWN_BY_MOUNTING.get(mounting)
         if down is not None:
-            self._body.weight.down = down
+            self._mechanics.weight.down = down
 
     def restart(self) -> None:
         """Goes on with the settings that the flash holds."""
@@ -96,7 +96,7 @@ class SettingsApplier:
 
         It takes joints that stand still and can be talked to.
         """
-        indices, mechanics = list(indices), self._body
+        indices, mechanics = list(indices), self._mechanics
         if mechanics.moving or any(
             mechanics.speeds_deg_s[i] or self._condition.communication_fault[i] for i in indices
         ):
@@ -119,7 +119,7 @@ class SettingsApplier:
             step_deg: How far it turns now.
             most_deg: How far it may turn in all; more is left out, and so is what a stop prevents.
         """
-        stop, angle = self.stops[index], self._body.positions_deg[index]
+        stop, angle = self.stops[index], self._mechanics.positions_deg[index]
         there = self._slips_deg[index] + step_deg
         if abs(there) <= most_deg and stop.min_deg <= angle + step_deg <= stop.max_deg:
             self._slips_deg[index] = there
@@ -128,23 +128,25 @@ class SettingsApplier:
     def find_place(self) -> None:
         """Lets every joint that had slipped tell where it is again."""
         if any(self._slips_deg):
-            there = [a + b for a, b in zip(self._body.positions_deg, self._slips_deg, strict=True)]
+            there = [
+                a + b for a, b in zip(self._mechanics.positions_deg, self._slips_deg, strict=True)
+            ]
             self._slips_deg = [0.0] * len(self._slips_deg)
             self._forget()
             self._refresh()
-            self._body.count_anew(there)
+            self._mechanics.count_anew(there)
 
     def move_zero(self, index: int, angle_deg: float) -> None:
         """Moves a joint's (0–5) zero by itself; the joint stays where it is and tells less."""
-        angles_deg, zeros_deg = list(self._body.positions_deg), list(self._settings.zeros_deg)
+        angles_deg, zeros_deg = list(self._mechanics.positions_deg), list(self._settings.zeros_deg)
         zeros_deg[index] += angle_deg
         angles_deg[index] -= angle_deg
         self._settings.zeros_deg = zeros_deg
         self.settings_changed()
-        self._body.count_anew(angles_deg)
+        self._mechanics.count_anew(angles_deg)
 
     def _refresh(self) -> None:
-        zeros_deg, weight = self._settings.zeros_deg, self._body.weight
+        zeros_deg, weight = self._settings.zeros_deg, self._mechanics.weight
         told_kg = PAYLOADS_KG[self._settings.load]
         zeros_deg = [a + b for a, b in zip(zeros_deg, self._slips_deg, strict=True)]
         weight.zeros_deg = zeros_deg

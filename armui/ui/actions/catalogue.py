@@ -1,4 +1,4 @@
-"""What can be done in the main window and its panels, whether a panel has been shown yet or not."""
+"""What can be done in the whole window, whether a panel or a page has been shown yet or not."""
 
 from __future__ import annotations
 
@@ -12,6 +12,7 @@ from PySide6.QtCore import QT_TRANSLATE_NOOP
 from armui.arm.limits import JOINTS
 from armui.kinematics.axes import AXES
 from armui.protocol.codes import ALL_JOINTS
+from armui.ui.actions import page_commands
 from armui.ui.actions.keys import SHORTCUTS
 from armui.ui.actions.places import PANELS, PLACES, Title
 
@@ -256,6 +257,8 @@ def _all() -> Iterator[Command]:
         yield Command(f"{panel}.open", PLACES[panel], f"menu_{panel}")
     for panel in PANELS:
         yield from _of_panel(panel)
+    for name, context, source, target in page_commands.rows():
+        yield Command(name, Title(context, source), target)
 
 
 def _of_panel(panel: str) -> Iterator[Command]:

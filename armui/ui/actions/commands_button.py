@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Final
 
 from PySide6.QtCore import QSize, Qt
-from PySide6.QtWidgets import QToolButton, QWidget
+from PySide6.QtWidgets import QToolButton
 
 from armui.ui.actions.keys import key_text
 from armui.ui.theme import colors_of
@@ -20,8 +20,8 @@ _HIGHEST_PX: Final = 20
 class CommandsButton(Translated, QToolButton):
     """A magnifying glass and the key."""
 
-    def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self) -> None:
+        super().__init__()
         self.setObjectName("commands_button")
         self.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
         self.setMaximumHeight(_HIGHEST_PX)

@@ -38,6 +38,10 @@ class Shortcut(NamedTuple):
         return QKeySequence(self.keys).toString(QKeySequence.SequenceFormat.NativeText)
 
 
+_QTS_OWN: Final = (QT_TRANSLATE_NOOP("QShortcut", "Up"), QT_TRANSLATE_NOOP("QShortcut", "Down"))
+"""Keys whose names in Qt's translation are longer than what is printed on them: ours counts."""
+
+
 # fmt: off
 _ONE_PRESS: Final = (
     ("everywhere.palette", "Ctrl+K", "Shortcut",
@@ -76,6 +80,7 @@ _ONE_PRESS: Final = (
     ("library.duplicate", "Ctrl+D", "LibraryBar", QT_TRANSLATE_NOOP("LibraryBar", "Duplicate")),
     ("library.rename", "F2", "LibraryBar", QT_TRANSLATE_NOOP("LibraryBar", "Rename")),
     ("library.find", "Ctrl+F", "LibraryBar", QT_TRANSLATE_NOOP("LibraryBar", "Search")),
+    ("library.send", "F5", "RunBar", QT_TRANSLATE_NOOP("RunBar", "Send")),
     ("library.undo", "Ctrl+Z", "EditorAction", QT_TRANSLATE_NOOP("EditorAction", "Undo")),
     ("editor.insert_before", "Ctrl+Shift+Return", "EditorAction",
      QT_TRANSLATE_NOOP("EditorAction", "Insert before")),
@@ -105,6 +110,7 @@ _ONE_PRESS: Final = (
      QT_TRANSLATE_NOOP("EditorAction", "Find and replace")),
     ("editor.jog", "Ctrl+J", "EditorAction", QT_TRANSLATE_NOOP("EditorAction", "Jog")),
     ("editor.check", "Ctrl+E", "EditorAction", QT_TRANSLATE_NOOP("EditorAction", "Check")),
+    ("editor.send", "F5", "RunBar", QT_TRANSLATE_NOOP("RunBar", "Send")),
     ("plots.undo", "Ctrl+Z", "PlotBar", QT_TRANSLATE_NOOP("PlotBar", "Undo zoom")),
     ("bus.pause", "Ctrl+P", "Shortcut", QT_TRANSLATE_NOOP("Shortcut", "Pause, go on")),
     ("bus.copy", "Ctrl+C", "Shortcut", QT_TRANSLATE_NOOP("Shortcut", "Copy the chosen rows")),

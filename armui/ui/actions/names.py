@@ -8,13 +8,12 @@ from __future__ import annotations
 
 import json
 from collections.abc import Iterable, Mapping
-from pathlib import Path
 from typing import Final
 
 from armui.system import paths
 from armui.ui.actions.search import SearchText
 
-FILE: Final = paths.RESOURCES / "i18n" / "names.json"
+_FILE: Final = paths.RESOURCES / "i18n" / "names.json"
 
 
 class Names:
@@ -70,13 +69,13 @@ class Names:
         return tuple(found)
 
 
-def read_names(file: Path = FILE) -> Names:
+def read_names() -> Names:
     """Read them from the file; not in the GUI thread.
 
     Raises:
         OSError: It cannot be read.
     """
-    known: Mapping[str, tuple[str, list[str]]] = json.loads(file.read_text(encoding="utf-8"))
+    known: Mapping[str, tuple[str, list[str]]] = json.loads(_FILE.read_text(encoding="utf-8"))
     return Names(
         (chinese, english, pinyin)
         for chinese, (pinyin, sources) in known.items()

@@ -1,13 +1,15 @@
-"""What the command palette offers now: the catalogue, and whatever else stands on the screen."""
+"""What the command palette offers: the catalogue, seen or not, and what else is on the screen."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
+from functools import partial
 from typing import TYPE_CHECKING, Final
 
+from PySide6.QtCore import QCoreApplication
 from PySide6.QtGui import QAction
-from PySide6.QtWidgets import QAbstractButton, QApplication, QDialog, QWidget
+from PySide6.QtWidgets import QAbstractButton, QApplication, QDialog, QMenu, QToolButton, QWidget
 
 from armui.ui.actions.catalogue import Command, actions
 from armui.ui.actions.places import PANELS, PLACES
@@ -32,8 +34,10 @@ class Offer:
     Attributes:
         title, place: In the language of now.
         keys: The shortcut; empty: none.
-        reason: Why it cannot be done now; empty: it can.
+        reason: Why it cannot be done now; empty: it can, as far as is known.
         do: Does it.
+        show: Opens the page or window in which it is done, while that is not seen: what keeps it
+            from being done is known then.
     """
 
     title: str
@@ -41,6 +45,11 @@ class Offer:
     keys: str
     reason: str
     do: Doing
+    show: Doing | None = None
+
+    def is_like(self, other: Offer) -> bool:
+        """Whether it is the same one, of another moment."""
+        return (self.title, self.place) == (other.title, other.place)
 
 
 class Offers:
@@ -50,12 +59,16 @@ class Offers:
         window: The main window: buttons are looked for in it and in its dialogs.
         controller: Who knows why not.
         doings: What has no button.
+        openers: By place what opens it, and why that is not possible now.
     """
 
-    def __init__(self, window: QWidget, controller: ArmController, doings: Doings) -> None:
+    def __init__(
+        self, window: QWidget, controller: ArmController, doings: Doings, openers: Doings
+    ) -> None:
         self._window = window
         self._controller = controller
         self._doings = doings
+        self._openers = openers
 
     def now(self, apart_from: QWidget) -> list[Offer]:
         """All of them, as things stand.
@@ -75,28 +88,41 @@ class Offers:
         if not action.target:
             do, reason = self._doings[action.name]
             return Offer(title, place, action.keys, reason(), do)
-        widget = self._seen(action.target)
-        reason_text = why_not(action, self._controller) if widget is None else _why_not(widget)
-        return Offer(title, place, action.keys, reason_text, lambda: self.do(action))
+        do = partial(self.do, action)
+        seen = self._seen(action)
+        if seen is not None:
+            return Offer(title, place, action.keys, _why_not(seen), do)
+        if action.place in self._openers:
+            show, why = self._openers[action.place]
+            return Offer(title, place, action.keys, why(), do, show)
+        reason_text = why_not(action, self._controller)
+        if not reason_text and action.place not in PANELS:
+            reason_text = nothing_to_do()
+        return Offer(title, place, action.keys, reason_text, do)
 
     def do(self, action: Command) -> None:
         """Do what an action does, by its button: what that asks first is asked."""
         if action.target not in {f"menu_{panel}" for panel in PANELS}:
             self._show_place(action.place)
-        widget = self._seen(action.target)
-        if widget is not None:
-            use(widget)
+        seen = self._seen(action)
+        if isinstance(seen, QAction):
+            seen.trigger()
+        elif seen is not None:
+            use(seen)
 
     def _show_place(self, place: str) -> None:
         """Go to a panel; what is not saved in the present one asks first, and then nothing else."""
-        menu = self._seen(f"menu_{place}")
-        if isinstance(menu, QAbstractButton) and not menu.isChecked():
+        menu = self._window.findChild(QAbstractButton, f"menu_{place}")
+        if menu is not None and menu.isVisible() and not menu.isChecked():
             menu.click()
 
-    def _seen(self, name: str) -> QWidget | None:
-        """The widget of a name that is shown, be it that one has to scroll to it."""
-        shown = (each for each in self._window.findChildren(QWidget, name) if each.isVisible())
-        return next(shown, None)
+    def _seen(self, action: Command) -> QWidget | QAction | None:
+        """What does it, if that is shown; of pages with the same buttons that of its place."""
+        found: list[QWidget | QAction] = [
+            *self._window.findChildren(QWidget, action.target),
+            *self._window.findChildren(QAction, action.target),
+        ]
+        return next((each for each in found if _is_shown(each, action.place)), None)
 
     # -- what else is on the screen -----------------------------------------------------------
 
@@ -116,7 +142,7 @@ class Offers:
                 told.add((title, place))
                 keys = button.shortcut().toString(button.shortcut().SequenceFormat.NativeText)
                 yield Offer(title, place, keys, _why_not(button), _using(button))
-            yield from _of_menus(window, told)
+            yield from _of_menus(window, told, known)
 
     def _is_ours(self, window: QWidget) -> bool:
         parent: QWidget | None = window
@@ -142,14 +168,29 @@ def _place_of(widget: QWidget) -> str:
     return ""
 
 
-def _of_menus(window: QWidget, told: set[tuple[str, str]]) -> Iterator[Offer]:
+def _is_shown(thing: QWidget | QAction, place: str) -> bool:
+    """Whether something is seen, and stands on the page of a place if it is one of pages."""
+    each = thing if isinstance(thing, QWidget) else thing.parent()
+    while isinstance(each, QMenu):  # it is not seen before it is asked for: its owner is
+        each = each.parent()
+    if not isinstance(each, QWidget) or not each.isVisible():
+        return False
+    page: QWidget | None = each
+    while page is not None and not isinstance(page, Page):
+        page = page.parentWidget()
+    return page is None or page.key == place
+
+
+def _of_menus(window: QWidget, told: set[tuple[str, str]], known: set[str]) -> Iterator[Offer]:
     """The actions of tables and lists, which have a menu and keys, but maybe no button."""
     for action in window.findChildren(QAction):
         owner = action.parent()
         title = action.text()
-        named = action.objectName().startswith("action_")
+        named = action.objectName().startswith("action_") and action.objectName() not in known
         if not (named and isinstance(owner, QWidget) and owner.isVisible()):
             continue
+        if any(isinstance(each, QToolButton) for each in action.associatedObjects()):
+            continue  # told by its button
         place = _place_of(owner)
         if (title, place) not in told:
             told.add((title, place))
@@ -162,10 +203,16 @@ def _using(widget: QWidget) -> Doing:
     return lambda: use(widget) if widget.isVisible() else None
 
 
-def _why_not(widget: QWidget) -> str:
-    if widget.isEnabled():
+def nothing_to_do() -> str:
+    """Why a button that is not there cannot be pressed."""
+    return QCoreApplication.translate("Action", "There is nothing for it to do now.")
+
+
+def _why_not(seen: QWidget | QAction) -> str:
+    if seen.isEnabled():
         return ""
-    return widget.toolTip() or widget.accessibleName()
+    name = seen.text() if isinstance(seen, QAction) else seen.accessibleName()
+    return seen.toolTip() or name
 
 
 def use(widget: QWidget) -> None:

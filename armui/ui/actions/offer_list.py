@@ -7,8 +7,6 @@ from typing import Any, Final
 
 from PySide6.QtCore import (
     QAbstractListModel,
-    QModelIndex,
-    QPersistentModelIndex,
     QRect,
     QSize,
     Qt,
@@ -18,8 +16,7 @@ from PySide6.QtWidgets import QStyledItemDelegate, QStyleOptionViewItem, QWidget
 
 from armui.ui.actions.offer import Offer
 from armui.ui.theme import colors_of, scaled_font
-
-_Index = QModelIndex | QPersistentModelIndex
+from armui.ui.widgets.table_model import Index
 
 _SIDE_PX: Final = 12
 _GAP_PX: Final = 10
@@ -48,18 +45,14 @@ class OfferModel(QAbstractListModel):
         """The row of an offer that was made at another moment; 0 if it is there no more."""
         if offer is None:
             return 0
-        same = (
-            row
-            for row, each in enumerate(self._offers)
-            if (each.title, each.place) == (offer.title, offer.place)
-        )
+        same = (row for row, each in enumerate(self._offers) if each.is_like(offer))
         return next(same, 0)
 
-    def rowCount(self, parent: _Index | None = None) -> int:  # noqa: N802 - the name Qt calls
+    def rowCount(self, parent: Index | None = None) -> int:  # noqa: N802 - the name Qt calls
         """One row an offer."""
         return 0 if parent is not None and parent.isValid() else len(self._offers)
 
-    def data(self, index: _Index, role: int = Qt.ItemDataRole.DisplayRole) -> Any:
+    def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> Any:
         """Its words; under ``UserRole`` the offer itself."""
         offer = self.offer(index.row())
         if offer is None:
@@ -78,12 +71,12 @@ class OfferDelegate(QStyledItemDelegate):
         super().__init__(view)
         self._view = view
 
-    def sizeHint(self, _option: QStyleOptionViewItem, index: _Index) -> QSize:
+    def sizeHint(self, _option: QStyleOptionViewItem, index: Index) -> QSize:
         """Room for the reason where there is one."""
         offer: Offer = index.data(Qt.ItemDataRole.UserRole)
         return QSize(200, _TWO_LINES_PX if offer.reason else _ONE_LINE_PX)
 
-    def paint(self, painter: QPainter, option: QStyleOptionViewItem, index: _Index) -> None:
+    def paint(self, painter: QPainter, option: QStyleOptionViewItem, index: Index) -> None:
         """Draw a row."""
         offer: Offer = index.data(Qt.ItemDataRole.UserRole)
         colors = colors_of(self._view)

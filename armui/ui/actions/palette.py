@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QEvent, QObject, QPoint, Qt, QTimer
@@ -11,7 +12,7 @@ from PySide6.QtWidgets import QAbstractItemView, QLineEdit, QListView, QWidget
 from armui.arm.refusal import Refusal
 from armui.control.events import Level
 from armui.ui.actions.names import Names, read_names
-from armui.ui.actions.offer import Offer, Offers
+from armui.ui.actions.offer import Doing, Offer, Offers, nothing_to_do
 from armui.ui.actions.offer_list import OfferDelegate, OfferModel
 from armui.ui.actions.search import SearchText, rank
 from armui.ui.background import Background, Job
@@ -108,20 +109,22 @@ class CommandPalette(ArmDialog):
     def _show_found(self, *_args: object, keep: bool = False) -> None:
         query = self.search.text()
         before = self._chosen() if keep else None
+        told = self._message.isVisible() and before is not None
         ranked = [(rank(query, text), place) for place, (_, text) in enumerate(self._offers)]
         found = sorted((how, place) for how, place in ranked if how is not None)
         self._model.show_offers([self._offers[place][0] for _, place in found])
         self.list.setCurrentIndex(self._model.index(self._model.row_like(before), 0))
-        self._message.hide()
-        if not found:
-            self._show_reason()
+        chosen = self._chosen()
+        if chosen is None:
+            self._show_reason(None)
+        else:  # the reason that was told stays as long as what it was told of is chosen
+            self._message.setVisible(told and before is not None and chosen.is_like(before))
 
     def _chosen(self) -> Offer | None:
         return self._model.offer(self.list.currentIndex().row())
 
-    def _show_reason(self) -> None:
+    def _show_reason(self, offer: Offer | None) -> None:
         """Say why what is wanted cannot be done, or that nothing was found."""
-        offer = self._chosen()
         if offer is None:
             text = self.tr("Nothing is called so. Chinese, English, pinyin and initials are found.")
             self._message.show_message(text)
@@ -133,11 +136,26 @@ class CommandPalette(ArmDialog):
 
     def _on_chosen(self) -> None:
         offer = self._chosen()
+        if offer is not None and not offer.reason and offer.show is not None:
+            offer = self._look(offer.show)
         if offer is None or offer.reason or not self.isVisible():
-            self._show_reason()
+            self._show_reason(offer)
             return
         self.close()
         offer.do()
+
+    def _look(self, show: Doing) -> Offer | None:
+        """Open the page on which something is done; the same offer, as it stands there."""
+        show()
+        self._gather()
+        offer = self._chosen()
+        if offer is not None and offer.show is not None:  # its button is not there just now
+            offer = replace(offer, reason=nothing_to_do())
+        if offer is not None and offer.reason:
+            self.raise_()
+            self.activateWindow()
+            self.search.setFocus()
+        return offer
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         """In the search the arrows move through the list, and Enter does what is chosen."""

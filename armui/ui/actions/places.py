@@ -48,10 +48,15 @@ _PLACES: Final = (
     ("parameters", "Place", QT_TRANSLATE_NOOP("Place", "Panels with parameters")),
     ("library", "LibraryButton", QT_TRANSLATE_NOOP("LibraryButton", "Trajectory library")),
     ("editor", "Place", QT_TRANSLATE_NOOP("Place", "Trajectory editor")),
+    ("recording", "RecordingPage", QT_TRANSLATE_NOOP("RecordingPage", "Recording")),
+    ("drawer", "Place", QT_TRANSLATE_NOOP("Place", "Drawer")),
     ("plots", "WatchMenu", QT_TRANSLATE_NOOP("WatchMenu", "Curves")),
     ("events", "WatchMenu", QT_TRANSLATE_NOOP("WatchMenu", "Events")),
     ("bus", "WatchMenu", QT_TRANSLATE_NOOP("WatchMenu", "Bus")),
+    ("sessions", "SessionsWindow", QT_TRANSLATE_NOOP("SessionsWindow", "Session recordings")),
     ("replay", "Place", QT_TRANSLATE_NOOP("Place", "Replay")),
+    ("connect", "ConnectDialog", QT_TRANSLATE_NOOP("ConnectDialog", "Connect arm")),
+    ("settings", "SettingsDialog", QT_TRANSLATE_NOOP("SettingsDialog", "Settings")),
 )
 # fmt: on
 

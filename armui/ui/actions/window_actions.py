@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     from armui.ui.main_window import MainWindow
     from armui.ui.picture.picture_work import PictureWork
     from armui.ui.shell.diagnosis_dialogs import DiagnosisDialogs
+    from armui.ui.shell.page_doings import PageDoings
     from armui.ui.shell.watch_windows import WatchWindows
 
 _EVERYWHERE: Final = ("palette", "guide", "shortcuts")
@@ -51,6 +52,7 @@ class WindowActions(QObject):
         self._background = background
         self._doings: dict[str, Doing] = {}
         self._opened: dict[str, QDialog] = {}
+        self._pages: PageDoings | None = None
         FirstSteps(window, controller, store)
         self._button = CommandsButton()
         self._button.clicked.connect(self.open_palette)
@@ -66,7 +68,11 @@ class WindowActions(QObject):
             shortcut.activated.connect(openers[name])
 
     def offer(
-        self, diagnosis: DiagnosisDialogs, watch: WatchWindows, picture: PictureWork
+        self,
+        diagnosis: DiagnosisDialogs,
+        watch: WatchWindows,
+        picture: PictureWork,
+        pages: PageDoings,
     ) -> CommandsButton:
         """Offer what these windows do and no button in the main window; the palette's button."""
         self._doings |= {
@@ -76,6 +82,7 @@ class WindowActions(QObject):
             "replay.open": watch.open_replay,
             **picture.doings(),
         }
+        self._pages = pages
         return self._button
 
     # -- windows ------------------------------------------------------------------------------
@@ -87,7 +94,8 @@ class WindowActions(QObject):
             from armui.ui.actions.offer import Offers  # noqa: PLC0415 - faster start
             from armui.ui.actions.palette import CommandPalette  # noqa: PLC0415 - as above
 
-            offers = Offers(self._window, self._controller, self._all_doings())
+            openers = {} if self._pages is None else self._pages.openers()
+            offers = Offers(self._window, self._controller, self._all_doings(), openers)
             return CommandPalette(self._controller, offers, self._background, self._window)
 
         self._open("palette", make)
@@ -138,7 +146,8 @@ class WindowActions(QObject):
             "window.close": (self._window.close, _always),
             "window.backup": (self._window.open_backup_dialog, _always),
         }
-        return {**{name: (do, _always) for name, do in self._doings.items()}, **own}
+        simple = {name: (do, _always) for name, do in self._doings.items()}
+        return {**simple, **own, **({} if self._pages is None else self._pages.doings())}
 
     def _resume(self) -> None:
         """Press the stop button of an arm that is stopped: it asks first."""

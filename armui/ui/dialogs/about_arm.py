@@ -23,11 +23,11 @@ from armui.ui.widgets.buttons import named, push_button
 from armui.ui.widgets.layouts import empty_grid, fill
 from armui.ui.widgets.text_label import text_label
 
-_SIZE_PX: Final = (720, 700)
+_SIZE_PX: Final = (720, 720)
 _REFRESH_MS: Final = 1000
 _LEAST_S: Final = 0.5
 _COLUMN_GAP_PX: Final = 28
-_ROW_GAP_PX: Final = 8
+_ROW_GAP_PX: Final = 4
 
 
 class AboutArmDialog(ArmDialog):

@@ -119,6 +119,8 @@ def _model(now: OperatingState) -> str:
         return text.format(model=name, other=model_data(fit.other).name)
     else:
         text = translate("AboutArm", "{model}, as chosen; its pose fits none of the models")
+    if fit.older_zeros:
+        text += translate("AboutArm", "; joints 2 and 3 count from the zeros before S-V1.6-3")
     return text.format(model=name)
 
 

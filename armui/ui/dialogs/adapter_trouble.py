@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from typing import Final
 
+from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QWidget
 
 from armui.arm.refusal import Refusal
@@ -26,7 +27,12 @@ class AdapterTrouble(Translated, QWidget):
     Args:
         background: Where it is looked for.
         look: Finds it out.
+
+    Signals:
+        told: Other findings are shown, or the same in other words: it needs other room.
     """
+
+    told = Signal()
 
     def __init__(
         self, background: Background, look: Callable[[], list[Diagnosis]] = adapter_trouble
@@ -61,3 +67,4 @@ class AdapterTrouble(Translated, QWidget):
         for row in self._rows:
             self._column.addWidget(row)
         self.setVisible(bool(self._rows))
+        self.told.emit()

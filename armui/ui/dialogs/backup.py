@@ -27,7 +27,7 @@ from armui.control.parameters.parameter_reader import ParameterReader
 from armui.control.parameters.setting_cell import CellState
 from armui.ui import words
 from armui.ui.dialogs import backup_text
-from armui.ui.dialogs.backup_model import BackupModel, DifferencesOnly
+from armui.ui.dialogs.backup_model import NAME, BackupModel, DifferencesOnly
 from armui.ui.dialogs.base import ArmDialog
 from armui.ui.dialogs.confirm import confirm
 from armui.ui.dialogs.files import choose_file
@@ -71,13 +71,13 @@ class BackupDialog(ArmDialog):
         self.table.setModel(self._shown)
         header = list_rows(self.table)
         header.setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
-        header.setStretchLastSection(True)
+        header.setSectionResizeMode(NAME, QHeaderView.ResizeMode.Stretch)
         header.setMinimumSectionSize(_NARROWEST_COLUMN_PX)
         self.only_differences = QCheckBox()
         self.all_button, self.none_button = (push_button(on_enter=False) for _ in range(2))
         self.progress = quiet_progress()
         choice = in_row(self.only_differences, STRETCH, self.all_button, self.none_button)
-        fill(self.body, self._message, self._origin, choice, (self.table, 1), self.progress)
+        fill(self.body, self._origin, choice, (self.table, 1), self.progress, self._message)
         self.read_button, self.save_button = (push_button(on_enter=False) for _ in range(2))
         self.open_button, self.close_button = (push_button(on_enter=False) for _ in range(2))
         self.restore_button = push_button(primary=True, on_enter=False)

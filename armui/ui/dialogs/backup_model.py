@@ -3,12 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from typing import Any, Final
+from typing import Any
 
 from PySide6.QtCore import (
-    QAbstractTableModel,
-    QModelIndex,
-    QPersistentModelIndex,
     QSortFilterProxyModel,
     Qt,
     Signal,
@@ -20,15 +17,13 @@ from armui.arm.refusal import Refusal
 from armui.control.parameters.setting_cell import CellState, SettingCellState
 from armui.ui import format as fmt
 from armui.ui import words
+from armui.ui.widgets.table_model import RIGHT, Index, TableModel
 from armui.ui.words.parameters import full_name, value_text, verdict_word
 
-_Index = QModelIndex | QPersistentModelIndex
-
 NAME, FILED, HELD, STATE = range(4)
-_COLUMNS: Final = 4
 
 
-class BackupModel(QAbstractTableModel):
+class BackupModel(TableModel):
     """Rows with a tick; only what can be restored, and would change something, can have one.
 
     Args:
@@ -39,6 +34,8 @@ class BackupModel(QAbstractTableModel):
     """
 
     ticked = Signal()
+    _columns = 4
+    _figures = frozenset({FILED, HELD})
 
     def __init__(self, cell: Callable[[Parameter], SettingCellState]) -> None:
         super().__init__()
@@ -70,7 +67,7 @@ class BackupModel(QAbstractTableModel):
             self.beginResetModel()
         self._rows = list(rows)
         if same:
-            self.retranslate()
+            self.redraw()
         else:
             self.endResetModel()
         self.ticked.emit()
@@ -78,52 +75,33 @@ class BackupModel(QAbstractTableModel):
     def choose(self, wanted: Callable[[ComparisonRow], bool]) -> None:
         """Tick the rows that are wanted and can be restored, and no others."""
         self._chosen = {row.parameter for row in self._rows if row.restorable and wanted(row)}
-        self.retranslate()
+        self.redraw()
         self.ticked.emit()
 
     def follow(self, restored: Sequence[Parameter]) -> None:
         """Show how saving these ends; an empty list ends it."""
         self._restored = set(restored)
-        self.retranslate()
-
-    def retranslate(self) -> None:
-        """Every cell anew."""
-        if self._rows:
-            last = self.index(len(self._rows) - 1, _COLUMNS - 1)
-            self.dataChanged.emit(self.index(0, 0), last)
-        self.headerDataChanged.emit(Qt.Orientation.Horizontal, 0, _COLUMNS - 1)
+        self.redraw()
 
     # What Qt asks -----------------------------------------------------------------------------
 
-    def rowCount(self, parent: _Index | None = None) -> int:  # noqa: N802 - the name Qt calls
-        """One row a parameter."""
-        return 0 if parent is not None and parent.isValid() else len(self._rows)
-
-    def columnCount(self, parent: _Index | None = None) -> int:  # noqa: N802 - the name Qt calls
-        """Name, file, arm, and how the two compare."""
-        return 0 if parent is not None and parent.isValid() else _COLUMNS
-
-    def flags(self, index: _Index) -> Qt.ItemFlag:
+    def flags(self, index: Index) -> Qt.ItemFlag:
         """Only what can be restored can be ticked."""
         flags = Qt.ItemFlag.ItemIsEnabled | Qt.ItemFlag.ItemIsSelectable
         if index.column() == NAME and self._rows[index.row()].restorable:
             flags |= Qt.ItemFlag.ItemIsUserCheckable
         return flags
 
-    def headerData(  # noqa: N802 - the name Qt calls
-        self, section: int, orientation: Qt.Orientation, role: int = Qt.ItemDataRole.DisplayRole
-    ) -> Any:
-        """What the columns hold."""
-        if role != Qt.ItemDataRole.DisplayRole or orientation is Qt.Orientation.Vertical:
-            return None
+    def titles(self) -> Sequence[str]:
+        """Name, file, arm, and how the two compare."""
         return (
             self.tr("Parameter"),
             self.tr("In the file"),
             self.tr("In the arm"),
             self.tr("Comparison"),
-        )[section]
+        )
 
-    def data(self, index: _Index, role: int = Qt.ItemDataRole.DisplayRole) -> Any:
+    def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> Any:
         """The words of a cell, its tick, and in the tooltip what there is to say."""
         row = self._rows[index.row()]
         if role == Qt.ItemDataRole.CheckStateRole and index.column() == NAME:
@@ -136,12 +114,12 @@ class BackupModel(QAbstractTableModel):
         if role == Qt.ItemDataRole.ToolTipRole:
             reason = self._reason(row)
             return "" if reason is None else words.refusal(reason)
-        if role == Qt.ItemDataRole.TextAlignmentRole and index.column() in {FILED, HELD}:
-            return Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
+        if role == Qt.ItemDataRole.TextAlignmentRole and index.column() in self._figures:
+            return RIGHT
         return None
 
     def setData(  # noqa: N802 - the name Qt calls
-        self, index: _Index, value: Any, role: int = Qt.ItemDataRole.EditRole
+        self, index: Index, value: Any, role: int = Qt.ItemDataRole.EditRole
     ) -> bool:
         """Take a tick."""
         row = self._rows[index.row()]
@@ -198,7 +176,7 @@ class DifferencesOnly(QSortFilterProxyModel):
         self.invalidate()
 
     def filterAcceptsRow(  # noqa: N802 - the name Qt calls
-        self, source_row: int, _parent: _Index
+        self, source_row: int, _parent: Index
     ) -> bool:
         """Whether a row is shown."""
         return not self._only or self._model.rows[source_row].verdict is not ComparisonVerdict.SAME

@@ -6,7 +6,7 @@ from typing import Final
 
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QContextMenuEvent, QMoveEvent, QShowEvent
-from PySide6.QtWidgets import QDialog, QHBoxLayout, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QDialog, QWidget
 
 from armui.control.arm_controller import ArmController
 from armui.ui.dialogs.placing import place
@@ -30,6 +30,10 @@ class ArmDialog(Translated, KeepsFocus, QDialog):
     Args:
         controller: Whom the emergency stop tells.
         parent: The window it belongs to and stays in front of.
+
+    Attributes:
+        body: Where its own content goes.
+        footer: Where its buttons go, from left to right.
     """
 
     def __init__(self, controller: ArmController, parent: QWidget | None = None) -> None:
@@ -43,21 +47,9 @@ class ArmDialog(Translated, KeepsFocus, QDialog):
         self._header = header = in_row((self._heading, 1), spacing=_GAP_PX)
         header.addWidget(self.halt_button, 0, Qt.AlignmentFlag.AlignTop)
         header.addWidget(self.stop_button, 0, Qt.AlignmentFlag.AlignTop)
-        self._body = in_column(spacing=_GAP_PX)
-        self._footer = in_row(spacing=_GAP_PX // 2)
-        in_column(
-            header, (self._body, 1), self._footer, on=self, spacing=_GAP_PX, margins=_MARGIN_PX
-        )
-
-    @property
-    def body(self) -> QVBoxLayout:
-        """Where the dialog's own content goes."""
-        return self._body
-
-    @property
-    def footer(self) -> QHBoxLayout:
-        """Where its buttons go, from left to right."""
-        return self._footer
+        self.body = in_column(spacing=_GAP_PX)
+        self.footer = in_row(spacing=_GAP_PX // 2)
+        in_column(header, (self.body, 1), self.footer, on=self, spacing=_GAP_PX, margins=_MARGIN_PX)
 
     def add_to_header(self, widget: QWidget) -> None:
         """Put something between the title and the stops."""

@@ -31,7 +31,7 @@ from armui.ui.dialogs.confirm import confirm
 from armui.ui.dialogs.device_model import CHANNEL, STATE, DeviceModel, bitrate_text, same_device
 from armui.ui.dialogs.kept_models import KeptModels
 from armui.ui.dialogs.manual_entry import ManualEntry
-from armui.ui.dialogs.model_choice import ModelChoice
+from armui.ui.dialogs.model_choice import LINE_GAP_PX, ModelChoice
 from armui.ui.widgets.buttons import named, push_button
 from armui.ui.widgets.enable_or_explain import enable_or_explain
 from armui.ui.widgets.layouts import STRETCH, fill, in_row
@@ -43,7 +43,10 @@ from armui.ui.widgets.text_label import text_label
 _BITRATES: Final = (DEFAULT_BITRATE, 500_000)
 """Today's hardware, and what generation 1's protocol text says."""
 
-_SIZE_PX: Final = (820, 560)
+_SIZE_PX: Final = (820, 620)
+_LIST_PX: Final = 194
+"""The titles and five devices: adapters of a bench, and the simulated arm below them."""
+_BOX_PX: Final = 190
 
 Leaving = Callable[[QWidget, Callable[[], object]], object]
 """Given the window that asks and what to go on with, now or once the operator agrees."""
@@ -95,6 +98,8 @@ class ConnectDialog(ArmDialog):
         self.close_button.clicked.connect(self.close)
         self._manual.entered.connect(self._on_entered)
         self.model_choice.chosen.connect(self._refresh)
+        if self._trouble is not None:
+            self._trouble.told.connect(self._make_room)
         controller.devices_found.connect(self._on_devices_found)
         controller.searching_changed.connect(self._on_searching_changed)
         controller.operating_state_changed.connect(self._on_operating_state_changed)
@@ -109,6 +114,7 @@ class ConnectDialog(ArmDialog):
         self._table = QTableView()
         self._table.setModel(self._model)
         self._table.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
+        self._table.setMinimumHeight(_LIST_PX)
         self._table.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
         header = list_rows(self._table)
         header.setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
@@ -134,12 +140,13 @@ class ConnectDialog(ArmDialog):
         self.bitrate_box = QComboBox()
         for bitrate in _BITRATES:
             self.bitrate_box.addItem("", bitrate)
+        for box in (self.bitrate_box, self.model_choice.box):
+            box.setMinimumWidth(_BOX_PX)
         self._bitrate_label.setBuddy(self.bitrate_box)
         self._bitrate_hint = text_label(rank="muted")
         self.listen_only_box = named("listen_only_box", QCheckBox())
-        return in_row(
-            self._bitrate_label, self.bitrate_box, 8, (self._bitrate_hint, 1), self.listen_only_box
-        )
+        about = (8, (self._bitrate_hint, 1), self.listen_only_box)
+        return in_row(self._bitrate_label, self.bitrate_box, *about, spacing=LINE_GAP_PX)
 
     def _build_buttons(self) -> None:
         self.refresh_button = push_button(on_enter=False)
@@ -160,7 +167,7 @@ class ConnectDialog(ArmDialog):
         self.close_button.setText(self.tr("Close"))
         self._bitrate_label.setText(self.tr("Bit rate"))
         self.model_choice.retranslate_ui()
-        self.model_choice.line_up(self._bitrate_label)
+        self.model_choice.line_up(self._bitrate_label, self._manual.interface_label)
         self.listen_only_box.setText(self.tr("Listen only"))
         self.listen_only_box.setToolTip(
             self.tr("Beside another program: nothing is sent but the emergency stop.")
@@ -194,7 +201,10 @@ class ConnectDialog(ArmDialog):
         if bitrate_is_ours(device.interface) and not device.simulated:
             device = replace(device, bitrate=self.bitrate_box.currentData())
         chosen = replace(
-            device, listen_only=self.listen_only_box.isChecked(), model=self.model_choice.model
+            device,
+            listen_only=self.listen_only_box.isChecked(),
+            model=self.model_choice.model,
+            model_assumed=self.model_choice.is_assumed,
         )
         self._leave_then(lambda: self._connect_as(chosen))
 
@@ -263,6 +273,15 @@ class ConnectDialog(ArmDialog):
         online = operating_state.link is LinkState.ONLINE
         if online and self._wanted is not None and self._is_connected(self._wanted):
             self.close()  # nothing is left to be done here: the arm is in sight again
+
+    def _make_room(self) -> None:
+        """Grow to what is said of an adapter: no line of it is cut off."""
+        layout = self.layout()
+        if layout is None:
+            return
+        layout.activate()
+        wanted = layout.totalMinimumHeightForWidth(self.width())
+        self.resize(self.width(), max(self.height(), wanted))
 
     # How it looks -----------------------------------------------------------------------------
 

@@ -5,12 +5,13 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any, Final
 
-from PySide6.QtCore import QAbstractTableModel, QModelIndex, QPersistentModelIndex, Qt
+from PySide6.QtCore import Qt
 
 from armui.arm.device import Device
 from armui.control.operating_state import LinkState
 from armui.ui import words
 from armui.ui.format import NOTHING
+from armui.ui.widgets.table_model import Index, TableModel
 
 STATE, KIND, CHANNEL, SERIAL, BITRATE = range(5)
 
@@ -23,8 +24,6 @@ _KINDS: Final = {
 }
 """How the world knows a back-end, where that is not python-can's own name for it."""
 
-_Index = QModelIndex | QPersistentModelIndex
-
 
 def same_device(one: Device, other: Device | None) -> bool:
     """Whether two entries are one device: the bit rate chosen does not make it another."""
@@ -35,8 +34,10 @@ def _key(device: Device) -> tuple[object, ...]:
     return (device.interface, str(device.channel), device.simulated, device.generation)
 
 
-class DeviceModel(QAbstractTableModel):
+class DeviceModel(TableModel):
     """Found, typed-in and connected devices, each once; a row a device."""
+
+    _columns = BITRATE + 1
 
     def __init__(self) -> None:
         super().__init__()
@@ -67,7 +68,7 @@ class DeviceModel(QAbstractTableModel):
         if is_other or device is None:
             self._rebuild()
         else:
-            self._refresh()
+            self.redraw()
 
     def device(self, row: int) -> Device | None:
         """The device of a row; ``None`` if there is no such row."""
@@ -77,11 +78,6 @@ class DeviceModel(QAbstractTableModel):
         """The row of a device; −1 if it has none."""
         rows = (row for row, known in enumerate(self._rows) if same_device(known, device))
         return next(rows, -1)
-
-    def retranslate(self) -> None:
-        """Every word anew: the language has changed."""
-        self._refresh()
-        self.headerDataChanged.emit(Qt.Orientation.Horizontal, STATE, BITRATE)
 
     def _rebuild(self) -> None:
         rows: list[Device] = []
@@ -93,41 +89,25 @@ class DeviceModel(QAbstractTableModel):
             if all(not same_device(device, known) for known in rows):
                 rows.append(device)
         if rows == self._rows:
-            self._refresh()
+            self.redraw()
             return
         self.beginResetModel()
         self._rows = rows
         self.endResetModel()
 
-    def _refresh(self) -> None:
-        if self._rows:
-            self.dataChanged.emit(self.index(0, STATE), self.index(len(self._rows) - 1, BITRATE))
-
     # What Qt asks -----------------------------------------------------------------------------
 
-    def rowCount(self, parent: _Index | None = None) -> int:  # noqa: N802 - the name Qt calls
-        """One row a device."""
-        return 0 if parent is not None and parent.isValid() else len(self._rows)
-
-    def columnCount(self, parent: _Index | None = None) -> int:  # noqa: N802 - the name Qt calls
+    def titles(self) -> Sequence[str]:
         """State, kind, channel, serial number, bit rate."""
-        return 0 if parent is not None and parent.isValid() else BITRATE + 1
-
-    def headerData(  # noqa: N802 - the name Qt calls
-        self, section: int, orientation: Qt.Orientation, role: int = Qt.ItemDataRole.DisplayRole
-    ) -> Any:
-        """What a column holds."""
-        if orientation is not Qt.Orientation.Horizontal or role != Qt.ItemDataRole.DisplayRole:
-            return None
         return (
             self.tr("State"),
             self.tr("Kind"),
             self.tr("Channel"),
             self.tr("Serial number"),
             self.tr("Bit rate"),
-        )[section]
+        )
 
-    def data(self, index: _Index, role: int = Qt.ItemDataRole.DisplayRole) -> Any:
+    def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> Any:
         """The words of a cell; under ``UserRole`` whether its device is connected."""
         device = self.device(index.row())
         if device is None:

@@ -12,7 +12,7 @@ from armui.ui.dialogs.base import ArmDialog
 from armui.ui.panels.parameters.drag_assistance_panel import DragAssistancePanel
 
 _WIDTH_PX: Final = 520
-_HEIGHT_PX: Final = 730
+_HEIGHT_PX: Final = 700
 
 
 class DragAssistanceDialog(ArmDialog):
@@ -33,10 +33,11 @@ class DragAssistanceDialog(ArmDialog):
         super().__init__(controller, parent)
         self.setObjectName("drag_assistance_dialog")
         self.panel = DragAssistancePanel(controller, open_backup)
+        self.panel.stand_in_dialog()
         self.body.addWidget(self.panel)
         self.resize(_WIDTH_PX, _HEIGHT_PX)
         self.retranslate_ui()
 
     def retranslate_ui(self) -> None:
         """Put every word into the operator's language."""
-        self.set_title(self.tr("Drag teaching"))
+        self.set_title(self.panel.title())

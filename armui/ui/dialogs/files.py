@@ -6,7 +6,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Final, cast
 
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QT_TRANSLATE_NOOP, Qt
 from PySide6.QtWidgets import (
     QFileDialog,
     QGridLayout,
@@ -21,6 +21,12 @@ from armui.control.arm_controller import ArmController
 from armui.ui.widgets.stop_button import StopButton
 
 _SIZE_PX: Final = (780, 540)
+
+_QTS_OWN: Final = (
+    QT_TRANSLATE_NOOP("QFileSystemModel", "Size"),
+    QT_TRANSLATE_NOOP("QAbstractFileIconProvider", "Folder"),
+)
+"""Texts of Qt for which its translation has another word than is usual, or none: ours counts."""
 
 
 class FileDialog(QFileDialog):
@@ -106,10 +112,7 @@ def choose_file(
     dialog = FileDialog(
         controller, parent, title=title, name_filter=name_filter, start=start, new_file=new_file
     )
-    dialog.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
-    dialog.fileSelected.connect(lambda name: on_chosen(Path(name)))
-    dialog.show()
-    return dialog
+    return _asking(dialog, on_chosen)
 
 
 def choose_folder(
@@ -128,6 +131,10 @@ def choose_folder(
     dialog = FileDialog(controller, parent, title=title, name_filter="", start=start)
     dialog.setFileMode(QFileDialog.FileMode.Directory)
     dialog.setOption(QFileDialog.Option.ShowDirsOnly)
+    return _asking(dialog, on_chosen)
+
+
+def _asking(dialog: FileDialog, on_chosen: Callable[[Path], object]) -> FileDialog:
     dialog.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
     dialog.fileSelected.connect(lambda name: on_chosen(Path(name)))
     dialog.show()

@@ -63,7 +63,7 @@ class FindingRow(QWidget):
     def _draw_icon(self) -> None:
         colors = colors_of(self)
         name, ink = {
-            DiagnosisLevel.OK: ("info", colors.ok),
+            DiagnosisLevel.OK: ("done", colors.ok),
             DiagnosisLevel.NOTE: ("info", colors.accent),
             DiagnosisLevel.WARNING: ("warning", colors.warn),
             DiagnosisLevel.FAULT: ("warning", colors.stop_ink),

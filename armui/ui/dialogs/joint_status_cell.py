@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Final
 
-from PySide6.QtCore import QModelIndex, QPersistentModelIndex, QPointF, QRectF, QSize, Qt
+from PySide6.QtCore import QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QFontMetrics, QPainter, QPen
 from PySide6.QtWidgets import QStyle, QStyledItemDelegate, QStyleOptionViewItem, QWidget
 
@@ -13,6 +13,7 @@ from armui.ui.dialogs.joint_status_model import CELL_ROLE, CellView
 from armui.ui.theme import Colors, colors_of, scaled_font
 from armui.ui.widgets import state_mark
 from armui.ui.widgets.state_mark import Mark
+from armui.ui.widgets.table_model import Index
 
 _MARK_PX: Final = 7.0
 _LEFT_PX: Final = 10.0
@@ -29,7 +30,7 @@ class JointCellDelegate(QStyledItemDelegate):
         self,
         painter: QPainter,
         option: QStyleOptionViewItem,
-        index: QModelIndex | QPersistentModelIndex,
+        index: Index,
     ) -> None:
         """Draw one cell."""
         view = index.data(CELL_ROLE)
@@ -74,9 +75,7 @@ class JointCellDelegate(QStyledItemDelegate):
             below = QRectF(left, top + word_px, width, small_px)
             painter.drawText(below, Qt.AlignmentFlag.AlignLeft, view.small)
 
-    def sizeHint(
-        self, _option: QStyleOptionViewItem, _index: QModelIndex | QPersistentModelIndex
-    ) -> QSize:
+    def sizeHint(self, _option: QStyleOptionViewItem, _index: Index) -> QSize:
         """The columns share the table's width."""
         return QSize(0, _ROW_PX)
 

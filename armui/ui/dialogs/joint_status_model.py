@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any, Final
 
-from PySide6.QtCore import QAbstractTableModel, QModelIndex, QPersistentModelIndex, Qt
+from PySide6.QtCore import Qt
 
 from armui.arm.joint_status import UNITS, Item, StatusCell, Word, rows
 from armui.arm.limits import JOINTS
@@ -14,8 +15,7 @@ from armui.protocol.generation import Generation
 from armui.ui import format as fmt
 from armui.ui import words
 from armui.ui.widgets.state_mark import Mark
-
-_Index = QModelIndex | QPersistentModelIndex
+from armui.ui.widgets.table_model import Index, TableModel
 
 CELL_ROLE: Final = Qt.ItemDataRole.UserRole
 """A :class:`CellView`: what the delegate draws."""
@@ -56,27 +56,29 @@ class CellView:
     stale: bool
 
 
-class JointStatusModel(QAbstractTableModel):
+class JointStatusModel(TableModel):
     """Shows what a monitor knows; told by :meth:`refresh` to look.
 
     Args:
         monitor: Knows the joints.
     """
 
+    _columns = len(JOINTS)
+
     def __init__(self, monitor: JointMonitor) -> None:
         super().__init__()
         self._monitor = monitor
         self._generation: Generation | None = None
-        self._items = rows(None)
+        self._rows: Sequence[Item] = rows(None)
         self._cells = {(row, column): StatusCell() for row in range(10) for column in range(6)}
 
     def refresh(self) -> None:
         """Look at the joints and tell the view which cells have changed."""
         if self._monitor.generation is not self._generation:
             self._generation = self._monitor.generation
-            self._items = rows(self._generation)
-            self.headerDataChanged.emit(Qt.Orientation.Vertical, 0, len(self._items) - 1)
-        for row, item in enumerate(self._items):
+            self._rows = rows(self._generation)
+            self.headerDataChanged.emit(Qt.Orientation.Vertical, 0, len(self._rows) - 1)
+        for row, item in enumerate(self._rows):
             for column, joint in enumerate(JOINTS):
                 cell = self._monitor.cell(item, joint)
                 if cell != self._cells[row, column]:
@@ -86,12 +88,12 @@ class JointStatusModel(QAbstractTableModel):
 
     def retranslate(self) -> None:
         """Every word anew: the language has changed."""
-        self.dataChanged.emit(self.index(0, 0), self.index(len(self._items) - 1, len(JOINTS) - 1))
-        self.headerDataChanged.emit(Qt.Orientation.Vertical, 0, len(self._items) - 1)
+        self.redraw()
+        self.headerDataChanged.emit(Qt.Orientation.Vertical, 0, len(self._rows) - 1)
 
-    def describe(self, index: _Index) -> str:
+    def describe(self, index: Index) -> str:
         """A cell in full: joint, item, word, figure, and since when."""
-        cell, item = self._cells[index.row(), index.column()], self._items[index.row()]
+        cell, item = self._cells[index.row(), index.column()], self._rows[index.row()]
         parts = [f"J{index.column() + 1}  {words.joint_item(item)} {_text(item, cell)}"]
         if item in UNITS:
             parts.append(_figure(item, cell))
@@ -101,24 +103,16 @@ class JointStatusModel(QAbstractTableModel):
             parts.append(self.tr("not heard of late"))
         return " · ".join(parts)
 
-    def quantities(self, index: _Index) -> list[str]:
+    def quantities(self, index: Index) -> list[str]:
         """The keys of what a cell shows, as far as it can be drawn as a curve."""
         joint = JOINTS[index.column()]
-        kinds = _KINDS.get(self._items[index.row()], ("driver_faults",))
+        kinds = _KINDS.get(self._rows[index.row()], ("driver_faults",))
         keys = [f"arm.{kind}.{joint}" for kind in kinds]
-        if self._items[index.row()] is Item.COMMUNICATION:
+        if self._rows[index.row()] is Item.COMMUNICATION:
             keys = ["arm.no_communication"]
         return keys
 
     # What Qt asks -----------------------------------------------------------------------------
-
-    def rowCount(self, parent: _Index | None = None) -> int:  # noqa: N802 - the name Qt calls
-        """One row an item."""
-        return 0 if parent is not None and parent.isValid() else len(self._items)
-
-    def columnCount(self, parent: _Index | None = None) -> int:  # noqa: N802 - the name Qt calls
-        """One column a joint."""
-        return 0 if parent is not None and parent.isValid() else len(JOINTS)
 
     def headerData(  # noqa: N802 - the name Qt calls
         self, section: int, orientation: Qt.Orientation, role: int = Qt.ItemDataRole.DisplayRole
@@ -128,13 +122,13 @@ class JointStatusModel(QAbstractTableModel):
             return None
         if orientation is Qt.Orientation.Horizontal:
             return str(JOINTS[section])
-        return words.joint_item(self._items[section])
+        return words.joint_item(self._rows[section])
 
-    def data(self, index: _Index, role: int = Qt.ItemDataRole.DisplayRole) -> Any:
+    def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> Any:
         """The word of a cell; more of it under the other roles."""
         if not index.isValid():
             return None
-        item, cell = self._items[index.row()], self._cells[index.row(), index.column()]
+        item, cell = self._rows[index.row()], self._cells[index.row(), index.column()]
         if role == Qt.ItemDataRole.DisplayRole:
             return _text(item, cell)
         if role in {Qt.ItemDataRole.ToolTipRole, Qt.ItemDataRole.AccessibleTextRole}:

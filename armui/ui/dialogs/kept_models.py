@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QObject
@@ -13,6 +14,7 @@ if TYPE_CHECKING:
 
     from armui.arm.device import Device
     from armui.arm.refusal import Refusal
+    from armui.arm.state import ArmState
     from armui.control.arm_controller import ArmController
     from armui.control.operating_state import OperatingState
     from armui.settings import SettingsStore
@@ -39,8 +41,12 @@ class KeptModels:
             node: Its node number, where it is known: two arms may be used on one adapter in turn.
         """
         kept = self._kept()
-        model = kept.get(_key(device, node)) if node else None
-        model = model or kept.get(_key(device))
+        model = kept.get(device.arm_key(node)) or kept.get(device.arm_key())
+        return None if model is None else PiperModel(model)
+
+    def of_node(self, device: Device, node: str) -> PiperModel | None:
+        """The model that an arm with this node number had the last time at this adapter."""
+        model = self._kept().get(device.arm_key(node)) if node else None
         return None if model is None else PiperModel(model)
 
     def keep(self, device: Device, node: str = "") -> Refusal | None:
@@ -48,7 +54,7 @@ class KeptModels:
         if self._store is None:
             return None
         kept = dict(self._kept())
-        for key in {_key(device), _key(device, node)}:
+        for key in (device.arm_key(), device.arm_key(node)):
             kept.pop(key, None)
             kept[key] = device.model.value
         newest = dict(list(kept.items())[-MOST:])
@@ -59,41 +65,48 @@ class KeptModels:
 
 
 class NodeKeeper(QObject):
-    """Keeps the model of an arm by its node number, too, once the arm itself has confirmed it.
+    """Keeps the model of an arm by its node number, too, and recalls it when the arm names that.
 
-    It is written when the arm is left: no file is touched while a device is open.
+    It is kept once the arm itself has confirmed it, and written when the arm is left: no file is
+    touched while a device is open.
 
     Args:
         controller: Knows the arm.
         kept: Where it is kept.
-        parent: Qt's.
     """
 
-    def __init__(
-        self, controller: ArmController, kept: KeptModels, parent: QObject | None = None
-    ) -> None:
-        super().__init__(parent)
+    def __init__(self, controller: ArmController, kept: KeptModels) -> None:
+        super().__init__()
         self._controller = controller
         self._kept = kept
         self._confirmed: tuple[Device, str] | None = None
+        self._recalled: tuple[Device, str] | None = None
         controller.operating_state_changed.connect(self._on_operating_state_changed)
+        controller.state_changed.connect(self._on_state_changed)
+
+    def _on_state_changed(self, state: ArmState) -> None:
+        device, identity = self._controller.operating_state.device, state.identity
+        if device is None or identity is None or not identity.node_number:
+            return
+        arm = device, identity.node_number
+        if arm == self._recalled:
+            return
+        self._recalled = arm
+        model = self._kept.of_node(*arm)
+        if model is not None:
+            self._controller.model_watch.recall(model, identity.node_number)
 
     def _on_operating_state_changed(self, now: OperatingState) -> None:
         identity = self._controller.state.identity
         if now.device is None:
+            self._recalled = None
             confirmed, self._confirmed = self._confirmed, None
             if confirmed is not None:
                 self._kept.keep(*confirmed)
         elif now.model_fit.confirmed and identity is not None and identity.node_number:
-            self._confirmed = now.device, identity.node_number
+            self._confirmed = replace(now.device, model=now.model), identity.node_number
 
 
 def last_model(models: Mapping[str, str]) -> PiperModel:
     """The model that was chosen last of all; the PiPER where none was."""
     return PiperModel(next(reversed(list(models.values())), PiperModel.PIPER))
-
-
-def _key(device: Device, node: str = "") -> str:
-    """An adapter without a serial number is known by its place."""
-    name = device.serial or f"{device.interface} {device.channel}"
-    return f"{name} / {node}" if node else name

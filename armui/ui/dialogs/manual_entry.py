@@ -27,19 +27,19 @@ class ManualEntry(Translated, QWidget):
 
     def __init__(self, interfaces: Sequence[str]) -> None:
         super().__init__()
-        self._interface_label = QLabel()
+        self.interface_label = QLabel()
         self.interface_box = QComboBox()
         self.interface_box.setEditable(True)
         self.interface_box.addItems(list(interfaces))
         self.interface_box.setCurrentText("slcan")
-        self._interface_label.setBuddy(self.interface_box)
+        self.interface_label.setBuddy(self.interface_box)
         self._channel_label = QLabel()
         self.channel_edit = QLineEdit()
         self._channel_label.setBuddy(self.channel_edit)
         self.add_button = push_button(on_enter=False)
-        of_interface = (self._interface_label, (self.interface_box, 2), 8)
+        of_interface = (self.interface_label, (self.interface_box, 2), 6)
         of_channel = (self._channel_label, (self.channel_edit, 3))
-        in_row(*of_interface, *of_channel, self.add_button, on=self, margins=0)
+        in_row(*of_interface, *of_channel, self.add_button, on=self, spacing=8, margins=0)
         self.add_button.clicked.connect(self._on_add)
         self.channel_edit.textChanged.connect(self._on_changed)
         self.interface_box.editTextChanged.connect(self._on_changed)
@@ -47,7 +47,7 @@ class ManualEntry(Translated, QWidget):
 
     def retranslate_ui(self) -> None:
         """Put every word into the operator's language."""
-        self._interface_label.setText(self.tr("Interface"))
+        self.interface_label.setText(self.tr("Interface"))
         self._channel_label.setText(self.tr("Channel"))
         self.channel_edit.setPlaceholderText(self.tr("e.g. COM5, /dev/ttyACM0, 239.0.0.1"))
         self.add_button.setText(self.tr("Add to the list"))

@@ -5,14 +5,15 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import Signal
-from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QWidget
+from PySide6.QtWidgets import QComboBox, QLabel, QWidget
 
 from armui.arm.models import all_models, model_data
 from armui.protocol.piper_model import PiperModel
 from armui.ui.dialogs.device_model import same_device
 from armui.ui.theme import colors_of
 from armui.ui.widgets import icons
-from armui.ui.widgets.layouts import fill
+from armui.ui.widgets.buttons import named
+from armui.ui.widgets.layouts import fill, in_row
 from armui.ui.widgets.text_label import text_label
 from armui.ui.widgets.translated import Translated
 
@@ -22,6 +23,8 @@ if TYPE_CHECKING:
     from armui.ui.dialogs.kept_models import KeptModels
 
 _ICON_PX: Final = 16
+LINE_GAP_PX: Final = 8
+"""Between label, field and what is said of it; of the lines below, too."""
 
 
 class ModelChoice(Translated, QWidget):
@@ -29,7 +32,6 @@ class ModelChoice(Translated, QWidget):
 
     Args:
         kept: Which model was chosen for which arm.
-        parent: Qt's.
 
     Signals:
         chosen: Another model was chosen.
@@ -37,30 +39,35 @@ class ModelChoice(Translated, QWidget):
 
     chosen = Signal()
 
-    def __init__(self, kept: KeptModels, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self, kept: KeptModels) -> None:
+        super().__init__()
         self._kept = kept
+        self._by_hand = False
         self._device: Device | None = None
         self._now: OperatingState | None = None
         self._label = QLabel()
-        self.box = QComboBox()
-        self.box.setObjectName("model_box")
+        self.box = named("model_box", QComboBox())
         self.box.setMinimumWidth(140)
         for model, data in all_models().items():
             self.box.addItem(data.name, model)
         self._label.setBuddy(self.box)
         self.hint = text_label("model_hint", rank="muted", wraps=True)
         self._icon = QLabel()
-        row = QHBoxLayout(self)
-        row.setContentsMargins(0, 0, 0, 0)
+        row = in_row(on=self, spacing=LINE_GAP_PX, margins=0)
         fill(row, self._label, self.box, 8, self._icon, (self.hint, 1))
         self.box.currentIndexChanged.connect(self._on_chosen)
+        self.box.activated.connect(self._on_activated)
         self.retranslate_ui()
 
     @property
     def model(self) -> PiperModel:
         """The model that is chosen."""
         return PiperModel(self.box.currentData())
+
+    @property
+    def is_assumed(self) -> bool:
+        """Whether it is only what was offered: the operator has not touched the list."""
+        return not self._by_hand
 
     def show_device(self, device: Device | None, now: OperatingState) -> None:
         """Offer what was chosen for a device: in this connection, or the last time.
@@ -74,6 +81,7 @@ class ModelChoice(Translated, QWidget):
             return
         kept = self._kept.of(device) or PiperModel.PIPER
         shown = now.model if same_device(device, now.device) else kept
+        self._by_hand = False
         self.box.setCurrentIndex(self.box.findData(shown))
         self._explain()
 
@@ -86,6 +94,9 @@ class ModelChoice(Translated, QWidget):
         """The device is about to be connected as the model that is chosen."""
         self._kept.keep(device)
 
+    def _on_activated(self, _index: int) -> None:
+        self._by_hand = True
+
     def _on_chosen(self) -> None:
         self._explain()
         self.chosen.emit()
@@ -94,7 +105,8 @@ class ModelChoice(Translated, QWidget):
         now, device = self._now, self._device
         text, wrong = "", False
         if now is not None and device is not None and same_device(device, now.device):
-            text, wrong = self._of_connected(now), now.model_fit.wrong is not None
+            fit = now.model_fit
+            text, wrong = self._of_connected(now), (fit.wrong or fit.before) is not None
         elif device is not None and device.simulated:
             text = self.tr("The simulated arm is this model.")
         self._icon.setVisible(wrong)
@@ -115,13 +127,19 @@ class ModelChoice(Translated, QWidget):
             return self.tr("Confirmed by the pose the arm reports.")
         if fit.fitting is not None:
             return self.tr("Fits the pose the arm reports; so do others. Move a joint to decide.")
+        if fit.before is not None:
+            return self.tr(
+                "This very arm was a {before} the last time: choose that and press Connect, or "
+                "wait until the arm stands still and is compared."
+            ).format(before=model_data(fit.before).name)
         return self.tr("Not compared yet: the arm must stand still.")
 
-    def line_up(self, label: QLabel) -> None:
-        """Let the label of the row below take as much room as the one here."""
-        width = max(self._label.sizeHint().width(), label.sizeHint().width())
-        self._label.setFixedWidth(width)
-        label.setFixedWidth(width)
+    def line_up(self, *labels: QLabel) -> None:
+        """Let the labels of the rows below take as much room as the one here."""
+        column = (self._label, *labels)
+        width = max(label.sizeHint().width() for label in column)
+        for label in column:
+            label.setFixedWidth(width)
 
     def _recolor(self) -> None:
         self._explain()

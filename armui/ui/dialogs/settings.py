@@ -172,7 +172,7 @@ class SettingsDialog(ArmDialog):
         if not self._jog_step_wrong:
             self.jog_step_edit.setText(f"{now.jog_step_deg:g}°")
         self._urdf_name.show_text(now.urdf_path or self.tr("Built-in model of the PiPER"))
-        on, off = self.tr("on: jogs the arm"), self.tr("off")
+        on, off = self.tr("On: jogs the arm"), self.tr("Off")
         self._gamepad_state.show_text(on if now.gamepad else off)
         built_in = now.urdf_path is None
         self.built_in_button.setEnabled(not built_in)

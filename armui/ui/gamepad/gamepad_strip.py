@@ -12,8 +12,10 @@ from PySide6.QtWidgets import QApplication, QLabel, QSizePolicy, QWidget
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.ui import words
+from armui.ui.shell.page_window import PageWindow
 from armui.ui.theme import Colors, colors_of
 from armui.ui.widgets import icons, painting
+from armui.ui.widgets.buttons import named
 from armui.ui.widgets.elided_label import ElidedLabel
 from armui.ui.widgets.hold_guard import HoldGuard
 from armui.ui.widgets.layouts import in_row
@@ -37,18 +39,16 @@ _WAITS, _HELD, _MOVES, _WRONG = "waits", "held", "moves", "wrong"
 class GamepadStrip(Translated, QWidget):
     """One line, only while a gamepad is switched on; it keeps its room then.
 
-    It also says to the controller when the window is no place to jog from: not in front, covered by
-    a menu, minimised, hidden.
+    It also says to the controller when there is no place to jog from: neither the main window nor
+    a page taken out of it in front, a menu open, the main window minimised or hidden.
 
     Args:
         controller: Whose gamepads they are.
         store: Says whether they are switched on.
     """
 
-    def __init__(
-        self, controller: ArmController, store: SettingsStore, parent: QWidget | None = None
-    ) -> None:
-        super().__init__(parent)
+    def __init__(self, controller: ArmController, store: SettingsStore) -> None:
+        super().__init__()
         self.setObjectName("gamepad_strip")
         self._controller = controller
         self._view: PilotView | None = None
@@ -58,8 +58,7 @@ class GamepadStrip(Translated, QWidget):
         self._guard.lost.connect(self._on_lost)
         self._icon = QLabel()
         self._icon.setFixedWidth(_ICON_PX)
-        self._text = ElidedLabel()
-        self._text.setObjectName("gamepad_text")
+        self._text = named("gamepad_text", ElidedLabel())
         margins = (_SIDE_PX, _PADDING_PX, _SIDE_PX, _PADDING_PX)
         in_row(self._icon, (self._text, 1), on=self, spacing=10, margins=margins)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
@@ -88,12 +87,20 @@ class GamepadStrip(Translated, QWidget):
     # Whether the operator attends to this window --------------------------------------------------
 
     def _why_not_attended(self) -> Refusal | None:
-        window = self.window()
-        in_front = window.isVisible() and window.isActiveWindow() and not window.isMinimized()
         covered = QApplication.activePopupWidget() or QApplication.activeModalWidget()
-        if in_front and covered is None:
+        if self._front() is not None and covered is None:
             return None
         return Refusal(RefusalCode.GAMEPAD_NOT_IN_FRONT)
+
+    def _front(self) -> QWidget | None:
+        """The window to jog from: the main window, or a page taken out of it beside that."""
+        window, front = self.window(), QApplication.activeWindow()
+        if front is None or not window.isVisible() or window.isMinimized():
+            return None
+        is_ours = front is window or (
+            isinstance(front, PageWindow) and front.parentWidget() is window
+        )
+        return front if is_ours and not front.isMinimized() else None
 
     def _on_lost(self) -> None:
         self._controller.gamepad.lose(Refusal(RefusalCode.GAMEPAD_NOT_IN_FRONT))
@@ -109,7 +116,7 @@ class GamepadStrip(Translated, QWidget):
         if held != self._watching:
             self._watching = held
             if held:
-                self._guard.watch()
+                self._guard.watch(self._front())
             else:
                 self._guard.release()
         self._state = {

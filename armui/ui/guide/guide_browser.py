@@ -33,10 +33,9 @@ class GuideBrowser(QTextBrowser):
 
     section_wanted = Signal(str)
 
-    def __init__(self, background: Background, folder: Path = FOLDER) -> None:
+    def __init__(self, background: Background) -> None:
         super().__init__()
         self._background = background
-        self._folder = folder
         self._section: GuideSection | None = None
         self._words: tuple[str, ...] = ()
         self._pictures: dict[str, QImage] = {}
@@ -69,7 +68,7 @@ class GuideBrowser(QTextBrowser):
             if self._job is not None:
                 self._job.wanted = False
             self._job = Job(self._take_pictures)
-            self._background.begin_here(self._job, read_pictures, self._folder, missing)
+            self._background.begin_here(self._job, read_pictures, FOLDER, missing)
 
     def _take_pictures(self, read: Mapping[str, bytes] | Refusal) -> None:
         if isinstance(read, Refusal):

@@ -41,6 +41,7 @@ _WINDOWS: Final[Mapping[str, str]] = {
 
 _REGIONS: Final[Mapping[str, str]] = {
     "ArmView": "view",
+    "Drawer": "drawer",
     "GamepadStrip": "gamepad",
     "RecoveryLine": "recovery",
     "SpeedControl": "window",

@@ -5,7 +5,6 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 from dataclasses import dataclass
-from pathlib import Path
 from typing import Final
 
 from armui.system import paths
@@ -58,14 +57,14 @@ def parse(text: str) -> list[GuideSection]:
     return sections
 
 
-def read_guide(language: str, folder: Path = FOLDER) -> list[GuideSection]:
+def read_guide(language: str) -> list[GuideSection]:
     """Read the guide of a language; not in the GUI thread.
 
     Raises:
         OSError: It cannot be read.
         ValueError: It is not as it should be.
     """
-    return parse((folder / f"{language}.md").read_text(encoding="utf-8"))
+    return parse((FOLDER / f"{language}.md").read_text(encoding="utf-8"))
 
 
 def search(sections: Sequence[GuideSection], query: str) -> list[GuideSection]:

@@ -15,7 +15,7 @@ from armui.protocol.codes import LinkageRole
 from armui.ui import words
 from armui.ui.dialogs.confirm import confirm
 from armui.ui.panels.panel import Panel
-from armui.ui.widgets.buttons import caption, choice_button, named, push_button
+from armui.ui.widgets.buttons import caption, choice_button, named, push_button, show_primary
 from armui.ui.widgets.card import scrolled
 from armui.ui.widgets.enable_or_explain import enable_or_explain
 from armui.ui.widgets.layouts import empty_grid
@@ -41,11 +41,14 @@ class LinkagePanel(Panel):
         self._in_use = text_label("linkage_in_use", wraps=True)
         self._teaching = text_label("linkage_teaching_input", wraps=True)
         self._back = push_button("linkage_back_button")
-        self._confirm = push_button("linkage_confirm_button", primary=True)
+        self._confirm = push_button("linkage_confirm_button")
         self._confirm.setMinimumHeight(38)
         self._note = text_label(rank="muted", wraps=True)
         self._lay_out()
         self._confirm.clicked.connect(self._ask)
+        self._roles.idToggled.connect(lambda _role, _on: self._show_news())
+        for box in self._boxes.values():
+            box.currentIndexChanged.connect(lambda _place: self._show_news())
         self._back.clicked.connect(lambda: self._accepted(controller.linkage.release()))
         self._listen("linkage_")
         self.retranslate_ui()
@@ -129,8 +132,16 @@ class LinkagePanel(Panel):
             operating_state.occupied if reachable else operating_state.unreachable
         )
         enable_or_explain(self._confirm, why_not, self.tr("Says what will change, and asks first."))
+        self._show_news()
         self._show_in_use()
         self._show_message()
+
+    def _show_news(self) -> None:
+        """Light the button while what is chosen is not what is in use."""
+        addressing = self._operating_state.addressing
+        in_use = (LinkageRole.MOTION_OUTPUT, addressing.feedback_offset, addressing.control_offset)
+        offsets = (self._boxes[name].currentData() for name in ("feedback", "control"))
+        show_primary(self._confirm, wanted=(self._roles.checkedId(), *offsets) != in_use)
 
     def _show_in_use(self) -> None:
         operating_state = self._operating_state

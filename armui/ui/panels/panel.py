@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Final
 
-from PySide6.QtGui import QShowEvent
+from PySide6.QtGui import QResizeEvent, QShowEvent
 from PySide6.QtWidgets import QLayout, QScrollArea, QWidget
 
 from armui.arm.refusal import Refusal
@@ -31,6 +31,8 @@ _LEVELS: Final = {
     RefusalCode.ARM_FAULT: Level.FAULT,
 }
 _GAP_PX: Final = 10
+_HEAD_PX: Final = 36
+"""A title alone is as high as one with buttons beside it: what is below keeps its place."""
 _SAID_ONLY_HERE: Final = frozenset({StepKind.READY, StepKind.STATUS_UNKNOWN})
 """Steps whose line does not say why: nothing is wrong, or the panel names what is silent."""
 
@@ -58,6 +60,8 @@ class Panel(Translated, QWidget):
         self._refusal: Refusal | None = None
         self._event: Event | None = None
         self._told_here: tuple[str, ...] = ()
+        self._last_area: QScrollArea | None = None
+        self._gap_px = _GAP_PX
         self._title = text_label(rank="title")
         self._message = named(message_name, MessageLine())
 
@@ -136,14 +140,31 @@ class Panel(Translated, QWidget):
             head: Holds the title and what stands beside it; the title alone where there is none.
             gap_px: Between the parts.
         """
+        self._gap_px = gap_px
         layout = in_column(on=self, spacing=gap_px, margins=(16, 14, 16, 14))
+        self._title.setMinimumHeight(_HEAD_PX)
         for part in (head or self._title, *parts, self._message):
             if isinstance(part, QLayout):
                 layout.addLayout(part)
             else:
                 layout.addWidget(part, 1 if isinstance(part, QScrollArea) else 0)
+        self._last_area = parts[-1] if isinstance(parts[-1], QScrollArea) else None
         scrolls = any(isinstance(part, QScrollArea) for part in parts)
         layout.addStretch(0 if scrolls else 1)
+
+    def _share_room(self) -> None:
+        """Keep no room for a message below a card that would scroll for it.
+
+        Only where nothing stands between the two: buttons must not move when something is said.
+        """
+        area, message = self._last_area, self._message
+        card = None if area is None else area.widget()
+        if area is None or card is None:
+            return
+        kept_px = message.sizeHint().height() + self._gap_px
+        room_px = area.height() - (kept_px if message.isHidden() else 0)
+        wanted_px = min(_least_height(card, area.viewport().width()), area.maximumHeight())
+        message.setVisible(bool(message.text()) or wanted_px <= room_px)
 
     def _accepted(self, refusal: Refusal | None) -> bool:
         """Show the controller's answer; whether it was a yes."""
@@ -159,6 +180,7 @@ class Panel(Translated, QWidget):
             self._message.show_message(words.event(event), event.level)
         else:
             self._message.show_message("")
+        self._share_room()
 
     def _ask_to_hold(
         self, title: str, text: str, label: str, act: Callable[[], Refusal | None]
@@ -185,3 +207,17 @@ class Panel(Translated, QWidget):
         """Catch up with what went by while the panel was hidden."""
         super().showEvent(event)
         self._show_all()
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Share the new room."""
+        super().resizeEvent(event)
+        layout = self.layout()
+        if layout is not None:
+            layout.activate()
+        self._share_room()
+
+
+def _least_height(card: QWidget, width_px: int) -> int:
+    """How high a card must be to be seen whole, in pixels."""
+    least = card.minimumSizeHint().height()
+    return max(least, card.heightForWidth(width_px)) if card.hasHeightForWidth() else least

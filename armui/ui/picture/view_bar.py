@@ -88,7 +88,10 @@ _ENTRIES: Final = {
     ),
     "reach": _Entry(
         QT_TRANSLATE_NOOP("ViewBar", "Workspace"),
-        QT_TRANSLATE_NOOP("ViewBar", "Shows how far the tool centre point can reach"),
+        QT_TRANSLATE_NOOP(
+            "ViewBar",
+            "Shows what the tool centre point can reach; orange bounds what it can't within",
+        ),
         stays=True,
     ),
     "save": _Entry(

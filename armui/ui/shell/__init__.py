@@ -1,1 +1,1 @@
-"""What surrounds the panels: top bar, menu, status bar, recovery line, 3D region."""
+"""What surrounds the panels: top bar, menu, status bar, recovery line, pages."""

@@ -6,7 +6,7 @@ from typing import Final
 
 from PySide6.QtCore import QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QFont, QFontMetrics, QPainter, QPaintEvent, QPen
-from PySide6.QtWidgets import QAbstractButton, QSizePolicy, QWidget
+from PySide6.QtWidgets import QAbstractButton, QSizePolicy
 
 from armui.arm.device import Device
 from armui.control.operating_state import LinkState, OperatingState
@@ -26,8 +26,8 @@ _TEXT_RIGHT_PX: Final = 8
 class CommunicationButton(Translated, QAbstractButton):
     """A sign, a word and the device's name; each state has a sign of its own shape."""
 
-    def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self) -> None:
+        super().__init__()
         self.setObjectName("communication_button")
         self._link = LinkState.NO_DEVICE
         self._device: Device | None = None

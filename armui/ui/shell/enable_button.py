@@ -6,7 +6,7 @@ from typing import Final
 
 from PySide6.QtCore import QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QFontMetrics, QPainter, QPaintEvent, QPen
-from PySide6.QtWidgets import QAbstractButton, QSizePolicy, QWidget
+from PySide6.QtWidgets import QAbstractButton, QSizePolicy
 
 from armui.arm.limits import JOINTS
 from armui.control.operating_state import Busy, OperatingState
@@ -23,8 +23,8 @@ _PAD_PX: Final = 10.0
 class EnableButton(Translated, QAbstractButton):
     """Filled mark: enabled. Hollow: disabled. Dashed: not heard. Each joint by the arm's word."""
 
-    def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self) -> None:
+        super().__init__()
         self.setObjectName("enable_button")
         self._enabled: tuple[bool | None, ...] = (None,) * len(JOINTS)
         self._busy: Busy | None = None

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from PySide6.QtGui import QGuiApplication
-from PySide6.QtWidgets import QHBoxLayout, QPushButton, QWidget
+from PySide6.QtWidgets import QWidget
 
 from armui.control.events import Level
 from armui.system.failures import Failure
+from armui.ui.widgets.buttons import push_button
+from armui.ui.widgets.layouts import in_row
 from armui.ui.widgets.message_line import MessageLine
 from armui.ui.widgets.translated import Translated
 
@@ -14,22 +16,16 @@ from armui.ui.widgets.translated import Translated
 class FailureLine(Translated, QWidget):
     """Hidden until something goes wrong; shows the newest failure, and how often it happened."""
 
-    def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self) -> None:
+        super().__init__()
         self.setObjectName("failure_line")
         self._failure: Failure | None = None
         self._message = MessageLine()
-        self._copy = QPushButton()
-        self._copy.setObjectName("failure_copy_button")
+        self._copy = push_button("failure_copy_button")
         self._copy.clicked.connect(self._on_copy)
-        self._close = QPushButton()
-        self._close.setObjectName("failure_close_button")
+        self._close = push_button("failure_close_button")
         self._close.clicked.connect(self.hide)
-        layout = QHBoxLayout(self)
-        layout.setContentsMargins(8, 4, 8, 4)
-        layout.addWidget(self._message, 1)
-        layout.addWidget(self._copy)
-        layout.addWidget(self._close)
+        in_row((self._message, 1), self._copy, self._close, on=self, margins=(8, 4, 8, 4))
         self.retranslate_ui()
         self.hide()
 

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QFontMetrics, QPaintEvent
-from PySide6.QtWidgets import QAbstractButton, QSizePolicy, QWidget
+from PySide6.QtWidgets import QAbstractButton, QSizePolicy
 
 from armui.arm.joint_status import StatusVerdict
 from armui.arm.limits import JOINTS
@@ -42,8 +42,8 @@ class JointStatusButton(Translated, QAbstractButton):
         monitor: Knows the joints.
     """
 
-    def __init__(self, monitor: JointMonitor, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self, monitor: JointMonitor) -> None:
+        super().__init__()
         self.setObjectName("joint_status_button")
         self._monitor = monitor
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
@@ -63,7 +63,7 @@ class JointStatusButton(Translated, QAbstractButton):
         worst = self._monitor.worst
         text = words.joint_verdict(worst.verdict)
         if worst.joints and len(worst.joints) < len(JOINTS):
-            return f"{text} {fmt.joints(list(worst.joints))}"
+            return f"{text} {fmt.joint_spans(list(worst.joints))}"
         if worst.joints and worst.verdict is StatusVerdict.FAULT:
             return f"{text} J1–J6"
         return f"{text} {fmt.NOTHING}" if worst.verdict is StatusVerdict.UNKNOWN else text

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QSize, Qt
 from PySide6.QtGui import QColor
-from PySide6.QtWidgets import QToolButton, QWidget
+from PySide6.QtWidgets import QToolButton
 
 from armui.arm.models import model_data
 from armui.control.operating_state import LinkState, OperatingState
@@ -28,16 +28,10 @@ class ModelMark(Translated, QToolButton):
     Args:
         controller: Knows it.
         open_connection: Shows that window.
-        parent: Qt's.
     """
 
-    def __init__(
-        self,
-        controller: ArmController,
-        open_connection: Callable[[], object],
-        parent: QWidget | None = None,
-    ) -> None:
-        super().__init__(parent)
+    def __init__(self, controller: ArmController, open_connection: Callable[[], object]) -> None:
+        super().__init__()
         self._controller = controller
         self.setObjectName("model_mark")
         self.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
@@ -60,11 +54,17 @@ class ModelMark(Translated, QToolButton):
         self.setVisible(now.link is not LinkState.NO_DEVICE)
         fit, name = now.model_fit, model_data(now.model).name
         colors = colors_of(self)
-        wrong = fit.wrong is not None
+        wrong = fit.wrong is not None or fit.before is not None
         if fit.other is not None:
             other = model_data(fit.other).name
             text = self.tr("{model}? The pose is that of a {other}").format(model=name, other=other)
             tip = self.tr("Click to connect it as a {other}.").format(other=other)
+        elif fit.before is not None:
+            before = model_data(fit.before).name
+            text = self.tr("{model}? It was a {before}").format(model=name, before=before)
+            tip = self.tr("This very arm was a {before} the last time. Click to choose.").format(
+                before=before
+            )
         elif wrong:
             text = self.tr("{model}? The pose fits none").format(model=name)
             tip = self.tr("The pose the arm reports fits none of the models.")
@@ -72,6 +72,8 @@ class ModelMark(Translated, QToolButton):
             text, tip = name, self.tr("Model of the arm, confirmed by the pose it reports.")
         else:
             text, tip = name, self.tr("Model of the arm, as chosen; not compared yet.")
+        if fit.older_zeros:
+            tip += "\n" + self.tr("Joints 2 and 3 count from the zeros before S-V1.6-3.")
         self.setText(text)
         self.setToolTip(tip)
         self.setAccessibleName(self.tr("Model of the arm: {text}").format(text=text))

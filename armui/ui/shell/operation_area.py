@@ -25,8 +25,8 @@ class OperationArea(QStackedWidget):
         entries: What can be shown, in the order of the menu.
     """
 
-    def __init__(self, entries: Sequence[MenuEntry], parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self, entries: Sequence[MenuEntry]) -> None:
+        super().__init__()
         self.setObjectName("operation_area")
         self._entries = tuple(entries)
         self._made: dict[int, QWidget] = {}

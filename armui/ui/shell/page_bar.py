@@ -39,7 +39,7 @@ class PageBar(Translated, QWidget):
         self._back = _tool("page_back")
         self._take_out = _tool("page_take_out")
         self._take_out.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
-        self._crumbs: QHBoxLayout = in_row(spacing=4)
+        self._crumbs: QHBoxLayout = in_row(spacing=2)
         self._name = named("page_name", ElidedLabel())
         self._name.setProperty("rank", "title")
         parts = (self._back, self._crumbs, (self._name, 1), self._take_out)

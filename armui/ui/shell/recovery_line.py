@@ -16,7 +16,7 @@ from armui.ui import words
 from armui.ui.dialogs.confirm import confirm
 from armui.ui.theme import Colors, colors_of
 from armui.ui.widgets import icons, painting
-from armui.ui.widgets.buttons import show_primary
+from armui.ui.widgets.buttons import named, show_primary
 from armui.ui.widgets.hold_button import HoldButton
 from armui.ui.widgets.text_label import text_label
 from armui.ui.widgets.translated import Translated
@@ -55,13 +55,8 @@ class RecoveryLine(Translated, QWidget):
         open_connection: Opens the window in which a CAN device is chosen.
     """
 
-    def __init__(
-        self,
-        controller: ArmController,
-        open_connection: Callable[[], None],
-        parent: QWidget | None = None,
-    ) -> None:
-        super().__init__(parent)
+    def __init__(self, controller: ArmController, open_connection: Callable[[], None]) -> None:
+        super().__init__()
         self.setObjectName("recovery_line")
         self._controller = controller
         self._open_connection = open_connection
@@ -72,14 +67,11 @@ class RecoveryLine(Translated, QWidget):
         self._icon.setFixedWidth(_ICON_PX)
         self._text = text_label("recovery_text", wraps=True, plain=True)
         self._text.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Ignored)
-        self._button = StepButton()
-        self._button.setObjectName("recovery_button")
+        self._button = named("recovery_button", StepButton())
         self._button.setMinimumWidth(_BUTTON_PX)
-        self._hold_button = HoldButton()
-        self._hold_button.setObjectName("recovery_hold_button")
+        self._hold_button = named("recovery_hold_button", HoldButton())
         self._hold_button.setMinimumWidth(_BUTTON_PX)
-        self._other_button = StepButton()
-        self._other_button.setObjectName("recovery_other_button")
+        self._other_button = named("recovery_other_button", StepButton())
         layout = QHBoxLayout(self)
         side = _MARGIN_PX + _GAP_PX
         layout.setContentsMargins(side, _TOP_PX + _PADDING_PX, side, _PADDING_PX)
@@ -153,7 +145,8 @@ class RecoveryLine(Translated, QWidget):
     def _show_button(self) -> None:
         step = self._step
         action = None if step.kind in _CALM else step.action
-        blocked = None if action is None else self._controller.recovery.why_not(step)
+        free = action is None or action is Action.CONNECT
+        blocked = None if free else self._controller.recovery.why_not(step)
         button = self._hold_button if step.held else self._button
         policy = self._button.sizePolicy()
         policy.setRetainSizeWhenHidden(not step.held)  # nothing moves when a button goes

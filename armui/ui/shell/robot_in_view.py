@@ -1,4 +1,8 @@
-"""Which robot description the 3D picture shows: the operator's own file, or that of the model."""
+"""Which robot description the 3D picture shows: the operator's own file, or that of the arm.
+
+The arm's is that of its model, with the zeros its firmware counts from: all that the picture shows
+of six angles (arm, ghost, path, handles) is then where the arm itself says that its flange is.
+"""
 
 from __future__ import annotations
 
@@ -7,8 +11,8 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject
 
+from armui.arm.model_check import ModelFit
 from armui.arm.models import robot_description
-from armui.protocol.piper_model import PiperModel
 
 if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
@@ -17,11 +21,11 @@ if TYPE_CHECKING:
 
 
 class RobotInView(QObject):
-    """Has the picture follow the model that is connected.
+    """Has the picture follow the arm that is connected.
 
     Args:
         view: The 3D picture.
-        controller: Knows which model that is.
+        controller: Knows which model that is, and which zeros it has.
         urdf_path: The operator's own robot description, which goes before it.
         parent: Qt's.
     """
@@ -37,9 +41,9 @@ class RobotInView(QObject):
         self._view = view
         self._controller = controller
         self._urdf_path = urdf_path
-        self._shown = Path(urdf_path) if urdf_path else robot_description(PiperModel.PIPER)
+        self._shown = Path(urdf_path) if urdf_path else robot_description(ModelFit().chosen)
         controller.operating_state_changed.connect(self._on_operating_state_changed)
-        self._show(controller.operating_state.model)
+        self._show(controller.operating_state.model_fit)
 
     @property
     def path(self) -> Path:
@@ -49,13 +53,14 @@ class RobotInView(QObject):
     def choose(self, urdf_path: str | None) -> None:
         """Show the operator's own robot description; ``None``: the model's."""
         self._urdf_path = urdf_path
-        self._show(self._controller.operating_state.model)
+        self._show(self._controller.operating_state.model_fit)
 
     def _on_operating_state_changed(self, now: OperatingState) -> None:
-        self._show(now.model)
+        self._show(now.model_fit)
 
-    def _show(self, model: PiperModel) -> None:
-        path = Path(self._urdf_path) if self._urdf_path else robot_description(model)
+    def _show(self, arm: ModelFit) -> None:
+        own = robot_description(arm.chosen, older_zeros=arm.older_zeros)
+        path = Path(self._urdf_path) if self._urdf_path else own
         if path != self._shown:
             self._shown = path
             self._view.set_robot(path)

@@ -17,6 +17,7 @@ from PySide6.QtWidgets import (
 
 from armui.ui.theme import colors_of
 from armui.ui.widgets import icons
+from armui.ui.widgets.buttons import named
 from armui.ui.widgets.translated import Translated
 
 _WIDTH_PX: Final = 176
@@ -49,13 +50,8 @@ class SideMenu(Translated, QWidget):
 
     chosen = Signal(int)
 
-    def __init__(
-        self,
-        entries: Sequence[MenuEntry],
-        at_bottom: Sequence[QWidget],
-        parent: QWidget | None = None,
-    ) -> None:
-        super().__init__(parent)
+    def __init__(self, entries: Sequence[MenuEntry], at_bottom: Sequence[QWidget]) -> None:
+        super().__init__()
         self.setObjectName("side_menu")
         self.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
         self._entries = tuple(entries)
@@ -68,8 +64,7 @@ class SideMenu(Translated, QWidget):
         layout.setContentsMargins(0, 0, 0, 0)
         layout.setSpacing(2)
         for place, entry in enumerate(self._entries):
-            button = QToolButton()
-            button.setObjectName(f"menu_{entry.key}")
+            button = named(f"menu_{entry.key}", QToolButton())
             button.setProperty("entry", True)
             button.setCheckable(True)
             button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)

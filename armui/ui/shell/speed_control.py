@@ -15,6 +15,7 @@ from armui.protocol.generation import Generation
 from armui.ui import format as fmt
 from armui.ui import words
 from armui.ui.freshness import is_stale
+from armui.ui.widgets.buttons import named
 from armui.ui.widgets.curve_menu import tell_quantities
 from armui.ui.widgets.track_slider import TrackSlider
 from armui.ui.widgets.translated import Translated
@@ -33,18 +34,16 @@ class SpeedControl(Translated, QWidget):
     Dragging sends when the handle is let go; keys, clicks and the field send at once.
     """
 
-    def __init__(self, controller: ArmController, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self, controller: ArmController) -> None:
+        super().__init__()
         self._controller = controller
         self.setMaximumWidth(_WIDEST_PX)
         self._label = QLabel()
-        self._slider = TrackSlider(1.0, origin=0.0, jumps=False)
-        self._slider.setObjectName("speed_slider")
+        self._slider = named("speed_slider", TrackSlider(1.0, origin=0.0, jumps=False))
         self._slider.setRange(0, 100)
         self._slider.setPageStep(10)
         self._slider.setTracking(False)
-        self._field = QSpinBox()
-        self._field.setObjectName("speed_field")
+        self._field = named("speed_field", QSpinBox())
         self._field.setRange(0, 100)
         self._field.setSuffix(" %")
         self._field.setKeyboardTracking(False)
@@ -54,8 +53,7 @@ class SpeedControl(Translated, QWidget):
         self._label.setBuddy(self._field)
         self._arm_label = QLabel()
         self._arm_label.setProperty("rank", "muted")
-        self._arm_value = ValueLabel(fmt.percent(100))
-        self._arm_value.setObjectName("arm_speed")
+        self._arm_value = named("arm_speed", ValueLabel(fmt.percent(100)))
         tell_quantities(self, "arm.speed_percent", "own.speed_percent", "other.speed_percent")
         layout = QHBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)

@@ -20,6 +20,7 @@ from armui.ui import words
 from armui.ui.freshness import is_stale
 from armui.ui.theme import colors_of
 from armui.ui.widgets import icons
+from armui.ui.widgets.buttons import named
 from armui.ui.widgets.curve_menu import tell_quantities
 from armui.ui.widgets.elided_label import ElidedLabel
 from armui.ui.widgets.translated import Translated
@@ -71,11 +72,10 @@ class StatusBar(Translated, QWidget):
     def __init__(
         self,
         controller: ArmController,
-        parent: QWidget | None = None,
         *,
         with_notices: bool = True,
     ) -> None:
-        super().__init__(parent)
+        super().__init__()
         self.setObjectName("status_bar")
         self.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
         self._controller = controller
@@ -84,8 +84,7 @@ class StatusBar(Translated, QWidget):
         self._problem: tuple[datetime, Refusal] | None = None
         self._shown: tuple[Status | None, bool, str] | None = None
         self._notice_icon = QLabel()
-        self._notice_label = ElidedLabel()
-        self._notice_label.setObjectName("notice_label")
+        self._notice_label = named("notice_label", ElidedLabel())
         self._notice_label.installEventFilter(self)
         self._status_icon = QLabel()
         self._labels = {
@@ -222,7 +221,8 @@ class StatusBar(Translated, QWidget):
         if not foreign_mode:
             return words.move_mode(code)
         mode = words.other_mode(foreign_mode)
-        return self.tr("{mode} by another program").format(mode=mode)
+        text = self.tr("{mode} by another program").format(mode=mode)
+        return text[:1].upper() + text[1:]
 
     def _alarm_color(self, status: Status) -> str | None:
         colors = colors_of(self)

@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from armui.ui.picture.picture_work import PictureWork
     from armui.ui.shell.page_area import PageArea
     from armui.ui.shell.workspace import Workspace
+    from armui.ui.trajectory.editor.editor_page import EditorPage
     from armui.ui.trajectory.library.library_page import LibraryPage
     from armui.ui.trajectory.preview.path_preview import PathPreview
 
@@ -63,14 +64,37 @@ class TrajectoryPages(QObject):
 
     def open_library(self) -> None:
         """Show 轨迹库 (manual 1.0.9)."""
-        if self._library is None:
-            self._library = self._make()
-        self._library.open()
+        self._made().open()
+
+    @property
+    def editor(self) -> EditorPage | None:
+        """The editor that was used last, if one is open."""
+        return None if self._library is None else self._library.editors.used
+
+    def open_editor(self, name: str = "") -> None:
+        """Show an editor.
+
+        Args:
+            name: Of the trajectory; the editor that was used last by default, if one is open.
+        """
+        if name:
+            self._made().open_trajectory(name)
+        elif self.editor is not None:
+            self.editor.open()
+
+    def open_recorder(self) -> None:
+        """Show the page that records; the way back from it leads to the library."""
+        self._made().open_recorder()
 
     def keep_work(self) -> None:
         """The program ends: what is not saved is offered the next time."""
         if self._library is not None:
             self._library.keep_work()
+
+    def _made(self) -> LibraryPage:
+        if self._library is None:
+            self._library = self._make()
+        return self._library
 
     def _make(self) -> LibraryPage:
         from armui.system import paths  # noqa: PLC0415 - faster start

@@ -6,11 +6,12 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QResizeEvent
-from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QPushButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QPushButton, QVBoxLayout, QWidget
 
 from armui.ui.actions.keys import keys_of
 from armui.ui.theme import colors_of
 from armui.ui.widgets import icons
+from armui.ui.widgets.layouts import empty_grid, in_column, in_row
 from armui.ui.widgets.translated import Translated
 
 if TYPE_CHECKING:
@@ -21,30 +22,22 @@ _RIM_PX = 14
 
 
 class ViewRegion(Translated, QWidget):
-    """Lays 使用帮助, 视角还原 and 设置 over whatever widget shows the arm (manual 1.0.8)."""
+    """Lays 使用帮助, 视角还原 and 设置 over whatever widget shows the arm (manual 1.0.8).
+
+    Args:
+        view: Shows the arm.
+        bar: Stands under it while it has something to offer.
+        work: Whose strip and note stand over the picture.
+    """
 
     help_wanted = Signal()
     reset_wanted = Signal()
     settings_wanted = Signal()
 
-    def __init__(
-        self,
-        view: ArmView,
-        bar: QWidget | None = None,
-        work: PictureWork | None = None,
-        parent: QWidget | None = None,
-    ) -> None:
-        """Lay out.
-
-        Args:
-            view: Shows the arm.
-            bar: Stands under it while it has something to offer.
-            work: Whose strip and note stand over the picture.
-            parent: Qt's.
-        """
-        super().__init__(parent)
+    def __init__(self, view: ArmView, bar: QWidget, work: PictureWork) -> None:
+        super().__init__()
         self._view = view
-        self._strip: QWidget | None = None
+        self._strip = work.bar
         self._help = QPushButton()
         self._reset = QPushButton()
         self._settings = QPushButton()
@@ -53,29 +46,22 @@ class ViewRegion(Translated, QWidget):
             "reset_view": self._reset,
             "settings": self._settings,
         }
-        self._row = row = QHBoxLayout()
-        row.setContentsMargins(_RIM_PX, _RIM_PX, _RIM_PX, _RIM_PX)
-        row.setSpacing(8)
+        self._row = row = in_row(spacing=8, margins=_RIM_PX)
         for name, button in self._buttons.items():
             button.setObjectName(f"{name}_button")
             button.setAutoDefault(False)
             row.addWidget(button)
         # two items in one cell lie over each other: the buttons in a corner of the picture
-        layout = QGridLayout(self)
-        layout.setContentsMargins(0, 0, 0, 0)
+        align = Qt.AlignmentFlag
+        layout = empty_grid(self, margins=0)
         layout.addWidget(view, 0, 0)
-        layout.addLayout(row, 0, 0, Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignBottom)
-        if work is not None:
-            self._strip = work.bar
-            corner = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignTop
-            layout.addLayout(_with_rim(work.bar), 0, 0, corner)
-            corner = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignBottom
-            layout.addLayout(_with_rim(work.note), 0, 0, corner)
-            work.bar.raise_()
-            work.note.raise_()
-        if bar is not None:
-            layout.addWidget(bar, 1, 0)
-            layout.setRowStretch(0, 1)
+        layout.addLayout(row, 0, 0, align.AlignRight | align.AlignBottom)
+        layout.addLayout(_with_rim(work.bar), 0, 0, align.AlignRight | align.AlignTop)
+        layout.addLayout(_with_rim(work.note), 0, 0, align.AlignLeft | align.AlignBottom)
+        work.bar.raise_()
+        work.note.raise_()
+        layout.addWidget(bar, 1, 0)
+        layout.setRowStretch(0, 1)
         for button in self._buttons.values():
             button.raise_()
         self._settings.setShortcut(keys_of("window.settings"))
@@ -93,7 +79,7 @@ class ViewRegion(Translated, QWidget):
 
     def _tell_covered(self) -> None:
         corner = self._row.sizeHint()
-        strip_px = 0 if self._strip is None else self._strip.sizeHint().width() + _RIM_PX
+        strip_px = self._strip.sizeHint().width() + _RIM_PX
         self._view.set_covered((corner.width(), corner.height()), strip_px)
 
     def retranslate_ui(self) -> None:
@@ -118,7 +104,4 @@ class ViewRegion(Translated, QWidget):
 
 def _with_rim(widget: QWidget) -> QVBoxLayout:
     """A widget a little away from the picture's edge."""
-    layout = QVBoxLayout()
-    layout.setContentsMargins(_RIM_PX, _RIM_PX, _RIM_PX, _RIM_PX)
-    layout.addWidget(widget)
-    return layout
+    return in_column(widget, margins=_RIM_PX)

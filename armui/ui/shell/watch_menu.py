@@ -6,10 +6,12 @@ from collections.abc import Callable, Sequence
 from typing import Final, NamedTuple
 
 from PySide6.QtCore import QCoreApplication, QSize, Qt
-from PySide6.QtWidgets import QGridLayout, QSizePolicy, QToolButton, QWidget
+from PySide6.QtWidgets import QSizePolicy, QToolButton, QWidget
 
 from armui.ui.theme import colors_of
 from armui.ui.widgets import icons
+from armui.ui.widgets.buttons import named
+from armui.ui.widgets.layouts import empty_grid
 from armui.ui.widgets.translated import Translated
 
 _COLUMNS: Final = 2
@@ -38,16 +40,13 @@ class WatchMenu(Translated, QWidget):
         entries: Row by row.
     """
 
-    def __init__(self, entries: Sequence[WatchEntry], parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self, entries: Sequence[WatchEntry]) -> None:
+        super().__init__()
         self.setObjectName("watch_menu")
         self._buttons: list[tuple[WatchEntry, QToolButton]] = []
-        layout = QGridLayout(self)
-        layout.setContentsMargins(0, 0, 0, 0)
-        layout.setSpacing(4)
+        layout = empty_grid(self, gaps=(4, 4), margins=0)
         for place, entry in enumerate(entries):
-            button = QToolButton()
-            button.setObjectName(f"{entry.key}_button")
+            button = named(f"{entry.key}_button", QToolButton())
             button.setProperty("half", True)
             button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
             button.setIconSize(QSize(18, 18))

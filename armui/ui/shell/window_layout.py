@@ -9,7 +9,7 @@ from PySide6.QtCore import QEvent, QObject, QSize, Qt
 
 from armui.ui.shell.drawer import DRAWER_PX
 from armui.ui.shell.work_area import PAGE_SHARE, PANEL_PX
-from armui.ui.shell.workspace import on_screen, place_of
+from armui.ui.shell.workspace import on_screen, place_of, screens
 
 if TYPE_CHECKING:
     from PySide6.QtWidgets import QWidget
@@ -39,9 +39,9 @@ class WindowLayout(QObject):
         self._window = window
         self._column = column
         layout = keeper.layout
-        room = window.screen().availableSize()
         if layout.window is None:
-            window.resize(first_size.boundedTo(room))
+            room = screens()[0]  # its title and its frame need some of the screen, too
+            window.resize(first_size.boundedTo(QSize(room.width, room.height)))
         else:
             window.setGeometry(on_screen(layout.window))
         if layout.maximized:

@@ -7,12 +7,12 @@ from dataclasses import replace
 from functools import partial
 from typing import TYPE_CHECKING, Final, Protocol
 
-from PySide6.QtCore import QMargins, QObject, QRect
+from PySide6.QtCore import QMargins, QObject, QRect, QSize
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QWidget
 
 from armui.ui.shell.page_window import PageWindow
-from armui.ui.shell.workspace_layout import Place, fitted
+from armui.ui.shell.workspace_layout import OpenWindow, Place, fitted
 
 if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
@@ -23,6 +23,10 @@ _ASIDE_PX: Final = 32
 """The second window of a kind does not hide the first."""
 _FRAME: Final = QMargins(8, 36, 8, 8)
 """What window systems draw around a window, its title above all; it must be in reach."""
+_AROUND: Final = QMargins(20, -16, 20, 20)
+"""The margins of a page in its window, whose stops come to stand lower than the button that was
+pressed: a second press of it, too quick, stops nothing."""
+_LEAST: Final = QSize(640, 460)
 
 
 class PageHome(Protocol):
@@ -52,6 +56,9 @@ class Workspace(QObject):
         self._homes: dict[Page, PageHome] = {}
         self._kept: dict[str, Page] = {}
         self._windows: dict[Page, PageWindow] = {}
+        known = keeper.layout.taken_out
+        self._left_open = [each for each in keeper.layout.open_windows if each.key in known]
+        self._ends = False
 
     def add(self, page: Page, home: PageHome) -> None:
         """Take care of a page from now on; nothing is shown before the page wants it.
@@ -87,17 +94,22 @@ class Workspace(QObject):
         """The one page of a kind, if it was made."""
         return self._kept.get(key)
 
+    def page_of(self, key: str) -> Page | None:
+        """A page of a kind, the one that is seen if there are several; ``None``: there is none."""
+        found = [page for page in self._homes if page.key == key]
+        return next((page for page in found if page.isVisible()), found[0] if found else None)
+
     def is_taken_out(self, page: Page) -> bool:
         """Whether it stands in a window of its own now."""
         return page in self._windows
 
     def take_out(self, page: Page) -> None:
         """Give a page a window of its own; pages of its kind open in one from now on."""
-        at = self._window.mapToGlobal(page.mapTo(self._window, page.rect().topLeft()))
+        stood = QRect(page.mapToGlobal(page.rect().topLeft()), page.size())
         self._homes[page].drop_page(page)
         window = self._window_of(page)
         if page.key not in self._keeper.layout.taken_out:
-            window.move(at)
+            window.setGeometry(first_place(stood, window, self._window))
         self._note(window, page.key)
         window.open()
 
@@ -114,8 +126,22 @@ class Workspace(QObject):
 
     def close_windows(self) -> None:
         """The program ends: where they stand is remembered, the pages are not left."""
+        self._ends = True
         for page in list(self._windows):
             self._let_go(page)
+
+    def next_left_open(self) -> OpenWindow | None:
+        """One after another what stood in a window when the program ended; ``None``: no more."""
+        return self._left_open.pop(0) if self._left_open else None
+
+    def note_windows(self) -> None:
+        """Remember which pages stand in windows, and which of the last time still have to."""
+        if self._ends:
+            return
+        now = [OpenWindow(page.key, page.subject) for page in self._windows]
+        kept = tuple(dict.fromkeys([*now, *self._left_open]))
+        self._keeper.layout = replace(self._keeper.layout, open_windows=kept)
+        self._keeper.note()
 
     def _show(self, page: Page) -> None:
         if page in self._windows:
@@ -135,6 +161,7 @@ class Workspace(QObject):
             others = sum(each.key == page.key for each in self._windows) - 1
             aside = replace(kept, x=kept.x + others * _ASIDE_PX, y=kept.y + others * _ASIDE_PX)
             window.setGeometry(on_screen(aside))
+        self.note_windows()
         return window
 
     def _on_placed(self, window: PageWindow, key: str) -> None:
@@ -159,6 +186,7 @@ class Workspace(QObject):
         window = self._windows.pop(page, None)
         if window is not None:
             window.release()
+            self.note_windows()
 
     def _forget(self, page: Page) -> None:
         self._homes.pop(page, None)
@@ -169,6 +197,27 @@ def screens() -> list[Place]:
     main = QGuiApplication.primaryScreen()
     ordered = [main, *(each for each in QGuiApplication.screens() if each is not main)]
     return [place_of(each.availableGeometry().marginsRemoved(_FRAME)) for each in ordered]
+
+
+def first_place(stood: QRect, window: QWidget, main: QWidget) -> QRect:
+    """Where a page opens that is taken out for the first time.
+
+    In the middle of a second screen, if there is one; else where it stood, no larger: the picture
+    stays in sight.
+
+    Args:
+        stood: The page in the main window, in pixels of the desktop.
+        window: The page's window, in the size that suits it.
+        main: The main window.
+    """
+    others = [each for each in QGuiApplication.screens() if each is not main.screen()]
+    if others:
+        room = others[0].availableGeometry().marginsRemoved(_FRAME)
+        place = QRect(room.topLeft(), window.size().boundedTo(room.size()))
+        place.moveCenter(room.center())
+        return place
+    around = stood.marginsAdded(_AROUND)
+    return on_screen(place_of(QRect(around.topLeft(), around.size().expandedTo(_LEAST))))
 
 
 def place_of(rect: QRect) -> Place:

@@ -16,6 +16,7 @@ _FARTHEST_PX: Final = 100_000
 _LEAST_WINDOW_PX: Final = (320, 240)
 _MOST_ENTRIES: Final = 64
 _MOST_COLUMNS: Final = 64
+_MOST_WINDOWS: Final = 16
 _WIDEST_COLUMN_PX: Final = 4000
 _LEAST_COLUMN_PX: Final = 20
 
@@ -46,6 +47,19 @@ class ColumnLayout:
 
 
 @dataclass(frozen=True, slots=True)
+class OpenWindow:
+    """A page that stands in a window of its own.
+
+    Attributes:
+        key: Of the page.
+        subject: What it works on, where there are several of its kind: the name of a trajectory.
+    """
+
+    key: str
+    subject: str = ""
+
+
+@dataclass(frozen=True, slots=True)
 class WorkspaceLayout:
     """The arrangement of the window.
 
@@ -57,6 +71,7 @@ class WorkspaceLayout:
         drawer_px: How high the drawer is when it is open; 0: as at first.
         taken_out: Where the window of each page stands that was taken out, by the page's key.
         columns: Of each table by its name.
+        open_windows: The pages that stood in windows of their own when the program ended.
     """
 
     window: Place | None = None
@@ -66,6 +81,7 @@ class WorkspaceLayout:
     drawer_px: int = 0
     taken_out: Mapping[str, Place] = field(default_factory=dict)
     columns: Mapping[str, ColumnLayout] = field(default_factory=dict)
+    open_windows: tuple[OpenWindow, ...] = ()
 
 
 def to_text(layout: WorkspaceLayout) -> str:
@@ -85,6 +101,7 @@ def to_text(layout: WorkspaceLayout) -> str:
             }
             for name, columns in layout.columns.items()
         },
+        "open_windows": [[each.key, each.subject] for each in layout.open_windows],
     }
     return f"{json.dumps(entries, indent=2)}\n"
 
@@ -114,6 +131,7 @@ def from_text(text: str) -> WorkspaceLayout:
             for name, entry in _entries(found.get("columns"))
             if (columns := _columns(entry)) is not None
         },
+        open_windows=_open_windows(found.get("open_windows")),
     )
 
 
@@ -144,6 +162,13 @@ def _numbers(place: Place) -> list[int]:
 def _entries(found: object) -> list[tuple[str, Any]]:
     entries = list(found.items()) if isinstance(found, dict) else []
     return [(key, entry) for key, entry in entries if isinstance(key, str)][:_MOST_ENTRIES]
+
+
+def _open_windows(found: object) -> tuple[OpenWindow, ...]:
+    entries = found[:_MOST_WINDOWS] if isinstance(found, list) else []
+    pairs = [each for each in entries if isinstance(each, list) and len(each) == 2]
+    texts = [each for each in pairs if all(isinstance(text, str) for text in each)]
+    return tuple(OpenWindow(key, subject) for key, subject in texts)
 
 
 def _whole(value: object) -> int | None:

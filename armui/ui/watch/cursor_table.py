@@ -5,14 +5,16 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QEvent, Qt
-from PySide6.QtWidgets import QLabel, QTableWidgetItem, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QTableWidgetItem, QWidget
 
 from armui.arm.state import is_fresh
 from armui.telemetry.quantities import QUANTITIES
 from armui.ui import format as fmt
 from armui.ui.watch.curves_item import CURSOR_NAMES
 from armui.ui.watch.wall_clock import clock_time
+from armui.ui.widgets.layouts import in_column
 from armui.ui.widgets.plain_table import plain_table
+from armui.ui.widgets.text_label import text_label
 from armui.ui.words import quantities as names
 
 if TYPE_CHECKING:
@@ -21,6 +23,7 @@ if TYPE_CHECKING:
     from armui.ui.watch.plot_board import PlotBoard
 
 _HEIGHT_PX: Final = 168
+_RIGHT: Final = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
 
 
 class CursorTable(QWidget):
@@ -37,15 +40,10 @@ class CursorTable(QWidget):
         super().__init__(parent)
         self._board = board
         self._telemetry = telemetry
-        self._times = QLabel()
-        self._times.setObjectName("cursor_times")
+        self._times = text_label("cursor_times")
         self._times.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
         self.table = plain_table("cursor_table", 4, wide=0)
-        layout = QVBoxLayout(self)
-        layout.setContentsMargins(0, 0, 0, 0)
-        layout.setSpacing(4)
-        layout.addWidget(self._times)
-        layout.addWidget(self.table)
+        in_column(self._times, self.table, on=self, spacing=4, margins=0)
         self.setFixedHeight(_HEIGHT_PX)
         board.cursors_changed.connect(self.refresh)
         board.plots_changed.connect(self.refresh)
@@ -59,14 +57,16 @@ class CursorTable(QWidget):
         self._show_times()
         keys = list(dict.fromkeys(key for plot in self._board.plot_layout.plots for key in plot))
         self.table.setHorizontalHeaderLabels([self.tr("Quantity"), *CURSOR_NAMES, "B − A"])
+        for column in range(1, self.table.columnCount()):
+            title = self.table.horizontalHeaderItem(column)
+            if title is not None:
+                title.setTextAlignment(_RIGHT)
         self.table.setRowCount(len(keys))
         for row, key in enumerate(keys):
             for column, text in enumerate(self._texts(QUANTITIES[key])):
                 item = QTableWidgetItem(text)
                 if column:
-                    item.setTextAlignment(
-                        Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
-                    )
+                    item.setTextAlignment(_RIGHT)
                 self.table.setItem(row, column, item)
 
     def text(self) -> str:

@@ -4,16 +4,17 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QEvent, Qt, Signal
+from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QLabel, QWidget
 
 from armui.ui.watch.carrying import from_mime
+from armui.ui.widgets.translated import Translated
 
 if TYPE_CHECKING:
     from PySide6.QtGui import QDragEnterEvent, QDropEvent
 
 
-class DropStrip(QLabel):
+class DropStrip(Translated, QLabel):
     """Takes quantities.
 
     Signals:
@@ -46,9 +47,3 @@ class DropStrip(QLabel):
         if keys:
             event.acceptProposedAction()
             self.dropped.emit(keys, plot)
-
-    def changeEvent(self, event: QEvent) -> None:
-        """Follow the language."""
-        if event.type() == QEvent.Type.LanguageChange:
-            self.retranslate_ui()
-        super().changeEvent(event)

@@ -19,6 +19,7 @@ from armui.ui.dialogs.base import ArmDialog
 from armui.ui.dialogs.confirm import confirm
 from armui.ui.watch import export_text
 from armui.ui.watch.export_form import ExportForm
+from armui.ui.widgets.buttons import named
 from armui.ui.widgets.enable_or_explain import enable_or_explain
 from armui.ui.widgets.message_line import MessageLine
 from armui.ui.widgets.text_label import text_label
@@ -84,8 +85,7 @@ class ExportDialog(ArmDialog):
 
     def _build(self) -> None:
         self.form = ExportForm(self._controller)
-        self._message = MessageLine()
-        self._message.setObjectName("export_message")
+        self._message = named("export_message", MessageLine())
         self._remarks = text_label("export_remarks", rank="muted", wraps=True, plain=True)
         self.progress = QProgressBar()
         self.progress.setTextVisible(False)

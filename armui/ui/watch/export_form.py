@@ -10,8 +10,7 @@ from typing import TYPE_CHECKING, Final
 from PySide6.QtCore import QT_TRANSLATE_NOOP, Signal
 from PySide6.QtWidgets import (
     QButtonGroup,
-    QGridLayout,
-    QHBoxLayout,
+    QComboBox,
     QLabel,
     QLineEdit,
     QPushButton,
@@ -20,6 +19,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from armui.arm.models import all_models
 from armui.protocol.generation import Generation
 from armui.session.exports.request import (
     ArmWishes,
@@ -29,8 +29,10 @@ from armui.session.exports.request import (
 )
 from armui.ui.dialogs.files import choose_file, choose_folder
 from armui.ui.watch import export_text
+from armui.ui.widgets.buttons import named
 from armui.ui.widgets.elided_label import ElidedLabel
 from armui.ui.widgets.figure_field import FigureField
+from armui.ui.widgets.layouts import empty_grid, in_row
 from armui.ui.widgets.text_label import text_label
 from armui.ui.widgets.translated import Translated
 
@@ -62,8 +64,8 @@ class ExportForm(Translated, QWidget):
 
     changed = Signal()
 
-    def __init__(self, controller: ArmController, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self, controller: ArmController) -> None:
+        super().__init__()
         self._controller = controller
         self._log: Path | None = None
         self._target: Path | None = None
@@ -77,19 +79,22 @@ class ExportForm(Translated, QWidget):
         self.retranslate_ui()
 
     def _build(self) -> None:
-        self._labels = [QLabel() for _row in range(6)]
+        self._labels = [QLabel() for _row in range(7)]
         self._log_label, self._target_label = ElidedLabel(), ElidedLabel()
         self._log_label.setObjectName("export_log")
         self._target_label.setObjectName("export_target")
         self.log_button, self.target_button = QPushButton(), QPushButton()
         self.formats, formats = _choice([f"format_{each}" for each in ExportFormat])
         self.generations, generations = _choice(["generation_auto", "generation_1", "generation_2"])
+        self.model_box = QComboBox()
+        self.model_box.addItem("", None)
+        for model, data in all_models().items():
+            self.model_box.addItem(data.name, model)
         self._about = text_label("export_about", rank="muted", wraps=True, plain=True)
         self.begin_field, self.end_field = FigureField(3, "s"), FigureField(3, "s")
         self._until = QLabel()
         stretch = QWidget()
-        times = QHBoxLayout(stretch)
-        times.setContentsMargins(0, 0, 0, 0)
+        times = in_row(on=stretch, margins=0)
         for widget in (self.begin_field, self._until, self.end_field):
             times.addWidget(widget)
         for field in (self.begin_field, self.end_field):
@@ -99,14 +104,11 @@ class ExportForm(Translated, QWidget):
         times.addStretch(1)
         self.channel_field = QLineEdit()
         self.channel_field.setFixedHeight(32)
-        grid = QGridLayout(self)
-        grid.setContentsMargins(0, 0, 0, 0)
-        grid.setHorizontalSpacing(14)
-        grid.setVerticalSpacing(10)
+        grid = empty_grid(self, gaps=(14, 10), margins=0)
         grid.setColumnStretch(1, 1)
         rows = (
             *(self._log_label, formats, stretch, generations),
-            *(self.channel_field, self._target_label),
+            *(self.model_box, self.channel_field, self._target_label),
         )
         for row, (label, content) in enumerate(zip(self._labels, rows, strict=True)):
             place = row if row < _BELOW_FORMATS else row + 1
@@ -127,6 +129,7 @@ class ExportForm(Translated, QWidget):
             self.tr("Format"),
             self.tr("Time"),
             self.tr("Protocol"),
+            self.tr("Model"),
             self.tr("Channel"),
             self.tr("Target"),
         )
@@ -141,6 +144,14 @@ class ExportForm(Translated, QWidget):
         names = (self.tr("As the log tells"), self.tr("Generation 1"), self.tr("Generation 2"))
         for place, name in enumerate(names):
             self.generations.button(place).setText(name)
+        self.model_box.setItemText(0, self.tr("As the recording tells"))
+        self.model_box.setAccessibleName(self.tr("Model"))
+        self.model_box.setToolTip(
+            self.tr(
+                "Where the links and the tool are depends on it. A recording of this program says "
+                "it; of other logs it is the one that fits the end pose in them."
+            )
+        )
         self._until.setText(self.tr("to"))
         self._counted_from.setText(self.tr("counted from the first frame"))
         self.begin_field.setPlaceholderText(self.tr("beginning"))
@@ -192,6 +203,7 @@ class ExportForm(Translated, QWidget):
         wishes = ArmWishes(
             _GENERATIONS[self.generations.checkedId()],
             channel=self.channel_field.text().strip() or None,
+            model=self.model_box.currentData(),
         )
         begin_s = self.begin_field.value or 0.0
         end_s = math.inf if end_s is None else end_s
@@ -254,12 +266,9 @@ def _choice(names: Sequence[str]) -> tuple[QButtonGroup, QWidget]:
     """Buttons of which one is chosen, the first one at first."""
     group = QButtonGroup()
     row = QWidget()
-    layout = QHBoxLayout(row)
-    layout.setContentsMargins(0, 0, 0, 0)
-    layout.setSpacing(6)
+    layout = in_row(on=row, spacing=6, margins=0)
     for place, name in enumerate(names):
-        button = QToolButton()
-        button.setObjectName(name)
+        button = named(name, QToolButton())
         button.setCheckable(True)
         button.setProperty("choice", True)
         button.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)

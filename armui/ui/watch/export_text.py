@@ -97,7 +97,7 @@ def remarks(report: dict[str, Any]) -> list[str]:
         first = report["damages"][0]
         text = translate(
             "ExportDialog",
-            "Places of the log that cannot be read: {count}; the first: {place} ({reason}). "
+            "Unreadable places in the log: {count}; the first: {place} ({reason}). "
             "Everything else was exported.",
         )
         lines.append(text.format(count=report["damage_count"], place=first[0], reason=first[1]))
@@ -110,10 +110,17 @@ def remarks(report: dict[str, Any]) -> list[str]:
         lines.append(
             text.format(channel=report["channel"], count=report["of_other_channels"], others=others)
         )
-    text = translate("ExportDialog", "{frames:,} frames read as generation {generation}.")
-    line = text.format(frames=report["frames"], generation=report["generation"])
+    if report["pose_fits"]:
+        text = translate(
+            "ExportDialog", "Exported as a {model}, but the end pose in the log fits a {fits}."
+        )
+        lines.append(text.format(model=report["model"], fits=report["pose_fits"]))
+    text = translate("ExportDialog", "{frames:,} frames read as generation {generation}, {model}.")
+    line = text.format(
+        frames=report["frames"], generation=report["generation"], model=report["model"]
+    )
     if report["not_understood"]:
-        text = translate("ExportDialog", "{count:,} of them are none of the arm's.")
+        text = translate("ExportDialog", "{count:,} of them do not belong to the arm.")
         line += " " + text.format(count=report["not_understood"])
     lines.append(line)
     return lines

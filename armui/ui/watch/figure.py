@@ -12,6 +12,7 @@ from PySide6.QtCore import QBuffer, QByteArray, QIODevice, QLineF, QPointF, QRec
 from PySide6.QtGui import QColor, QFont, QFontMetricsF, QImage, QPainter, QPen, QPolygonF
 from PySide6.QtSvg import QSvgGenerator
 
+from armui.system.atomic import write_whole
 from armui.ui.theme import LIGHT
 from armui.ui.watch.round_figures import ticks
 from armui.ui.watch.time_axis import tick_step_s, time_label
@@ -123,14 +124,7 @@ def write(path: Path, figure: CurveFigure, kind: str) -> None:
     Raises:
         OSError: The disk or the folder does not allow it.
     """
-    data = WRITERS[kind](figure)
-    fresh = path.with_name(path.name + ".new")
-    try:
-        fresh.write_bytes(data)
-        fresh.replace(path)
-    except OSError:
-        fresh.unlink(missing_ok=True)
-        raise
+    write_whole(path, WRITERS[kind](figure))
 
 
 def _draw(painter: QPainter, figure: CurveFigure) -> None:

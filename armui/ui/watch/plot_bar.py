@@ -4,12 +4,15 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Final
 
-from PySide6.QtCore import QT_TRANSLATE_NOOP, QCoreApplication, QEvent, Signal
-from PySide6.QtWidgets import QComboBox, QHBoxLayout, QPushButton, QWidget
+from PySide6.QtCore import QT_TRANSLATE_NOOP, QCoreApplication, Signal
+from PySide6.QtWidgets import QComboBox, QWidget
 
 from armui.ui.watch.plot_layout import SETS
 from armui.ui.watch.save_button import SaveButton
 from armui.ui.watch.time_frame import SPANS_S
+from armui.ui.widgets.buttons import bar_button, named
+from armui.ui.widgets.layouts import in_row
+from armui.ui.widgets.translated import Translated
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -26,7 +29,7 @@ _SETS: Final[Mapping[str, object]] = {
 SAVES: Final = ("csv", "png", "svg", "copy_picture", "copy_values")
 
 
-class PlotBar(QWidget):
+class PlotBar(Translated, QWidget):
     """Commands a board, and shows how it stands.
 
     Args:
@@ -41,19 +44,15 @@ class PlotBar(QWidget):
     def __init__(self, board: PlotBoard, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._board = board
-        self.sets = QComboBox()
-        self.sets.setObjectName("plot_sets")
-        self.spans = QComboBox()
-        self.spans.setObjectName("plot_span")
-        self.pause = self._button("plot_pause", checkable=True)
-        self.undo = self._button("plot_undo")
-        self.cursors = self._button("plot_cursors", checkable=True)
+        self.sets = named("plot_sets", QComboBox())
+        self.spans = named("plot_span", QComboBox())
+        self.pause = bar_button("plot_pause", toggles=True)
+        self.undo = bar_button("plot_undo")
+        self.cursors = bar_button("plot_cursors", toggles=True)
         self.save = SaveButton("plot", SAVES)
         self.save.wanted.connect(self.save_wanted)
         self.saves = self.save.saves
-        row = QHBoxLayout(self)
-        row.setContentsMargins(0, 0, 0, 0)
-        row.setSpacing(8)
+        row = in_row(on=self, spacing=8, margins=0)
         for widget in (self.sets, self.spans, self.pause, self.undo, self.cursors):
             row.addWidget(widget)
         row.addStretch(1)
@@ -67,14 +66,6 @@ class PlotBar(QWidget):
         board.frame_changed.connect(self.refresh)
         board.cursors_changed.connect(self.refresh)
         self.retranslate_ui()
-
-    def _button(self, name: str, *, checkable: bool = False) -> QPushButton:
-        button = QPushButton()
-        button.setObjectName(name)
-        button.setCheckable(checkable)
-        button.setProperty("toggle", checkable)
-        button.setAutoDefault(False)
-        return button
 
     def _on_set(self, _place: int) -> None:
         name = self.sets.currentData()
@@ -144,12 +135,6 @@ class PlotBar(QWidget):
         for name, text in texts.items():
             self.saves[name].setText(text)
         self.refresh()
-
-    def changeEvent(self, event: QEvent) -> None:
-        """Follow the language."""
-        if event.type() == QEvent.Type.LanguageChange:
-            self.retranslate_ui()
-        super().changeEvent(event)
 
 
 def _span_text(span_s: float) -> str:

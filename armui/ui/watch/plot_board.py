@@ -8,7 +8,7 @@ from functools import partial
 from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QEvent, QPoint, Qt, QTimer, Signal
-from PySide6.QtWidgets import QFrame, QScrollArea, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QFrame, QScrollArea, QWidget
 
 from armui.telemetry.quantities import QUANTITIES
 from armui.ui.watch.curve_book import CurveBook
@@ -19,6 +19,8 @@ from armui.ui.watch.plot_pane import PlotPane
 from armui.ui.watch.time_frame import TimeFrame
 from armui.ui.watch.time_strip import TimeStrip
 from armui.ui.watch.wall_clock import clock_time
+from armui.ui.widgets.buttons import named
+from armui.ui.widgets.layouts import in_column
 
 if TYPE_CHECKING:
     from PySide6.QtGui import QHideEvent, QResizeEvent, QShowEvent
@@ -83,11 +85,8 @@ class PlotBoard(QWidget):
         self._missing: Missing | None = None
         self._waiting: list[PlotPane] = []
         self._area = area = QScrollArea(self)
-        self._column = QWidget(area)
-        self._column.setObjectName("plot_column")
-        self._stack = QVBoxLayout(self._column)
-        self._stack.setContentsMargins(0, 0, 0, 0)
-        self._stack.setSpacing(4)
+        self._column = named("plot_column", QWidget(area))
+        self._stack = in_column(on=self._column, spacing=4, margins=0)
         self.times = TimeStrip(self)
         self._strip = DropStrip(self)
         self._strip.dropped.connect(lambda keys, plot: self.take(keys, plot, None))
@@ -95,12 +94,7 @@ class PlotBoard(QWidget):
         area.setFrameShape(QFrame.Shape.NoFrame)
         area.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         area.setWidget(self._column)
-        whole = QVBoxLayout(self)
-        whole.setContentsMargins(0, 0, 0, 0)
-        whole.setSpacing(4)
-        whole.addWidget(area, 1)
-        whole.addWidget(self.times)
-        whole.addWidget(self._strip)
+        in_column((area, 1), self.times, self._strip, on=self, spacing=4, margins=0)
         self._timer = QTimer(self)
         self._timer.setInterval(PICTURE_MS)
         self._timer.timeout.connect(self._on_tick)

@@ -3,35 +3,33 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from datetime import datetime
 from functools import partial
-from pathlib import Path
-from typing import TYPE_CHECKING, Final
+from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QObject, Signal
 from PySide6.QtGui import QGuiApplication, QImage
-from PySide6.QtWidgets import QWidget
 
 from armui.arm.refusal import Refusal
 from armui.control.events import Level
 from armui.telemetry.quantities import QUANTITIES
 from armui.ui import words
 from armui.ui.background import Job
-from armui.ui.dialogs.files import choose_file
+from armui.ui.dialogs.file_export import FileExport
 from armui.ui.watch import figure, value_table
 from armui.ui.watch.curves_item import CURSOR_NAMES
 from armui.ui.words import quantities as names
 
 if TYPE_CHECKING:
+    from pathlib import Path
+
+    from PySide6.QtWidgets import QWidget
+
     from armui.control.arm_controller import ArmController
     from armui.telemetry.store import Telemetry
     from armui.ui.background import Background
     from armui.ui.watch.plot_board import PlotBoard
 
-_FILTERS: Final = {"csv": "CSV (*.csv)", "png": "PNG (*.png)", "svg": "SVG (*.svg)"}
 
-
-class PlotExport(QObject):
+class PlotExport(FileExport):
     """Files and clipboard.
 
     Args:
@@ -39,12 +37,7 @@ class PlotExport(QObject):
         board: What is shown.
         background: Where it is drawn and written.
         window: Whom the file chooser belongs to.
-
-    Signals:
-        said: What has become of it, and its :class:`Level`.
     """
-
-    said = Signal(str, object)
 
     def __init__(
         self,
@@ -53,28 +46,17 @@ class PlotExport(QObject):
         background: Background,
         window: QWidget,
     ) -> None:
-        super().__init__(window)
-        self._controller = controller
+        super().__init__(controller, background, window)
         self._telemetry: Telemetry = board.telemetry
         self._board = board
-        self._background = background
-        self._window = window
 
     def save(self, kind: str) -> None:
         """Let the operator say where to, and write it there; ``kind`` is csv, png or svg."""
-        now = datetime.now().astimezone()
-        choose_file(
-            self._window,
-            self._controller,
-            title=self.tr("Save the plots"),
-            name_filter=_FILTERS[kind],
-            on_chosen=partial(self.write, kind),
-            new_file=str(Path.home() / f"armui-{now:%Y%m%d-%H%M%S}.{kind}"),
-        )
+        self._choose(self.tr("Save the plots"), "armui", kind, partial(self.write, kind))
 
     def write(self, kind: str, path: Path) -> None:
         """Write what is shown to a file."""
-        job = Job(partial(self._on_written, path))
+        job = self._job(path)
         if kind == "csv":
             self._background.begin_here(job, self._write_csv(path))
         else:
@@ -118,14 +100,6 @@ class PlotExport(QObject):
             return call(value_table.write_csv, path, table, edge_s, edge)
 
         return work
-
-    def _on_written(self, path: Path, result: int | Refusal | None) -> None:
-        if isinstance(result, Refusal):
-            text = self.tr("Not saved: {path}. {reason}")
-            text = text.format(path=path, reason=words.refusal(result))
-            self.said.emit(text, Level.FAULT)
-        else:
-            self.said.emit(self.tr("Saved: {path}").format(path=path), Level.DONE)
 
     def _on_drawn(self, result: QImage | Refusal) -> None:
         if isinstance(result, Refusal):

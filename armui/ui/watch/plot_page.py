@@ -7,7 +7,6 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import Qt, QTimer, Signal
-from PySide6.QtWidgets import QWidget
 
 from armui.arm.refusal import Refusal
 from armui.control.events import Level
@@ -33,7 +32,6 @@ class PlotPage(Page):
         controller: Knows what was heard.
         background: Where files are read and written.
         settings: The file of the operator's settings: the plots are kept beside it.
-        parent: Its owner, before it stands anywhere.
 
     Attributes:
         board: The plots.
@@ -41,14 +39,8 @@ class PlotPage(Page):
 
     layout_read = Signal()
 
-    def __init__(
-        self,
-        controller: ArmController,
-        background: Background,
-        settings: Path,
-        parent: QWidget | None = None,
-    ) -> None:
-        super().__init__("plots", parent)
+    def __init__(self, controller: ArmController, background: Background, settings: Path) -> None:
+        super().__init__("plots")
         self.setObjectName("plot_page")
         self._background = background
         self._file = layout_file.path_beside(settings)

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QEvent, QPoint, QRectF, Qt, Signal
 from PySide6.QtGui import QPolygonF
-from PySide6.QtWidgets import QSizePolicy, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from armui.arm.state import is_fresh
 from armui.telemetry.quantities import QUANTITIES
@@ -20,6 +20,7 @@ from armui.ui.watch.graph import Graph
 from armui.ui.watch.heights import AutoHeight, together
 from armui.ui.watch.legend import Entry, Legend
 from armui.ui.widgets import painting
+from armui.ui.widgets.layouts import in_column
 from armui.ui.words import quantities as names
 
 if TYPE_CHECKING:
@@ -94,11 +95,7 @@ class PlotPane(QWidget):
         self.graph.setMinimumHeight(LEAST_PX)
         self.setAcceptDrops(True)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
-        layout = QVBoxLayout(self)
-        layout.setContentsMargins(8, 4, 4, 2)
-        layout.setSpacing(0)
-        layout.addWidget(self.legend)
-        layout.addWidget(self.graph, 1)
+        in_column(self.legend, (self.graph, 1), on=self, spacing=0, margins=(8, 4, 4, 2))
         self.graph.box.clicked.connect(lambda _at: self.pressed.emit())
         self.legend.chosen.connect(lambda _key: self.pressed.emit())
         self._take_colors()

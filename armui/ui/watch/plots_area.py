@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtGui import QKeySequence, QShortcut
-from PySide6.QtWidgets import QHBoxLayout, QMenu, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QMenu, QWidget
 
 from armui.control.events import Level
 from armui.ui.actions.keys import keys_of
@@ -16,6 +16,8 @@ from armui.ui.watch.plot_board import PlotBoard
 from armui.ui.watch.plot_export import PlotExport
 from armui.ui.watch.plot_layout import MOST_CURVES, MOST_PLOTS
 from armui.ui.watch.quantity_list import QuantityList
+from armui.ui.widgets.buttons import named
+from armui.ui.widgets.layouts import in_column, in_row
 from armui.ui.widgets.message_line import MessageLine
 
 if TYPE_CHECKING:
@@ -53,8 +55,7 @@ class PlotsArea(QWidget):
         self.bar = PlotBar(self.board, self)
         self.quantities = QuantityList(telemetry, self)
         self.cursor_table = CursorTable(self.board, telemetry, self)
-        self.message = MessageLine(self)
-        self.message.setObjectName("plot_message")
+        self.message = named("plot_message", MessageLine(self))
         self.message.hide()
         self.export = PlotExport(controller, self.board, background, self)
         self._lay_out()
@@ -70,12 +71,8 @@ class PlotsArea(QWidget):
 
     def _lay_out(self) -> None:
         # a widget that changes its parent is styled anew, with all that is in it
-        row = QHBoxLayout(self)
-        row.setContentsMargins(0, 0, 0, 0)
-        row.setSpacing(12)
-        row.addWidget(self.quantities)
-        right = QVBoxLayout()
-        right.setSpacing(6)
+        row = in_row(self.quantities, on=self, spacing=12, margins=0)
+        right = in_column(spacing=6)
         row.addLayout(right, 1)
         right.addWidget(self.bar)
         right.addWidget(self.board, 1)
@@ -85,8 +82,7 @@ class PlotsArea(QWidget):
     # Menus ------------------------------------------------------------------------------------
 
     def _open_menu(self, place: int, key: str | None, at: QPoint) -> None:
-        menu = QMenu(self)
-        menu.setObjectName("plot_menu")
+        menu = named("plot_menu", QMenu(self))
         menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         if key is not None:
             menu.addAction(self.tr("Remove curve"), lambda: self.board.remove(place, key))

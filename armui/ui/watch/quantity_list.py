@@ -5,13 +5,16 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import TYPE_CHECKING, Final
 
-from PySide6.QtCore import QEvent, QModelIndex, QSortFilterProxyModel, Qt, QTimer, Signal
+from PySide6.QtCore import QModelIndex, QSortFilterProxyModel, Qt, QTimer, Signal
 from PySide6.QtGui import QColor, QStandardItem, QStandardItemModel
-from PySide6.QtWidgets import QAbstractItemView, QLineEdit, QTreeView, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QAbstractItemView, QLineEdit, QTreeView, QWidget
 
 from armui.telemetry.quantities import QUANTITIES, Source
 from armui.ui.theme import colors_of
 from armui.ui.watch.carrying import carry_away
+from armui.ui.widgets.buttons import named
+from armui.ui.widgets.layouts import in_column
+from armui.ui.widgets.translated import Translated
 from armui.ui.words import quantities as names
 
 if TYPE_CHECKING:
@@ -37,7 +40,7 @@ class _Tree(QTreeView):
             carry_away(self, list(dict.fromkeys(keys)))
 
 
-class QuantityList(QWidget):
+class QuantityList(Translated, QWidget):
     """A search field over a tree; what was never heard is muted.
 
     Args:
@@ -54,8 +57,7 @@ class QuantityList(QWidget):
         self._telemetry = telemetry
         self._items: dict[str, QStandardItem] = {}
         self._groups: list[tuple[QStandardItem, str]] = []
-        self.search = QLineEdit()
-        self.search.setObjectName("quantity_search")
+        self.search = named("quantity_search", QLineEdit())
         self.search.setClearButtonEnabled(True)
         self._model = QStandardItemModel(self)
         self._shown = QSortFilterProxyModel(self)
@@ -73,11 +75,7 @@ class QuantityList(QWidget):
         self.tree.setDragEnabled(True)
         self.tree.setDragDropMode(QAbstractItemView.DragDropMode.DragOnly)
         self.tree.setExpandsOnDoubleClick(False)
-        layout = QVBoxLayout(self)
-        layout.setContentsMargins(0, 0, 0, 0)
-        layout.setSpacing(6)
-        layout.addWidget(self.search)
-        layout.addWidget(self.tree, 1)
+        in_column(self.search, (self.tree, 1), on=self, spacing=6, margins=0)
         self.setFixedWidth(_WIDTH_PX)
         self._fill()
         self.search.textChanged.connect(self._on_search)
@@ -175,10 +173,5 @@ class QuantityList(QWidget):
         super().hideEvent(event)
         self._timer.stop()
 
-    def changeEvent(self, event: QEvent) -> None:
-        """Follow the language and the colours."""
-        if event.type() == QEvent.Type.LanguageChange:
-            self.retranslate_ui()
-        elif event.type() == QEvent.Type.PaletteChange:
-            self.show_heard()
-        super().changeEvent(event)
+    def _recolor(self) -> None:
+        self.show_heard()

@@ -6,7 +6,7 @@ from collections.abc import Iterable
 
 from PySide6.QtCore import Signal
 from PySide6.QtGui import QAction
-from PySide6.QtWidgets import QMenu, QToolButton, QWidget
+from PySide6.QtWidgets import QMenu, QToolButton
 
 
 class SaveButton(QToolButton):
@@ -25,8 +25,8 @@ class SaveButton(QToolButton):
 
     wanted = Signal(str)
 
-    def __init__(self, room: str, kinds: Iterable[str], parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self, room: str, kinds: Iterable[str]) -> None:
+        super().__init__()
         self.setObjectName(f"{room}_save")
         self.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
         menu = QMenu(self)

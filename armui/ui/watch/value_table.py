@@ -5,6 +5,7 @@ One row a millisecond in which anything was heard; empty where a quantity was no
 
 from __future__ import annotations
 
+import io
 from collections.abc import Sequence
 from dataclasses import dataclass
 from datetime import datetime, timedelta
@@ -12,6 +13,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
+
+from armui.system.atomic import WholeFile
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -77,18 +80,15 @@ def write_csv(path: Path, table: Sequence[Column], edge_s: float, edge: datetime
     stamps = [np.round((each.times_s - edge_s) * _PER_S).astype(np.int64) for each in table]
     rows = np.unique(np.concatenate(stamps)) if stamps else np.empty(0, np.int64)
     places = [np.searchsorted(rows, each) for each in stamps]
-    fresh = path.with_name(path.name + ".new")
-    try:
+    titles = [f'"{each.title.replace(chr(34), chr(39))}"' for each in table]
+    with WholeFile(path) as whole:
         # with a mark of its encoding: spreadsheets take it for something else otherwise
-        with fresh.open("w", encoding="utf-8-sig", newline="") as file:
-            titles = [f'"{each.title.replace(chr(34), chr(39))}"' for each in table]
-            file.write(",".join(["time", "t_s", *titles]) + "\r\n")
-            for begin in range(0, rows.size, _CHUNK):
-                file.write(_chunk(rows[begin : begin + _CHUNK], begin, table, places, edge))
-        fresh.replace(path)
-    except OSError:
-        fresh.unlink(missing_ok=True)
-        raise
+        file = io.TextIOWrapper(whole.stream, "utf-8-sig", newline="")
+        file.write(",".join(["time", "t_s", *titles]) + "\r\n")
+        for begin in range(0, rows.size, _CHUNK):
+            file.write(_chunk(rows[begin : begin + _CHUNK], begin, table, places, edge))
+        file.flush()
+        whole.finish()
     return int(rows.size)
 
 

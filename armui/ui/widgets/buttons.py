@@ -71,6 +71,19 @@ def describe(widget: QWidget, name: str, tip: str = "") -> None:
     widget.setToolTip(tip or name)
 
 
+def bar_button(name: str, *, toggles: bool = False) -> QPushButton:
+    """A button of a bar above what a window shows; Enter elsewhere in the window is not for it.
+
+    Args:
+        name: Its object name.
+        toggles: Whether it stays down until it is pressed again.
+    """
+    button = push_button(name, on_enter=False)
+    button.setCheckable(toggles)
+    button.setProperty("toggle", toggles)
+    return button
+
+
 def choice_button(name: str, text: str = "") -> QToolButton:
     """A button that stays down when it is chosen.
 

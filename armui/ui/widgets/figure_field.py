@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QColor, QFocusEvent, QKeyEvent, QPainter, QPaintEvent
-from PySide6.QtWidgets import QLineEdit, QWidget
+from PySide6.QtWidgets import QLineEdit
 
 from armui.ui import format as fmt
 from armui.ui.theme import colors_of
@@ -24,8 +24,8 @@ class FigureField(QLineEdit):
     value_edited = Signal()
     """The operator changed the text."""
 
-    def __init__(self, decimals: int, unit: str = "", parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self, decimals: int, unit: str = "") -> None:
+        super().__init__()
         self.step = 1.0
         self._decimals = decimals
         self._unit = unit
@@ -78,7 +78,7 @@ class FigureField(QLineEdit):
 
     def _unit_px(self) -> int:
         """Room for the unit: a degree sign stands close to its figure, others apart."""
-        if len(self._unit) < 2:
+        if self._unit in {"", "°"}:
             return 5 * len(self._unit)
         return self.fontMetrics().horizontalAdvance(self._unit) + 5
 

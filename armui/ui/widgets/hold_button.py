@@ -6,7 +6,7 @@ from typing import Final
 
 from PySide6.QtCore import QRectF, QSize, QVariantAnimation, Signal
 from PySide6.QtGui import QColor, QPaintEvent, QPen
-from PySide6.QtWidgets import QPushButton, QWidget
+from PySide6.QtWidgets import QPushButton
 
 from armui.ui.theme import colors_of
 from armui.ui.widgets import painting
@@ -33,8 +33,8 @@ class HoldButton(QPushButton):
     held = Signal()
     """It was held to the end."""
 
-    def __init__(self, text: str = "", parent: QWidget | None = None) -> None:
-        super().__init__(text, parent)
+    def __init__(self, text: str = "") -> None:
+        super().__init__(text)
         self.setAutoDefault(False)
         self.progress = QVariantAnimation(self)
         self.progress.setStartValue(0.0)

@@ -51,10 +51,14 @@ class HoldGuard(QObject):
         if isinstance(application, QGuiApplication):
             application.applicationStateChanged.connect(self._on_application_state)
 
-    def watch(self) -> None:
-        """The hold begins."""
+    def watch(self, window: QWidget | None = None) -> None:
+        """The hold begins.
+
+        Args:
+            window: In front of which it is held; the control's own by default.
+        """
         self.release()
-        self._window = self._control.window()
+        self._window = window or self._control.window()
         self._window.installEventFilter(self)
         self._control.installEventFilter(self)
         self._patience.start()

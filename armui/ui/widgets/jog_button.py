@@ -6,7 +6,7 @@ from typing import Final
 
 from PySide6.QtCore import QEvent, QTimer, Signal
 from PySide6.QtGui import QFocusEvent, QHideEvent, QKeyEvent, QMouseEvent
-from PySide6.QtWidgets import QPushButton, QWidget
+from PySide6.QtWidgets import QPushButton
 
 from armui.ui.widgets.hold_guard import HoldGuard
 
@@ -33,8 +33,8 @@ class JogButton(QPushButton):
     unattended = Signal()
     """It ended because the operator gave no sign for too long."""
 
-    def __init__(self, sign: str, parent: QWidget | None = None) -> None:
-        super().__init__(sign, parent)
+    def __init__(self, sign: str) -> None:
+        super().__init__(sign)
         self.continuous = False
         self._fresh_press = False
         self._holding = False

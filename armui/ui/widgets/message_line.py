@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from typing import Final
+from collections.abc import Callable
+from typing import Final, TypeAlias
 
 from PySide6.QtCore import QEvent, QRect, QRectF, QSize, Qt
 from PySide6.QtGui import QPaintEvent, QResizeEvent
@@ -14,21 +15,39 @@ from armui.ui.widgets import icons, painting
 from armui.ui.widgets.layouts import in_row
 from armui.ui.widgets.text_label import text_label
 
+Words: TypeAlias = str | Callable[[], str]
+"""A text, or what makes it in whichever language is chosen."""
+
 _ICON_PX: Final = 20
 _SIDE_PX: Final = 12
 _TOP_PX: Final = 8
 _GAP_PX: Final = 10
 _TWO_LINES: Final = "急\n急"
 """Chinese glyphs may stand higher than the others."""
+_LEAST_PX: Final = 200
 _UNBOUNDED_PX: Final = 10_000
+_ICONS: Final = {
+    Level.INFO: "info",
+    Level.DONE: "done",
+    Level.WARNING: "warning",
+    Level.FAULT: "warning",
+}
 
 
 class MessageLine(QWidget):
-    """One message with a sign before it; keeps its room when there is nothing to say."""
+    """One message with a sign before it.
 
-    def __init__(self, parent: QWidget | None = None) -> None:
+    Args:
+        parent: Qt's.
+        keeps_room: Whether its room stays empty when there is nothing to say. Below a table it
+            takes none: what it needs is taken from the table's lower end, and nothing else moves.
+    """
+
+    def __init__(self, parent: QWidget | None = None, *, keeps_room: bool = True) -> None:
         super().__init__(parent)
+        self._keeps_room = keeps_room
         self._level = Level.INFO
+        self._words: Words = ""
         self._icon = QLabel()
         self._icon.setFixedWidth(_ICON_PX)
         self._label = text_label(wraps=True, plain=True)
@@ -43,12 +62,20 @@ class MessageLine(QWidget):
         """What it says now."""
         return self._label.text()
 
-    def show_message(self, text: str, level: Level = Level.INFO) -> None:
-        """Say something; an empty text says nothing."""
-        self._level = level
+    def show_message(self, words: Words, level: Level = Level.INFO) -> None:
+        """Say something; an empty text says nothing.
+
+        Args:
+            words: What.
+            level: How much it matters.
+        """
+        self._level, self._words = level, words
+        text = words if isinstance(words, str) else words()
         self._label.setText(text)
         self.setAccessibleName(text)
         self._update_icon()
+        if not self._keeps_room:
+            self.setHidden(not text)
         self.updateGeometry()
         self.update()
 
@@ -64,11 +91,16 @@ class MessageLine(QWidget):
         room = QRect(0, 0, width, _UNBOUNDED_PX)
         texts = (self.text(), _TWO_LINES)
         height = max(metrics.boundingRect(room, wrap, text).height() for text in texts)
-        return QSize(200, height + 2 * _TOP_PX)
+        return QSize(_LEAST_PX if self._keeps_room else self._natural_px(), height + 2 * _TOP_PX)
+
+    def _natural_px(self) -> int:
+        """As wide as its longest line, for a row that goes on below where there is no room."""
+        lines = (self.fontMetrics().horizontalAdvance(line) for line in self.text().split("\n"))
+        return max(_LEAST_PX, max(lines) + 2 * _SIDE_PX + _GAP_PX + _ICON_PX)
 
     def minimumSizeHint(self) -> QSize:
-        """No smaller than that."""
-        return self.sizeHint()
+        """No lower than that; narrower, its lines break."""
+        return QSize(_LEAST_PX, self.sizeHint().height())
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         """Fit the text into the new width."""
@@ -77,9 +109,11 @@ class MessageLine(QWidget):
             self.updateGeometry()
 
     def changeEvent(self, event: QEvent) -> None:
-        """Follow the colours."""
+        """Follow the colours and the language."""
         if event.type() == QEvent.Type.PaletteChange:
             self._update_icon()
+        elif event.type() == QEvent.Type.LanguageChange and not isinstance(self._words, str):
+            self.show_message(self._words, self._level)
         super().changeEvent(event)
 
     def paintEvent(self, _event: QPaintEvent) -> None:
@@ -97,7 +131,7 @@ class MessageLine(QWidget):
             self._icon.clear()
             return
         _fill, ink = self._paint_colors(colors_of(self))
-        name = "warning" if self._level in {Level.WARNING, Level.FAULT} else "info"
+        name = _ICONS[self._level]
         self._icon.setPixmap(icons.pixmap(name, ink, _ICON_PX, self.devicePixelRatioF()))
 
     def _paint_colors(self, colors: Colors) -> tuple[str, str]:

@@ -7,7 +7,7 @@ from typing import Final
 
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QCloseEvent, QContextMenuEvent, QKeyEvent
-from PySide6.QtWidgets import QHBoxLayout, QHeaderView, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QHeaderView, QWidget
 
 from armui.ui.widgets.curve_menu import offer_curves
 from armui.ui.widgets.layouts import in_column, in_row
@@ -27,6 +27,8 @@ class Page(Translated, QWidget):
 
     Attributes:
         above: The page that leads to it, and to which the way back leads.
+        body: Where its content goes.
+        footer: Where its last buttons go, from left to right.
 
     Signals:
         titled: Its title is another.
@@ -43,19 +45,14 @@ class Page(Translated, QWidget):
         self.key: Final = key
         self.above: Page | None = None
         self._title = ""
-        self._body = in_column(spacing=_GAP_PX)
-        self._footer = in_row(spacing=_GAP_PX // 2)
-        in_column((self._body, 1), self._footer, on=self, spacing=_GAP_PX, margins=0)
+        self.body = in_column(spacing=_GAP_PX)
+        self.footer = in_row(spacing=_GAP_PX // 2)
+        in_column((self.body, 1), self.footer, on=self, spacing=_GAP_PX, margins=0)
 
     @property
-    def body(self) -> QVBoxLayout:
-        """Where its content goes."""
-        return self._body
-
-    @property
-    def footer(self) -> QHBoxLayout:
-        """Where its last buttons go, from left to right."""
-        return self._footer
+    def subject(self) -> str:
+        """What it works on, where there are several of its kind."""
+        return ""
 
     @property
     def title(self) -> str:

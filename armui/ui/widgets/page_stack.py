@@ -49,6 +49,9 @@ class PageStack(QScrollArea):
 
     def __init__(self) -> None:
         super().__init__()
+        viewport = QWidget()
+        viewport.setAutoFillBackground(False)
+        self.setViewport(viewport)  # to ask for Qt's own has PySide load every class of widgets
         self._room = _Room()
         self._stack = self._room.stack
         self.setWidgetResizable(True)
@@ -56,7 +59,6 @@ class PageStack(QScrollArea):
         self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.setWidget(self._room)
-        self.viewport().setAutoFillBackground(False)
         self._room.setAutoFillBackground(False)
 
     @property

@@ -5,6 +5,8 @@ from __future__ import annotations
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableView, QTableWidget
 
+from armui.ui.widgets.buttons import named
+
 
 def list_rows(table: QTableView) -> QHeaderView:
     """Have a table show its rows as a list does: chosen whole, without grid and row titles.
@@ -30,8 +32,7 @@ def plain_table(name: str, columns: int, *, wide: int) -> QTableWidget:
         columns: How many.
         wide: The column that takes the room that is left.
     """
-    table = QTableWidget(0, columns)
-    table.setObjectName(name)
+    table = named(name, QTableWidget(0, columns))
     table.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
     table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
     table.setShowGrid(False)
@@ -41,5 +42,6 @@ def plain_table(name: str, columns: int, *, wide: int) -> QTableWidget:
     table.verticalHeader().hide()
     across = table.horizontalHeader()
     across.setHighlightSections(False)
+    across.setDefaultAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
     across.setSectionResizeMode(wide, QHeaderView.ResizeMode.Stretch)
     return table

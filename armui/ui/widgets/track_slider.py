@@ -6,7 +6,7 @@ from typing import Final
 
 from PySide6.QtCore import QPointF, QRectF, QSignalBlocker, QSize, Qt
 from PySide6.QtGui import QColor, QMouseEvent, QPainter, QPaintEvent, QPen, QPolygonF, QWheelEvent
-from PySide6.QtWidgets import QSizePolicy, QSlider, QWidget
+from PySide6.QtWidgets import QSizePolicy, QSlider
 
 from armui.ui.theme import Colors, colors_of
 from armui.ui.widgets import painting
@@ -26,6 +26,7 @@ class TrackSlider(QSlider):
     Args:
         resolution: How much one step of the slider is.
         origin: Where the coloured part of the track begins; ``None``: at the mark.
+        marked: Whether a mark can stand below the track, which needs room there.
         jumps: Whether a click beside the handle brings the handle there; otherwise it goes a
             page in that direction, for quantities that act at once.
     """
@@ -33,14 +34,15 @@ class TrackSlider(QSlider):
     def __init__(
         self,
         resolution: float,
-        parent: QWidget | None = None,
         *,
         origin: float | None = None,
+        marked: bool = False,
         jumps: bool = True,
     ) -> None:
-        super().__init__(Qt.Orientation.Horizontal, parent)
+        super().__init__(Qt.Orientation.Horizontal)
         self._resolution = resolution
         self._origin = origin
+        self._above_middle_px = _MARK_PX - 2 if marked else 0.0
         self._jumps = jumps
         self._grabbed_at: float | None = None
         self._requested_known = True
@@ -161,7 +163,7 @@ class TrackSlider(QSlider):
         """Draw it."""
         colors = colors_of(self)
         painter = painting.begin(self)
-        middle = self.height() / 2 - 3
+        middle = self.height() / 2 - self._above_middle_px
         self._mark_px = self._place(self._measured)
         handle = self._place(self.requested) if self._requested_known else None
         self._draw_track(painter, colors, middle, handle)

@@ -21,10 +21,9 @@ class ValueLabel(QWidget):
     def __init__(
         self,
         widest: str,
-        parent: QWidget | None = None,
         alignment: Qt.AlignmentFlag = Qt.AlignmentFlag.AlignRight,
     ) -> None:
-        super().__init__(parent)
+        super().__init__()
         self._widest = widest
         self._alignment = alignment | Qt.AlignmentFlag.AlignVCenter
         self._text = fmt.NOTHING

@@ -15,14 +15,13 @@ from armui.control.event_log.observed import ObservedCode
 from armui.control.motion.motion_command import End
 from armui.protocol.codec import InvalidFrameKind
 from armui.telemetry.events import Asker, EventEntry, EventKind, EventOutcome, Level
-from armui.ui import format as fmt
 from armui.ui.words import status
 from armui.ui.words.events import event_text
 from armui.ui.words.gripper import gripper_fault
 from armui.ui.words.joints import joint_item, joint_word
 from armui.ui.words.parameters import full_name, value_text
 from armui.ui.words.refusals import refusal
-from armui.ui.words.text import NOT_KNOWN, sentence
+from armui.ui.words.text import NOT_KNOWN, listed, sentence
 
 _OBSERVED: Final[Mapping[str, object]] = {
     ObservedCode.CONTROL_MODE: QT_TRANSLATE_NOOP("Observed", "Control mode: {before} → {mode}"),
@@ -180,7 +179,7 @@ def _values(params: Mapping[str, object]) -> list[str]:
 
 
 def _joints(joints: object) -> str:
-    return fmt.joints(list(joints)) if isinstance(joints, tuple) else str(joints)
+    return listed(f"J{joint}" for joint in joints) if isinstance(joints, tuple) else str(joints)
 
 
 def _reason(reason: object) -> str:

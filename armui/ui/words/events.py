@@ -13,6 +13,7 @@ from armui.control.events import Event, EventCode
 from armui.protocol.codes import EndLoad, Mounting, TeachingState, TrajectoryCommand
 from armui.ui.words.devices import device_name
 from armui.ui.words.gripper import end_load, gripper_act
+from armui.ui.words.model_events import MODEL_NOTICES
 from armui.ui.words.mounting import mounting
 from armui.ui.words.refusals import refusal
 from armui.ui.words.teaching import teaching_command, trajectory_command
@@ -50,15 +51,6 @@ _NOTICES: Final[Mapping[EventCode, object]] = {
     ),
     EventCode.OTHER_HOST_GONE: QT_TRANSLATE_NOOP(
         "Notice", "Nobody else controls the arm any more."
-    ),
-    EventCode.MODEL_OTHER: QT_TRANSLATE_NOOP(
-        "Notice",
-        "Connected as a {chosen}, but the pose it reports is that of a {fits}. Connect it as a "
-        "{fits}.",
-    ),
-    EventCode.MODEL_NONE: QT_TRANSLATE_NOOP(
-        "Notice",
-        "The pose the arm reports fits its angles in no model of the family, {chosen} included.",
     ),
     EventCode.TAKEN_OVER: QT_TRANSLATE_NOOP("Notice", "Taken over: this program may move the arm."),
     EventCode.MODE_LEFT: QT_TRANSLATE_NOOP(
@@ -360,6 +352,7 @@ _NOTICES: Final[Mapping[EventCode, object]] = {
         "close one of them.",
     ),
     EventCode.REFUSED: QT_TRANSLATE_NOOP("Notice", "Not sent. {reason}"),
+    **MODEL_NOTICES,
 }
 
 CODES: Final = frozenset(_NOTICES)

@@ -26,7 +26,7 @@ _FINDINGS: Final[Mapping[FindingCode, object]] = {
     ),
     FindingCode.OUT_OF_REACH: QT_TRANSLATE_NOOP(
         "Finding",
-        "The arm cannot bring its flange there: {missing} mm are missing. Move the point nearer.",
+        "The flange cannot get there: the point is {missing} mm too far. Move it nearer.",
     ),
     FindingCode.PATH_OUT_OF_REACH: QT_TRANSLATE_NOOP(
         "Finding",

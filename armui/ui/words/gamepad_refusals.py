@@ -23,7 +23,8 @@ GAMEPAD_REFUSALS: Final[Mapping[RefusalCode, object]] = {
     ),
     RefusalCode.GAMEPAD_NOT_IN_FRONT: QT_TRANSLATE_NOOP(
         "Refusal",
-        "The main window is not in front, or a menu is open in it. Click into it, then press anew.",
+        "The main window, or a page taken out of it, is not in front, or a menu is open. Click "
+        "into one of them, then press anew.",
     ),
 }
 """By the code."""

@@ -25,6 +25,16 @@ LOG_REFUSALS: Final[Mapping[RefusalCode, object]] = {
         "Nothing in {name} reads as a frame of a CAN log ({text}). Choose the file that the "
         "recording program has written, with its own ending.",
     ),
+    RefusalCode.REPLAY_NOTHING_READ: QT_TRANSLATE_NOOP(
+        "Refusal",
+        "Nothing in {name} reads as a frame of a CAN log of its ending. Choose the file that the "
+        "recording program has written, with its own ending.",
+    ),
+    RefusalCode.REPLAY_ARCHIVE: QT_TRANSLATE_NOOP(
+        "Refusal",
+        "{name} is a packed archive, whatever its ending says. Unpack it, and open the log that "
+        "was in it.",
+    ),
     RefusalCode.REPLAY_UNKNOWN_KIND: QT_TRANSLATE_NOOP(
         "Refusal",
         "By its name {name} is no CAN log. Known endings: {known}, most of them also with .gz "

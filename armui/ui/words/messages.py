@@ -68,8 +68,3 @@ def message_name(message: str) -> str:
         return sentence("FrameName", source, {})
     family = _MESSAGES.get(message[:-1])
     return message if family is None else sentence("FrameName", family, {"joint": message[-1]})
-
-
-def message_names() -> tuple[str, ...]:
-    """Every message, or its kind where there is one a joint, that has a name."""
-    return tuple(_MESSAGES)

@@ -26,6 +26,10 @@ RUN_REFUSALS: Final[Mapping[RefusalCode, object]] = {
     RefusalCode.LIMITS_CHANGED_SINCE_CHECK: QT_TRANSLATE_NOOP(
         "Refusal", "Not run: the arm's joint limits are others than those of the check. Send again."
     ),
+    RefusalCode.MODEL_CHANGED_SINCE_CHECK: QT_TRANSLATE_NOOP(
+        "Refusal",
+        "Not run: the arm's model or zeros are others than those of the check. Send again.",
+    ),
     RefusalCode.NOT_RUNNING: QT_TRANSLATE_NOOP(
         "Refusal", "No trajectory is running: nothing to pause."
     ),

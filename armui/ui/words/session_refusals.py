@@ -19,6 +19,9 @@ SESSION_REFUSALS: Final[Mapping[RefusalCode, object]] = {
     RefusalCode.SESSION_NO_MF4: QT_TRANSLATE_NOOP(
         "Refusal", "MF4 needs the package asammdf (pip install asammdf)."
     ),
+    RefusalCode.SESSION_MF4_CALLED_OFF: QT_TRANSLATE_NOOP(
+        "Refusal", "You called it off. The recording itself is whole, as .blf."
+    ),
     RefusalCode.SESSION_SAVING: QT_TRANSLATE_NOOP(
         "Refusal", "The last minutes are being saved already. Wait a moment."
     ),

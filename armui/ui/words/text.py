@@ -2,12 +2,24 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+import re
+from collections.abc import Iterable, Mapping
+from typing import Final
 
 from PySide6.QtCore import QCoreApplication
 
 NOT_KNOWN = "—"
 """Stands where a figure is missing, as it does in the rest of the window."""
+
+
+_LIST: Final = re.compile(r"(?:J?\d|0x[0-9A-F]{3})(?:, (?:J?\d|0x[0-9A-F]{3}))+")
+"""Joints or identifiers, as those who know no language have listed them."""
+
+
+def listed(items: Iterable[str]) -> str:
+    """Items of a list in a sentence, parted as the operator's language does it."""
+    # Translators: between two items of a list
+    return QCoreApplication.translate("List", ", ").join(items)
 
 
 class _Figures(dict[str, str]):
@@ -19,7 +31,8 @@ class _Figures(dict[str, str]):
 
 def _figure(value: object) -> str:
     """A figure as the operator reads it: angles and lengths with three decimals."""
-    return f"{value:.3f}" if isinstance(value, float) else str(value)
+    text = f"{value:.3f}" if isinstance(value, float) else str(value)
+    return listed(text.split(", ")) if _LIST.fullmatch(text) else text
 
 
 def sentence(context: str, source: object, params: Mapping[str, object]) -> str:

@@ -56,7 +56,7 @@ class FramePainter:
     @property
     def is_rough(self) -> bool:
         """Whether the last picture would look better refined."""
-        return self._is_rough
+        return self._is_rough or (self._scene is not None and self._scene.is_unfinished)
 
     @property
     def robot(self) -> Robot | None:
@@ -100,8 +100,15 @@ class FramePainter:
         return self._render(scene, smooth=self._smooth_frame_s < _CHEAP_FRAME_S)
 
     def refine(self) -> Pixels | None:
-        """Draw the last state with smooth edges; None when that is done already."""
-        if self._scene is None or not self._is_rough:
+        """Draw the last state with smooth edges and what was being worked out.
+
+        Returns:
+            None when that is done already, or there is nothing new yet.
+        """
+        if self._scene is None:
+            return None
+        has_come = self._scene.catch_up()
+        if not (self._is_rough or has_come):
             return None
         return self._render(self._scene, smooth=True)
 

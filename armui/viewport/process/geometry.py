@@ -28,6 +28,24 @@ def smooth(surface: Surface) -> pv.PolyData:
     return shaded
 
 
+def is_closed(surface: Surface) -> bool:
+    """Whether a surface bounds a body and all its triangles look outwards.
+
+    Of such a body the triangles that look away from the eye are never seen: they need not be drawn.
+    """
+    corners, places = np.unique(surface.vertices, axis=0, return_inverse=True)
+    faces = places.reshape(-1)[np.asarray(surface.faces, np.int64)]
+    starts, ends = faces.ravel(), np.roll(faces, -1, axis=1).ravel()
+    is_edge = starts != ends
+    starts, ends = starts[is_edge], ends[is_edge]
+    count = len(corners)
+    forth, back = np.sort(starts * count + ends), np.sort(ends * count + starts)
+    if not np.array_equal(forth, back):  # an edge without its neighbour, or two of one direction
+        return False
+    one, two, three = (corners[faces[:, corner]] for corner in range(3))
+    return float(np.einsum("ij,ij->", one, np.cross(two, three))) > 0.0
+
+
 def floor_lines(radius_m: float, step_m: float) -> tuple[pv.PolyData, np.ndarray]:
     """A square grid on the floor, cut out round.
 

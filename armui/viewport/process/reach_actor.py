@@ -1,153 +1,111 @@
-"""How far the tool can reach: a shell that shines through."""
+"""What the tool can reach: a border that shines through, and within it one around what it can't."""
 
 from __future__ import annotations
 
-import itertools
+import threading
 from typing import TYPE_CHECKING, Final
-
-import numpy as np
-import pyvista as pv
 
 from armui.viewport.palette import ScenePalette, rgb
 from armui.viewport.process.geometry import actor_of
-from armui.viewport.process.robot import ARM_JOINT_COUNT
 
 if TYPE_CHECKING:
-    from numpy.typing import NDArray
+    import pyvista as pv
     from vtkmodules.vtkRenderingCore import vtkActor, vtkRenderer
 
     from armui.viewport.path_picture import Reach
-    from armui.viewport.process.robot import Joint, Robot
+    from armui.viewport.process.reach_shell import ReachShell
+    from armui.viewport.process.robot import Robot
 
-_STEPS: Final = (1, 46, 46, 1, 15, 1)
-"""Angles tried of each joint: joint 1 turns the shell, 4 and 6 add nothing in its plane."""
-_BINS: Final = 72
-"""Directions in the arm's plane, as seen from its shoulder."""
-_TURNS: Final = 48
-_OPACITY: Final = 0.13
-_LINE_OPACITY: Final = 0.35
+_OUTER_OPACITY: Final = 0.10
+_INNER_OPACITY: Final = 0.30
+_FLOOR_OPACITY: Final = 0.6
 
 
 class ReachActor:
-    """Keeps the shell in a renderer; it is worked out when it is asked for."""
+    """Keeps the border in a renderer.
+
+    It is worked out beside the drawing, in a thread: pictures go on meanwhile, without it.
+    """
 
     def __init__(self, renderer: vtkRenderer) -> None:
         self._renderer = renderer
         self._actors: list[vtkActor] = []
-        self._shown: tuple[Reach | None, Robot, ScenePalette] | None = None
+        self._job: _Job | None = None
+        self._palette: ScenePalette | None = None
+
+    @property
+    def is_unfinished(self) -> bool:
+        """Whether what was asked for is not in the picture yet."""
+        return self._job is not None and not self._actors
 
     def show(self, reach: Reach | None, robot: Robot, palette: ScenePalette) -> None:
-        """Show the reach of a robot, or nothing."""
-        before = self._shown
-        wanted = (reach, robot, palette)
-        is_same = before is not None and before[1] is robot and before[::2] == wanted[::2]
-        if is_same or (reach is None and not self._actors):
-            return
-        self._shown = wanted
+        """Show the reach of a robot as soon as it is known, or nothing."""
+        job = self._job
+        if reach is None:
+            self._job = None
+            self._clear()
+        elif job is None or job.reach != reach or job.robot is not robot:
+            self._job = _Job(robot, reach)
+            self._clear()
+        elif palette != self._palette:
+            self._clear()
+        self._palette = palette
+        self.catch_up()
+
+    def catch_up(self) -> bool:
+        """Take what has been worked out meanwhile into the picture; whether there was anything.
+
+        Raises:
+            Exception: whatever went wrong with it.
+        """
+        job, palette = self._job, self._palette
+        if job is None or palette is None or self._actors or not job.is_done:
+            return False
+        shell = job.result()
+        self._add(shell.outer, palette.accent, _OUTER_OPACITY)
+        self._add(shell.inner, palette.speeds[1], _INNER_OPACITY)
+        self._add(shell.floor, palette.accent, _FLOOR_OPACITY)
+        return True
+
+    def _add(self, surface: pv.PolyData, color: str, opacity: float) -> None:
+        actor = actor_of(surface)
+        look = actor.GetProperty()
+        look.SetColor(*rgb(color))
+        look.SetOpacity(opacity)
+        look.LightingOff()
+        actor.PickableOff()
+        self._renderer.AddActor(actor)
+        self._actors.append(actor)
+
+    def _clear(self) -> None:
         for actor in self._actors:
             self._renderer.RemoveActor(actor)
         self._actors.clear()
-        if reach is None:
-            return
-        profile, turns = profile_of(robot, reach), _turns(reach)
-        surface = _shell(profile, turns)
-        rings = surface.extract_feature_edges(
-            boundary_edges=True, feature_edges=False, manifold_edges=False
-        )
-        for shape, opacity in ((surface, _OPACITY), (rings, _LINE_OPACITY)):
-            actor = actor_of(shape)
-            look = actor.GetProperty()
-            look.SetColor(*rgb(palette.accent))
-            look.SetOpacity(opacity)
-            look.LightingOff()
-            actor.PickableOff()
-            self._renderer.AddActor(actor)
-            self._actors.append(actor)
 
 
-def profile_of(robot: Robot, reach: Reach) -> NDArray[np.float64]:
-    """(n, 3) the outermost places of the tool while joint 1 stands at 0, from bottom to top, m."""
-    places = tool_places(robot, reach)
-    # in its plane, turned to the front: a place behind the arm is one before it at another angle
-    centre = _shoulder(robot)
-    out = places[:, 0] - centre[0]
-    up = places[:, 2] - centre[2]
-    angles = np.arctan2(up, np.maximum(out, 0.0))
-    forward = out >= 0.0
-    far = np.hypot(out, up)
-    bins = np.clip(((angles / np.pi + 0.5) * _BINS).astype(int), 0, _BINS - 1)
-    furthest: list[NDArray[np.float64]] = []
-    for number in range(_BINS):
-        inside = forward & (bins == number)
-        if inside.any():
-            places_there = places[inside]
-            furthest.append(places_there[far[inside].argmax()])
-    profile = np.array(furthest)
-    profile[:, 1] = 0.0
-    return profile
+class _Job:
+    """One border, worked out in a thread."""
 
+    def __init__(self, robot: Robot, reach: Reach) -> None:
+        self.robot, self.reach = robot, reach
+        self._shell: ReachShell | None = None
+        self._error: Exception | None = None
+        self._thread = threading.Thread(target=self._work, name="armui-reach", daemon=True)
+        self._thread.start()
 
-def tool_places(robot: Robot, reach: Reach) -> NDArray[np.float64]:
-    """(n, 3) places of the tool over all angles that are tried, metres."""
-    grids = [
-        np.linspace(low, high, steps) if steps > 1 else np.array([min(max(0.0, low), high)])
-        for (low, high), steps in zip(reach.limits_deg, _STEPS, strict=True)
-    ]
-    angles = np.array(list(itertools.product(*grids)))
-    poses = np.broadcast_to(np.eye(4), (len(angles), 4, 4))
-    number = 0
-    for joint in _chain(robot):
-        poses = poses @ joint.origin
-        if joint.name in robot.arm_joints:
-            poses = poses @ _rotations(joint.axis, np.radians(angles[:, number]))
-            number += 1
-    places: NDArray[np.float64] = poses[:, :3, :3] @ np.array(reach.tool_m) + poses[:, :3, 3]
-    return places
+    @property
+    def is_done(self) -> bool:
+        return not self._thread.is_alive()
 
+    def result(self) -> ReachShell:
+        if self._shell is None:
+            raise self._error or RuntimeError("the reach was not worked out")
+        return self._shell
 
-def _chain(robot: Robot) -> list[Joint]:
-    """The joints from the root to the last of the arm's."""
-    by_child = {joint.child: joint for joint in robot.joints}
-    last = next(joint for joint in robot.joints if joint.name == robot.arm_joints[-1])
-    chain = [last]
-    while chain[0].parent in by_child:
-        chain.insert(0, by_child[chain[0].parent])
-    return chain
+    def _work(self) -> None:
+        try:
+            from armui.viewport.process.reach_shell import shell_of  # noqa: PLC0415 - when wanted
 
-
-def _shoulder(robot: Robot) -> NDArray[np.float64]:
-    """Where joint 2 is at zero, metres."""
-    poses = robot.link_poses((0.0,) * ARM_JOINT_COUNT, 0.0)
-    joint = next(joint for joint in robot.joints if joint.name == robot.arm_joints[1])
-    place: NDArray[np.float64] = (poses[joint.parent] @ joint.origin)[:3, 3]
-    return place
-
-
-def _rotations(axis: NDArray[np.float64], angles_rad: NDArray[np.float64]) -> NDArray[np.float64]:
-    """(n, 4, 4) rotations about a unit axis."""
-    x, y, z = axis
-    cross = np.array([[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]])
-    sines, cosines = np.sin(angles_rad)[:, None, None], np.cos(angles_rad)[:, None, None]
-    turned = np.zeros((len(angles_rad), 4, 4))
-    turned[:, :3, :3] = np.eye(3) + sines * cross + (1.0 - cosines) * (cross @ cross)
-    turned[:, 3, 3] = 1.0
-    return turned
-
-
-def _turns(reach: Reach) -> NDArray[np.float64]:
-    low, high = reach.limits_deg[0]
-    return np.radians(np.linspace(low, min(high, low + 360.0), _TURNS))
-
-
-def _shell(profile: NDArray[np.float64], turns: NDArray[np.float64]) -> pv.PolyData:
-    """The profile turned about the upright axis of joint 1."""
-    rows, columns = len(profile), len(turns)
-    points = np.empty((rows, columns, 3))
-    points[..., 0] = profile[:, :1] * np.cos(turns)
-    points[..., 1] = profile[:, :1] * np.sin(turns)
-    points[..., 2] = profile[:, 2:]
-    index = np.arange(rows * columns).reshape(rows, columns)
-    corners = (index[:-1, :-1], index[:-1, 1:], index[1:, 1:], index[1:, :-1])
-    faces = np.asarray(np.stack(corners, axis=-1).reshape(-1, 4), int)
-    surface: pv.PolyData = pv.PolyData.from_regular_faces(points.reshape(-1, 3), faces)
-    return surface
+            self._shell = shell_of(self.robot, self.reach)
+        except Exception as error:  # noqa: BLE001 - told by the thread that draws
+            self._error = error

@@ -129,6 +129,8 @@ class Scene:
         self._pose = (_ZERO_DEG if angles_deg is None else angles_deg, gripper_mm or 0.0)
         if self._robot is not None:
             self._robot.pose(*self._pose)
+            if self._ghost is not None:
+                self._ghost.leave_out_what_stands_on(self._robot)
         is_fresh = angles_deg is not None and not stale
         if self._is_fresh != is_fresh:
             self._is_fresh = is_fresh
@@ -159,6 +161,15 @@ class Scene:
         """Give the links moved by joint 1–6 the accent colour; None takes it away."""
         self._highlighted_joint = number
         self._paint_robot()
+
+    @property
+    def is_unfinished(self) -> bool:
+        """Whether something that is asked for is still being worked out."""
+        return self._reach.is_unfinished
+
+    def catch_up(self) -> bool:
+        """Show what has been worked out meanwhile; whether there was anything."""
+        return self._reach.catch_up()
 
     def resize(self, width_px: int, height_px: int, pixel_ratio: float) -> None:
         """Change the size of the picture, in device pixels."""
@@ -233,6 +244,8 @@ class Scene:
             for actor in self._ghost.actors:
                 self._canvas.renderer.AddActor(actor)
         self._ghost.pose(angles_deg, 0.0)
+        if self._robot is not None:
+            self._ghost.leave_out_what_stands_on(self._robot)
 
     def _drop_ghost(self) -> None:
         if self._ghost is not None:

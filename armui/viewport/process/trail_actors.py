@@ -11,7 +11,7 @@ from armui.viewport.palette import ScenePalette, rgb
 from armui.viewport.process.geometry import actor_of
 
 if TYPE_CHECKING:
-    from vtkmodules.vtkRenderingCore import vtkActor, vtkRenderer
+    from vtkmodules.vtkRenderingCore import vtkRenderer
 
     from armui.viewport.path_picture import Trail
 
@@ -25,44 +25,54 @@ class TrailActors:
     """Keeps the lines of a trail in a renderer."""
 
     def __init__(self, renderer: vtkRenderer) -> None:
-        self._renderer = renderer
-        self._actors: list[vtkActor] = []
+        self._driven = _FadingLine(renderer, _DRIVEN_PX)
+        self._commanded = _FadingLine(renderer, _COMMANDED_PX)
         self._shown: tuple[Trail | None, ScenePalette, float] | None = None
 
     def show(self, trail: Trail | None, palette: ScenePalette, pixel_ratio: float) -> None:
-        """Show a trail; nothing is built where it is the same as before."""
+        """Show a trail; nothing is done where it is the same as before."""
         wanted = (trail, palette, pixel_ratio)
         if wanted == self._shown:
             return
         self._shown = wanted
-        for actor in self._actors:
-            self._renderer.RemoveActor(actor)
-        self._actors.clear()
-        if trail is None:
-            return
-        for places, color, width_px in (
-            (trail.commanded, palette.commanded, _COMMANDED_PX),
-            (trail.driven, palette.driven, _DRIVEN_PX),
-        ):
-            points = np.frombuffer(places, np.float32).reshape(-1, 3) * _MM
-            if len(points) > 1:
-                self._add(_fading(points, color, palette), width_px * pixel_ratio)
-
-    def _add(self, line: pv.PolyData, width_px: float) -> None:
-        actor = actor_of(line)
-        actor.GetProperty().LightingOff()
-        actor.GetProperty().SetLineWidth(width_px)
-        actor.PickableOff()
-        self._renderer.AddActor(actor)
-        self._actors.append(actor)
+        driven, commanded = (b"", b"") if trail is None else (trail.driven, trail.commanded)
+        self._commanded.show(commanded, palette.commanded, palette.background, pixel_ratio)
+        self._driven.show(driven, palette.driven, palette.background, pixel_ratio)
 
 
-def _fading(points: np.ndarray, color: str, palette: ScenePalette) -> pv.PolyData:
-    line = pv.lines_from_points(points)
-    shares = np.linspace(_OLDEST_SHARE, 1.0, len(points))[:, np.newaxis]
-    ground, own = np.asarray(rgb(palette.background)), np.asarray(rgb(color))
-    line.point_data["color"] = np.round((ground * (1.0 - shares) + own * shares) * 255.0).astype(
-        np.uint8
-    )
-    line.point_data.active_scalars_name = "color"
-    return line
+class _FadingLine:
+    """One line; it grows ten times a second, so only its places are put in anew."""
+
+    def __init__(self, renderer: vtkRenderer, width_px: float) -> None:
+        self._renderer = renderer
+        self._width_px = width_px
+        self._line = pv.PolyData()
+        self._actor = actor_of(self._line)
+        self._actor.GetProperty().LightingOff()
+        self._actor.PickableOff()
+        self._is_there = False
+        self._colors_of: tuple[int, str, str] | None = None
+
+    def show(self, places: bytes, color: str, ground: str, pixel_ratio: float) -> None:
+        """Go through places, three 32-bit floats each, mm; fewer than two are no line."""
+        points = np.frombuffer(places, np.float32).reshape(-1, 3) * np.float32(_MM)
+        is_there = len(points) > 1
+        if is_there:
+            self._line.points = points
+            wanted = (len(points), color, ground)
+            if wanted != self._colors_of:
+                self._colors_of = wanted
+                self._line.lines = np.concatenate(([len(points)], np.arange(len(points))))
+                self._line.point_data["color"] = _fading(*wanted)
+                self._line.point_data.active_scalars_name = "color"
+            self._actor.GetProperty().SetLineWidth(self._width_px * pixel_ratio)
+        if is_there != self._is_there:
+            self._is_there = is_there
+            change = self._renderer.AddActor if is_there else self._renderer.RemoveActor
+            change(self._actor)
+
+
+def _fading(count: int, color: str, ground: str) -> np.ndarray:
+    shares = np.linspace(_OLDEST_SHARE, 1.0, count)[:, np.newaxis]
+    far, own = np.asarray(rgb(ground)), np.asarray(rgb(color))
+    return np.round((far * (1.0 - shares) + own * shares) * 255.0).astype(np.uint8)

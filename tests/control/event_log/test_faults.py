@@ -7,7 +7,6 @@ import pytest
 
 from armui.arm import joint_status
 from armui.arm.joint_status import Item, Word
-from armui.arm.limits import FACTORY_LIMITS
 from armui.arm.parameters import Batch, Group, Parameter
 from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
@@ -15,6 +14,7 @@ from armui.sim.faults.schedule import FAULTS, fault
 from armui.telemetry.events import EventKind, Level
 from armui.ui.words import event_log as words
 from armui.ui.words.joints import joint_item, joint_word
+from tests.family import FACTORY_LIMITS
 
 ONE, TWO = Generation.ONE, Generation.TWO
 REST_DEG = (0.0,) * 6

@@ -118,12 +118,12 @@ class Traffic:
         assert arm is not None
         assert on_frame is not None
         said = self._sender_of(frame)
-        travel = arm._moves._travel
-        before, order = _pursued(arm), travel._order
+        executor = arm._moves._executor
+        before, order = _pursued(arm), executor._order
         moving, here = arm.mechanics.moving and before is not None, arm.joints_deg
         answers = on_frame(frame)
         goal = _pursued(arm)
-        if goal is not None and arm.mechanics.moving and (not moving or travel._order != order):
+        if goal is not None and arm.mechanics.moving and (not moving or executor._order != order):
             self.started.append(Started(said, moving, before or here, goal, here))
         return answers
 
@@ -143,5 +143,5 @@ class Traffic:
 
 def _pursued(arm: Firmware) -> tuple[float, ...] | None:
     """Where the arm is on its way to, or None: nowhere."""
-    travel = arm._moves._travel
-    return travel.targets_deg if travel._legs and not travel.paused else None
+    executor = arm._moves._executor
+    return executor.targets_deg if executor._legs and not executor.paused else None

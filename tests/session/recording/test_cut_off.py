@@ -12,7 +12,7 @@ from armui.session.frames import NotALogError
 from armui.session.reader import LogFile
 from armui.session.recording import index_file, sidecar
 from armui.session.recording.kinds import RecordingFormat
-from armui.session.recording.recorded_session import RecordedSession, is_recorded_here
+from armui.session.recording.recorded_session import RecordedSession
 from armui.session.recording.rows import rows_of
 from tests.session.recording.made import BASE, all_of, every_kind, plan, recorded, taken, writer
 
@@ -103,7 +103,6 @@ def test_a_recording_without_its_index_or_sidecar_is_any_log(tmp_path):
     with pytest.raises(NotALogError):
         RecordedSession(path)
     (tmp_path / f"made{sidecar.SUFFIX}").unlink()
-    assert not is_recorded_here(path)
     with pytest.raises(NotALogError, match="no sidecar"):
         RecordedSession(path)
     with LogFile(path) as log:

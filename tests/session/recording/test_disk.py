@@ -173,3 +173,47 @@ def test_a_line_that_is_no_json_is_told_as_text(tmp_path):
     made.write(rows_of(FRAMES[:10]), [{"kind": "odd", "value": float("nan"), "who": Path("x")}])
     made.finish({})
     assert lines(tmp_path)[2] == {"kind": "odd", "value": "nan", "who": "x"}
+
+
+def test_a_disk_that_is_busy_for_long_holds_up_nothing_that_is_written(tmp_path, monkeypatch):
+    asked, goes_on = threading.Event(), threading.Event()
+
+    def busy(_handle):
+        asked.set()
+        goes_on.wait(10)
+
+    monkeypatch.setattr(disk_file, "_TO_DISK_S", 0.0)
+    monkeypatch.setattr(f"{disk_file.__name__}.os.fsync", busy)
+    made = writer(tmp_path)
+    for begin in range(0, 3000, 500):
+        made.write(rows_of(FRAMES[begin : begin + 500]))
+    assert asked.wait(10)
+    assert RecordedSession(made.path).frames == 3000
+    goes_on.set()
+    made.finish({})
+    assert RecordedSession(made.path).frames == 3000
+
+
+def test_a_disk_that_fails_to_keep_what_was_written_ends_it(tmp_path, monkeypatch):
+    failed = threading.Event()
+
+    def fail(_handle):
+        failed.set()
+        raise OSError(errno.EIO, "Input/output error")
+
+    monkeypatch.setattr(disk_file, "_TO_DISK_S", 0.0)
+    monkeypatch.setattr(f"{disk_file.__name__}.os.fsync", fail)
+    made = writer(tmp_path)
+
+    def write():
+        for begin in range(0, 2000, 500):
+            made.write(rows_of(FRAMES[begin : begin + 500]))
+            assert failed.wait(10)
+            for each in threading.enumerate():
+                if each.name == "armui-to-disk":
+                    each.join(10)
+
+    with pytest.raises(OSError, match="Input/output error"):
+        write()
+    made.finish({"failure": "Input/output error"})
+    assert RecordedSession(made.path).frames >= 500

@@ -9,6 +9,9 @@ import trimesh
 from armui.arm.models import model_folder
 from armui.protocol.piper_model import PiperModel
 from armui.system.paths import URDF
+from armui.viewport.process.geometry import is_closed
+from armui.viewport.process.robot import Surface
+from armui.viewport.process.urdf_file import load_robot
 from tests.family import MODELS
 
 # Outer sizes in the frame of each link, mm, measured on the arms: low x y z, high x y z.
@@ -80,3 +83,22 @@ def test_the_committed_files_are_what_the_script_makes(model, committed, monkeyp
     for name, mesh in made.items():
         # The last bits may differ between processors; a micrometre may not.
         np.testing.assert_allclose(mesh.triangles, committed[name].triangles, atol=1e-6)
+
+
+@pytest.mark.parametrize("model", MODELS)
+def test_every_part_is_a_body_of_which_only_one_side_is_seen(model):
+    robot = load_robot(next(model_folder(model).glob("*.urdf")))
+    assert all(is_closed(part.surface) for part in robot.parts)
+
+
+def test_a_surface_with_a_hole_or_inside_out_is_seen_from_both_sides():
+    box = trimesh.creation.box()
+    whole = Surface(np.array(box.vertices), np.array(box.faces))
+    assert is_closed(whole)
+    split = Surface(np.array(box.triangles).reshape(-1, 3), np.arange(36).reshape(-1, 3))
+    assert is_closed(split)  # the same corners, not merged
+    assert not is_closed(Surface(whole.vertices, whole.faces[1:]))
+    assert not is_closed(Surface(whole.vertices, whole.faces[:, ::-1]))
+    one_turned = whole.faces.copy()
+    one_turned[3] = one_turned[3, ::-1]
+    assert not is_closed(Surface(whole.vertices, one_turned))

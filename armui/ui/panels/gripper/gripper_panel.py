@@ -21,7 +21,7 @@ from armui.ui.panels.gripper.gripper_row import GripperRow
 from armui.ui.panels.gripper.measure_choice import MeasureChoice
 from armui.ui.panels.motors.motor_row import PowerMark
 from armui.ui.panels.panel import Panel
-from armui.ui.widgets.buttons import caption, push_button
+from armui.ui.widgets.buttons import caption, push_button, show_primary
 from armui.ui.widgets.card import scrolled
 from armui.ui.widgets.enable_or_explain import enable_or_explain
 from armui.ui.widgets.layouts import STRETCH, empty_grid, in_column, in_row
@@ -51,6 +51,7 @@ class GripperPanel(Panel):
         self._stroke_note = text_label("gripper_stroke_note", rank="muted", wraps=True)
         self._send = push_button("gripper_send_button", primary=True)
         self._send.setMinimumHeight(38)
+        self._sent: tuple[object, ...] | None = None
         self._acts = {act: push_button(f"gripper_{act}_button") for act in _ACTS}
         self._measure = MeasureChoice()
         first, second = (self._make_rows(each) for each in Generation)
@@ -128,7 +129,15 @@ class GripperPanel(Panel):
         if travel is None or effort is None:
             self._accepted(self._travel.refusal() or self._effort.refusal())
             return
-        self._accepted(self._controller.gripper.move(travel, effort))
+        if self._accepted(self._controller.gripper.move(travel, effort)):
+            self._note_sent()
+
+    def _note_sent(self) -> None:
+        self._sent = self._entered()
+        self._show_message()
+
+    def _entered(self) -> tuple[object, ...]:
+        return self._kind, self._travel.field.text(), self._effort.field.text()
 
     def _on_stepped(self, sign: int) -> None:
         """A step goes from where it was sent, or from where it is; the last one is shorter."""
@@ -144,6 +153,7 @@ class GripperPanel(Panel):
         target = min(max(start + sign * figure.step, figure.minimum), figure.maximum)
         if self._accepted(self._controller.gripper.move(round(target, 3), effort)):
             self._travel.show_value(target)
+            self._note_sent()
 
     def _on_enable(self) -> None:
         effort = self._effort.field.value
@@ -266,6 +276,7 @@ class GripperPanel(Panel):
             refusal = self._travel.refusal() or self._effort.refusal()
         if refusal is not None and refusal.code == RefusalCode.BUSY and self._refusal is None:
             refusal = None  # what is under way will say itself how it ends
+        show_primary(self._send, wanted=self._entered() != self._sent)
         self._say(refusal, self._event)
 
     def _describe(self) -> None:

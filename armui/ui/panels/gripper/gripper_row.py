@@ -21,7 +21,7 @@ from armui.ui.widgets.track_slider import TrackSlider
 from armui.ui.widgets.value_label import ValueLabel
 
 _WIDEST: Final = "-000.000 rad/s"
-_LABEL_PX: Final = 52
+_LABEL_PX: Final = 58
 
 
 class GripperRow(QWidget):
@@ -47,14 +47,17 @@ class GripperRow(QWidget):
         self._label.setFixedWidth(_LABEL_PX)
         self.field = named(f"{name}_field", FigureField(fmt.DECIMALS, figure.unit))
         self.field.step = figure.step
-        self.slider = named(f"{name}_slider", TrackSlider(figure.resolution, origin=0.0))
+        self.slider = named(
+            f"{name}_slider", TrackSlider(figure.resolution, origin=0.0, marked=True)
+        )
         self.measured = named(f"{name}_measured", ValueLabel(_WIDEST))
         tell_quantities(self, *(f"{source}.{name}" for source in ("arm", "own", "other")))
         self.minus, self.plus = JogButton("−"), JogButton("+")
         self._label.setBuddy(self.field)
         grid = empty_grid(self, gaps=(6, 4), margins=0)
         grid.addWidget(self._label, 0, 0)
-        grid.addWidget(self.field, 0, 2)
+        # without − and + the field takes their places
+        grid.addWidget(self.field, 0, 2 if steps else 1, 1, 1 if steps else 3)
         grid.addWidget(self.measured, 0, 4, Qt.AlignmentFlag.AlignRight)
         grid.addWidget(self.slider, 1, 1, 1, 4)
         grid.setColumnStretch(2, 1)

@@ -11,7 +11,7 @@ from armui.ui.widgets.buttons import caption, choice_button
 from armui.ui.widgets.enable_or_explain import enable_or_explain
 from armui.ui.widgets.layouts import in_row
 
-_LABEL_PX: Final = 52
+_LABEL_PX: Final = 58
 """As wide as those of the figures below."""
 
 
@@ -31,7 +31,7 @@ class MeasureChoice(QWidget):
         self._group = QButtonGroup(self)
         self._opening = choice_button("gripper_by_opening")
         self._angle = choice_button("gripper_by_angle")
-        layout = in_row(self._label, on=self, margins=0)
+        layout = in_row(self._label, on=self, spacing=6, margins=0)
         for place, button in enumerate((self._opening, self._angle)):
             button.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
             self._group.addButton(button, place)

@@ -37,7 +37,7 @@ class ArcBox(Translated, QWidget):
         self._texts = [text_label(f"captured_{point}", rank="muted") for point in _POINTS]
         self.go_to_start = push_button("arc_start_button")
         self.send = push_button("move_c_button")
-        grid = empty_grid(self, gaps=(6, 2), margins=0)
+        grid = empty_grid(self, gaps=(6, 3), margins=0)
         for place, (button, text) in enumerate(zip(self._captures, self._texts, strict=True)):
             button.clicked.connect(partial(self.capture_wanted.emit, place))
             button.setProperty("compact", True)
@@ -87,7 +87,7 @@ class ArcBox(Translated, QWidget):
                 text.setToolTip("")
                 continue
             x, y, z, rx, ry, rz = (fmt.number(value, 1) for value in pose)
-            text.setText(f"{x}  {y}  {z}")
+            text.setText(f"{' '.join(fmt.number(value, 0) for value in pose[:3])} mm")
             text.setToolTip(f"X {x}  Y {y}  Z {z} mm  RX {rx}°  RY {ry}°  RZ {rz}°")
 
     def retranslate_ui(self) -> None:

@@ -58,7 +58,7 @@ class JointRow(JogSignals):
         tell_quantities(
             self, *(f"{source}.joint_angle.{joint}" for source in ("arm", "own", "other"))
         )
-        self.slider = named(f"target_slider_{joint}", TrackSlider(ANGLE_STEP_DEG))
+        self.slider = named(f"target_slider_{joint}", TrackSlider(ANGLE_STEP_DEG, marked=True))
         self.slider.setSingleStep(round(1.0 / ANGLE_STEP_DEG))
         self.slider.setPageStep(round(10.0 / ANGLE_STEP_DEG))
         self._minimum = ValueLabel(_WIDEST_LIMIT)

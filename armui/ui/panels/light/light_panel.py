@@ -22,7 +22,14 @@ from armui.ui.panels.light.channel_row import FULL, ChannelRow
 from armui.ui.panels.light.color_strip import ColorStrip
 from armui.ui.panels.light.hue_field import HueField
 from armui.ui.panels.panel import Panel
-from armui.ui.widgets.buttons import caption, choice_button, describe, named, push_button
+from armui.ui.widgets.buttons import (
+    caption,
+    choice_button,
+    describe,
+    named,
+    push_button,
+    show_primary,
+)
 from armui.ui.widgets.card import scrolled
 from armui.ui.widgets.enable_or_explain import enable_or_explain
 from armui.ui.widgets.figure_field import FigureField
@@ -64,6 +71,7 @@ class LightPanel(Panel):
         self._effect = named("effect_strip", ColorStrip())
         self._confirm = push_button("light_confirm_button", primary=True)
         self._confirm.setMinimumHeight(38)
+        self._sent: tuple[object, ...] | None = None
         self._note = text_label("light_note", rank="muted", wraps=True)
         self._lay_out()
         self._connect()
@@ -170,7 +178,16 @@ class LightPanel(Panel):
             self._accepted(self._first_wrong())
         else:
             values.setdefault("lamp", ALL_LAMPS)
-            self._accepted(self._controller.lights.set_light(self._joints.checkedId(), **values))
+            joint = self._joints.checkedId()
+            if self._accepted(self._controller.lights.set_light(joint, **values)):
+                self._sent = self._entered()
+                self._show_possible()
+
+    def _entered(self) -> tuple[object, ...]:
+        """All that is to be sent, as it is entered."""
+        return self._joints.checkedId(), *(
+            (name, field.text()) for name, field in self._figures().items()
+        )
 
     def _first_wrong(self) -> Refusal | None:
         wrong = (_why_wrong(name, field) for name, field in self._figures().items())
@@ -209,6 +226,7 @@ class LightPanel(Panel):
         why_not = words.why_not(self._operating_state.cannot_set_lamps)
         use = self.tr("Sends the colour to the lamps; nothing moves.")
         enable_or_explain(self._confirm, why_not, use, key=_CONFIRM_KEY)
+        show_primary(self._confirm, wanted=self._entered() != self._sent)
 
     def _show_message(self) -> None:
         standing = self._unless_told(self._operating_state.cannot_set_lamps)

@@ -20,7 +20,7 @@ from armui.ui import words
 from armui.ui.freshness import is_stale
 from armui.ui.panels.panel import Panel
 from armui.ui.panels.parameters.mounting_card import MountingCard
-from armui.ui.widgets.buttons import caption, choice_button, named, push_button
+from armui.ui.widgets.buttons import caption, choice_button, named, push_button, show_primary
 from armui.ui.widgets.card import scrolled
 from armui.ui.widgets.curve_menu import tell_quantities
 from armui.ui.widgets.enable_or_explain import enable_or_explain
@@ -49,8 +49,9 @@ class EndLoadPanel(Panel):
         self._mounting = MountingCard(controller, preferences)
         self._reporting: bool | None = None
         self._loads = QButtonGroup(self)
+        self._sent = -1
         self._note = text_label(rank="muted", wraps=True)
-        self._send = push_button("load_confirm_button", primary=True)
+        self._send = push_button("load_confirm_button")
         self._motion_title = QLabel()
         self._state = text_label("end_feedback_state")
         self._switch = push_button("end_feedback_button")
@@ -64,6 +65,7 @@ class EndLoadPanel(Panel):
             kind = field.partition("_m_")[0].partition("_rad_")[0]
             tell_quantities(cell, f"arm.end_{kind}.{joint}")
         self._lay_out()
+        self._loads.idToggled.connect(lambda _load, _on: self._show_news())
         self._send.clicked.connect(self._on_send)
         self._switch.clicked.connect(self._on_switch)
         self._mounting.send.clicked.connect(self._on_mounting)
@@ -104,7 +106,13 @@ class EndLoadPanel(Panel):
         if chosen < 0:
             self._accepted(Refusal(RefusalCode.LOAD_NOT_CHOSEN))
         else:
-            self._accepted(self._controller.end_reports.set_load(EndLoad(chosen)))
+            if self._accepted(self._controller.end_reports.set_load(EndLoad(chosen))):
+                self._sent = chosen
+            self._show_news()
+
+    def _show_news(self) -> None:
+        """Light the button while there is a load to tell."""
+        show_primary(self._send, wanted=self._loads.checkedId() not in {-1, self._sent})
 
     def _on_mounting(self) -> None:
         title, text = self._mounting.question()
@@ -122,6 +130,7 @@ class EndLoadPanel(Panel):
             self._refusal = self._event = None
 
     def _show_state(self, state: ArmState) -> None:
+        self._mounting.follow_arm()
         for joint in JOINTS:
             heard = state.end_motion[joint - 1]
             stale = is_stale(heard, state, self._operating_state)

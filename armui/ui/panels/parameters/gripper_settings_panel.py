@@ -21,4 +21,5 @@ class GripperSettingsPanel(ListedParameters):
     def remark(self, cell: SettingCell) -> str:
         """What can be chosen where there are few values."""
         choices = cell.parameter.kind.choices
-        return " / ".join(f"{choice:g}" for choice in choices)
+        unit = f" {cell.parameter.kind.unit}" if choices else ""
+        return " / ".join(f"{choice:g}" for choice in choices) + unit

@@ -35,7 +35,6 @@ class JointSettingsPanel(ParameterPanel):
         for column, (name, head) in enumerate(self._heads.items(), start=1):
             head.setProperty("rank", "muted")
             head.setWordWrap(True)
-            head.setMinimumHeight(2 * head.fontMetrics().lineSpacing())
             head.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignBottom)
             unit = QLabel(KINDS[name].unit)
             unit.setProperty("rank", "muted")

@@ -72,13 +72,17 @@ class LevelRow(QWidget):
 
 
 class LevelCell(SettingCell):
-    """A parameter of whole levels; the row is named as the parameter, ``collision_level_3``."""
+    """A parameter of whole levels; the row is named as the parameter, ``collision_level_3``.
+
+    Attributes:
+        levels: From left to right.
+    """
 
     def __init__(self, parameter: Parameter) -> None:
         super().__init__(parameter)
         kind = parameter.kind
-        levels = range(round(kind.minimum), round(kind.maximum) + 1)
-        self._row = named(cell_name(parameter), LevelRow(levels, cell_name(parameter)))
+        self.levels = range(round(kind.minimum), round(kind.maximum) + 1)
+        self._row = named(cell_name(parameter), LevelRow(self.levels, cell_name(parameter)))
         in_column(self._row, self.note, on=self, spacing=1, margins=0)
         self._row.chosen.connect(self.edited)
 

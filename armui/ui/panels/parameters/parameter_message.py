@@ -17,6 +17,7 @@ from armui.control.parameters.setting_draft import CellStatus, SettingDraft, sho
 from armui.ui import words
 from armui.ui.panels.panel import level_of
 from armui.ui.words.parameters import full_name, status_explained, value_text
+from armui.ui.words.text import listed
 
 _LEVELS: Final = {
     RefusalCode.SETTING_NOT_TAKEN: Level.FAULT,
@@ -65,8 +66,10 @@ def message(
         if draft.status(state, parameter, cell(parameter)) is CellStatus.CORRUPT
     ]
     if corrupt:
-        names = ", ".join(full_name(parameter) for parameter in corrupt)
-        return Said(f"{names}: {status_explained(CellStatus.CORRUPT, '')}", Level.FAULT)
+        names = listed(full_name(parameter) for parameter in corrupt)
+        text = QCoreApplication.translate("ParameterPanel", "{names}: {reason}")
+        reason = status_explained(CellStatus.CORRUPT, "")
+        return Said(text.format(names=names, reason=reason), Level.FAULT)
     if danger:
         return Said(danger, Level.WARNING)
     if asked and all(cell(parameter).state is CellState.SAVED for parameter in asked):
@@ -90,4 +93,4 @@ def _saved(state: ArmState, asked: Mapping[Parameter, float]) -> Said:
     text = QCoreApplication.translate(
         "ParameterPanel", "Saved. The arm keeps coarser steps; it holds the nearest: {values}."
     )
-    return Said(text.format(values=", ".join(nearest)), Level.DONE)
+    return Said(text.format(values=listed(nearest)), Level.DONE)

@@ -5,13 +5,15 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Final
 
+from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QFrame, QLabel
 
 from armui.control.devices.teaching_phase import TeachingPhase
 from armui.control.safety.recovery_steps import Step, StepKind
-from armui.ui.widgets.layouts import in_column
+from armui.ui.widgets.layouts import empty_grid
 
 _STEPS: Final = 4
+_SIGN_PX: Final = 14
 _NUMBER: Final[Mapping[StepKind, int]] = {
     StepKind.RECORDING: 1,
     StepKind.REPLAYING: 1,
@@ -40,11 +42,17 @@ class TeachingExitSteps(QFrame):
         self._leaving = False
         self._due = 0
         self._title = QLabel()
+        self._title.setWordWrap(True)
+        self._signs = [QLabel() for _ in range(_STEPS)]
         self._lines = [QLabel() for _ in range(_STEPS)]
-        layout = in_column(on=self, spacing=4, margins=(0, 4, 0, 4))
-        for label in (self._title, *self._lines):
-            label.setWordWrap(True)
-            layout.addWidget(label)
+        grid = empty_grid(self, gaps=(6, 4), margins=0)
+        grid.addWidget(self._title, 0, 0, 1, 2)
+        for row, (sign, line) in enumerate(zip(self._signs, self._lines, strict=True), start=1):
+            sign.setFixedWidth(_SIGN_PX)
+            line.setWordWrap(True)
+            grid.addWidget(sign, row, 0, Qt.AlignmentFlag.AlignTop)
+            grid.addWidget(line, row, 1)
+        grid.setColumnStretch(1, 1)
         self.hide()
 
     @property
@@ -67,8 +75,9 @@ class TeachingExitSteps(QFrame):
             font = label.font()
             font.setBold(number == self._due)
             label.setFont(font)
-            sign = "✓" if number < self._due else "▸" if number == self._due else "  "
-            label.setText(f"{sign}  {number}. {self._words()[number - 1]}")
+            sign = "✓" if number < self._due else "▸" if number == self._due else ""
+            self._signs[number - 1].setText(sign)
+            label.setText(f"{number}. {self._words()[number - 1]}")
 
     def _words(self) -> tuple[str, ...]:
         return (

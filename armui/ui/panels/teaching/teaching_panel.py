@@ -238,6 +238,10 @@ class TeachingPanel(Panel):
         return words.teaching(command)
 
     def _show_message(self) -> None:
+        self._tell()
+        self._share_room()
+
+    def _tell(self) -> None:
         controller = self._controller
         refusal = self._refusal or self._unless_told(self._operating_state.unreachable)
         if refusal is not None:

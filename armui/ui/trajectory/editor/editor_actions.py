@@ -14,9 +14,11 @@ from armui.ui.widgets.buttons import named
 from armui.ui.widgets.flow import Flow, in_flow
 
 _NAMES: Final = tuple(
-    each.name.removeprefix("editor.") for each in SHORTCUTS.values() if each.place == "editor"
+    each.name.removeprefix("editor.")
+    for each in SHORTCUTS.values()
+    if each.place == "editor" and each.name != "editor.send"
 )
-
+"""The key of 发送 is that of the button itself, below the table."""
 
 _MENU: Final = (
     ("insert_before", "insert_after", "insert_measured", "replace_by_measured", "duplicate"),
@@ -87,6 +89,17 @@ class EditorActions:
             button.setDefaultAction(self._actions[name])
             button.setProperty("choice", self._actions[name].isCheckable())
         return in_flow(*buttons, *more)
+
+    def allow(self, name: str, reason: str) -> None:
+        """Offer an action, or say in its tooltip why it cannot be done now.
+
+        Args:
+            name: Of the action.
+            reason: Empty: it can be done.
+        """
+        action = self._actions[name]
+        action.setEnabled(not reason)
+        action.setToolTip(reason or f"{action.text()} ({SHORTCUTS[f'editor.{name}'].text()})")
 
     def retranslate(self) -> None:
         """Put every word into the operator's language; tooltips name the keys."""

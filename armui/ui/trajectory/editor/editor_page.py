@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
 from functools import partial
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QEvent, Qt, Signal
 from PySide6.QtGui import QKeySequence, QShortcut
-from PySide6.QtWidgets import QHeaderView, QLineEdit, QWidget
+from PySide6.QtWidgets import QHeaderView, QLineEdit
 
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
@@ -43,6 +43,11 @@ if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
     from armui.ui.trajectory.library.library_work import LibraryWork
 
+_OF_POINTS: Final = ("go_to", "find", "check")
+"""What can be done with points alone."""
+_NOTE_PX: Final = 200
+"""Narrower, the note's field goes into a line of its own."""
+
 
 class EditorPage(Page):
     """Edits a trajectory of the library.
@@ -53,7 +58,6 @@ class EditorPage(Page):
         work: Keeps the trajectory in the library.
         trajectory: As it is kept.
         draft: Changes of it that an earlier run of the program could not save.
-        parent: Its owner, before it stands anywhere.
 
     Signals:
         saved: The trajectory is in the library as it is shown.
@@ -77,9 +81,8 @@ class EditorPage(Page):
         trajectory: Trajectory,
         *,
         draft: Trajectory | None = None,
-        parent: QWidget | None = None,
     ) -> None:
-        super().__init__("editor", parent)
+        super().__init__("editor")
         self._controller = controller
         self._work = work
         work.setParent(self)
@@ -93,7 +96,8 @@ class EditorPage(Page):
         self._find_bar = FindBar()
         self._finder = Finder(self.document, self.table, self._find_bar)
         self._note = named("trajectory_note", QLineEdit(trajectory.note))
-        self._message = named("editor_message", MessageLine())
+        self._note.setMinimumWidth(_NOTE_PX)
+        self._message = named("editor_message", MessageLine(keeps_room=False))
         self._findings = FindingsPane()
         self._run_bar = RunBar(controller, checks, lambda then: then(self.document.trajectory()))
         self._actions = EditorActions(self, self.table, self._handlers())
@@ -130,13 +134,14 @@ class EditorPage(Page):
             "redo": partial(self._step, self.document.stack.redo),
             "find": self._find_bar.open,
             "check": self._run_bar.check,
-            "jog": lambda: self._jog.unfold(self._actions["jog"].isChecked()),
+            "jog": self._show_jog,
         }
 
     def _lay_out(self) -> None:
         self._find_bar.hide()
-        fill(self.body, self._actions.bar(self._note), self._find_bar, (self.table, 1), self._jog)
-        fill(self.body, self._findings, self._run_bar, self._message)
+        # what comes and goes takes room from the table: jog buttons and 发送 stay where they are
+        fill(self.body, self._actions.bar(self._note), self._find_bar, (self.table, 1))
+        fill(self.body, self._findings, self._message, self._jog, self._run_bar)
 
     def _connect(self) -> None:
         stack = self.document.stack
@@ -150,6 +155,7 @@ class EditorPage(Page):
         self._find_bar.closed.connect(self.table.setFocus)
         self._drafts.failed.connect(self._show_failure)
         self.table.row_chosen.connect(self.selected_row_changed)
+        self._run_bar.listen(self)
         self._run_bar.checked.connect(self._show_check)
         self._run_bar.refused.connect(
             lambda reason: self._say(words.refusal(reason), Level.WARNING)
@@ -159,6 +165,17 @@ class EditorPage(Page):
         self._jog.refused.connect(self._on_jogged)
         self._findings.row_wanted.connect(self.table.select_row)
         self.document.changed.connect(self._on_points)
+
+    @property
+    def subject(self) -> str:
+        """The trajectory's name."""
+        return self.document.name
+
+    def _show_jog(self) -> None:
+        """Beside the jog buttons, making a point is what is done most: not running."""
+        jogs = self._actions["jog"].isChecked()
+        self._jog.unfold(jogs)
+        self._run_bar.stand_back(jogs)
 
     # Editing ----------------------------------------------------------------------------------
 
@@ -223,6 +240,8 @@ class EditorPage(Page):
         count = len(self.document.points)
         empty = Refusal(RefusalCode.RUN_EMPTY, {"name": self.document.name})
         self._run_bar.show_content(count, nothing=None if count else empty)
+        for name in _OF_POINTS:
+            self._actions.allow(name, "" if count else words.refusal(empty))
 
     def _show_check(self, checked: Preflight, accept: Callable[[], object] | None) -> None:
         self._findings.show_check(checked, accept)
@@ -246,9 +265,6 @@ class EditorPage(Page):
             lambda _: self.saved.emit(),
             self._show_failure,
         )
-
-    def _on_not_run(self, reason: Refusal) -> None:
-        self._say(words.refusal(reason), Level.WARNING)
 
     def _on_progress(self, progress: Progress) -> None:
         ours = progress.name == self.document.name
@@ -361,6 +377,7 @@ class EditorPage(Page):
     def retranslate_ui(self) -> None:
         """Put every word into the operator's language."""
         self._actions.retranslate()
+        self._show_count()
         self.model.retranslate()
         self._note.setPlaceholderText(self.tr("What this trajectory is for"))
         self.table.setAccessibleName(self.tr("Points"))

@@ -80,7 +80,7 @@ class FindingsPane(Translated, QWidget):
         self._list.clear()
         warnings = len(checked.findings) - checked.errors
         if checked.findings:
-            title = self.tr("Check: errors {errors}, warnings {warnings}").format(
+            title = self.tr("The check found errors: {errors}, warnings: {warnings}").format(
                 errors=checked.errors, warnings=warnings
             )
         else:

@@ -10,7 +10,6 @@ from typing import Final, cast
 from PySide6.QtCore import (
     QAbstractItemModel,
     QEvent,
-    QModelIndex,
     QObject,
     QPersistentModelIndex,
     QRect,
@@ -29,8 +28,7 @@ from armui.ui.trajectory.editor.cell_editors import (
     TextEditor,
 )
 from armui.ui.trajectory.editor.points_model import PointsModel
-
-_Index = QModelIndex | QPersistentModelIndex
+from armui.ui.widgets.table_model import Index
 
 _LEAVING: Final = frozenset(
     {Qt.Key.Key_Return, Qt.Key.Key_Enter, Qt.Key.Key_Tab, Qt.Key.Key_Backtab}
@@ -55,7 +53,7 @@ class PointDelegate(QStyledItemDelegate):
     # Editors ----------------------------------------------------------------------------------
 
     def createEditor(  # noqa: N802 - Qt's name
-        self, parent: QWidget, _option: QStyleOptionViewItem, index: _Index
+        self, parent: QWidget, _option: QStyleOptionViewItem, index: Index
     ) -> QWidget:
         """The editor of the cell's column."""
         self._index = QPersistentModelIndex(index)
@@ -76,20 +74,20 @@ class PointDelegate(QStyledItemDelegate):
         self.commitData.emit(editor)
         self.closeEditor.emit(editor)
 
-    def setEditorData(self, editor: QWidget, index: _Index) -> None:  # noqa: N802 - Qt's name
+    def setEditorData(self, editor: QWidget, index: Index) -> None:  # noqa: N802 - Qt's name
         """Show what stands in the cell."""
         if isinstance(editor, CellEditor):
             editor.set_text(str(index.data(Qt.ItemDataRole.EditRole)))
 
     def setModelData(  # noqa: N802 - Qt's name
-        self, editor: QWidget, model: QAbstractItemModel, index: _Index
+        self, editor: QWidget, model: QAbstractItemModel, index: Index
     ) -> None:
         """Hand over what was entered; the model tells if it cannot be."""
         if isinstance(editor, CellEditor):
             model.setData(index, editor.text(), Qt.ItemDataRole.EditRole)
 
     def updateEditorGeometry(  # noqa: N802 - Qt's name
-        self, editor: QWidget, option: QStyleOptionViewItem, _index: _Index
+        self, editor: QWidget, option: QStyleOptionViewItem, _index: Index
     ) -> None:
         """Over the cell; wider where the editor needs it, within what is seen of the table."""
         cell: QRect = option.rect

@@ -6,11 +6,9 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import Any, Final
 
 from PySide6.QtCore import (
-    QAbstractTableModel,
     QMimeData,
     QModelIndex,
     QObject,
-    QPersistentModelIndex,
     Qt,
     Signal,
 )
@@ -33,16 +31,13 @@ from armui.trajectory.points.program import (
 )
 from armui.ui import format as fmt
 from armui.ui.trajectory.editor.document import Document
-
-_Index = QModelIndex | QPersistentModelIndex
+from armui.ui.widgets.table_model import LEFT, RIGHT, Index, TableModel
 
 ROWS_MIME: Final = "application/x-armui-rows"
 
 ToMove = Callable[[int, MoveMode], Waypoint | Refusal]
 """The point of a row by another kind of motion."""
 
-_RIGHT: Final = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
-_LEFT: Final = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
 _FIGURES: Final = frozenset({*VALUES, PointColumn.SPEED, PointColumn.DWELL})
 _COLUMNS: Final = tuple(PointColumn)
 
@@ -61,7 +56,7 @@ _ANSWERED: Final = frozenset({_SHOWN, _EXACT, _ALIGNED, _EXPLAINED, _READ_OUT, _
 """Qt asks each cell it paints for ten things; most of them are nothing to this table."""
 
 
-class PointsModel(QAbstractTableModel):
+class PointsModel(TableModel):
     """A row for each point, a column for each of :class:`PointColumn`.
 
     Args:
@@ -75,6 +70,7 @@ class PointsModel(QAbstractTableModel):
 
     refused = Signal(object, object)
     moved = Signal(int, int)
+    _columns = len(PointColumn)
 
     def __init__(self, document: Document, to_move: ToMove, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -87,25 +83,21 @@ class PointsModel(QAbstractTableModel):
 
     # What Qt asks -----------------------------------------------------------------------------
 
-    def rowCount(self, parent: _Index = QModelIndex()) -> int:  # noqa: B008, N802 - Qt's signature
+    def rowCount(self, parent: Index = QModelIndex()) -> int:  # noqa: B008, N802 - Qt's signature
         """How many points."""
         return 0 if parent.isValid() else len(self._points)
-
-    def columnCount(self, parent: _Index = QModelIndex()) -> int:  # noqa: B008, N802 - as above
-        """As many as there are columns."""
-        return 0 if parent.isValid() else len(PointColumn)
 
     def point(self, row: int) -> Waypoint:
         """The point of a row."""
         return self._points[row]
 
-    def data(self, index: _Index, role: int = Qt.ItemDataRole.DisplayRole) -> Any:
+    def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> Any:
         """What a cell shows; exact under ``EditRole``."""
         if role not in _ANSWERED or not index.isValid():
             return None
         column = _COLUMNS[index.column()]
         if role == _ALIGNED:
-            return _RIGHT if column in _FIGURES else _LEFT
+            return RIGHT if column in _FIGURES else LEFT
         point = self._points[index.row()]
         if role == _DECORATED:
             return _swatch(point.light) if column is PointColumn.LIGHT else None
@@ -136,13 +128,14 @@ class PointsModel(QAbstractTableModel):
         if role != Qt.ItemDataRole.DisplayRole:
             return None
         if orientation == Qt.Orientation.Horizontal:
-            return self._titles()[section]
+            return self.titles()[section]
         if section == self._current:
             return f"▶ {section + 1}"
         sign = {None: "", False: "! ", True: "✕ "}[self._faults.get(section)]
         return f"{sign}{section + 1}"
 
-    def _titles(self) -> Sequence[str]:
+    def titles(self) -> Sequence[str]:
+        """Of :class:`PointColumn`."""
         return (
             self.tr("Motion"),
             *("J1 °\nX mm", "J2 °\nY mm", "J3 °\nZ mm"),
@@ -155,7 +148,7 @@ class PointsModel(QAbstractTableModel):
             self.tr("Note"),
         )
 
-    def flags(self, index: _Index) -> Qt.ItemFlag:
+    def flags(self, index: Index) -> Qt.ItemFlag:
         """What can be done with a cell."""
         if not index.isValid():
             return Qt.ItemFlag.ItemIsDropEnabled
@@ -163,7 +156,7 @@ class PointsModel(QAbstractTableModel):
         return _EDITABLE if can_edit else _FIXED
 
     def setData(  # noqa: N802 - Qt's name
-        self, index: _Index, value: Any, role: int = Qt.ItemDataRole.EditRole
+        self, index: Index, value: Any, role: int = Qt.ItemDataRole.EditRole
     ) -> bool:
         """Take what was entered in a cell; what cannot be is told by :attr:`refused`."""
         if role != Qt.ItemDataRole.EditRole or not index.isValid():
@@ -177,7 +170,7 @@ class PointsModel(QAbstractTableModel):
             self._document.edit(edits.change(self._points, {row: point}), self.tr("Edit"))
         return True
 
-    def why_not(self, index: _Index, text: str) -> Refusal | None:
+    def why_not(self, index: Index, text: str) -> Refusal | None:
         """What speaks against a text in a cell, or ``None``."""
         point = self._entered(index.row(), PointColumn(index.column()), text)
         return point if isinstance(point, Refusal) else None
@@ -200,7 +193,7 @@ class PointsModel(QAbstractTableModel):
         """Rows of this table."""
         return [ROWS_MIME]
 
-    def mimeData(self, indexes: Iterable[_Index]) -> QMimeData:  # noqa: N802 - Qt's name
+    def mimeData(self, indexes: Iterable[Index]) -> QMimeData:  # noqa: N802 - Qt's name
         """The numbers of the rows that are dragged."""
         rows = sorted({index.row() for index in indexes})
         data = QMimeData()
@@ -208,7 +201,7 @@ class PointsModel(QAbstractTableModel):
         return data
 
     def dropMimeData(  # noqa: N802 - Qt's name
-        self, data: QMimeData, _action: Qt.DropAction, row: int, _column: int, parent: _Index
+        self, data: QMimeData, _action: Qt.DropAction, row: int, _column: int, parent: Index
     ) -> bool:
         """Put the dragged rows before the row they are let go above.
 

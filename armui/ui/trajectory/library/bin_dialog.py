@@ -15,7 +15,7 @@ from armui.trajectory.library.store import Deleted
 from armui.ui.dialogs.base import ArmDialog
 from armui.ui.widgets.buttons import named, push_button
 from armui.ui.widgets.layouts import STRETCH, fill
-from armui.ui.widgets.message_line import MessageLine
+from armui.ui.widgets.message_line import MessageLine, Words
 from armui.ui.widgets.plain_table import plain_table
 from armui.ui.widgets.text_label import text_label
 
@@ -47,7 +47,7 @@ class BinDialog(ArmDialog):
         self._close = push_button(on_enter=False)
         self._message = named("bin_message", MessageLine())
         fill(self.body, self._text, (self._table, 1), self._message)
-        fill(self.footer, STRETCH, self._close, self._back)
+        fill(self.footer, STRETCH, self._back, self._close)
         self._table.itemSelectionChanged.connect(self._show_usable)
         self._table.itemDoubleClicked.connect(lambda _item: self._back.click())
         self._back.clicked.connect(lambda _checked=False: self.wanted.emit(self._chosen()))
@@ -61,7 +61,7 @@ class BinDialog(ArmDialog):
         self._deleted = deleted
         self._fill()
 
-    def say(self, text: str, level: Level = Level.INFO) -> None:
+    def say(self, text: Words, level: Level = Level.INFO) -> None:
         """Say what came of it."""
         self._message.show_message(text, level)
 

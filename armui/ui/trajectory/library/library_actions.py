@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from datetime import datetime
+from functools import partial
 
 from PySide6.QtCore import QObject, Signal
 
@@ -13,6 +14,7 @@ from armui.trajectory.library.store import Deleted
 from armui.trajectory.points.program import Trajectory
 from armui.ui.trajectory.library.library_work import LibraryWork
 from armui.ui.trajectory.text import name_list
+from armui.ui.widgets.message_line import Words
 
 
 class LibraryActions(QObject):
@@ -20,16 +22,16 @@ class LibraryActions(QObject):
 
     Args:
         work: Changes the library.
-        is_open: Whether the window of a trajectory is open: then it is left alone.
+        is_open: Whether the page of a trajectory is open: then it is left alone.
         parent: Its owner.
 
     Signals:
-        said: A text and its :class:`Level`.
+        said: A text, or what makes it in any language, and its :class:`Level`.
         changed: The library is another; with the names to be chosen.
         undo_changed: What can be undone is another.
     """
 
-    said = Signal(str, object)
+    said = Signal(object, object)
     changed = Signal(object)
     undo_changed = Signal()
 
@@ -90,8 +92,7 @@ class LibraryActions(QObject):
 
     def _on_deleted(self, deleted: Deleted) -> None:
         gone = deleted.names
-        text = self.tr("Deleted: {names}").format(names=name_list(gone)) if gone else ""
-        self._done([], text)
+        self._done([], partial(self._deleted, gone) if gone else "")
 
     def note_made(self, names: Sequence[str]) -> None:
         """Others have put these into the library: that can be undone, too."""
@@ -109,7 +110,7 @@ class LibraryActions(QObject):
             return
         self._work.do(
             self._history.undo,
-            lambda back: self._done(back, self._undone(step, back)),
+            lambda back: self._done(back, partial(self._undone, step, back)),
             self._on_refused,
         )
 
@@ -117,7 +118,7 @@ class LibraryActions(QObject):
         """Bring back some of what was deleted recently."""
         self._work.do(
             lambda: self._history.bring_back(deleted),
-            lambda back: self._done(back, self._brought_back(back)),
+            lambda back: self._done(back, partial(self._brought_back, back)),
             self._on_refused,
         )
 
@@ -136,7 +137,7 @@ class LibraryActions(QObject):
         self.undo_changed.emit()
         self.said.emit(text, Level.FAULT)
 
-    def _done(self, names: Sequence[str], text: str = "") -> None:
+    def _done(self, names: Sequence[str], text: Words = "") -> None:
         self.changed.emit(names)
         self.undo_changed.emit()
         self.said.emit(text, Level.DONE)
@@ -148,7 +149,10 @@ class LibraryActions(QObject):
             return self._brought_back(back)
         if isinstance(step, Renaming):
             return self.tr("“{new}” is called “{old}” again.").format(new=step.new, old=step.old)
-        return self.tr("Deleted: {names}").format(names=name_list(step.names))
+        return self._deleted(step.names)
+
+    def _deleted(self, names: Sequence[str]) -> str:
+        return self.tr("Deleted: {names}").format(names=name_list(names))
 
     def _brought_back(self, names: Sequence[str]) -> str:
         return self.tr("Brought back: {names}").format(names=name_list(names))

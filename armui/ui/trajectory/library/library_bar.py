@@ -106,7 +106,7 @@ class LibraryBar(QWidget):
         self._show_tips()
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        """In the search, Escape clears it before it closes the window; Down leads to the list."""
+        """In the search, Escape clears it before it leaves the page; Down leads to the list."""
         if watched is self.search and isinstance(event, QKeyEvent):
             pressed = event.type() == QEvent.Type.KeyPress
             if pressed and event.key() == Qt.Key.Key_Escape and self.search.text():

@@ -69,6 +69,12 @@ class LibraryEditors(QObject):
         """Whether a trajectory is open."""
         return name in self._editors
 
+    @property
+    def used(self) -> EditorPage | None:
+        """The editor the operator turned to last; ``None``: none is open."""
+        last = next(reversed(self._editors.values()), None)
+        return self._editors.get(self._used, last)
+
     def open(self, name: str, *, unsaved: bool) -> None:
         """Open a trajectory, or a recording.
 

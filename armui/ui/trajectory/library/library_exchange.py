@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from functools import partial
 from pathlib import Path
 from typing import Final
 
@@ -43,11 +44,11 @@ class LibraryExchange(QObject):
         report: The button that shows what became of each of several files.
 
     Signals:
-        said: A text and its :class:`Level`.
+        said: A text, or what makes it in any language, and its :class:`Level`.
         imported: The names of what was taken over.
     """
 
-    said = Signal(str, object)
+    said = Signal(object, object)
     imported = Signal(object)
 
     def __init__(
@@ -97,12 +98,14 @@ class LibraryExchange(QObject):
         results = [_result(one) for one in imported]
         self.imported.emit([one.name for one in imported if one.name])
         failed = any(result.problem for result in results)
-        self.said.emit(self._tell(results), Level.WARNING if failed else Level.DONE)
+        told = partial(self._tell_of, imported)
+        self.said.emit(told, Level.WARNING if failed else Level.DONE)
         self.by_columns.show_for([one.path for one in imported if one.is_table])
         self.report.show_for(results if len(results) > 1 else ())
 
-    def _tell(self, results: Sequence[Result]) -> str:
+    def _tell_of(self, imported: Sequence[Imported]) -> str:
         """What became of some files, in as few lines as an operator reads."""
+        results = [_result(one) for one in imported]
         taken = [result.name for result in results if not result.problem]
         moved = [
             f"{result.requested} → {result.name}"

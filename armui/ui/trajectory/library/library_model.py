@@ -8,10 +8,7 @@ from collections.abc import Sequence
 from typing import Any, Final
 
 from PySide6.QtCore import (
-    QAbstractTableModel,
-    QModelIndex,
     QObject,
-    QPersistentModelIndex,
     QSortFilterProxyModel,
     Qt,
     Signal,
@@ -21,8 +18,7 @@ from armui.trajectory.library.store import IndexEntry
 from armui.ui import format as fmt
 from armui.ui import words
 from armui.ui.trajectory.text import duration
-
-_Index = QModelIndex | QPersistentModelIndex
+from armui.ui.widgets.table_model import RIGHT, Index, TableModel
 
 ENTRY_ROLE: Final = Qt.ItemDataRole.UserRole
 """The :class:`IndexEntry` of a row."""
@@ -30,8 +26,6 @@ ENTRY_ROLE: Final = Qt.ItemDataRole.UserRole
 _DIGITS: Final = re.compile(r"([0-9]{1,18})")
 _URGENCY: Final = ("damaged", "errors", "draft", "warnings", None, "ok")
 """In the order of the column of check marks."""
-
-_RIGHT: Final = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
 
 
 class LibraryColumn(enum.IntEnum):
@@ -45,7 +39,7 @@ class LibraryColumn(enum.IntEnum):
     NOTE = 5
 
 
-class LibraryModel(QAbstractTableModel):
+class LibraryModel(TableModel):
     """Shows the entries it is given; a name typed anew is handed on.
 
     Signals:
@@ -53,16 +47,18 @@ class LibraryModel(QAbstractTableModel):
     """
 
     rename_wanted = Signal(str, str)
+    _columns = len(LibraryColumn)
+    _figures = frozenset({LibraryColumn.POINTS, LibraryColumn.LENGTH})
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
-        self._entries: Sequence[IndexEntry] = ()
+        self._rows: Sequence[IndexEntry] = ()
         self._drafts: frozenset[str] = frozenset()
         self._sort_keys: dict[tuple[int, int], tuple[Any, ...]] = {}
 
     def is_unsaved(self, name: str) -> bool:
         """Whether nothing is known of a trajectory but changes that are not saved."""
-        return any(entry.name == name and entry.kind == "draft" for entry in self._entries)
+        return any(entry.name == name and entry.kind == "draft" for entry in self._rows)
 
     def show(self, entries: Sequence[IndexEntry], drafts: Sequence[str]) -> bool:
         """Show other entries; ``drafts`` are those with changes that are not saved.
@@ -71,10 +67,10 @@ class LibraryModel(QAbstractTableModel):
             Whether they are others: what stands there already is left alone.
         """
         wanted = tuple(entries), frozenset(drafts)
-        if wanted == (self._entries, self._drafts):
+        if wanted == (self._rows, self._drafts):
             return False
         self.beginResetModel()
-        self._entries, self._drafts = wanted
+        self._rows, self._drafts = wanted
         self._sort_keys.clear()
         self.endResetModel()
         return True
@@ -82,22 +78,14 @@ class LibraryModel(QAbstractTableModel):
     def sort_key(self, row: int, column: int) -> tuple[Any, ...]:
         """What a cell is sorted by, among those of its column."""
         if (row, column) not in self._sort_keys:
-            self._sort_keys[row, column] = _sort_key(self._entries[row], LibraryColumn(column))
+            self._sort_keys[row, column] = _sort_key(self._rows[row], LibraryColumn(column))
         return self._sort_keys[row, column]
 
-    def rowCount(self, parent: _Index = QModelIndex()) -> int:  # noqa: B008, N802 - Qt's signature
-        """How many there are."""
-        return 0 if parent.isValid() else len(self._entries)
-
-    def columnCount(self, parent: _Index = QModelIndex()) -> int:  # noqa: B008, N802 - as above
-        """As many as there are columns."""
-        return 0 if parent.isValid() else len(LibraryColumn)
-
-    def data(self, index: _Index, role: int = Qt.ItemDataRole.DisplayRole) -> Any:
+    def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> Any:
         """What a cell shows."""
         if not index.isValid():
             return None
-        entry, column = self._entries[index.row()], LibraryColumn(index.column())
+        entry, column = self._rows[index.row()], LibraryColumn(index.column())
         if role in {Qt.ItemDataRole.DisplayRole, Qt.ItemDataRole.AccessibleTextRole}:
             return self._text(entry, column)
         if role == Qt.ItemDataRole.EditRole:
@@ -106,11 +94,8 @@ class LibraryModel(QAbstractTableModel):
             return entry
         if role == Qt.ItemDataRole.ToolTipRole:
             return self._tip(entry)
-        if role == Qt.ItemDataRole.TextAlignmentRole and column in {
-            LibraryColumn.POINTS,
-            LibraryColumn.LENGTH,
-        }:
-            return _RIGHT
+        if role == Qt.ItemDataRole.TextAlignmentRole and column in self._figures:
+            return RIGHT
         return None
 
     def _text(self, entry: IndexEntry, column: LibraryColumn) -> str:
@@ -151,12 +136,8 @@ class LibraryModel(QAbstractTableModel):
             return self.tr("! not saved")
         return fmt.NOTHING if entry.check is None else words_of[entry.check]
 
-    def headerData(  # noqa: N802 - Qt's name
-        self, section: int, orientation: Qt.Orientation, role: int = Qt.ItemDataRole.DisplayRole
-    ) -> Any:
-        """The titles of the columns."""
-        if role != Qt.ItemDataRole.DisplayRole or orientation != Qt.Orientation.Horizontal:
-            return None
+    def titles(self) -> Sequence[str]:
+        """From left to right."""
         return (
             self.tr("Name"),
             self.tr("Points"),
@@ -164,31 +145,24 @@ class LibraryModel(QAbstractTableModel):
             self.tr("Last change"),
             self.tr("Check"),
             self.tr("Note"),
-        )[section]
+        )
 
-    def flags(self, index: _Index) -> Qt.ItemFlag:
+    def flags(self, index: Index) -> Qt.ItemFlag:
         """Names can be edited."""
         flags = super().flags(index)
         named = index.isValid() and index.column() == LibraryColumn.NAME
         return flags | Qt.ItemFlag.ItemIsEditable if named else flags
 
     def setData(  # noqa: N802 - Qt's name
-        self, index: _Index, value: Any, role: int = Qt.ItemDataRole.EditRole
+        self, index: Index, value: Any, role: int = Qt.ItemDataRole.EditRole
     ) -> bool:
         """Hand on another name."""
         if role != Qt.ItemDataRole.EditRole or not index.isValid():
             return False
-        name, new = self._entries[index.row()].name, str(value).strip()
+        name, new = self._rows[index.row()].name, str(value).strip()
         if new != name:
             self.rename_wanted.emit(name, new)
         return True
-
-    def retranslate(self) -> None:
-        """Everything in another language."""
-        self.headerDataChanged.emit(Qt.Orientation.Horizontal, 0, len(LibraryColumn) - 1)
-        if self._entries:
-            last = self.index(len(self._entries) - 1, len(LibraryColumn) - 1)
-            self.dataChanged.emit(self.index(0, 0), last)
 
 
 class LibraryFilter(QSortFilterProxyModel):
@@ -200,13 +174,13 @@ class LibraryFilter(QSortFilterProxyModel):
         self.setSourceModel(source)
         self.setFilterCaseSensitivity(Qt.CaseSensitivity.CaseInsensitive)
 
-    def filterAcceptsRow(self, row: int, parent: _Index) -> bool:  # noqa: N802 - Qt's name
+    def filterAcceptsRow(self, row: int, parent: Index) -> bool:  # noqa: N802 - Qt's name
         """Whether the text is in the name or the note."""
         entry: IndexEntry = self.sourceModel().index(row, 0, parent).data(ENTRY_ROLE)
         wanted = self.filterRegularExpression()
         return any(wanted.match(text).hasMatch() for text in (entry.name, entry.note))
 
-    def lessThan(self, left: _Index, right: _Index) -> bool:  # noqa: N802 - Qt's name
+    def lessThan(self, left: Index, right: Index) -> bool:  # noqa: N802 - Qt's name
         """By the figures of a column; what is equal there, by name."""
         key = self._entries.sort_key
         return key(left.row(), left.column()) < key(right.row(), right.column())

@@ -6,7 +6,7 @@ from collections.abc import Callable, Mapping, Sequence
 
 from PySide6.QtCore import QEvent, QModelIndex, Signal
 from PySide6.QtGui import QShowEvent
-from PySide6.QtWidgets import QHeaderView, QWidget
+from PySide6.QtWidgets import QHeaderView
 
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
@@ -36,8 +36,9 @@ from armui.ui.trajectory.recording.recording_page import RecordingPage
 from armui.ui.trajectory.running.preflight import Checks, Preflight
 from armui.ui.trajectory.running.run_bar import RunBar
 from armui.ui.widgets.buttons import named
-from armui.ui.widgets.layouts import fill, in_row
-from armui.ui.widgets.message_line import MessageLine
+from armui.ui.widgets.flow import in_flow
+from armui.ui.widgets.layouts import fill
+from armui.ui.widgets.message_line import MessageLine, Words
 from armui.ui.widgets.page import Page
 
 
@@ -63,14 +64,8 @@ class LibraryPage(Page):
     editor_opened = Signal(object)
     preview_wanted = Signal(object)
 
-    def __init__(
-        self,
-        controller: ArmController,
-        background: Background,
-        library: Library,
-        parent: QWidget | None = None,
-    ) -> None:
-        super().__init__("library", parent)
+    def __init__(self, controller: ArmController, background: Background, library: Library) -> None:
+        super().__init__("library")
         self._controller = controller
         self._checks = Checks(controller, background)
         self._checks.get_ready()
@@ -84,7 +79,7 @@ class LibraryPage(Page):
         self._shown = LibraryFilter(self._model, self)
         self._bar = LibraryBar()
         self._table = LibraryTable(self._shown)
-        self._message = named("library_message", MessageLine())
+        self._message = named("library_message", MessageLine(keeps_room=False))
         self._actions = LibraryActions(self._work, self.editors.__contains__, self)
         self._undo_button = UndoButton(self._actions, self)
         self._bin_button = BinButton(controller, self._work, self._actions, self)
@@ -102,10 +97,13 @@ class LibraryPage(Page):
 
     def _lay_out(self) -> None:
         offers = (self._exchange.report, self._exchange.by_columns)
-        below = in_row((self._message, 1), *offers, self._undo_button)
+        below = in_flow(self._message)
+        for button in (*offers, self._undo_button):
+            below.push(button)  # at the right, also while there is no message
         self._bar.add_button(self._bin_button)
+        # what comes and goes takes its room from the list: 发送 stays where it is
         fill(self.body, self._bar, self._company, (self._table, 1))
-        fill(self.body, self._findings, self._run_bar, below)
+        fill(self.body, self._findings, below, self._run_bar)
 
     def _connect(self) -> None:
         handlers: dict[str, Callable[[], object]] = {
@@ -139,6 +137,7 @@ class LibraryPage(Page):
         self.editors.changed.connect(self.refresh)
         self.editors.said.connect(self._say)
         self.editors.refused.connect(self._on_refused)
+        self._run_bar.listen(self)
         self._run_bar.checked.connect(self._show_check)
         self._run_bar.refused.connect(
             lambda reason: self._say(words.refusal(reason), Level.WARNING)
@@ -224,7 +223,11 @@ class LibraryPage(Page):
         self._bar.show_chosen(chosen)
         one = chosen[0] if len(chosen) == 1 else None
         recording = one is not None and one.kind == "recording"
-        nothing = Refusal(RefusalCode.NO_ROWS_CHOSEN) if one is None else None
+        nothing = None
+        if one is None:
+            nothing = Refusal(RefusalCode.NO_ROWS_CHOSEN)
+        elif one.count == 0:
+            nothing = Refusal(RefusalCode.RUN_EMPTY, {"name": one.name})
         count = 0 if one is None else one.count
         self._run_bar.show_content(count, recording=recording, nothing=nothing)
         if chosen:  # while the list is made anew, nothing is chosen for a moment
@@ -298,9 +301,6 @@ class LibraryPage(Page):
         self._findings.setVisible(bool(checked.findings) or accept is not None)
         self.preview_wanted.emit(checked)
 
-    def _on_not_run(self, reason: Refusal) -> None:
-        self._say(words.refusal(reason), Level.WARNING)
-
     def _on_progress(self, progress: Progress) -> None:
         if progress.reason is not None:
             text = self.tr("“{name}” ended at row {row}. {reason}").format(
@@ -324,7 +324,7 @@ class LibraryPage(Page):
 
     # Words ------------------------------------------------------------------------------------
 
-    def _say(self, text: str, level: Level = Level.INFO) -> None:
+    def _say(self, text: Words, level: Level = Level.INFO) -> None:
         self._exchange.withdraw_offers()
         self._message.show_message(text, level)
 

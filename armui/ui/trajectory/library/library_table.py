@@ -48,6 +48,7 @@ class LibraryTable(QTableView):
         self.verticalHeader().setDefaultSectionSize(_ROW_PX)
         across = self.horizontalHeader()
         across.setHighlightSections(False)
+        across.setDefaultAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
         across.setStretchLastSection(True)
         self.setMinimumHeight(_LEAST_ROWS * _ROW_PX + across.sizeHint().height())
         for column, width_px in _WIDTHS_PX.items():

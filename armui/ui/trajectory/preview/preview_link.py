@@ -1,4 +1,4 @@
-"""Brings together the library's windows, the 3D view and the bar of the preview."""
+"""Brings together the library's pages, the 3D view and the bar of the preview."""
 
 from __future__ import annotations
 

@@ -1,1 +1,1 @@
-"""录制: the window that records, trims and keeps."""
+"""录制: the page that records, trims and keeps."""

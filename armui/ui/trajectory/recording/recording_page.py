@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QTimer, Signal
 from PySide6.QtGui import QShowEvent
-from PySide6.QtWidgets import QLabel, QLineEdit, QWidget
+from PySide6.QtWidgets import QLabel, QLineEdit
 
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
@@ -52,7 +52,6 @@ class RecordingPage(Page):
         background: Where recordings are thinned.
         library: Where the recording is kept.
         recording: One of the library, to be trimmed and thinned; without one a new one is made.
-        parent: Its owner, before it stands anywhere.
 
     Signals:
         saved: The name under which something has been put into the library.
@@ -68,9 +67,8 @@ class RecordingPage(Page):
         background: Background,
         library: Library,
         recording: Recording | None = None,
-        parent: QWidget | None = None,
     ) -> None:
-        super().__init__("recording", parent)
+        super().__init__("recording")
         self._controller = controller
         self._background = background
         self._checks = Checks(controller, background)
@@ -242,7 +240,7 @@ class RecordingPage(Page):
         elif result is None:
             self._kept.setText(self.tr("Nothing is left: correct the marked fields."))
         else:
-            text = self.tr("{kept} of {count} samples, {time}")
+            text = self.tr("Keeps {kept} of {count} samples, {time}")
             kept, count = len(result.samples), len(whole.samples)
             text = text.format(kept=kept, count=count, time=duration(result.duration_s))
             self._kept.setText(text)

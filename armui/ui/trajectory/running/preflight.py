@@ -74,6 +74,8 @@ class Preflight:
             return Refusal(RefusalCode.MOVED_SINCE_CHECK, {"value": f"{moved_deg:.1f}"})
         if self.order.arm.limits != controller.operating_state.limits:
             return Refusal(RefusalCode.LIMITS_CHANGED_SINCE_CHECK)
+        if self.order.arm.kinematics != controller.cartesian.kinematics():
+            return Refusal(RefusalCode.MODEL_CHANGED_SINCE_CHECK)
         return None
 
 

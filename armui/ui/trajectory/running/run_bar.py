@@ -8,7 +8,7 @@ from functools import partial
 from typing import Final
 
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtGui import QHideEvent, QShowEvent
+from PySide6.QtGui import QHideEvent, QKeySequence, QShortcut, QShowEvent
 from PySide6.QtWidgets import QCheckBox, QComboBox, QLabel, QSpinBox, QWidget
 
 from armui.arm.refusal import Refusal
@@ -18,10 +18,11 @@ from armui.control.operating_state import OperatingState, StopState
 from armui.control.run.progress import ENDLESS, Progress
 from armui.trajectory.files import Content
 from armui.ui import words
+from armui.ui.actions.keys import keys_of
 from armui.ui.trajectory.running.preflight import CheckJob, Checks, Preflight
 from armui.ui.trajectory.running.run_options import RunOptions
 from armui.ui.trajectory.running.runner import Runner, ended_early
-from armui.ui.widgets.buttons import named, push_button
+from armui.ui.widgets.buttons import named, push_button, show_primary
 from armui.ui.widgets.enable_or_explain import enable_or_explain
 from armui.ui.widgets.flow import in_flow, pair
 from armui.ui.widgets.text_label import text_label
@@ -31,6 +32,7 @@ _ONCE, _TIMES, _LOOP = range(3)
 _MOST_CYCLES: Final = 9999
 _FASTEST_PERCENT: Final = 200
 _SPIN_PX: Final = 34
+_SEND_KEY: Final = keys_of("editor.send")
 _SURPRISING_S: Final = 2.0
 """Nobody expects the arm to move so long after the button was pressed."""
 
@@ -89,10 +91,10 @@ class RunBar(Translated, QWidget):
         self._resume = push_button("run_resume", on_enter=False)
         self._cycles = named("run_cycles", QComboBox())
         self._cycles.addItems(["", "", ""])
-        self._times = _spin("run_times", 1, _MOST_CYCLES, 3)
-        self._speed = _spin("run_speed", 1, _FASTEST_PERCENT, 100)
+        self._times = _spin("run_times", _MOST_CYCLES, 3)
+        self._speed = _spin("run_speed", _FASTEST_PERCENT, 100)
         self._speed.setSuffix(" %")
-        self._first = _spin("run_first", 1, 1, 1)
+        self._first = _spin("run_first", 1, 1)
         self._speed_label, self._first_label = QLabel(), QLabel()
         self._steps = named("run_steps", QCheckBox())
 
@@ -108,6 +110,13 @@ class RunBar(Translated, QWidget):
             flow.push(widget)
 
     # What the operator wants ------------------------------------------------------------------
+
+    def listen(self, page: QWidget) -> None:
+        """Have a key press 发送 wherever in its page; a key that is held presses once."""
+        key = QShortcut(QKeySequence(_SEND_KEY), page)
+        key.setContext(Qt.ShortcutContext.WidgetWithChildrenShortcut)
+        key.setAutoRepeat(False)
+        key.activated.connect(self._send.click)
 
     def show_content(
         self, count: int, *, recording: bool = False, nothing: Refusal | None = None
@@ -194,6 +203,10 @@ class RunBar(Translated, QWidget):
             not recording and self._steps.isChecked(),
         )
 
+    def stand_back(self, wanted: bool) -> None:
+        """Whether something else on the page is done more often than running it."""
+        show_primary(self._send, wanted=not wanted)
+
     def _on_send(self) -> None:
         self._run(self._options())
 
@@ -256,7 +269,8 @@ class RunBar(Translated, QWidget):
         progress, checking = self._runner.progress, self._checking
         why_not = self._why_not()
         self._times.setVisible(self._cycles.currentIndex() == _TIMES)
-        enable_or_explain(self._send, self.tr("Checking…") if checking else why_not)
+        reason = self.tr("Checking…") if checking else why_not
+        enable_or_explain(self._send, reason, self.tr("Checks it and runs it"), key=_SEND_KEY)
         self._state.setText(self.tr("Checking…") if checking else "")
         self._state.setVisible(checking)
         self._call_off.setVisible(checking)
@@ -294,9 +308,9 @@ class RunBar(Translated, QWidget):
         super().hideEvent(event)
 
 
-def _spin(name: str, least: int, most: int, value: int) -> QSpinBox:
+def _spin(name: str, most: int, value: int) -> QSpinBox:
     spin = named(name, QSpinBox())
-    spin.setRange(least, most)
+    spin.setRange(1, most)
     spin.setValue(value)
     spin.setAlignment(Qt.AlignmentFlag.AlignCenter)
     spin.setFixedHeight(_SPIN_PX)

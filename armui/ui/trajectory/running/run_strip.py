@@ -40,8 +40,8 @@ class RunStrip(Translated, QWidget):
         controller: Runs it.
     """
 
-    def __init__(self, controller: ArmController, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self, controller: ArmController) -> None:
+        super().__init__()
         self.setObjectName("run_strip")
         self.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
         self._runner = Runner(controller, self)
@@ -144,7 +144,7 @@ class RunStrip(Translated, QWidget):
         self._close.setIcon(icons.icon("close", colors_of(self).muted))
 
     def showEvent(self, event: QShowEvent) -> None:
-        """Catch up with what went by while the window was hidden."""
+        """Catch up with what went by while it was hidden."""
         super().showEvent(event)
         self._show(self._runner.progress)
 

@@ -7,7 +7,7 @@ from pathlib import PurePath
 from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtWidgets import QComboBox, QLabel, QLineEdit, QSpinBox, QWidget
+from PySide6.QtWidgets import QComboBox, QLabel, QLineEdit, QSpinBox
 
 from armui.control.events import Level
 from armui.protocol.codes import MoveMode
@@ -42,7 +42,6 @@ class ColumnsPage(Page):
     Args:
         library: Takes what is imported; nothing of it changes before the button is pressed.
         table: The file.
-        parent: Its owner, before it stands anywhere.
 
     Signals:
         imported: The name under which it has been put into the library.
@@ -50,8 +49,8 @@ class ColumnsPage(Page):
 
     imported = Signal(str)
 
-    def __init__(self, library: Library, table: TableFile, parent: QWidget | None = None) -> None:
-        super().__init__("columns", parent)
+    def __init__(self, library: Library, table: TableFile) -> None:
+        super().__init__("columns")
         self._library = library
         self._file = table
         self._table = ColumnsTable(table.sheet)
@@ -80,7 +79,7 @@ class ColumnsPage(Page):
         self._speed.setFixedHeight(_FIELD_PX)
         self._name = named("columns_name", QLineEdit())
         self._move_label, self._speed_label, self._name_label = (QLabel() for _ in range(3))
-        self._message = named("columns_message", MessageLine())
+        self._message = named("columns_message", MessageLine(keeps_room=False))
         self.import_button = push_button("columns_import", primary=True, on_enter=True)
         self._cancel = push_button("columns_cancel", on_enter=False)
 

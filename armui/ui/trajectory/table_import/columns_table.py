@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any, Final
 
-from PySide6.QtCore import QAbstractTableModel, QModelIndex, QPersistentModelIndex, Qt, Signal
+from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QColor
 from PySide6.QtWidgets import (
     QAbstractItemView,
@@ -22,8 +22,7 @@ from armui.ui.theme import colors_of
 from armui.ui.trajectory.table_import.column_picker import ColumnPicker
 from armui.ui.widgets.buttons import named
 from armui.ui.widgets.layouts import STRETCH, in_column, in_row
-
-_Index = QModelIndex | QPersistentModelIndex
+from armui.ui.widgets.table_model import RIGHT, Index, TableModel
 
 _COLUMN_PX: Final = 124
 _ROW_PX: Final = 26
@@ -33,7 +32,6 @@ _MOST_COLUMNS: Final = 60
 _LONGEST_CELL: Final = 200
 _KIN: Final = (JOINTS, POSE[:3], POSE[3:])
 """What is in one unit throughout a file."""
-_RIGHT: Final = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
 
 
 class ColumnsTable(QScrollArea):
@@ -123,7 +121,7 @@ class ColumnsTable(QScrollArea):
         """These say what the operator wants."""
         for picker in pickers:
             self._said[self._places[self._pickers.index(picker)]] = picker.column
-        self._model.repaint()
+        self._model.redraw()
         self.changed.emit()
 
     def _is_used(self, column: int) -> bool:
@@ -133,7 +131,7 @@ class ColumnsTable(QScrollArea):
         return QColor(colors_of(self).faint)
 
 
-class _Preview(QAbstractTableModel):
+class _Preview(TableModel):
     """Cells as they stand in the file; columns that are ignored turn pale."""
 
     def __init__(
@@ -144,20 +142,13 @@ class _Preview(QAbstractTableModel):
         pale: Callable[[], QColor],
     ) -> None:
         super().__init__()
-        self._rows = rows
+        self._rows: Sequence[Sequence[str]] = rows
         self._places = places
+        self._columns = len(places)
         self._is_used = is_used
         self._pale = pale
 
-    def rowCount(self, parent: _Index = QModelIndex()) -> int:  # noqa: B008, N802 - Qt's signature
-        """As many as are shown."""
-        return 0 if parent.isValid() else len(self._rows)
-
-    def columnCount(self, parent: _Index = QModelIndex()) -> int:  # noqa: B008, N802 - as above
-        """As many as are shown."""
-        return 0 if parent.isValid() else len(self._places)
-
-    def data(self, index: _Index, role: int = Qt.ItemDataRole.DisplayRole) -> Any:
+    def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> Any:
         """A cell; nothing where a row is too short."""
         if not index.isValid():
             return None
@@ -166,15 +157,10 @@ class _Preview(QAbstractTableModel):
             place = self._places[column]
             return row[place].strip()[:_LONGEST_CELL] if place < len(row) else ""
         if role == Qt.ItemDataRole.TextAlignmentRole:
-            return _RIGHT
+            return RIGHT
         if role == Qt.ItemDataRole.ForegroundRole and not self._is_used(column):
             return self._pale()
         return None
-
-    def repaint(self) -> None:
-        """Other columns are ignored now."""
-        last = self.index(len(self._rows) - 1, len(self._places) - 1)
-        self.dataChanged.emit(self.index(0, 0), last)
 
 
 def _shown(sheet: Sheet) -> list[int]:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QPoint, Qt, QTimer
 from PySide6.QtGui import QGuiApplication, QKeySequence, QShortcut
-from PySide6.QtWidgets import QHeaderView, QMenu, QStackedWidget, QWidget
+from PySide6.QtWidgets import QHeaderView, QMenu, QStackedWidget
 
 from armui.arm.refusal_codes import RefusalCode
 from armui.telemetry.bus_senders import Sender
@@ -16,15 +16,16 @@ from armui.telemetry.bus_statistics import BusStatistics
 from armui.telemetry.bus_trace import TRACE_FRAMES, TraceSnapshot
 from armui.ui.actions.keys import keys_of
 from armui.ui.watch.bus.bus_summary import BusSummary
-from armui.ui.watch.bus.cells import Index
 from armui.ui.watch.bus.filter_bar import FilterBar
 from armui.ui.watch.bus.frame_model import FrameModel
 from armui.ui.watch.bus.frame_texts import FrameTexts
 from armui.ui.watch.bus.frame_views import FrameTree, TraceList
 from armui.ui.watch.bus.send_box import SendBox
 from armui.ui.watch.bus.trace_model import TraceModel
+from armui.ui.widgets.buttons import named
 from armui.ui.widgets.curve_menu import show_curves
 from armui.ui.widgets.page import Page
+from armui.ui.widgets.table_model import Index
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
@@ -47,7 +48,6 @@ class BusPage(Page):
 
     Args:
         controller: Knows the bus.
-        parent: Its owner, before it stands anywhere.
 
     Attributes:
         statistics: What was counted.
@@ -57,8 +57,8 @@ class BusPage(Page):
         send_box: Sends a frame by hand.
     """
 
-    def __init__(self, controller: ArmController, parent: QWidget | None = None) -> None:
-        super().__init__("bus", parent)
+    def __init__(self, controller: ArmController) -> None:
+        super().__init__("bus")
         self.setObjectName("bus_page")
         self._controller = controller
         self._now_s = controller.telemetry.now_s
@@ -216,7 +216,7 @@ class BusPage(Page):
     # One frame --------------------------------------------------------------------------------
 
     def quantities_at(self, place: QPoint) -> list[str]:
-        """The keys of what is shown at a place of the window."""
+        """The keys of what is shown at a place of the page."""
         index = self._index_at(place)
         return [] if index is None else self.model.keys_of(index)
 
@@ -238,8 +238,7 @@ class BusPage(Page):
         self._menu_of(self.model.row_of(index), self.model.keys_of(index)).popup(event.globalPos())
 
     def _menu_of(self, row: FrameRow, keys: list[str]) -> QMenu:
-        menu = QMenu(self)
-        menu.setObjectName("bus_menu")
+        menu = named("bus_menu", QMenu(self))
         menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         if keys:
             menu.addAction(self.tr("Show as curve"), partial(show_curves, self, keys))

@@ -5,13 +5,15 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING, Final
 
-from PySide6.QtWidgets import QHBoxLayout, QLabel, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QLabel, QWidget
 
 from armui.control.events import Level
 from armui.ui import format as fmt
 from armui.ui import words
+from armui.ui.widgets.buttons import named
 from armui.ui.widgets.curve_menu import tell_quantities
 from armui.ui.widgets.elided_label import ElidedLabel
+from armui.ui.widgets.layouts import in_column, in_row
 from armui.ui.widgets.message_line import MessageLine
 from armui.ui.widgets.text_label import text_label
 from armui.ui.widgets.translated import Translated
@@ -32,8 +34,8 @@ class BusSummary(Translated, QWidget):
         controller: Knows the connection.
     """
 
-    def __init__(self, controller: ArmController, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self, controller: ArmController) -> None:
+        super().__init__()
         self._controller = controller
         self._lost_before = 0
         self._trouble: tuple[str, Level] = ("", Level.INFO)
@@ -43,12 +45,10 @@ class BusSummary(Translated, QWidget):
         ]
         for key, value in zip(_KEYS, self._values, strict=False):
             tell_quantities(value, key)
-        self.counted = ElidedLabel()
-        self.counted.setObjectName("bus_counted")
+        self.counted = named("bus_counted", ElidedLabel())
         self.counted.setProperty("rank", "muted")
         self.paused = text_label("bus_paused", rank="warning")
-        row = QHBoxLayout()
-        row.setSpacing(6)
+        row = in_row(spacing=6)
         for name, value in zip(self._names, self._values, strict=True):
             row.addWidget(name)
             row.addWidget(value)
@@ -57,14 +57,9 @@ class BusSummary(Translated, QWidget):
         row.addWidget(self.paused)
         row.addSpacing(10)
         row.addWidget(self.counted)
-        self.message = MessageLine()
-        self.message.setObjectName("bus_message")
+        self.message = named("bus_message", MessageLine())
         self.message.hide()
-        whole = QVBoxLayout(self)
-        whole.setContentsMargins(0, 0, 0, 0)
-        whole.setSpacing(6)
-        whole.addLayout(row)
-        whole.addWidget(self.message)
+        in_column(row, self.message, on=self, spacing=6, margins=0)
         self.retranslate_ui()
 
     def begin(self) -> None:

@@ -6,7 +6,7 @@ import enum
 from collections.abc import Sequence
 from typing import Final, NamedTuple, Protocol
 
-from PySide6.QtCore import QModelIndex, QPersistentModelIndex, QRect, QRectF, Qt
+from PySide6.QtCore import QRect, QRectF, Qt
 from PySide6.QtGui import (
     QColor,
     QFont,
@@ -19,8 +19,7 @@ from PySide6.QtGui import (
 from PySide6.QtWidgets import QStyleOptionViewItem, QTreeView, QWidget
 
 from armui.ui.theme import Colors, colors_of
-
-Index = QModelIndex | QPersistentModelIndex
+from armui.ui.widgets.table_model import Index
 
 BYTES_ROLE: Final = Qt.ItemDataRole.UserRole
 """A `Payload`."""

@@ -11,16 +11,15 @@ from PySide6.QtWidgets import (
     QButtonGroup,
     QCheckBox,
     QComboBox,
-    QHBoxLayout,
     QLineEdit,
-    QPushButton,
-    QVBoxLayout,
     QWidget,
 )
 
 from armui.telemetry.bus_senders import Sender
 from armui.ui.actions.keys import keys_of
 from armui.ui.watch.bus.frame_filter import FrameFilter, IdFilter, parse_ids
+from armui.ui.widgets.buttons import bar_button, named
+from armui.ui.widgets.layouts import STRETCH, in_column, in_row
 from armui.ui.widgets.translated import Translated
 from armui.ui.words import frames
 
@@ -47,33 +46,28 @@ class FilterBar(Translated, QWidget):
     pause_wanted = Signal(bool)
     clear_wanted = Signal()
 
-    def __init__(self, now_s: Callable[[], float], parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self, now_s: Callable[[], float]) -> None:
+        super().__init__()
         self._now_s = now_s
         self._ids = IdFilter()
         self._changed_since_s: float | None = None
-        self.by_id = self._button("bus_by_id", checkable=True)
-        self.in_order = self._button("bus_in_order", checkable=True)
+        self.by_id = bar_button("bus_by_id", toggles=True)
+        self.in_order = bar_button("bus_in_order", toggles=True)
         self._views = QButtonGroup(self)
         self._views.addButton(self.by_id, 0)
         self._views.addButton(self.in_order, 1)
         self.by_id.setChecked(True)
-        self.pause = self._button("bus_pause", checkable=True)
-        self.clear = self._button("bus_clear")
-        self.text = QLineEdit()
-        self.text.setObjectName("bus_text")
+        self.pause = bar_button("bus_pause", toggles=True)
+        self.clear = bar_button("bus_clear")
+        self.text = named("bus_text", QLineEdit())
         self.text.setClearButtonEnabled(True)
         self.text.setMinimumWidth(_TEXT_PX)
-        self.ids = QLineEdit()
-        self.ids.setObjectName("bus_ids")
+        self.ids = named("bus_ids", QLineEdit())
         self.ids.setClearButtonEnabled(True)
         self.ids.setFixedWidth(_IDS_PX)
-        self.senders = QComboBox()
-        self.senders.setObjectName("bus_senders")
-        self.only_changed = QCheckBox()
-        self.only_changed.setObjectName("bus_only_changed")
-        self.only_unknown = QCheckBox()
-        self.only_unknown.setObjectName("bus_only_unknown")
+        self.senders = named("bus_senders", QComboBox())
+        self.only_changed = named("bus_only_changed", QCheckBox())
+        self.only_unknown = named("bus_only_unknown", QCheckBox())
         self._lay_out()
         self._views.idClicked.connect(lambda place: self.trace_wanted.emit(place == 1))
         self.pause.toggled.connect(self._on_pause)
@@ -86,33 +80,11 @@ class FilterBar(Translated, QWidget):
         self.retranslate_ui()
 
     def _lay_out(self) -> None:
-        above = QHBoxLayout()
-        above.setSpacing(6)
-        above.addWidget(self.by_id)
-        above.addWidget(self.in_order)
-        above.addStretch(1)
-        above.addWidget(self.pause)
-        above.addWidget(self.clear)
-        below = QHBoxLayout()
-        below.setSpacing(8)
-        below.addWidget(self.text, 1)
-        below.addWidget(self.ids)
-        below.addWidget(self.senders)
-        below.addWidget(self.only_changed)
-        below.addWidget(self.only_unknown)
-        whole = QVBoxLayout(self)
-        whole.setContentsMargins(0, 0, 0, 0)
-        whole.setSpacing(6)
-        whole.addLayout(above)
-        whole.addLayout(below)
-
-    def _button(self, name: str, *, checkable: bool = False) -> QPushButton:
-        button = QPushButton()
-        button.setObjectName(name)
-        button.setCheckable(checkable)
-        button.setProperty("toggle", checkable)
-        button.setAutoDefault(False)
-        return button
+        above = in_row(self.by_id, self.in_order, STRETCH, self.pause, self.clear, spacing=6)
+        below = in_row(
+            (self.text, 1), self.ids, self.senders, self.only_changed, self.only_unknown, spacing=8
+        )
+        in_column(above, below, on=self, spacing=6, margins=0)
 
     @property
     def wanted(self) -> FrameFilter:

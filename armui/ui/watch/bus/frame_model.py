@@ -12,8 +12,9 @@ from PySide6.QtCore import QCoreApplication as App
 from armui.telemetry.bus_rows import Cycle, FrameRow
 from armui.telemetry.bus_senders import Sender
 from armui.ui import format as fmt
-from armui.ui.watch.bus.cells import BYTES_ROLE, KEY_ROLE, TONE_ROLE, Cell, Index, Payload, Tone
+from armui.ui.watch.bus.cells import BYTES_ROLE, KEY_ROLE, TONE_ROLE, Cell, Payload, Tone
 from armui.ui.watch.bus.frame_texts import FrameTexts, SignalText
+from armui.ui.widgets.table_model import LEFT, RIGHT, Index
 from armui.ui.words import frames
 
 LIT_S: Final = 1.0
@@ -22,7 +23,6 @@ LIT_S: Final = 1.0
 ID, NAME, SENDER, DATA, RATE, JITTER, COUNT, LAST = range(8)
 COLUMNS: Final = 8
 _RIGHT: Final = frozenset({RATE, JITTER, COUNT})
-_ALIGNED_RIGHT: Final = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
 _OTHERS: Final = frozenset({Sender.OTHER, Sender.OTHER_ARM})
 
 
@@ -202,8 +202,7 @@ class FrameModel(QAbstractItemModel):
         if orientation is not Qt.Orientation.Horizontal:
             return None
         if role == Qt.ItemDataRole.TextAlignmentRole:
-            left = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
-            return _ALIGNED_RIGHT if section in _RIGHT else left
+            return RIGHT if section in _RIGHT else LEFT
         if role == Qt.ItemDataRole.ToolTipRole:
             return _header_tips()[section]
         return _headers()[section] if role == Qt.ItemDataRole.DisplayRole else None
@@ -214,7 +213,7 @@ class FrameModel(QAbstractItemModel):
             return None
         node = self._node(index)
         if role == Qt.ItemDataRole.TextAlignmentRole:
-            return _ALIGNED_RIGHT if index.column() in _RIGHT else None
+            return RIGHT if index.column() in _RIGHT else None
         if index.internalId():
             return self._detail(node, index, role)
         return self._cell(node.row, index.column(), role)

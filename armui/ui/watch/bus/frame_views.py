@@ -5,24 +5,26 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QRect, Qt, Signal
-from PySide6.QtWidgets import QHeaderView, QWidget
+from PySide6.QtWidgets import QHeaderView
 
 from armui.ui.theme import colors_of
 from armui.ui.watch.bus import frame_model, trace_model
 from armui.ui.watch.bus.cells import KEY_ROLE, RowView, bytes_width
 from armui.ui.widgets import icons
+from armui.ui.widgets.table_model import Index
 
 if TYPE_CHECKING:
-    from PySide6.QtGui import QKeyEvent, QMouseEvent, QPainter
+    from PySide6.QtGui import QKeyEvent, QMouseEvent, QPainter, QResizeEvent
     from PySide6.QtWidgets import QStyleOptionViewItem
 
-    from armui.ui.watch.bus.cells import Index
     from armui.ui.watch.bus.frame_model import FrameModel
     from armui.ui.watch.bus.trace_model import TraceModel
+    from armui.ui.widgets.table_model import Index
 
 _ICON_PX: Final = 16
 _PAD_PX: Final = 24
 _INDENT_PX: Final = 22
+_NAME_PX: Final = 190
 
 
 class FrameTree(RowView):
@@ -34,8 +36,8 @@ class FrameTree(RowView):
 
     curves_wanted = Signal(object)
 
-    def __init__(self, model: FrameModel, parent: QWidget | None = None) -> None:
-        super().__init__(model, parent)
+    def __init__(self, model: FrameModel) -> None:
+        super().__init__(model)
         self.setObjectName("bus_tree")
         self.setModel(model)
         self.setIndentation(_INDENT_PX)
@@ -58,6 +60,14 @@ class FrameTree(RowView):
             header.setSectionResizeMode(column, QHeaderView.ResizeMode.Interactive)
             header.resizeSection(column, width)
         header.setSectionResizeMode(frame_model.NAME, QHeaderView.ResizeMode.Stretch)
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Where not all fits, the name is no wider than it must be: Qt would leave it as it was."""
+        super().resizeEvent(event)
+        header = self.header()
+        others = header.length() - header.sectionSize(frame_model.NAME)
+        if self.viewport().width() - others < _NAME_PX:
+            header.resizeSection(frame_model.NAME, _NAME_PX)
 
     def drawRow(  # noqa: N802 - the name Qt calls
         self, painter: QPainter, option: QStyleOptionViewItem, index: Index
@@ -106,8 +116,8 @@ class FrameTree(RowView):
 class TraceList(RowView):
     """Frames in order of time."""
 
-    def __init__(self, model: TraceModel, parent: QWidget | None = None) -> None:
-        super().__init__(model, parent)
+    def __init__(self, model: TraceModel) -> None:
+        super().__init__(model)
         self.setObjectName("bus_trace")
         self.setRootIsDecorated(False)
         self.setItemsExpandable(False)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QTimer
-from PySide6.QtWidgets import QHBoxLayout, QLineEdit, QPushButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QLineEdit, QWidget
 
 from armui.arm.refusal import Refusal
 from armui.control.events import Level
@@ -13,8 +13,10 @@ from armui.control.safety.hand_frame import FrameEffect, effect_of, parse_frame
 from armui.protocol.frame import Frame
 from armui.ui import words
 from armui.ui.watch.bus.cells import byte_font
+from armui.ui.widgets.buttons import named, push_button
 from armui.ui.widgets.elided_label import ElidedLabel
 from armui.ui.widgets.hold_button import HoldButton
+from armui.ui.widgets.layouts import in_column, in_row
 from armui.ui.widgets.message_line import MessageLine
 from armui.ui.widgets.translated import Translated
 from armui.ui.words.hand_frames import frame_effect
@@ -43,37 +45,29 @@ class SendBox(Translated, QWidget):
         controller: Sends.
     """
 
-    def __init__(self, controller: ArmController, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self, controller: ArmController) -> None:
+        super().__init__()
         self._controller = controller
         self._pressed: Frame | None = None
         self._sent = ""
-        self.unlock = HoldButton()
-        self.unlock.setObjectName("bus_unlock")
-        self.lock = QPushButton()
-        self.lock.setObjectName("bus_lock")
+        self.unlock = named("bus_unlock", HoldButton())
+        self.lock = push_button("bus_lock")
         self.lock.setAutoDefault(False)
-        self.identifier = QLineEdit()
-        self.identifier.setObjectName("bus_send_id")
+        self.identifier = named("bus_send_id", QLineEdit())
         self.identifier.setMaxLength(10)
         self.identifier.setFixedWidth(_ID_PX)
-        self.data = QLineEdit()
-        self.data.setObjectName("bus_send_data")
+        self.data = named("bus_send_data", QLineEdit())
         self.data.setMaxLength(60)
         self.data.setMinimumWidth(_DATA_PX)
         for field in (self.identifier, self.data):
             field.setFont(byte_font(field))
             field.textChanged.connect(self._on_typed)
-        self.send = QPushButton()
-        self.send.setObjectName("bus_send")
+        self.send = push_button("bus_send")
         self.send.setAutoDefault(False)
-        self.hold = HoldButton()
-        self.hold.setObjectName("bus_hold_to_send")
-        self._hint = ElidedLabel()
-        self._hint.setObjectName("bus_send_hint")
+        self.hold = named("bus_hold_to_send", HoldButton())
+        self._hint = named("bus_send_hint", ElidedLabel())
         self._hint.setProperty("rank", "muted")
-        self.message = MessageLine()
-        self.message.setObjectName("bus_send_message")
+        self.message = named("bus_send_message", MessageLine())
         self._timer = QTimer(self, singleShot=True, interval=UNLOCKED_MS)
         self._timer.timeout.connect(self.close_lock)
         self._lay_out()
@@ -88,20 +82,17 @@ class SendBox(Translated, QWidget):
         self.close_lock()
 
     def _lay_out(self) -> None:
-        row = QHBoxLayout()
-        row.setSpacing(8)
-        row.addWidget(self.unlock)
-        row.addWidget(self._hint, 1)
-        row.addWidget(self.identifier)
-        row.addWidget(self.data, 1)
-        row.addWidget(self.send)
-        row.addWidget(self.hold)
-        row.addWidget(self.lock)
-        whole = QVBoxLayout(self)
-        whole.setContentsMargins(0, 0, 0, 0)
-        whole.setSpacing(6)
-        whole.addLayout(row)
-        whole.addWidget(self.message)
+        row = in_row(
+            self.unlock,
+            (self._hint, 1),
+            self.identifier,
+            (self.data, 1),
+            self.send,
+            self.hold,
+            self.lock,
+            spacing=8,
+        )
+        in_column(row, self.message, on=self, spacing=6, margins=0)
 
     # The lock ---------------------------------------------------------------------------------
 
@@ -130,7 +121,7 @@ class SendBox(Translated, QWidget):
         self._show()
 
     def hideEvent(self, event: QHideEvent) -> None:
-        """A window that is not seen sends nothing."""
+        """What is not seen sends nothing."""
         self.close_lock()
         super().hideEvent(event)
 

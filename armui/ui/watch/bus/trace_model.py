@@ -5,29 +5,31 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from typing import Any, Final
 
-from PySide6.QtCore import QAbstractTableModel, QModelIndex, QObject, Qt
 from PySide6.QtCore import QCoreApplication as App
+from PySide6.QtCore import QModelIndex, QObject, Qt
 
 from armui.protocol.frame import FrameFlag
 from armui.telemetry.bus_senders import Sender
 from armui.telemetry.bus_trace import TracedFrame, TraceSnapshot
-from armui.ui.watch.bus.cells import BYTES_ROLE, TONE_ROLE, Cell, Index, Payload, Tone
+from armui.ui.watch.bus.cells import BYTES_ROLE, TONE_ROLE, Cell, Payload, Tone
 from armui.ui.watch.bus.frame_texts import FrameTexts
+from armui.ui.widgets.table_model import LEFT, Index, TableModel
 from armui.ui.words import frames
 
 TIME, ID, NAME, SENDER, DATA, SAYS = range(6)
-COLUMNS: Final = 6
 _ERROR_BIT: Final = 0x20000000
 _OTHERS: Final = frozenset({Sender.OTHER, Sender.OTHER_ARM})
 
 
-class TraceModel(QAbstractTableModel):
+class TraceModel(TableModel):
     """Decodes what is looked at, and nothing else.
 
     Args:
         texts: Puts frames into words.
         clock_text: A monotonic time as the clock on the wall had it.
     """
+
+    _columns = 6
 
     def __init__(
         self,
@@ -55,15 +57,10 @@ class TraceModel(QAbstractTableModel):
         else:
             self._take(trace)
         if now:
-            self.dataChanged.emit(self.index(0, 0), self.index(now - 1, COLUMNS - 1))
+            self.dataChanged.emit(self.index(0, 0), self.index(now - 1, self._columns - 1))
 
     def _take(self, trace: TraceSnapshot | None) -> None:
         self._trace, self._read = trace, None
-
-    def retranslate(self) -> None:
-        """The words, or what the frames mean, are other ones."""
-        self.headerDataChanged.emit(Qt.Orientation.Horizontal, 0, COLUMNS - 1)
-        self.layoutChanged.emit()
 
     def lines(self, places: Sequence[int], channel: str, zero_s: float) -> list[str]:
         """Frames as candump writes them.
@@ -83,20 +80,8 @@ class TraceModel(QAbstractTableModel):
         """One a frame."""
         return 0 if parent.isValid() or self._trace is None else len(self._trace)
 
-    def columnCount(self, _parent: Index = QModelIndex()) -> int:  # noqa: N802, B008 - Qt
-        """Time, frame, what it says."""
-        return COLUMNS
-
-    def headerData(  # noqa: N802 - the name Qt calls
-        self, section: int, orientation: Qt.Orientation, role: int = Qt.ItemDataRole.DisplayRole
-    ) -> Any:
-        """What each column is."""
-        if orientation is not Qt.Orientation.Horizontal:
-            return None
-        if role == Qt.ItemDataRole.TextAlignmentRole:
-            return Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
-        if role != Qt.ItemDataRole.DisplayRole:
-            return None
+    def titles(self) -> Sequence[str]:
+        """From left to right."""
         return (
             App.translate("BusMonitor", "Time"),
             App.translate("BusMonitor", "ID"),
@@ -104,7 +89,15 @@ class TraceModel(QAbstractTableModel):
             App.translate("BusMonitor", "Sender"),
             App.translate("BusMonitor", "Data"),
             App.translate("BusMonitor", "Says"),
-        )[section]
+        )
+
+    def headerData(  # noqa: N802 - the name Qt calls
+        self, section: int, orientation: Qt.Orientation, role: int = Qt.ItemDataRole.DisplayRole
+    ) -> Any:
+        """The titles, at the left."""
+        if role == Qt.ItemDataRole.TextAlignmentRole and orientation is Qt.Orientation.Horizontal:
+            return LEFT
+        return super().headerData(section, orientation, role)
 
     def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> Any:
         """A cell."""

@@ -8,17 +8,16 @@ from PySide6.QtCore import Signal
 from PySide6.QtGui import QFont, QFontMetrics
 from PySide6.QtWidgets import (
     QComboBox,
-    QHBoxLayout,
-    QLabel,
     QLineEdit,
-    QPushButton,
-    QVBoxLayout,
     QWidget,
 )
 
 from armui.telemetry.events import Asker, EventKind, Level
 from armui.ui.watch.events.event_filter import EventFilter
 from armui.ui.watch.save_button import SaveButton
+from armui.ui.widgets.buttons import bar_button, named
+from armui.ui.widgets.layouts import in_column, in_row
+from armui.ui.widgets.text_label import text_label
 from armui.ui.widgets.translated import Translated
 from armui.ui.words import event_log as words
 
@@ -40,21 +39,16 @@ class EventBar(Translated, QWidget):
     follow_changed = Signal(bool)
     save_wanted = Signal(str)
 
-    def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
-        self.search = QLineEdit()
-        self.search.setObjectName("event_search")
+    def __init__(self) -> None:
+        super().__init__()
+        self.search = named("event_search", QLineEdit())
         self.search.setClearButtonEnabled(True)
-        self.levels = QComboBox()
-        self.levels.setObjectName("event_levels")
-        self.askers = QComboBox()
-        self.askers.setObjectName("event_askers")
-        self.follow = self._toggle("event_follow")
+        self.levels = named("event_levels", QComboBox())
+        self.askers = named("event_askers", QComboBox())
+        self.follow = bar_button("event_follow", toggles=True)
         self.follow.setChecked(True)
-        self.kinds = {kind: self._toggle(f"event_kind_{kind}") for kind in EventKind}
-        self.count = QLabel()
-        self.count.setObjectName("event_count")
-        self.count.setProperty("rank", "muted")
+        self.kinds = {kind: bar_button(f"event_kind_{kind}", toggles=True) for kind in EventKind}
+        self.count = text_label("event_count", rank="muted")
         self.save = SaveButton("event", SAVES)
         self.save.wanted.connect(self.save_wanted)
         self.saves = self.save.saves
@@ -69,32 +63,16 @@ class EventBar(Translated, QWidget):
         self._quiet = False
         self.retranslate_ui()
 
-    @staticmethod
-    def _toggle(name: str) -> QPushButton:
-        button = QPushButton()
-        button.setObjectName(name)
-        button.setCheckable(True)
-        button.setProperty("toggle", True)
-        button.setAutoDefault(False)
-        return button
-
     def _lay_out(self) -> None:
-        first = QHBoxLayout()
-        first.setSpacing(8)
-        first.addWidget(self.search, 1)
+        first = in_row((self.search, 1), spacing=8)
         for widget in (self.levels, self.askers, self.follow, self.save):
             first.addWidget(widget)
-        second = QHBoxLayout()
-        second.setSpacing(6)
+        second = in_row(spacing=6)
         for button in self.kinds.values():
             second.addWidget(button)
         second.addStretch(1)
         second.addWidget(self.count)
-        whole = QVBoxLayout(self)
-        whole.setContentsMargins(0, 0, 0, 0)
-        whole.setSpacing(8)
-        whole.addLayout(first)
-        whole.addLayout(second)
+        in_column(first, second, on=self, spacing=8, margins=0)
 
     def _fit_toggles(self) -> None:
         """Wide enough for their names in bold, as they are when they are on."""

@@ -5,14 +5,11 @@ from __future__ import annotations
 import csv
 import io
 from collections.abc import Sequence
-from datetime import datetime
 from functools import partial
-from pathlib import Path
-from typing import TYPE_CHECKING, Final
+from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QCoreApplication, QObject, Signal
+from PySide6.QtCore import QCoreApplication
 from PySide6.QtGui import QGuiApplication
-from PySide6.QtWidgets import QWidget
 
 from armui.arm.refusal import Refusal
 from armui.control.events import Level
@@ -21,54 +18,34 @@ from armui.telemetry.event_json import to_json
 from armui.telemetry.events import EventEntry
 from armui.ui import words
 from armui.ui.background import Job
-from armui.ui.dialogs.files import choose_file
+from armui.ui.dialogs.file_export import FileExport
 from armui.ui.watch.events.event_cells import EventColumn, cell_text, column_title
 from armui.ui.watch.events.event_filter import gravity
 from armui.ui.words.event_log import event_level
 
 if TYPE_CHECKING:
-    from armui.control.arm_controller import ArmController
-    from armui.ui.background import Background
-
-_FILTERS: Final = {"csv": "CSV (*.csv)", "json": "JSON (*.json)", "txt": "TXT (*.txt)"}
+    from pathlib import Path
 
 
-class EventExport(QObject):
-    """Files and clipboard.
-
-    Args:
-        controller: For the emergency stop in the file chooser.
-        background: Where files are written.
-        window: Whom the file chooser belongs to.
-
-    Signals:
-        said: What has become of it, and its :class:`Level`.
-    """
-
-    said = Signal(str, object)
-
-    def __init__(self, controller: ArmController, background: Background, window: QWidget) -> None:
-        super().__init__(window)
-        self._controller = controller
-        self._background = background
-        self._window = window
+class EventExport(FileExport):
+    """Files and clipboard."""
 
     def save(self, kind: str, entries: Sequence[EventEntry]) -> None:
-        """Let the operator say where to, and write it there; ``kind`` is csv, json or txt."""
-        now = datetime.now().astimezone()
-        choose_file(
-            self._window,
-            self._controller,
-            title=self.tr("Save the events"),
-            name_filter=_FILTERS[kind],
-            on_chosen=partial(self.write, kind, entries),
-            new_file=str(Path.home() / f"armui-events-{now:%Y%m%d-%H%M%S}.{kind}"),
-        )
+        """Let the operator say where to, and write it there.
+
+        Args:
+            kind: ``csv``, ``json`` or ``txt``; or ``copy``: into the clipboard.
+            entries: What to save.
+        """
+        if kind == "copy":
+            self.copy(entries)
+            return
+        on_chosen = partial(self.write, kind, entries)
+        self._choose(self.tr("Save the events"), "armui-events", kind, on_chosen)
 
     def write(self, kind: str, entries: Sequence[EventEntry], path: Path) -> None:
         """Write events to a file."""
-        job = Job(partial(self._on_written, path))
-        self._background.begin_here(job, _write, kind, entries, path)
+        self._background.begin_here(self._job(path), _write, kind, entries, path)
 
     def copy(self, entries: Sequence[EventEntry]) -> None:
         """Put events into the clipboard, as text for a spreadsheet or a mail."""
@@ -80,14 +57,6 @@ class EventExport(QObject):
             return
         QGuiApplication.clipboard().setText(result)
         self.said.emit(self.tr("Copied"), Level.DONE)
-
-    def _on_written(self, path: Path, result: Refusal | None) -> None:
-        if isinstance(result, Refusal):
-            text = self.tr("Not saved: {path}. {reason}")
-            text = text.format(path=path, reason=words.refusal(result))
-            self.said.emit(text, Level.FAULT)
-        else:
-            self.said.emit(self.tr("Saved: {path}").format(path=path), Level.DONE)
 
 
 def _write(kind: str, entries: Sequence[EventEntry], path: Path) -> None:

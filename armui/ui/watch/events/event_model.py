@@ -1,4 +1,4 @@
-"""The rows of the window 事件: the log's entries that pass the filter, the oldest first."""
+"""The rows of the page 事件: the log's entries that pass the filter, the oldest first."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from bisect import bisect_left, bisect_right
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any, Final
 
-from PySide6.QtCore import QAbstractTableModel, QModelIndex, QPersistentModelIndex, Qt, QTimer
+from PySide6.QtCore import QModelIndex, Qt, QTimer
 from PySide6.QtGui import QColor, QFont
 
 from armui.telemetry.events import EventEntry, Level
@@ -19,18 +19,18 @@ from armui.ui.watch.events.event_cells import (
 )
 from armui.ui.watch.events.event_filter import EventFilter, gravity
 from armui.ui.widgets import icons
+from armui.ui.widgets.table_model import Index, TableModel
 
 if TYPE_CHECKING:
     from armui.telemetry.events import EventLog
 
-_Index = QModelIndex | QPersistentModelIndex
 _AT_ONCE: Final = 200
 """So many entries are searched before the window gets its turn again: some 3 ms."""
 _ICON_PX: Final = 16
 _MUTED: Final = frozenset({EventColumn.KIND, EventColumn.WHO, EventColumn.COUNT})
 
 
-class EventModel(QAbstractTableModel):
+class EventModel(TableModel):
     """Follows a log when it is told to; whoever shows it decides how often.
 
     Args:
@@ -38,12 +38,14 @@ class EventModel(QAbstractTableModel):
         colors: Of the theme.
     """
 
+    _columns = len(EventColumn)
+
     def __init__(self, log: EventLog, colors: Colors) -> None:
         super().__init__()
         self._log = log
         self._revision = 0
         self._filter = EventFilter()
-        self._shown: list[EventEntry] = []
+        self._rows: list[EventEntry] = []
         self._texts: dict[int, tuple[EventEntry, str]] = {}
         self._search: Iterator[list[EventEntry] | None] | None = None
         self._searching = QTimer(self)
@@ -77,21 +79,21 @@ class EventModel(QAbstractTableModel):
 
     def entry(self, row: int) -> EventEntry:
         """What a row shows."""
-        return self._shown[row]
+        return self._rows[row]
 
     def entries(self) -> list[EventEntry]:
         """All that is shown."""
-        return list(self._shown)
+        return list(self._rows)
 
     def row_of(self, number: int) -> int | None:
         """Where an entry stands; ``None``: it is not shown."""
-        row = bisect_left(self._shown, number, key=_number)
-        there = row < len(self._shown) and self._shown[row].number == number
+        row = bisect_left(self._rows, number, key=_number)
+        there = row < len(self._rows) and self._rows[row].number == number
         return row if there else None
 
     def row_at(self, at_s: float) -> int | None:
         """The last row at or before a time, of a log in the order of time; ``None``: no row."""
-        row = bisect_right(self._shown, at_s, key=_begin_s) - 1
+        row = bisect_right(self._rows, at_s, key=_begin_s) - 1
         return row if row >= 0 else None
 
     def show_log(self, log: EventLog) -> None:
@@ -114,25 +116,25 @@ class EventModel(QAbstractTableModel):
         row = self.row_of(entry.number)
         passes = self._filter.passes(entry, self._text)
         if row is not None and passes:
-            self._shown[row] = entry
+            self._rows[row] = entry
             self.dataChanged.emit(self.index(row, 0), self.index(row, len(EventColumn) - 1))
         elif row is not None:
             self.beginRemoveRows(QModelIndex(), row, row)
-            del self._shown[row]
+            del self._rows[row]
             self.endRemoveRows()
         elif passes:
-            row = bisect_left(self._shown, entry.number, key=_number)
+            row = bisect_left(self._rows, entry.number, key=_number)
             self.beginInsertRows(QModelIndex(), row, row)
-            self._shown.insert(row, entry)
+            self._rows.insert(row, entry)
             self.endInsertRows()
 
     def _drop_oldest(self) -> None:
-        gone = bisect_left(self._shown, self._log.oldest, key=_number)
+        gone = bisect_left(self._rows, self._log.oldest, key=_number)
         if gone:
             self.beginRemoveRows(QModelIndex(), 0, gone - 1)
-            for entry in self._shown[:gone]:
+            for entry in self._rows[:gone]:
                 self._texts.pop(entry.number, None)
-            del self._shown[:gone]
+            del self._rows[:gone]
             self.endRemoveRows()
 
     # Searching, in pieces ---------------------------------------------------------------------
@@ -169,7 +171,7 @@ class EventModel(QAbstractTableModel):
             self._search = None
             self._searching.stop()
             self.beginResetModel()
-            self._shown = found
+            self._rows = found
             self.endResetModel()
 
     def _text(self, entry: EventEntry) -> str:
@@ -180,25 +182,13 @@ class EventModel(QAbstractTableModel):
 
     # What Qt asks -----------------------------------------------------------------------------
 
-    def rowCount(self, parent: _Index = QModelIndex()) -> int:  # noqa: N802, B008 - Qt's
-        """How many are shown."""
-        return 0 if parent.isValid() else len(self._shown)
+    def titles(self) -> list[str]:
+        """Of :class:`EventColumn`."""
+        return [column_title(column) for column in EventColumn]
 
-    def columnCount(self, parent: _Index = QModelIndex()) -> int:  # noqa: N802, B008 - Qt's
-        """Of the table."""
-        return 0 if parent.isValid() else len(EventColumn)
-
-    def headerData(  # noqa: N802 - Qt's
-        self, section: int, orientation: Qt.Orientation, role: int = Qt.ItemDataRole.DisplayRole
-    ) -> str | None:
-        """The names of the columns."""
-        if role != Qt.ItemDataRole.DisplayRole or orientation is not Qt.Orientation.Horizontal:
-            return None
-        return column_title(EventColumn(section))
-
-    def data(self, index: _Index, role: int = Qt.ItemDataRole.DisplayRole) -> Any:
+    def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> Any:
         """What stands in a cell, and how it looks."""
-        entry, column = self._shown[index.row()], EventColumn(index.column())
+        entry, column = self._rows[index.row()], EventColumn(index.column())
         if role == Qt.ItemDataRole.DisplayRole:
             return cell_text(entry, column)
         if role == Qt.ItemDataRole.ForegroundRole:
@@ -232,20 +222,14 @@ class EventModel(QAbstractTableModel):
             Level.WARNING: icons.icon("warning", colors.warn, _ICON_PX),
             Level.FAULT: icons.icon("warning", colors.stop_ink, _ICON_PX),
         }
-        self._tell_all()
+        self.redraw()
 
     def retranslate(self) -> None:
         """Everything reads otherwise now."""
         self._texts.clear()
-        self.headerDataChanged.emit(Qt.Orientation.Horizontal, 0, len(EventColumn) - 1)
         if self._filter.words:
             self._rebuild()
-        self._tell_all()
-
-    def _tell_all(self) -> None:
-        if self._shown:
-            last = self.index(len(self._shown) - 1, len(EventColumn) - 1)
-            self.dataChanged.emit(self.index(0, 0), last)
+        super().retranslate()
 
 
 def _number(entry: EventEntry) -> int:

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QItemSelectionModel, QModelIndex, QPoint, Qt, QTimer, Signal
 from PySide6.QtGui import QKeySequence, QShortcut
-from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QMenu, QWidget
+from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QMenu
 
 from armui.ui.actions.keys import keys_of
 from armui.ui.theme import colors_of
@@ -16,6 +16,7 @@ from armui.ui.watch.events.event_cells import details
 from armui.ui.watch.events.event_export import EventExport
 from armui.ui.watch.events.event_model import EventModel
 from armui.ui.watch.events.event_table import EventTable
+from armui.ui.widgets.buttons import named
 from armui.ui.widgets.message_line import MessageLine
 from armui.ui.widgets.page import Page
 from armui.ui.widgets.text_label import text_label
@@ -39,7 +40,6 @@ class EventPage(Page):
     Args:
         controller: Knows what has happened.
         background: Where files are written.
-        parent: Its owner, before it stands anywhere.
 
     Signals:
         moment_chosen: The monotonic time of an event that was clicked.
@@ -49,10 +49,8 @@ class EventPage(Page):
     moment_chosen = Signal(float)
     moment_wanted = Signal(float)
 
-    def __init__(
-        self, controller: ArmController, background: Background, parent: QWidget | None = None
-    ) -> None:
-        super().__init__("events", parent)
+    def __init__(self, controller: ArmController, background: Background) -> None:
+        super().__init__("events")
         self.setObjectName("event_page")
         self.model = EventModel(controller.events, colors_of(self))
         self.bar = EventBar()
@@ -64,8 +62,7 @@ class EventPage(Page):
         self.detail = text_label("event_detail", wraps=True, plain=True)
         self.detail.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
         self.detail.setAlignment(Qt.AlignmentFlag.AlignTop | Qt.AlignmentFlag.AlignLeft)
-        self._message = MessageLine()
-        self._message.setObjectName("event_message")
+        self._message = named("event_message", MessageLine())
         self._message.hide()
         for widget, stretch in ((self.bar, 0), (self.table, 1), (self.detail, 0)):
             self.body.addWidget(widget, stretch)
@@ -78,7 +75,7 @@ class EventPage(Page):
     def _connect(self) -> None:
         self.bar.filter_changed.connect(self._on_filter)
         self.bar.follow_changed.connect(self._on_follow)
-        self.bar.save_wanted.connect(self._on_save)
+        self.bar.save_wanted.connect(lambda kind: self.export.save(kind, self.model.entries()))
         self.export.said.connect(self._say)
         self.table.clicked.connect(self._on_clicked)
         self.table.activated.connect(self._on_activated)
@@ -166,19 +163,12 @@ class EventPage(Page):
         if entries:
             self.export.copy(entries)
 
-    def _on_save(self, kind: str) -> None:
-        if kind == "copy":
-            self.export.copy(self.model.entries())
-        else:
-            self.export.save(kind, self.model.entries())
-
     def _open_menu(self, at: QPoint) -> None:
         index = self.table.indexAt(at)
         if not index.isValid():
             return
         entry = self.model.entry(index.row())
-        menu = QMenu(self)
-        menu.setObjectName("event_menu")
+        menu = named("event_menu", QMenu(self))
         menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         menu.addAction(self.tr("Show in the curves"), lambda: self.moment_wanted.emit(entry.at_s))
         if entry.ended_s is not None:

@@ -12,6 +12,8 @@ from armui.ui.watch.events.event_cells import EventColumn, column_title
 from armui.ui.words import event_log as words
 
 if TYPE_CHECKING:
+    from PySide6.QtGui import QResizeEvent
+
     from armui.telemetry.events import EventEntry
     from armui.ui.watch.events.event_model import EventModel
 
@@ -25,6 +27,10 @@ _SAMPLES: Final = {
 }
 _SIGN_PX: Final = 26
 _PAD_PX: Final = 22
+_TEXT_PX: Final = 240
+"""What happened is read without opening it; less is what goes first, where there is no room."""
+_GOES_FIRST: Final = (EventColumn.END, EventColumn.COUNT)
+"""Both are told below the table, too."""
 
 
 class EventTable(QTableView):
@@ -37,6 +43,7 @@ class EventTable(QTableView):
     def __init__(self, model: EventModel) -> None:
         super().__init__()
         self._events = model
+        self._widths: dict[EventColumn, int] = {}
         self.setObjectName("event_table")
         self.setModel(model)
         self.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
@@ -76,4 +83,21 @@ class EventTable(QTableView):
         for column, samples in texts.items():
             widest = max(metrics.horizontalAdvance(t) for t in (*samples, column_title(column)))
             sign = _SIGN_PX if column is EventColumn.BEGIN else 0
-            across.resizeSection(column, widest + sign + _PAD_PX)
+            self._widths[column] = widest + sign + _PAD_PX
+            across.resizeSection(column, self._widths[column])
+        self._share_room()
+
+    def _share_room(self) -> None:
+        """Show as many columns as leave what happened readable."""
+        if not self._widths:
+            return
+        room_px = self.viewport().width() - sum(self._widths.values())
+        for column in _GOES_FIRST:
+            narrow = room_px < _TEXT_PX
+            self.setColumnHidden(column, narrow)
+            room_px += self._widths[column] if narrow else 0
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Share the new room."""
+        self._share_room()
+        super().resizeEvent(event)

@@ -10,13 +10,8 @@ from PySide6.QtGui import QStandardItemModel
 from PySide6.QtWidgets import (
     QComboBox,
     QFrame,
-    QGridLayout,
-    QHBoxLayout,
     QLabel,
-    QPushButton,
     QSpinBox,
-    QVBoxLayout,
-    QWidget,
 )
 
 from armui.arm.refusal import Refusal
@@ -28,8 +23,11 @@ from armui.ui.background import Job
 from armui.ui.dialogs.files import choose_folder
 from armui.ui.theme import colors_of
 from armui.ui.watch.recordings import figures, recording_files
+from armui.ui.watch.recordings.callable_off import CallableOff
 from armui.ui.widgets import icons
+from armui.ui.widgets.buttons import named, push_button
 from armui.ui.widgets.elided_label import ElidedLabel
+from armui.ui.widgets.layouts import STRETCH, empty_grid, in_column, in_row
 from armui.ui.widgets.text_label import text_label
 from armui.ui.widgets.translated import Translated
 
@@ -60,13 +58,9 @@ class RecordingCard(Translated, QFrame):
     """
 
     def __init__(
-        self,
-        controller: ArmController,
-        background: Background,
-        store: SettingsStore,
-        parent: QWidget | None = None,
+        self, controller: ArmController, background: Background, store: SettingsStore
     ) -> None:
-        super().__init__(parent)
+        super().__init__()
         self._controller = controller
         self._sessions: SessionRecorder = controller.sessions
         self._store = store
@@ -86,42 +80,34 @@ class RecordingCard(Translated, QFrame):
 
     def _make_widgets(self) -> None:
         self._title = text_label(rank="heading")
-        self.record_button = QPushButton()
-        self.record_button.setObjectName("session_record")
+        self.record_button = push_button("session_record")
         self.record_button.setIconSize(QSize(_ICON_PX, _ICON_PX))
-        self.state_label = ElidedLabel()
-        self.state_label.setObjectName("session_state")
+        self.state_label = named("session_state", ElidedLabel())
         self.figures_label = text_label("session_figures", rank="muted")
+        self.making = CallableOff(self._call_off_mf4)
+        self.making.setObjectName("session_making")
         self._format_label, self._size_label, self._folder_label = QLabel(), QLabel(), QLabel()
-        self.format_box = QComboBox()
-        self.format_box.setObjectName("session_format")
+        self.format_box = named("session_format", QComboBox())
         for suffix, name in _FORMATS:
             self.format_box.addItem(f"{name} ({suffix})", suffix)
         self.format_note = text_label("session_format_note", rank="muted", wraps=True, plain=True)
         self.format_note.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
-        self.size_box = QSpinBox(minimum=ROTATE_MIN_MB, maximum=ROTATE_MAX_MB, suffix=" MB")
-        self.size_box.setObjectName("session_rotate_size")
+        self.size_box = named(
+            "session_rotate_size",
+            QSpinBox(minimum=ROTATE_MIN_MB, maximum=ROTATE_MAX_MB, suffix=" MB"),
+        )
+        self.size_box.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self.size_box.setKeyboardTracking(False)
         self.size_box.setSingleStep(50)
-        self.folder_name = ElidedLabel()
-        self.folder_name.setObjectName("session_folder")
-        self.folder_button = QPushButton()
-        self.folder_button.setObjectName("session_choose_folder")
+        self.folder_name = named("session_folder", ElidedLabel())
+        self.folder_button = push_button("session_choose_folder")
         for button in (self.record_button, self.folder_button):
             button.setAutoDefault(False)
 
     def _lay_out(self) -> None:
-        head = QHBoxLayout()
-        head.setSpacing(12)
-        head.addWidget(self.record_button)
-        words = QVBoxLayout()
-        words.setSpacing(2)
-        words.addWidget(self.state_label)
-        words.addWidget(self.figures_label)
-        head.addLayout(words, 1)
-        grid = QGridLayout()
-        grid.setHorizontalSpacing(12)
-        grid.setVerticalSpacing(8)
+        words = in_column(self.state_label, self.figures_label, self.making, spacing=2)
+        head = in_row(self.record_button, (words, 1), spacing=12)
+        grid = empty_grid(gaps=(12, 8))
         grid.addWidget(self._format_label, 0, 0)
         grid.addWidget(self.format_box, 0, 1)
         grid.addWidget(self._size_label, 0, 3)
@@ -131,13 +117,7 @@ class RecordingCard(Translated, QFrame):
         grid.addWidget(self._folder_label, 2, 0)
         grid.addWidget(self.folder_name, 2, 1, 1, 3)
         grid.addWidget(self.folder_button, 2, 4)
-        layout = QVBoxLayout(self)
-        layout.setContentsMargins(16, 12, 16, 14)
-        layout.setSpacing(12)
-        layout.addWidget(self._title)
-        layout.addLayout(head)
-        layout.addLayout(grid)
-        layout.addStretch(1)
+        in_column(self._title, head, grid, STRETCH, on=self, spacing=12, margins=(16, 12, 16, 14))
 
     def retranslate_ui(self) -> None:
         """Put every word into the operator's language."""
@@ -168,12 +148,15 @@ class RecordingCard(Translated, QFrame):
             self.size_box.blockSignals(before)
         self.folder_name.show_text(str(self._sessions.choices.folder))
         self._show_button(recording=progress is not None)
+        self.making.show_progress(
+            making=bool(self._sessions.mf4.names), share=self._sessions.mf4.share
+        )
         if progress is None:
             self._before, self._rate = None, 0.0
             self.state_label.show_text(self.tr("Not recording"))
             text = self.tr("The last minutes are kept in memory all the same.")
-            if self._sessions.making_mf4:
-                names = ", ".join(sorted(self._sessions.making_mf4))
+            if self._sessions.mf4.names:
+                names = ", ".join(sorted(self._sessions.mf4.names))
                 text = self.tr("Making the .mf4 file of {name}…").format(name=names)
             self.figures_label.setText(text)
             return
@@ -230,6 +213,9 @@ class RecordingCard(Translated, QFrame):
         else:
             self._sessions.start()
         self.refresh()
+
+    def _call_off_mf4(self) -> None:
+        self._sessions.mf4.call_off()
 
     def _on_format(self) -> None:
         self._store.change(session_format=self.format_box.currentData())

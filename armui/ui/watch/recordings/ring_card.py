@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from PySide6.QtWidgets import QCheckBox, QFrame, QProgressBar, QPushButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QCheckBox, QFrame, QProgressBar
 
 from armui.control.sessions.session_recorder import KEPT_S
 from armui.ui.watch.recordings import figures
+from armui.ui.widgets.buttons import named, push_button
+from armui.ui.widgets.layouts import STRETCH, in_column
 from armui.ui.widgets.text_label import text_label
 from armui.ui.widgets.translated import Translated
 
@@ -24,10 +26,8 @@ class RingCard(Translated, QFrame):
         store: Keeps whether they are saved by themselves.
     """
 
-    def __init__(
-        self, sessions: SessionRecorder, store: SettingsStore, parent: QWidget | None = None
-    ) -> None:
-        super().__init__(parent)
+    def __init__(self, sessions: SessionRecorder, store: SettingsStore) -> None:
+        super().__init__()
         self._sessions = sessions
         self._store = store
         self.setProperty("card", True)
@@ -36,22 +36,21 @@ class RingCard(Translated, QFrame):
         self.memory_label = text_label("ring_memory", rank="muted")
         self._bar = QProgressBar(minimum=0, maximum=round(KEPT_S), textVisible=False)
         self._bar.setFixedHeight(6)
-        self.save_button = QPushButton()
-        self.save_button.setObjectName("ring_save")
-        self.save_button.setProperty("primary", True)
+        self.save_button = push_button("ring_save", primary=True)
         self.save_button.setAutoDefault(False)
-        self.at_faults_box = QCheckBox()
-        self.at_faults_box.setObjectName("ring_save_at_faults")
-        layout = QVBoxLayout(self)
-        layout.setContentsMargins(16, 12, 16, 14)
-        layout.setSpacing(8)
-        layout.addWidget(self._title)
-        layout.addWidget(self.content_label)
-        layout.addWidget(self._bar)
-        layout.addWidget(self.memory_label)
-        layout.addStretch(1)
-        layout.addWidget(self.save_button)
-        layout.addWidget(self.at_faults_box)
+        self.at_faults_box = named("ring_save_at_faults", QCheckBox())
+        in_column(
+            self._title,
+            self.content_label,
+            self._bar,
+            self.memory_label,
+            STRETCH,
+            self.save_button,
+            self.at_faults_box,
+            on=self,
+            spacing=8,
+            margins=(16, 12, 16, 14),
+        )
         self.save_button.clicked.connect(lambda: self._sessions.save_ring())  # noqa: PLW0108
         self.at_faults_box.clicked.connect(
             lambda checked: self._store.change(session_save_at_faults=checked)

@@ -4,33 +4,27 @@ from __future__ import annotations
 
 import enum
 from collections.abc import Sequence
-from pathlib import Path
 from typing import TYPE_CHECKING, Any, Final
 
 from PySide6.QtCore import (
     QT_TRANSLATE_NOOP,
-    QAbstractTableModel,
     QCoreApplication,
-    QModelIndex,
     QObject,
-    QPersistentModelIndex,
     Qt,
     Signal,
 )
 
 from armui.ui import format as fmt
 from armui.ui.watch.recordings import figures
+from armui.ui.widgets.table_model import LEFT, RIGHT, Index, TableModel
 
 if TYPE_CHECKING:
     from armui.session.recording.folder import RecordingEntry
-
-_Index = QModelIndex | QPersistentModelIndex
 
 ENTRY_ROLE: Final = Qt.ItemDataRole.UserRole
 """The :class:`RecordingEntry` of a row."""
 SORT_ROLE: Final = Qt.ItemDataRole.UserRole + 1
 
-_RIGHT: Final = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
 _KINDS: Final = {
     "operator": QT_TRANSLATE_NOOP("SessionKind", "recorded"),
     "command": QT_TRANSLATE_NOOP("SessionKind", "by armui record"),
@@ -75,7 +69,7 @@ _FIGURES: Final = frozenset(
 )
 
 
-class SessionsModel(QAbstractTableModel):
+class SessionsModel(TableModel):
     """Shows the recordings it is given; a name typed anew is handed on.
 
     Signals:
@@ -83,10 +77,11 @@ class SessionsModel(QAbstractTableModel):
     """
 
     rename_wanted = Signal(str, str)
+    _columns = len(_TITLES)
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
-        self._entries: Sequence[RecordingEntry] = ()
+        self._rows: Sequence[RecordingEntry] = ()
         self._written: frozenset[str] = frozenset()
 
     def show(self, entries: Sequence[RecordingEntry], written: frozenset[str]) -> bool:
@@ -99,10 +94,10 @@ class SessionsModel(QAbstractTableModel):
         Returns:
             Whether they are others: what stands there already is left alone.
         """
-        if (tuple(entries), written) == (self._entries, self._written):
+        if (tuple(entries), written) == (self._rows, self._written):
             return False
         self.beginResetModel()
-        self._entries, self._written = tuple(entries), written
+        self._rows, self._written = tuple(entries), written
         self.endResetModel()
         return True
 
@@ -110,51 +105,35 @@ class SessionsModel(QAbstractTableModel):
         """Whether a recording is still being written."""
         return name in self._written
 
-    def retranslate(self) -> None:
-        """Its words are in another language now."""
-        if self._entries:
-            last = self.index(len(self._entries) - 1, len(_TITLES) - 1)
-            self.dataChanged.emit(self.index(0, 0), last)
-        self.headerDataChanged.emit(Qt.Orientation.Horizontal, 0, len(_TITLES) - 1)
-
     # What Qt asks -----------------------------------------------------------------------------
 
-    def rowCount(self, parent: _Index = QModelIndex()) -> int:  # noqa: N802, B008 - as Qt has it
-        """One a recording."""
-        return 0 if parent.isValid() else len(self._entries)
-
-    def columnCount(self, parent: _Index = QModelIndex()) -> int:  # noqa: N802, B008 - as Qt has it
-        """As many as there are titles."""
-        return 0 if parent.isValid() else len(_TITLES)
+    def titles(self) -> Sequence[str]:
+        """From left to right."""
+        return [QCoreApplication.translate("SessionsModel", str(title)) for title in _TITLES]
 
     def headerData(  # noqa: N802 - as Qt has it
         self, section: int, orientation: Qt.Orientation, role: int = Qt.ItemDataRole.DisplayRole
     ) -> Any:
-        """The titles."""
-        if orientation is not Qt.Orientation.Horizontal:
-            return None
-        if role == Qt.ItemDataRole.DisplayRole:
-            return QCoreApplication.translate("SessionsModel", str(_TITLES[section]))
-        if role == Qt.ItemDataRole.TextAlignmentRole:
-            left = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
-            return _RIGHT if SessionColumn(section) in _FIGURES else left
-        return None
+        """The titles stand as the cells below them do."""
+        if role == Qt.ItemDataRole.TextAlignmentRole and orientation is Qt.Orientation.Horizontal:
+            return RIGHT if SessionColumn(section) in _FIGURES else LEFT
+        return super().headerData(section, orientation, role)
 
-    def flags(self, index: _Index) -> Qt.ItemFlag:
+    def flags(self, index: Index) -> Qt.ItemFlag:
         """A name can be edited, unless its files are being written."""
         flags = super().flags(index)
-        entry = self._entries[index.row()]
+        entry = self._rows[index.row()]
         if index.column() == SessionColumn.NAME and not self.is_written(entry.name):
             flags |= Qt.ItemFlag.ItemIsEditable
         return flags
 
-    def data(self, index: _Index, role: int = Qt.ItemDataRole.DisplayRole) -> Any:
+    def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> Any:
         """What a cell shows."""
-        entry, column = self._entries[index.row()], SessionColumn(index.column())
+        entry, column = self._rows[index.row()], SessionColumn(index.column())
         if role == ENTRY_ROLE:
             return entry
         if role == Qt.ItemDataRole.TextAlignmentRole:
-            return _RIGHT if column in _FIGURES else None
+            return RIGHT if column in _FIGURES else None
         if role == Qt.ItemDataRole.EditRole:
             return entry.name
         if role == SORT_ROLE:
@@ -170,12 +149,12 @@ class SessionsModel(QAbstractTableModel):
 
     def setData(  # noqa: N802 - as Qt has it
         self,
-        index: _Index,
+        index: Index,
         value: Any,
         role: int = Qt.ItemDataRole.EditRole,
     ) -> bool:
         """Hand on a name typed anew; what becomes of it is shown when it is done."""
-        name, new_name = self._entries[index.row()].name, str(value).strip()
+        name, new_name = self._rows[index.row()].name, str(value).strip()
         if role == Qt.ItemDataRole.EditRole and new_name != name:
             self.rename_wanted.emit(name, new_name)
         return False
@@ -190,9 +169,9 @@ class SessionsModel(QAbstractTableModel):
         if column is SessionColumn.SIZE:
             return figures.size(entry.total_bytes)
         if column is SessionColumn.FAULTS:
-            return str(entry.faults) if entry.faults else fmt.NOTHING
+            return fmt.NOTHING if entry.faults is None else str(entry.faults)
         if column is SessionColumn.STOPS:
-            return str(entry.stops) if entry.stops else fmt.NOTHING
+            return fmt.NOTHING if entry.stops is None else str(entry.stops)
         if column is SessionColumn.KIND:
             source = _KINDS.get(entry.reason, entry.reason)
             return QCoreApplication.translate("SessionKind", str(source))
@@ -215,12 +194,7 @@ class SessionsModel(QAbstractTableModel):
             SessionColumn.BEGUN: entry.begun_unix_s,
             SessionColumn.LENGTH: -1.0 if entry.length_s is None else entry.length_s,
             SessionColumn.SIZE: float(entry.total_bytes),
-            SessionColumn.FAULTS: entry.faults,
-            SessionColumn.STOPS: entry.stops,
+            SessionColumn.FAULTS: -1 if entry.faults is None else entry.faults,
+            SessionColumn.STOPS: -1 if entry.stops is None else entry.stops,
         }
         return keys.get(column, self._text(entry, column).casefold())
-
-
-def folder_path(entry: RecordingEntry, folder: Path) -> Path:
-    """What is opened of a recording: its first file, or where it would be."""
-    return entry.path if entry.path is not None else folder / entry.name

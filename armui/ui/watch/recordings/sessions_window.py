@@ -5,11 +5,19 @@ from __future__ import annotations
 from pathlib import Path
 from typing import TYPE_CHECKING, Final
 
-from PySide6.QtCore import QModelIndex, QSize, QSortFilterProxyModel, Qt, QTimer, QUrl, Signal
+from PySide6.QtCore import (
+    QEvent,
+    QModelIndex,
+    QSize,
+    QSortFilterProxyModel,
+    Qt,
+    QTimer,
+    QUrl,
+    Signal,
+)
 from PySide6.QtGui import QDesktopServices
 from PySide6.QtWidgets import (
     QAbstractItemView,
-    QHBoxLayout,
     QHeaderView,
     QLabel,
     QPushButton,
@@ -32,7 +40,10 @@ from armui.ui.watch.recordings.sessions_model import (
     SessionColumn,
     SessionsModel,
 )
+from armui.ui.widgets.buttons import named
+from armui.ui.widgets.layouts import in_row
 from armui.ui.widgets.message_line import MessageLine
+from armui.ui.widgets.plain_table import list_rows
 
 if TYPE_CHECKING:
     from PySide6.QtGui import QHideEvent, QShowEvent
@@ -110,8 +121,7 @@ class SessionsWindow(ArmDialog):
         self._hint = QLabel()
         self._hint.setProperty("rank", "muted")
         self._hint.setAlignment(Qt.AlignmentFlag.AlignCenter)
-        self._message = MessageLine()
-        self._message.setObjectName("sessions_message")
+        self._message = named("sessions_message", MessageLine())
         self._message.hide()
         self._make_buttons()
         self._lay_out()
@@ -143,10 +153,7 @@ class SessionsWindow(ArmDialog):
             button.clicked.connect(act)
 
     def _lay_out(self) -> None:
-        cards = QHBoxLayout()
-        cards.setSpacing(14)
-        cards.addWidget(self.recording, 3)
-        cards.addWidget(self.ring, 2)
+        cards = in_row((self.recording, 3), (self.ring, 2), spacing=14)
         self.body.addLayout(cards)
         self.body.addWidget(self.table, 1)
         self.body.addWidget(self._hint)
@@ -197,6 +204,12 @@ class SessionsWindow(ArmDialog):
         """A hidden window costs nothing."""
         self._timer.stop()
         super().hideEvent(event)
+
+    def changeEvent(self, event: QEvent) -> None:
+        """What was done elsewhere meanwhile is listed when the operator comes back."""
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.ActivationChange and self.isActiveWindow():
+            self.refresh()
 
     def _look(self) -> None:
         self.recording.refresh()
@@ -325,22 +338,16 @@ class SessionsWindow(ArmDialog):
 
 
 def _table(shown: QSortFilterProxyModel) -> QTableView:
-    table = QTableView()
-    table.setObjectName("sessions_table")
+    table = named("sessions_table", QTableView())
     table.setModel(shown)
-    table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
     table.setSelectionMode(QAbstractItemView.SelectionMode.ExtendedSelection)
     table.setEditTriggers(QAbstractItemView.EditTrigger.EditKeyPressed)
     table.setSortingEnabled(True)
     table.sortByColumn(SessionColumn.BEGUN, Qt.SortOrder.DescendingOrder)
-    table.setShowGrid(False)
     table.setAlternatingRowColors(True)
     table.setWordWrap(False)
-    table.setTabKeyNavigation(False)
-    table.verticalHeader().hide()
     table.verticalHeader().setDefaultSectionSize(_ROW_PX)
-    across = table.horizontalHeader()
-    across.setHighlightSections(False)
+    across = list_rows(table)
     across.setSectionResizeMode(SessionColumn.NAME, QHeaderView.ResizeMode.Stretch)
     for column, width_px in _WIDTHS_PX.items():
         table.setColumnWidth(column, width_px)

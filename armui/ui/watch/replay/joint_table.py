@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QFontMetrics
-from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableView, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableView, QWidget
 
 from armui.arm.joint_status import Item, Word
 from armui.control.devices.joint_monitor import JointMonitor
@@ -14,6 +14,8 @@ from armui.ui import words
 from armui.ui.dialogs.joint_status_cell import JointCellDelegate
 from armui.ui.dialogs.joint_status_model import JointStatusModel
 from armui.ui.theme import scaled_font
+from armui.ui.widgets.buttons import named
+from armui.ui.widgets.layouts import in_column
 from armui.ui.widgets.translated import Translated
 
 if TYPE_CHECKING:
@@ -45,12 +47,11 @@ class JointTable(Translated, QWidget):
         controller: Watches the log.
     """
 
-    def __init__(self, controller: ArmController, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self, controller: ArmController) -> None:
+        super().__init__()
         self.monitor = RecordedJoints(controller, parent=self)
         self.model = JointStatusModel(self.monitor)
-        self.table = QTableView()
-        self.table.setObjectName("replay_joint_table")
+        self.table = named("replay_joint_table", QTableView())
         self.table.setModel(self.model)
         self.table.setItemDelegate(JointCellDelegate(self.table))
         self.table.setSelectionMode(QAbstractItemView.SelectionMode.NoSelection)
@@ -63,9 +64,7 @@ class JointTable(Translated, QWidget):
         across.setDefaultAlignment(Qt.AlignmentFlag.AlignCenter)
         down.setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
         down.setDefaultAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
-        layout = QVBoxLayout(self)
-        layout.setContentsMargins(0, 8, 0, 0)
-        layout.addWidget(self.table)
+        in_column(self.table, on=self, margins=(8, 8, 8, 6))
         self.monitor.updated.connect(self._on_updated)
         self.retranslate_ui()
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QRectF, Qt
-from PySide6.QtWidgets import QHBoxLayout, QLabel, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QLabel, QWidget
 
 from armui.control.events import Level
 from armui.control.operating_state import LinkState
@@ -13,6 +13,7 @@ from armui.ui import words
 from armui.ui.shell.status_bar import StatusBar
 from armui.ui.theme import colors_of
 from armui.ui.widgets import icons, painting
+from armui.ui.widgets.layouts import in_column, in_row
 from armui.ui.widgets.text_label import text_label
 from armui.ui.widgets.translated import Translated
 
@@ -33,8 +34,8 @@ class LiveStrip(Translated, QWidget):
         controller: Of the arm that is connected, not of the log.
     """
 
-    def __init__(self, controller: ArmController, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self, controller: ArmController) -> None:
+        super().__init__()
         self.setObjectName("live_strip")
         self._controller = controller
         self._step = controller.recovery.step
@@ -42,17 +43,11 @@ class LiveStrip(Translated, QWidget):
         self._icon = QLabel()
         self._text = text_label("live_step", wraps=True, plain=True)
         self.status = StatusBar(controller)
-        row = QHBoxLayout()
-        row.setContentsMargins(14, 8, 14, 0)
-        row.setSpacing(10)
+        row = in_row(spacing=10, margins=(14, 8, 14, 0))
         row.addWidget(self._heading, 0, Qt.AlignmentFlag.AlignTop)
         row.addWidget(self._icon, 0, Qt.AlignmentFlag.AlignTop)
         row.addWidget(self._text, 1)
-        layout = QVBoxLayout(self)
-        layout.setContentsMargins(3, 3, 3, 3)
-        layout.setSpacing(2)
-        layout.addLayout(row)
-        layout.addWidget(self.status)
+        in_column(row, self.status, on=self, spacing=2, margins=3)
         controller.step_changed.connect(self._on_step)
         controller.operating_state_changed.connect(self._on_operating_state)
         self._on_operating_state(controller.operating_state)

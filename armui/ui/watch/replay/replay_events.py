@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QItemSelectionModel, Qt, QTimer, Signal
 from PySide6.QtGui import QKeySequence, QShortcut
-from PySide6.QtWidgets import QAbstractItemView, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QAbstractItemView, QWidget
 
 from armui.telemetry.events import EventLog
 from armui.ui.actions.keys import keys_of
@@ -17,6 +17,8 @@ from armui.ui.watch.events.event_export import EventExport
 from armui.ui.watch.events.event_model import EventModel
 from armui.ui.watch.events.event_table import EventTable
 from armui.ui.watch.replay.log_time import has_date
+from armui.ui.widgets.buttons import named
+from armui.ui.widgets.layouts import in_column
 from armui.ui.widgets.message_line import MessageLine
 from armui.ui.widgets.text_label import text_label
 from armui.ui.widgets.translated import Translated
@@ -26,7 +28,6 @@ if TYPE_CHECKING:
 
     from armui.control.arm_controller import ArmController
     from armui.control.events import Level
-    from armui.telemetry.events import EventEntry
     from armui.ui.background import Background
 
 _HERE_S: Final = 1e-4
@@ -58,23 +59,19 @@ class ReplayEvents(Translated, QWidget):
 
     wanted = Signal(float)
 
-    def __init__(
-        self, live: ArmController, background: Background, parent: QWidget | None = None
-    ) -> None:
-        super().__init__(parent)
+    def __init__(self, live: ArmController, background: Background) -> None:
+        super().__init__()
         self._at_s = 0.0
         self.model = EventModel(EventLog(), colors_of(self))
         self.bar = ReplayEventBar()
-        self.table = EventTable(self.model)
-        self.table.setObjectName("replay_events")
+        self.table = named("replay_events", EventTable(self.model))
         self.export = EventExport(live, background, self)
         self.detail = text_label("replay_event_detail", wraps=True, plain=True)
         self.detail.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
         self.detail.setAlignment(Qt.AlignmentFlag.AlignTop | Qt.AlignmentFlag.AlignLeft)
         self.message = MessageLine()
         self.message.hide()
-        layout = QVBoxLayout(self)
-        layout.setContentsMargins(8, 8, 8, 6)
+        layout = in_column(on=self, margins=(8, 8, 8, 6))
         for widget, stretch in (
             (self.bar, 0),
             (self.table, 1),
@@ -88,7 +85,7 @@ class ReplayEvents(Translated, QWidget):
     def _connect(self) -> None:
         self.bar.filter_changed.connect(self.model.set_filter)
         self.bar.follow_changed.connect(self._on_follow)
-        self.bar.save_wanted.connect(self._on_save)
+        self.bar.save_wanted.connect(lambda kind: self.export.save(kind, self.model.entries()))
         self.export.said.connect(self._say)
         self.table.clicked.connect(self._on_chosen)
         self.table.activated.connect(self._on_chosen)
@@ -170,15 +167,9 @@ class ReplayEvents(Translated, QWidget):
 
     def copy_chosen(self) -> None:
         """Put the selected rows into the clipboard."""
-        entries: list[EventEntry] = self.table.chosen()
+        entries = self.table.chosen()
         if entries:
             self.export.copy(entries)
-
-    def _on_save(self, kind: str) -> None:
-        if kind == "copy":
-            self.export.copy(self.model.entries())
-        else:
-            self.export.save(kind, self.model.entries())
 
     def _say(self, text: str, level: Level) -> None:
         self.message.show_message(text, level)

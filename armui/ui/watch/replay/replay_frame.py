@@ -6,11 +6,13 @@ from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QRectF, Qt
 from PySide6.QtGui import QColor, QPainter, QPen
-from PySide6.QtWidgets import QHBoxLayout, QLabel, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QLabel, QWidget
 
 from armui.ui.theme import colors_of, scaled_font
 from armui.ui.widgets import icons
+from armui.ui.widgets.buttons import named
 from armui.ui.widgets.elided_label import ElidedLabel
+from armui.ui.widgets.layouts import in_column, in_row
 from armui.ui.widgets.text_label import text_label
 from armui.ui.widgets.translated import Translated
 
@@ -34,31 +36,27 @@ class ReplayFrame(Translated, QWidget):
         name: The file.
     """
 
-    def __init__(self, content: QWidget, name: str, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self, content: QWidget, name: str) -> None:
+        super().__init__()
         self.setObjectName("replay_frame")
         self._icon = QLabel()
         self.word = text_label("replay_word", plain=True)
         self.name = ElidedLabel()
         self.name.show_text(name)
         self.clock = text_label("replay_clock", plain=True)
-        banner = QHBoxLayout()
-        banner.setContentsMargins(14, 0, 14, 0)
-        banner.setSpacing(10)
-        banner.addWidget(self._icon)
-        banner.addWidget(self.word)
-        banner.addSpacing(16)
-        banner.addWidget(self.name, 1)
-        banner.addWidget(self.clock)
-        holder = QWidget()
-        holder.setObjectName("replay_banner")
+        banner = in_row(
+            self._icon,
+            self.word,
+            16,
+            (self.name, 1),
+            self.clock,
+            spacing=10,
+            margins=(14, 0, 14, 0),
+        )
+        holder = named("replay_banner", QWidget())
         holder.setFixedHeight(_BANNER_PX)
         holder.setLayout(banner)
-        layout = QVBoxLayout(self)
-        layout.setContentsMargins(_LINE_PX, _LINE_PX, _LINE_PX, _LINE_PX)
-        layout.setSpacing(0)
-        layout.addWidget(holder)
-        layout.addWidget(content, 1)
+        in_column(holder, (content, 1), on=self, spacing=0, margins=_LINE_PX)
         self.retranslate_ui()
         self._recolor()
 

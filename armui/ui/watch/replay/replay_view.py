@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import Qt, QTimer, Signal
-from PySide6.QtWidgets import QComboBox, QHBoxLayout, QSplitter, QTabWidget, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QComboBox, QSplitter, QTabWidget, QWidget
 
 from armui.protocol.generation import Generation
 from armui.ui.shell.arm_in_view import show_in_view
@@ -22,6 +22,8 @@ from armui.ui.watch.replay.replay_events import ReplayEvents
 from armui.ui.watch.replay.replay_frame import ReplayFrame
 from armui.ui.watch.replay.time_line import TimeLine
 from armui.ui.watch.replay.transport import SPEEDS, Transport
+from armui.ui.widgets.buttons import named
+from armui.ui.widgets.layouts import in_column, in_row
 from armui.ui.widgets.text_label import text_label
 from armui.ui.widgets.translated import Translated
 from armui.viewport import palette as scene_palette
@@ -79,10 +81,10 @@ class ReplayView(Translated, QWidget):
         self._search = MarkSearch(session.marks, replay.channel)
         self.joints = JointTable(controller)
         self.curves = PlotsArea(controller.telemetry, live, background)
+        self.curves.setContentsMargins(8, 8, 8, 6)
         self.curves.board.show_plots(SETS["follow"])
         self.events = ReplayEvents(live, background)
-        self.tabs = QTabWidget()
-        self.tabs.setObjectName("replay_tabs")
+        self.tabs = named("replay_tabs", QTabWidget())
         self.tabs.setDocumentMode(True)
         for tab in (self.joints, self.curves, self.events):
             self.tabs.addTab(tab, "")
@@ -91,10 +93,8 @@ class ReplayView(Translated, QWidget):
         self.time_line.show_log(session.start_s, session.end_s, self._search.marks)
         self.transport = Transport()
         self.note = text_label("replay_note", rank="muted", wraps=True, plain=True)
-        self.channels = QComboBox()
-        self.channels.setObjectName("replay_channel")
-        self.generations = QComboBox()
-        self.generations.setObjectName("replay_generation")
+        self.channels = named("replay_channel", QComboBox())
+        self.generations = named("replay_generation", QComboBox())
         self._surveys: tuple[ChannelSurvey, ...] = ()
         self._lay_out(name)
         self._connect()
@@ -113,32 +113,20 @@ class ReplayView(Translated, QWidget):
         splitter.setSizes([_PICTURE_PX, _TABS_PX])
         self._channel_label = text_label(rank="muted", plain=True)
         self._generation_label = text_label(rank="muted", plain=True)
-        choices = QHBoxLayout()
-        choices.setSpacing(8)
-        choices.addWidget(self.note, 1)
+        choices = in_row((self.note, 1), spacing=8)
         for label, box in (
             (self._channel_label, self.channels),
             (self._generation_label, self.generations),
         ):
             choices.addWidget(label)
             choices.addWidget(box)
-        below = QVBoxLayout()
-        below.setContentsMargins(12, 6, 12, 10)
-        below.setSpacing(6)
-        below.addWidget(self.time_line)
-        below.addWidget(self.transport)
-        below.addLayout(choices)
+        below = in_column(
+            self.time_line, self.transport, choices, spacing=6, margins=(12, 6, 12, 10)
+        )
         content = QWidget()
-        inside = QVBoxLayout(content)
-        inside.setContentsMargins(0, 0, 0, 0)
-        inside.setSpacing(0)
-        inside.addWidget(splitter, 1)
-        inside.addWidget(self.status)
-        inside.addLayout(below)
+        in_column((splitter, 1), self.status, below, on=content, spacing=0, margins=0)
         self.frame = ReplayFrame(content, name)
-        whole = QVBoxLayout(self)
-        whole.setContentsMargins(0, 0, 0, 0)
-        whole.addWidget(self.frame)
+        in_column(self.frame, on=self, margins=0)
 
     def _connect(self) -> None:
         replay, transport = self.replay, self.transport

@@ -7,13 +7,14 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QCoreApplication, QSize, Qt
-from PySide6.QtWidgets import QHBoxLayout, QProgressBar, QPushButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QProgressBar, QVBoxLayout, QWidget
 
 from armui.arm.device import RecordedArm
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.control.events import Level
 from armui.session.reader import SUFFIXES
+from armui.session.session import KeepsCounts
 from armui.system.helper_process import HelperProcess
 from armui.ui import words
 from armui.ui.background import Job
@@ -22,6 +23,8 @@ from armui.ui.dialogs.files import choose_file
 from armui.ui.watch.replay.live_strip import LiveStrip
 from armui.ui.watch.replay.log_opening import LogOpening
 from armui.ui.watch.replay.log_time import wall_time
+from armui.ui.widgets.buttons import named, push_button
+from armui.ui.widgets.layouts import STRETCH, in_column, in_row
 from armui.ui.widgets.message_line import MessageLine
 from armui.ui.widgets.text_label import text_label
 
@@ -57,7 +60,6 @@ class ReplayWindow(ArmDialog):
         background: Where files are read and written.
         make_view: Makes the 3D picture.
         parent: The main window.
-        make_helper: Makes what reads a log: a process of its own by default.
         open_own: Opens recordings of this program, which need not be read first.
         urdf_path: The operator's own robot description; by default that of the log's model.
 
@@ -72,7 +74,6 @@ class ReplayWindow(ArmDialog):
         make_view: Callable[[], ArmView],
         parent: QWidget | None = None,
         *,
-        make_helper: Callable[[], Executor] | None = None,
         open_own: OpenOwn | None = None,
         urdf_path: str | None = None,
     ) -> None:
@@ -82,7 +83,7 @@ class ReplayWindow(ArmDialog):
         self._controller = controller
         self._background = background
         self._make_view = make_view
-        self._make_helper = make_helper or HelperProcess
+        self._make_helper: Callable[[], Executor] = HelperProcess
         self._open_own = open_own
         self._urdf_path = urdf_path
         self._opening: LogOpening | None = None
@@ -97,8 +98,7 @@ class ReplayWindow(ArmDialog):
         self.body.addLayout(self._place, 1)
         self._waiting = self._waiting_part()
         self._place.addWidget(self._waiting, 1)
-        self.message = MessageLine()
-        self.message.setObjectName("replay_message")
+        self.message = named("replay_message", MessageLine())
         self.message.hide()
         self.body.addWidget(self.message)
         application = QCoreApplication.instance()
@@ -113,30 +113,21 @@ class ReplayWindow(ArmDialog):
         part = QWidget()
         self._hint = text_label("replay_hint", wraps=True, plain=True)
         self._hint.setAlignment(Qt.AlignmentFlag.AlignCenter)
-        self.progress = QProgressBar()
-        self.progress.setObjectName("replay_progress")
+        self.progress = named("replay_progress", QProgressBar())
         self.progress.setFixedWidth(480)
-        self.choose_button = QPushButton()
-        self.choose_button.setObjectName("replay_choose")
+        self.choose_button = push_button("replay_choose", primary=True)
         self.choose_button.clicked.connect(self.choose)
-        self.cancel_button = QPushButton()
-        self.cancel_button.setObjectName("replay_cancel")
+        self.cancel_button = push_button("replay_cancel")
         self.cancel_button.clicked.connect(self._on_cancel)
-        layout = QVBoxLayout(part)
-        layout.setSpacing(14)
+        layout = in_column(on=part, spacing=14)
         layout.addStretch(2)
         layout.addWidget(self._hint)
         centre = Qt.AlignmentFlag.AlignHCenter
         layout.addWidget(self.progress, 0, centre)
-        buttons = QHBoxLayout()
-        buttons.addStretch(1)
-        buttons.addWidget(self.choose_button)
-        buttons.addWidget(self.cancel_button)
-        buttons.addStretch(1)
+        buttons = in_row(STRETCH, self.choose_button, self.cancel_button, STRETCH)
         layout.addLayout(buttons)
         layout.addStretch(3)
-        self.other_button = QPushButton()
-        self.other_button.setObjectName("replay_other")
+        self.other_button = push_button("replay_other")
         self.other_button.clicked.connect(self.choose)
         self.footer.addWidget(self.other_button)
         self.footer.addStretch(1)
@@ -208,7 +199,9 @@ class ReplayWindow(ArmDialog):
         if self._session is None or self._path is None:
             return
         own = next(each for each in self._surveys if each.channel == channel)
-        arm = RecordedArm(int(generation), own.feedback_offset, own.firmware, own.model)
+        arm = RecordedArm(
+            int(generation), own.feedback_offset, own.firmware, own.model, own.older_zeros
+        )
         replay = LogReplay(self._session, channel, arm, self._path.name, self)
         replay.failed.connect(self._on_failed)
         self.view = ReplayView(
@@ -239,6 +232,7 @@ class ReplayWindow(ArmDialog):
                 self._say(words.refusal(found), Level.FAULT)
             else:
                 view.show_events(found.log, found.marks)
+                self._keep_counts(view.replay.session, found)
 
         job = self._events = Job(show)
         replay = view.replay
@@ -246,6 +240,11 @@ class ReplayWindow(ArmDialog):
             log_events, replay.session, replay.channel, arm, wall_time, lambda: job.wanted
         )
         self._background.begin_here(job, work)
+
+    def _keep_counts(self, session: Session, found: LoggedEvents) -> None:
+        """What its frames tell is known now: the list of recordings can tell it, too."""
+        if isinstance(session, KeepsCounts) and session.lacks_counts:
+            self._background.begin_here(Job(lambda _done: None), session.keep_counts, found.marks)
 
     def _on_other(self, channel: Channel, generation: Generation) -> None:
         at_s = 0.0 if self.view is None else self.view.replay.position_s

@@ -6,12 +6,13 @@ import math
 from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QPointF, QRectF, QSize, Qt, Signal
-from PySide6.QtGui import QColor, QHelpEvent, QPainter, QPen, QPolygonF
+from PySide6.QtGui import QColor, QHelpEvent, QPainter, QPainterPath, QPen, QPolygonF
 from PySide6.QtWidgets import QSizePolicy, QToolTip, QWidget
 
 from armui.session.session import MarkKind
 from armui.ui.theme import Colors, colors_of
 from armui.ui.watch.replay.log_time import duration, moment
+from armui.ui.watch.replay.mark_places import MarkPlaces
 from armui.ui.watch.replay.mark_search import end_of
 from armui.ui.watch.replay.mark_text import mark_text
 from armui.ui.widgets.translated import Translated
@@ -19,6 +20,8 @@ from armui.ui.widgets.translated import Translated
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
+    import numpy as np
+    from numpy.typing import NDArray
     from PySide6.QtCore import QEvent
     from PySide6.QtGui import QKeyEvent, QMouseEvent, QPaintEvent, QWheelEvent
 
@@ -31,6 +34,7 @@ _COMMAND_ROW: Final = QRectF(0, 27, 0, 9)
 _STOP_Y: Final = 21.0
 _LABELS_Y: Final = 40.0
 _NEAR_PX: Final = 5.0
+_LEAST_PX: Final = 2.0
 _MOST_TOLD: Final = 8
 _CLOSEST_S: Final = 0.05
 _WHEEL: Final = 1.25
@@ -47,13 +51,16 @@ class TimeLine(Translated, QWidget):
 
     wanted = Signal(float)
 
-    def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self) -> None:
+        super().__init__()
         self.setObjectName("time_line")
         self._start_s, self._end_s = 0.0, 1.0
         self._from_s, self._to_s = 0.0, 1.0
         self._at_s = 0.0
         self._marks: Sequence[SessionMark] = ()
+        self._places = MarkPlaces((), 1.0)
+        self._shapes: dict[MarkKind, QPainterPath] = {}
+        self._span_of_shapes: tuple[float, float, float] | None = None
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setMouseTracking(True)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
@@ -63,12 +70,13 @@ class TimeLine(Translated, QWidget):
         """Show a log from its beginning to its end."""
         self._start_s, self._end_s = start_s, max(end_s, start_s + _CLOSEST_S)
         self._from_s, self._to_s = self._start_s, self._end_s
-        self._marks = marks
-        self.update()
+        self.show_marks(marks)
 
     def show_marks(self, marks: Sequence[SessionMark]) -> None:
         """Show other marks of the same log."""
         self._marks = marks
+        self._places = MarkPlaces(marks, self._end_s)
+        self._span_of_shapes = None
         self.update()
 
     def show_position(self, at_s: float) -> None:
@@ -208,32 +216,29 @@ class TimeLine(Translated, QWidget):
         painter.end()
 
     def _draw_marks(self, painter: QPainter, colors: Colors) -> None:
-        """Faults as long as they last, stops as triangles, commands as ticks; one a pixel each."""
-        drawn: set[tuple[MarkKind, int]] = set()
+        """Faults as long as they last, stops as triangles, commands as ticks."""
         inks = {
+            MarkKind.NOTE: colors.muted,
+            MarkKind.COMMAND: colors.accent,
             MarkKind.FAULT: colors.stop,
             MarkKind.STOP: colors.stop_strong,
-            MarkKind.COMMAND: colors.accent,
-            MarkKind.NOTE: colors.muted,
         }
-        for mark in self._marks:
-            ended_s = end_of(mark, self._end_s) or mark.at_s
-            if ended_s < self._from_s or mark.at_s > self._to_s:
-                continue
-            left = max(self.place_px(mark.at_s), _EDGE_PX)
-            right = min(self.place_px(ended_s), self.width() - _EDGE_PX)
-            place = (mark.kind, round(left))
-            if place in drawn and right - left < 1.0:
-                continue
-            drawn.add(place)
-            painter.setPen(Qt.PenStyle.NoPen)
-            painter.setBrush(QColor(inks[mark.kind]))
-            if mark.kind is MarkKind.STOP:
-                painter.drawPolygon(_triangle(left))
-            else:
-                row = _FAULT_ROW if mark.kind is MarkKind.FAULT else _COMMAND_ROW
-                width = max(2.0, right - left) if mark.kind is MarkKind.FAULT else 2.0
-                painter.drawRect(QRectF(left, row.top(), width, row.height()))
+        painter.setPen(Qt.PenStyle.NoPen)
+        for kind, path in self._shapes_of_marks().items():
+            painter.setBrush(QColor(inks[kind]))
+            painter.drawPath(path)
+
+    def _shapes_of_marks(self) -> dict[MarkKind, QPainterPath]:
+        """What is drawn of them, by kind, the last above the others; made anew for another span."""
+        width_px = max(1.0, self.width() - 2 * _EDGE_PX)
+        span = self._from_s, self._to_s, width_px
+        if span != self._span_of_shapes:
+            self._span_of_shapes = span
+            self._shapes = {
+                kind: _shape(kind, self._places.within(kind, *span))
+                for kind in (MarkKind.NOTE, MarkKind.COMMAND, MarkKind.FAULT, MarkKind.STOP)
+            }
+        return self._shapes
 
     def _draw_times(self, painter: QPainter, colors: Colors) -> None:
         """Times since the beginning, as many as there is room for."""
@@ -263,6 +268,21 @@ class TimeLine(Translated, QWidget):
         painter.setPen(Qt.PenStyle.NoPen)
         painter.setBrush(QColor(colors.replay))
         painter.drawEllipse(QPointF(x_px, 4), 4.5, 4.5)
+
+
+def _shape(kind: MarkKind, places_px: NDArray[np.float64]) -> QPainterPath:
+    """The marks of one kind in one shape: drawn at once, however many there are."""
+    path = QPainterPath()
+    path.setFillRule(Qt.FillRule.WindingFill)
+    row = _FAULT_ROW if kind is MarkKind.FAULT else _COMMAND_ROW
+    for begin_px, end_px in (places_px + _EDGE_PX).tolist():
+        if kind is MarkKind.STOP:
+            path.addPolygon(_triangle(begin_px))
+            path.closeSubpath()
+        else:
+            width_px = max(_LEAST_PX, end_px - begin_px) if kind is MarkKind.FAULT else _LEAST_PX
+            path.addRect(QRectF(begin_px, row.top(), width_px, row.height()))
+    return path
 
 
 def _triangle(x_px: float) -> QPolygonF:

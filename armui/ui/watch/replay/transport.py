@@ -6,11 +6,13 @@ from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtGui import QKeySequence, QShortcut
-from PySide6.QtWidgets import QComboBox, QHBoxLayout, QPushButton, QWidget
+from PySide6.QtWidgets import QComboBox, QPushButton, QWidget
 
 from armui.ui.actions.keys import key_text, keys_of
 from armui.ui.theme import colors_of
 from armui.ui.widgets import icons
+from armui.ui.widgets.buttons import named
+from armui.ui.widgets.layouts import in_row
 from armui.ui.widgets.text_label import text_label
 from armui.ui.widgets.translated import Translated
 
@@ -38,8 +40,8 @@ class Transport(Translated, QWidget):
     fault_wanted = Signal(int)
     speed_wanted = Signal(float)
 
-    def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self) -> None:
+        super().__init__()
         self._playing = False
         self._drawn: bool | None = None
         acts: dict[str, Callable[[], object]] = {
@@ -50,17 +52,14 @@ class Transport(Translated, QWidget):
             "next_fault": lambda: self.fault_wanted.emit(1),
         }
         self.buttons = {name: self._button(name, act) for name, act in acts.items()}
-        self.speeds = QComboBox()
-        self.speeds.setObjectName("replay_speed")
+        self.speeds = named("replay_speed", QComboBox())
         for speed in SPEEDS:
             self.speeds.addItem(f"{speed:g}×", speed)
         self.speeds.setCurrentIndex(SPEEDS.index(1.0))
         self.speeds.activated.connect(lambda place: self.speed_wanted.emit(SPEEDS[place]))
         self.place = text_label("replay_place", plain=True)
         self.frame = text_label("replay_frame", rank="muted", plain=True)
-        row = QHBoxLayout(self)
-        row.setContentsMargins(0, 0, 0, 0)
-        row.setSpacing(8)
+        row = in_row(on=self, spacing=8, margins=0)
         for button in self.buttons.values():
             row.addWidget(button)
         row.addWidget(self.speeds)

@@ -1,0 +1,94 @@
+"""How many faults and stops the frames of a recording tell of, kept beside it.
+
+A recording of the window has its events in its sidecar. One that was recorded without a window has
+none: its frames are looked at once, when it has ended or when it is opened, and what they tell is
+added to the sidecar as a line of the kind ``counted``.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import time
+from collections import Counter
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, Any, Final, NamedTuple
+
+from armui.session.id_rows import IdRows
+from armui.session.log_marks import LogFrames, marked_ids, marks_of
+from armui.session.recording import index_file, sidecar
+from armui.session.session import MarkKind
+from armui.session.survey import survey
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+    from armui.session.session import Session, SessionMark
+
+KIND: Final = "counted"
+_OVER_S: Final = 60.0
+"""A recording that has not grown for so long was left behind by a killed program."""
+
+
+class Counts(NamedTuple):
+    """What happened in a recording, in numbers.
+
+    Attributes:
+        faults: Each with a beginning; of the arm, of a joint, or silence.
+        stops: Sent, or told by the arm; the same one is told by both.
+    """
+
+    faults: int
+    stops: int
+
+
+def counts_of(marks: Sequence[SessionMark]) -> Counts:
+    """Count what the frames tell."""
+    faults = sum(each.kind is MarkKind.FAULT for each in marks)
+    stops = Counter(each.entry.get("code") for each in marks if each.kind is MarkKind.STOP)
+    return Counts(faults, max(stops["stop_sent"], stops["stopped"]))
+
+
+def counted(session: Session) -> Counts:
+    """Look at every frame of a recording: some seconds for half an hour of an arm."""
+    own = survey(session)[0]
+    rows = IdRows(session, own.channel, *marked_ids(own.generation))
+    frames = LogFrames((own.channel,), rows.times_and_payloads)
+    return counts_of(marks_of(frames, own.generation))
+
+
+def counts_in(lines: Sequence[Mapping[str, Any]]) -> Counts | None:
+    """What a sidecar tells; ``None``: nobody has counted."""
+    told = next((line for line in reversed(lines) if line["kind"] == KIND), None)
+    if told is not None:
+        figures = told.get("faults"), told.get("stops")
+        if all(isinstance(each, int) for each in figures):
+            return Counts(*figures)
+    if any(line["kind"] == "event" for line in lines):
+        marks = [line.get("mark") for line in sidecar.events_of(lines)]
+        return Counts(marks.count("fault"), marks.count("stop"))
+    recorded_alone = bool(lines) and lines[0].get("reason") == "command"
+    return None if recorded_alone else Counts(0, 0)
+
+
+def is_over(folder: Path, name: str, lines: Sequence[Mapping[str, Any]]) -> bool:
+    """Whether nobody writes a recording any more; another program may."""
+    if any(line["kind"] == "end" for line in lines):
+        return True
+    try:
+        written_s = (folder / f"{name}{index_file.SUFFIX}").stat().st_mtime
+    except OSError:
+        return False
+    return time.time() - written_s > _OVER_S
+
+
+def keep(folder: Path, name: str, counts: Counts) -> None:
+    """Add what was counted to a sidecar; one that cannot be written stays as it is."""
+    line = sidecar.as_bytes([{"kind": KIND, **counts._asdict()}])
+    with contextlib.suppress(OSError), sidecar.path_of(folder, name).open("r+b") as file:
+        # a killed program may have left half a line
+        file.seek(0, 2)
+        if file.tell():
+            file.seek(-1, 2)
+            line = line if file.read(1) == b"\n" else b"\n" + line
+        file.seek(0, 2)
+        file.write(line)

@@ -1,0 +1,56 @@
+"""An operator looks for what to press: a button is lit while something is to be sent."""
+
+
+def lit(app_driver, name):
+    return bool(app_driver.find(name).property("primary"))
+
+
+def test_a_colour_that_was_sent_is_not_asked_for_again(app_driver):
+    app_driver.connect()
+    app_driver.click("menu_light")
+    assert lit(app_driver, "light_confirm_button")
+    app_driver.click("light_confirm_button")
+    assert not lit(app_driver, "light_confirm_button")
+    app_driver.click("light_joint_4")
+    assert lit(app_driver, "light_confirm_button")
+
+
+def test_the_gripper_s_target_is_new_until_it_is_sent(app_driver):
+    app_driver.connect()
+    app_driver.click("menu_gripper")
+    app_driver.run(0.3)
+    app_driver.type_into("gripper_opening_field", "30")
+    assert lit(app_driver, "gripper_send_button")
+    app_driver.click("gripper_send_button")
+    assert not lit(app_driver, "gripper_send_button")
+    app_driver.type_into("gripper_opening_field", "20")
+    assert lit(app_driver, "gripper_send_button")
+
+
+def test_a_linkage_in_use_is_nothing_to_confirm(app_driver):
+    app_driver.connect()
+    app_driver.click("menu_linkage")
+    assert not lit(app_driver, "linkage_confirm_button")
+    app_driver.find("linkage_feedback_offset").setCurrentIndex(1)
+    assert lit(app_driver, "linkage_confirm_button")
+
+
+def test_a_load_is_confirmed_once(app_driver):
+    app_driver.connect()
+    app_driver.click("menu_end_load")
+    assert not lit(app_driver, "load_confirm_button")
+    app_driver.click("load_half")
+    assert lit(app_driver, "load_confirm_button")
+    app_driver.click("load_confirm_button")
+    assert not lit(app_driver, "load_confirm_button")
+
+
+def test_a_mounting_that_was_told_is_not_asked_for_again(app_driver):
+    app_driver.connect()
+    app_driver.click("menu_end_load")
+    assert not lit(app_driver, "mounting_confirm_button")
+    app_driver.click("mounting_upside_down")
+    assert lit(app_driver, "mounting_confirm_button")
+    app_driver.click("mounting_confirm_button")
+    app_driver.hold()
+    assert not lit(app_driver, "mounting_confirm_button")
