@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QDialog, QLineEdit, QVBoxLayout, QWidget
 from armui.control.operating_state import OperatingState, StopState
 from armui.ui.dialogs.confirm_dialog import ConfirmDialog
 from armui.ui.shell.top_bar import TopBar
+from armui.ui.widgets.halt_button import HaltButton
 from armui.ui.widgets.stop_button import StopButton
 from armui.ui.widgets.stop_shortcut import StopShortcut
 from tests.ui.arm_states import operating_state
@@ -43,6 +44,35 @@ def test_stops_when_pressed_not_when_let_go(button, controller, qtbot):
     assert controller.calls == [("emergency_stop",)]
     qtbot.mouseRelease(button, LEFT)
     assert controller.calls == [("emergency_stop",)]
+
+
+@pytest.mark.parametrize("kind", [StopButton, HaltButton])
+def test_acts_before_it_is_painted(host, controller, qtbot, kind):
+    class Watched(kind):
+        def paintEvent(self, event):
+            controller.calls.append(("painted",))
+            super().paintEvent(event)
+
+    button = Watched(controller)
+    host.layout().addWidget(button)
+    host.show()
+    qtbot.waitUntil(lambda: ("painted",) in controller.calls)
+    controller.calls.clear()
+    qtbot.mousePress(button, LEFT)
+    assert [name for (name, *_rest) in controller.calls if name != "painted"] == [
+        "emergency_stop" if kind is StopButton else "halt_and_hold"
+    ]
+    assert ("painted",) in controller.calls[1:]
+    assert controller.calls[0] != ("painted",)
+
+
+@pytest.mark.parametrize("button", [Qt.MouseButton.RightButton, Qt.MouseButton.MiddleButton])
+def test_other_buttons_of_the_mouse_do_nothing(host, controller, qtbot, button):
+    stop = StopButton(controller)
+    host.layout().addWidget(stop)
+    host.show()
+    qtbot.mousePress(stop, button)
+    assert controller.calls == []
 
 
 def test_stops_by_space(button, controller, qtbot):

@@ -35,15 +35,15 @@ class HaltButton(Translated, PressButton):
         super().__init__(parent)
         self.setObjectName("halt_button")
         self._controller = controller
-        self.pressed.connect(self._on_pressed)
         self.retranslate_ui()
 
-    def _on_pressed(self) -> None:
+    def act(self) -> None:
+        """End the motion."""
         self._controller.halt_and_hold()
 
     def press_behind_popup(self) -> bool:
         """Halt, whatever popup is open."""
-        self._on_pressed()
+        self.act()
         return True
 
     def retranslate_ui(self) -> None:

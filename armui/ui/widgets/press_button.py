@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from PySide6.QtCore import Qt
+from PySide6.QtGui import QMouseEvent
 from PySide6.QtWidgets import QPushButton, QSizePolicy, QWidget
 
 
@@ -14,6 +15,26 @@ class PressButton(QPushButton):
         self.setAutoDefault(False)
         self.setCursor(Qt.CursorShape.PointingHandCursor)
         self.setSizePolicy(QSizePolicy.Policy.Maximum, QSizePolicy.Policy.Fixed)
+        self._has_acted = False
+        self.pressed.connect(self._on_pressed)
+
+    def act(self) -> None:
+        """Do what the button is for."""
+        raise NotImplementedError
+
+    def mousePressEvent(self, event: QMouseEvent) -> None:
+        """Act first: Qt paints the whole button anew before it says that it is pressed."""
+        left = event.button() == Qt.MouseButton.LeftButton
+        self._has_acted = left and self.hitButton(event.position().toPoint())
+        if self._has_acted:
+            self.act()
+        super().mousePressEvent(event)
+        self._has_acted = False
+
+    def _on_pressed(self) -> None:
+        """By the keyboard, or by an assistive program."""
+        if not self._has_acted:
+            self.act()
 
     def press_behind_popup(self) -> bool:
         """Act as if pressed while a popup holds the mouse; false: let the popup have the press."""

@@ -53,7 +53,6 @@ class StopButton(Translated, PressButton):
         self._operating_state = controller.operating_state
         self._last_press_ms: int | None = None
         self._hurried = False
-        self.pressed.connect(self._on_pressed)
         controller.operating_state_changed.connect(self._on_operating_state_changed)
         self.retranslate_ui()
 
@@ -75,7 +74,8 @@ class StopButton(Translated, PressButton):
         self._controller.emergency_stop()
         return True
 
-    def _on_pressed(self) -> None:
+    def act(self) -> None:
+        """Stop, or ask about recovery where the arm says that it is stopped."""
         if self._ask_to_resume is not None and self._offers_recovery() and not self._hurried:
             self._ask_to_resume()
         else:
