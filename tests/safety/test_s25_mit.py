@@ -23,7 +23,9 @@ def raised(rig):
     rig.ready()
     rig.controller.motion.set_speed_percent(60)
     assert rig.controller.motion.send_joints(A) is None
-    rig.run(4.0)
+    rig.run(0.2)
+    rig.run_until(lambda: not rig.controller.operating_state.moving)
+    assert rig.firmware.joints_deg == pytest.approx(A, abs=0.01)
     return rig
 
 
