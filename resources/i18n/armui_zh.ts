@@ -6956,6 +6956,10 @@ The other program must have ended.</source>
         <translation>下一步</translation>
     </message>
     <message>
+        <source>A trajectory is running</source>
+        <translation>正在执行轨迹</translation>
+    </message>
+    <message>
         <source>Waiting…</source>
         <translation>等待中…</translation>
     </message>

@@ -63,6 +63,7 @@ class RecoveryLine(Translated, QWidget):
         begun = controller.operating_state.link is not LinkState.NO_DEVICE
         self._step = controller.recovery.step if begun else NO_DEVICE
         self._pressed = self._step
+        self._says_running = False
         self._icon = QLabel()
         self._icon.setFixedWidth(_ICON_PX)
         self._text = text_label("recovery_text", wraps=True, plain=True)
@@ -125,13 +126,20 @@ class RecoveryLine(Translated, QWidget):
         self._show_step()
 
     def _on_operating_state_changed(self, _operating_state: OperatingState) -> None:
-        if self._button.isVisible() or self._hold_button.isVisible():
+        if self._says_running != self._is_running():
+            self._show_step()
+        elif self._button.isVisible() or self._hold_button.isVisible():
             self._show_button()
+
+    def _is_running(self) -> bool:
+        """Nothing stands in the way, and a run or a replay is what the arm is at."""
+        return self._step.kind is StepKind.READY and self._controller.operating_state.running
 
     def _show_step(self) -> None:
         step = self._step
         calm = step.kind in _CALM
-        text = words.step(step)
+        self._says_running = self._is_running()
+        text = self.tr("A trajectory is running") if self._says_running else words.step(step)
         self._text.setText(text)
         self._text.setProperty("rank", "muted" if calm else None)
         self._text.style().unpolish(self._text)
