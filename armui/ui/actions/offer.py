@@ -24,6 +24,16 @@ Doing = Callable[[], object]
 Doings = Mapping[str, tuple[Doing, Callable[[], str]]]
 """By the names of actions without a button: what does it, and why that is not possible now."""
 
+_TO_BE_SEEN: Final = frozenset(
+    {
+        *("motion.send", "cartesian.move_p", "cartesian.move_l", "cartesian.move_c"),
+        *("cartesian.arc_start", "gripper.send", "teaching.run_recording"),
+        *("teaching.move_to_start", "library.send", "editor.send", "editor.go_to"),
+        *("recording.preview", "bus.send"),
+    }
+)
+"""What sends the arm where a panel or a page says: nobody presses it who has not seen that."""
+
 _HIDDEN: Final = frozenset({"qt_toolbar_ext_button", "qt_spinbox_lineedit"})
 
 
@@ -38,6 +48,8 @@ class Offer:
         do: Does it.
         show: Opens the page or window in which it is done, while that is not seen: what keeps it
             from being done is known then.
+        point_out: Leads to its button instead, where what it does follows from what stands on that
+            page: once it is shown, the button waits for a press of its own.
     """
 
     title: str
@@ -46,6 +58,7 @@ class Offer:
     reason: str
     do: Doing
     show: Doing | None = None
+    point_out: Doing | None = None
 
     def is_like(self, other: Offer) -> bool:
         """Whether it is the same one, of another moment."""
@@ -94,21 +107,34 @@ class Offers:
             return Offer(title, place, action.keys, _why_not(seen), do)
         if action.place in self._openers:
             show, why = self._openers[action.place]
-            return Offer(title, place, action.keys, why(), do, show)
+            point_out = partial(self.point_out, action) if action.name in _TO_BE_SEEN else None
+            return Offer(title, place, action.keys, why(), do, show, point_out)
         reason_text = why_not(action, self._controller)
         if not reason_text and action.place not in PANELS:
             reason_text = nothing_to_do()
         return Offer(title, place, action.keys, reason_text, do)
 
     def do(self, action: Command) -> None:
-        """Do what an action does, by its button: what that asks first is asked."""
+        """Do what an action does, by its button: what that asks first is asked.
+
+        What sends the arm somewhere by a panel that was not in sight is only led to.
+        """
+        was_seen = self._seen(action) is not None
         if action.target not in {f"menu_{panel}" for panel in PANELS}:
             self._show_place(action.place)
         seen = self._seen(action)
         if isinstance(seen, QAction):
             seen.trigger()
+        elif seen is not None and action.name in _TO_BE_SEEN and not was_seen:
+            lead_to(seen)
         elif seen is not None:
             use(seen)
+
+    def point_out(self, action: Command) -> None:
+        """Lead the operator to the button, which has just come into sight, and press nothing."""
+        seen = self._seen(action)
+        if isinstance(seen, QWidget):
+            lead_to(seen)
 
     def _show_place(self, place: str) -> None:
         """Go to a panel; what is not saved in the present one asks first, and then nothing else."""
@@ -219,10 +245,16 @@ def use(widget: QWidget) -> None:
     """Press a button, or bring the operator to what cannot be pressed by a key alone."""
     from armui.ui.widgets.hold_button import HoldButton  # noqa: PLC0415 - faster start
 
-    widget.window().activateWindow()
     if isinstance(widget, QAbstractButton) and not isinstance(widget, HoldButton):
+        widget.window().activateWindow()
         widget.click()
         return
+    lead_to(widget)
+
+
+def lead_to(widget: QWidget) -> None:
+    """Give the keyboard to something, and press nothing."""
+    widget.window().activateWindow()
     widget.setFocus()
     select = getattr(widget, "selectAll", None)
     if select is not None:

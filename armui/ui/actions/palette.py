@@ -137,15 +137,20 @@ class CommandPalette(ArmDialog):
     def _on_chosen(self) -> None:
         offer = self._chosen()
         if offer is not None and not offer.reason and offer.show is not None:
-            offer = self._look(offer.show)
+            offer = self._look(offer.show, offer.point_out)
         if offer is None or offer.reason or not self.isVisible():
             self._show_reason(offer)
             return
         self.close()
         offer.do()
 
-    def _look(self, show: Doing) -> Offer | None:
-        """Open the page on which something is done; the same offer, as it stands there."""
+    def _look(self, show: Doing, point_out: Doing | None) -> Offer | None:
+        """Open the page on which something is done; the same offer, as it stands there.
+
+        Args:
+            show: Opens it.
+            point_out: What is done then instead of it, if anything.
+        """
         show()
         self._gather()
         offer = self._chosen()
@@ -155,6 +160,8 @@ class CommandPalette(ArmDialog):
             self.raise_()
             self.activateWindow()
             self.search.setFocus()
+        if offer is not None and point_out is not None:
+            offer = replace(offer, do=point_out)
         return offer
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
