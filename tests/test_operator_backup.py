@@ -31,14 +31,19 @@ def frame(arbitration_id, payload):
 @pytest.fixture
 def arm(any_driver):
     """Connected, 参数备份 open and the arm read."""
-    any_driver.connect()
-    any_driver.ear = HardOfHearing(any_driver.firmware)
-    any_driver.click("menu_end_limits")
-    settled(any_driver)
-    any_driver.click("end_limits_backup_button")
-    any_driver.box = any_driver.dialog(BackupDialog)
-    settled(any_driver)
-    return any_driver
+    return read(any_driver)
+
+
+def read(app_driver):
+    """Connect, open 参数备份, and read the arm."""
+    app_driver.connect()
+    app_driver.ear = HardOfHearing(app_driver.firmware)
+    app_driver.click("menu_end_limits")
+    settled(app_driver)
+    app_driver.click("end_limits_backup_button")
+    app_driver.box = app_driver.dialog(BackupDialog)
+    settled(app_driver)
+    return app_driver
 
 
 def settled(app_driver):
@@ -150,14 +155,7 @@ def test_a_file_holds_everything_with_units_and_where_it_is_from(arm, tmp_path):
 def opened(app_driver, version):
     """The window over an arm with this firmware."""
     app_driver.lie((0.0,) * 6, version=version)
-    app_driver.connect()
-    app_driver.ear = HardOfHearing(app_driver.firmware)
-    app_driver.click("menu_end_limits")
-    settled(app_driver)
-    app_driver.click("end_limits_backup_button")
-    app_driver.box = app_driver.dialog(BackupDialog)
-    settled(app_driver)
-    return app_driver
+    return read(app_driver)
 
 
 def test_drag_assistance_is_kept_and_restored(app_driver, tmp_path):
