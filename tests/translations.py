@@ -7,10 +7,13 @@ any editor), strings that the code no longer has go out, and the compiled ``.qm`
 
 from __future__ import annotations
 
+import ast
 import json
 import subprocess
 import sys
+import tempfile
 import xml.etree.ElementTree as ET
+from collections.abc import Iterator
 from pathlib import Path
 
 from pypinyin import lazy_pinyin
@@ -24,9 +27,28 @@ LONGEST = 20
 
 def lupdate(ts: Path) -> None:
     """Collect the strings of the code into a .ts file, keeping the translations it has."""
-    sources = sorted(str(path) for path in (ROOT / "armui").rglob("*.py"))
+    sources = sorted((ROOT / "armui").rglob("*.py"))
     options = ["-locations", "none", "-no-obsolete", "-source-language", "en_US"]
-    _run("lupdate", *options, "-target-language", "zh_CN", *sources, "-ts", str(ts))
+    with tempfile.TemporaryDirectory() as folder:
+        tables = Path(folder) / "tables.py"
+        marks = (mark for path in sources for mark in _marks(path))
+        tables.write_text("\n".join(marks), encoding="utf-8")
+        of_code = [*map(str, sources), str(tables)]
+        _run("lupdate", *options, "-target-language", "zh_CN", *of_code, "-ts", str(ts))
+
+
+def _marks(source: Path) -> Iterator[str]:
+    """The texts of tables like ``Texts("Refusal") | {…}`` in a file, marked as lupdate wants it."""
+    for table in ast.walk(ast.parse(source.read_text(encoding="utf-8"))):
+        match table:
+            case ast.BinOp(
+                left=ast.Call(func=ast.Name(id="Texts"), args=[ast.Constant(value=str(context))]),
+                right=ast.Dict(values=texts),
+            ):
+                for text in texts:
+                    if isinstance(text, ast.Constant):
+                        said = json.dumps(text.value, ensure_ascii=False)
+                        yield f'QT_TRANSLATE_NOOP("{context}", {said})'
 
 
 def lrelease(ts: Path, qm: Path) -> None:

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import platform
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from typing import Final, NamedTuple
 
-from PySide6.QtCore import QT_TRANSLATE_NOOP, QCoreApplication
+from PySide6.QtCore import QCoreApplication
 
 from armui import __version__
 from armui.arm.device import Device
@@ -19,27 +19,28 @@ from armui.protocol.addressing import Addressing
 from armui.protocol.generation import Generation
 from armui.ui import format as fmt
 from armui.ui import words
+from armui.ui.words.text import Texts
 
 _FEEDBACK: Final = (0x2A1, 0x2A8)
 _COMMANDS: Final = (0x150, 0x15F)
-_LABELS: Final[Mapping[str, object]] = {
-    "model": QT_TRANSLATE_NOOP("AboutArm", "Model"),
-    "firmware": QT_TRANSLATE_NOOP("AboutArm", "Firmware"),
-    "date": QT_TRANSLATE_NOOP("AboutArm", "Date of the firmware"),
-    "hardware": QT_TRANSLATE_NOOP("AboutArm", "Hardware"),
-    "node": QT_TRANSLATE_NOOP("AboutArm", "Node on the bus"),
-    "generation": QT_TRANSLATE_NOOP("AboutArm", "Protocol"),
-    "device": QT_TRANSLATE_NOOP("AboutArm", "Adapter"),
-    "serial": QT_TRANSLATE_NOOP("AboutArm", "Serial number of the adapter"),
-    "bitrate": QT_TRANSLATE_NOOP("AboutArm", "Bit rate"),
-    "feedback": QT_TRANSLATE_NOOP("AboutArm", "Identifiers of the feedback"),
-    "commands": QT_TRANSLATE_NOOP("AboutArm", "Identifiers of the commands"),
-    "rate": QT_TRANSLATE_NOOP("AboutArm", "Frames received"),
-    "online": QT_TRANSLATE_NOOP("AboutArm", "Heard without a break for"),
-    "running": QT_TRANSLATE_NOOP("AboutArm", "Running time of the arm"),
-    "joint": QT_TRANSLATE_NOOP("AboutArm", "Joint {joint}"),
-    "end": QT_TRANSLATE_NOOP("AboutArm", "End"),
-    "program": QT_TRANSLATE_NOOP("AboutArm", "Program"),
+_LABELS: Final = Texts("AboutArm") | {
+    "model": "Model",
+    "firmware": "Firmware",
+    "date": "Date of the firmware",
+    "hardware": "Hardware",
+    "node": "Node on the bus",
+    "generation": "Protocol",
+    "device": "Adapter",
+    "serial": "Serial number of the adapter",
+    "bitrate": "Bit rate",
+    "feedback": "Identifiers of the feedback",
+    "commands": "Identifiers of the commands",
+    "rate": "Frames received",
+    "online": "Heard without a break for",
+    "running": "Running time of the arm",
+    "joint": "Joint {joint}",
+    "end": "End",
+    "program": "Program",
 }
 _NO_BITRATE: Final = frozenset({"virtual", "udp_multicast"})
 
@@ -101,7 +102,7 @@ def about_rows(
 
 def _label(key: str) -> str:
     name, _, joint = key.partition("_")
-    return translate("AboutArm", str(_LABELS[name])).format(joint=joint)
+    return _LABELS.text(name, {"joint": joint})
 
 
 def _model(now: OperatingState) -> str:

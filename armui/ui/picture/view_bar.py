@@ -15,6 +15,7 @@ from armui.ui.widgets import icons
 from armui.ui.widgets.buttons import describe, named
 from armui.ui.widgets.layouts import in_column
 from armui.ui.widgets.translated import Translated
+from armui.ui.words.text import Texts
 from armui.viewport.camera import ViewDirection
 from armui.viewport.handles import HandleKind
 
@@ -103,11 +104,11 @@ _ENTRIES: Final = {
         QT_TRANSLATE_NOOP("ViewBar", "Puts the picture with its figures into the clipboard"),
     ),
 }
-_HANDLES: Final = {
-    None: QT_TRANSLATE_NOOP("ViewBar", "No handles"),
-    HandleKind.TOOL: QT_TRANSLATE_NOOP("ViewBar", "Tool, along the axes of the base"),
-    HandleKind.TOOL_FRAME: QT_TRANSLATE_NOOP("ViewBar", "Tool, along its own axes"),
-    HandleKind.JOINTS: QT_TRANSLATE_NOOP("ViewBar", "Joints"),
+_HANDLES: Final = Texts("ViewBar") | {
+    None: "No handles",
+    HandleKind.TOOL: "Tool, along the axes of the base",
+    HandleKind.TOOL_FRAME: "Tool, along its own axes",
+    HandleKind.JOINTS: "Joints",
 }
 _STRIP: Final = ("front", "side", "top", "iso", "fit", "follow")
 _MENU: Final = (
@@ -285,8 +286,8 @@ class ViewBar(Translated, QFrame):
             action.setToolTip(f"{text}: {tip} ({keys})")
         for button in self._buttons:
             button.setAccessibleName(button.defaultAction().text())
-        for kind, handles in _HANDLES.items():
-            self._handles[kind].setText(QCoreApplication.translate("ViewBar", str(handles)))
+        for kind, action in self._handles.items():
+            action.setText(_HANDLES.text(kind))
         name, keys = self.tr("Drag the target in the picture"), SHORTCUTS["view.handles"].text()
         self._toggle_handles.setText(name)
         self._handles_menu.setTitle(name)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Final
 
-from PySide6.QtCore import QT_TRANSLATE_NOOP, QCoreApplication, Signal
+from PySide6.QtCore import QCoreApplication, Signal
 from PySide6.QtWidgets import QComboBox, QWidget
 
 from armui.ui.watch.plot_layout import SETS
@@ -13,18 +13,17 @@ from armui.ui.watch.time_frame import SPANS_S
 from armui.ui.widgets.buttons import bar_button, named
 from armui.ui.widgets.layouts import in_row
 from armui.ui.widgets.translated import Translated
+from armui.ui.words.text import Texts
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping
-
     from armui.ui.watch.plot_board import PlotBoard
 
-_SETS: Final[Mapping[str, object]] = {
-    "follow": QT_TRANSLATE_NOOP("PlotBar", "Did it follow?"),
-    "hot": QT_TRANSLATE_NOOP("PlotBar", "What got hot?"),
-    "stop": QT_TRANSLATE_NOOP("PlotBar", "Why did it stop?"),
-    "tool": QT_TRANSLATE_NOOP("PlotBar", "Where was the tool?"),
-    "bus": QT_TRANSLATE_NOOP("PlotBar", "Is the bus well?"),
+_SETS: Final = Texts("PlotBar") | {
+    "follow": "Did it follow?",
+    "hot": "What got hot?",
+    "stop": "Why did it stop?",
+    "tool": "Where was the tool?",
+    "bus": "Is the bus well?",
 }
 SAVES: Final = ("csv", "png", "svg", "copy_picture", "copy_values")
 
@@ -108,7 +107,7 @@ class PlotBar(Translated, QWidget):
         """Put every word into the operator's language."""
         self.sets.clear()
         for name in SETS:
-            self.sets.addItem(QCoreApplication.translate("PlotBar", str(_SETS[name])), name)
+            self.sets.addItem(_SETS.text(name), name)
         self.sets.setToolTip(self.tr("Plots that answer a question"))
         self.sets.setAccessibleName(self.sets.toolTip())
         self.spans.clear()

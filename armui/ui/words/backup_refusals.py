@@ -2,53 +2,41 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from typing import Final
 
-from PySide6.QtCore import QT_TRANSLATE_NOOP
-
 from armui.arm.refusal_codes import RefusalCode
+from armui.ui.words.text import Texts
 
-BACKUP_REFUSALS: Final[Mapping[RefusalCode, object]] = {
-    RefusalCode.BACKUP_NO_JSON: QT_TRANSLATE_NOOP(
-        "Refusal",
+BACKUP_REFUSALS: Final = Texts("Refusal") | {
+    RefusalCode.BACKUP_NO_JSON: (
         "The file is broken or cut short: line {line}, column {column} is no JSON. Nothing was "
-        "changed; choose another file, or mend that line.",
+        "changed; choose another file, or mend that line."
     ),
-    RefusalCode.BACKUP_FOREIGN: QT_TRANSLATE_NOOP(
-        "Refusal",
-        "This is not a parameter backup of this program. Nothing was changed; choose another file.",
+    RefusalCode.BACKUP_FOREIGN: (
+        "This is not a parameter backup of this program. Nothing was changed; choose another file."
     ),
-    RefusalCode.BACKUP_VERSION: QT_TRANSLATE_NOOP(
-        "Refusal",
+    RefusalCode.BACKUP_VERSION: (
         "The file has format version {version}; this program reads version {known}. Open it with "
-        "the program that wrote it, or update this one.",
+        "the program that wrote it, or update this one."
     ),
-    RefusalCode.BACKUP_FIELD_MISSING: QT_TRANSLATE_NOOP(
-        "Refusal",
+    RefusalCode.BACKUP_FIELD_MISSING: (
         "The file lacks the field “{field}”. Nothing was changed; choose another file, or add the "
-        "field.",
+        "field."
     ),
-    RefusalCode.BACKUP_FIELD_BAD: QT_TRANSLATE_NOOP(
-        "Refusal",
+    RefusalCode.BACKUP_FIELD_BAD: (
         "The file says “{value}” in the field “{field}”, which is not possible. Nothing was "
-        "changed; choose another file, or mend the field.",
+        "changed; choose another file, or mend the field."
     ),
-    RefusalCode.BACKUP_TWICE: QT_TRANSLATE_NOOP(
-        "Refusal",
+    RefusalCode.BACKUP_TWICE: (
         "The file names {parameter} a second time, in “{field}”. Nothing was changed; take one of "
-        "the two away.",
+        "the two away."
     ),
-    RefusalCode.BACKUP_EMPTY: QT_TRANSLATE_NOOP(
-        "Refusal", "The file holds no parameter. Nothing was changed; choose another file."
+    RefusalCode.BACKUP_EMPTY: (
+        "The file holds no parameter. Nothing was changed; choose another file."
     ),
-    RefusalCode.BACKUP_UNREADABLE: QT_TRANSLATE_NOOP(
-        "Refusal", "The file {path} cannot be read: {text}. Choose another one."
+    RefusalCode.BACKUP_UNREADABLE: "The file {path} cannot be read: {text}. Choose another one.",
+    RefusalCode.BACKUP_NOT_WRITTEN: (
+        "The backup could not be written to {path}: {text}. Choose another folder."
     ),
-    RefusalCode.BACKUP_NOT_WRITTEN: QT_TRANSLATE_NOOP(
-        "Refusal", "The backup could not be written to {path}: {text}. Choose another folder."
-    ),
-    RefusalCode.BACKUP_NOTHING_READ: QT_TRANSLATE_NOOP(
-        "Refusal", "Nothing has been read from the arm. Press Read first."
-    ),
+    RefusalCode.BACKUP_NOTHING_READ: "Nothing has been read from the arm. Press Read first.",
 }

@@ -5,8 +5,6 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from typing import Any, Final
 
-from PySide6.QtCore import QT_TRANSLATE_NOOP, QCoreApplication
-
 from armui.arm.gripper import GripperFault
 from armui.arm.joint_status import Item, Word
 from armui.arm.parameters import Parameter
@@ -21,120 +19,111 @@ from armui.ui.words.gripper import gripper_fault
 from armui.ui.words.joints import joint_item, joint_word
 from armui.ui.words.parameters import full_name, value_text
 from armui.ui.words.refusals import refusal
-from armui.ui.words.text import NOT_KNOWN, listed, sentence
+from armui.ui.words.text import NOT_KNOWN, Texts, listed
 
-_OBSERVED: Final[Mapping[str, object]] = {
-    ObservedCode.CONTROL_MODE: QT_TRANSLATE_NOOP("Observed", "Control mode: {before} → {mode}"),
-    ObservedCode.MOVE_MODE: QT_TRANSLATE_NOOP("Observed", "Motion mode: {before} → {mode}"),
-    ObservedCode.ARM_STATUS: QT_TRANSLATE_NOOP("Observed", "Arm status: {status}"),
-    ObservedCode.TEACHING: QT_TRANSLATE_NOOP("Observed", "Drag teaching: {before} → {state}"),
-    ObservedCode.MOTION: QT_TRANSLATE_NOOP("Observed", "Target not reached"),
-    ObservedCode.MOTORS_ON: QT_TRANSLATE_NOOP("Observed", "Motors enabled: {joints}"),
-    ObservedCode.MOTORS_OFF: QT_TRANSLATE_NOOP("Observed", "Motors disabled: {joints}"),
-    ObservedCode.JOINT_FAULT: QT_TRANSLATE_NOOP("Observed", "J{joint} {item} {word}"),
-    ObservedCode.BEYOND_LIMIT: QT_TRANSLATE_NOOP("Observed", "J{joint} beyond its angle limit"),
-    ObservedCode.GRIPPER_FAULT: QT_TRANSLATE_NOOP("Observed", "Gripper: {fault}"),
-    ObservedCode.LIMITS_UNUSABLE: QT_TRANSLATE_NOOP(
-        "Observed", "J{joint}: the limits stored in the arm cannot be true"
+_OBSERVED: Final[Texts[str]] = Texts("Observed") | {
+    ObservedCode.CONTROL_MODE: "Control mode: {before} → {mode}",
+    ObservedCode.MOVE_MODE: "Motion mode: {before} → {mode}",
+    ObservedCode.ARM_STATUS: "Arm status: {status}",
+    ObservedCode.TEACHING: "Drag teaching: {before} → {state}",
+    ObservedCode.MOTION: "Target not reached",
+    ObservedCode.MOTORS_ON: "Motors enabled: {joints}",
+    ObservedCode.MOTORS_OFF: "Motors disabled: {joints}",
+    ObservedCode.JOINT_FAULT: "J{joint} {item} {word}",
+    ObservedCode.BEYOND_LIMIT: "J{joint} beyond its angle limit",
+    ObservedCode.GRIPPER_FAULT: "Gripper: {fault}",
+    ObservedCode.LIMITS_UNUSABLE: "J{joint}: the limits stored in the arm cannot be true",
+    ObservedCode.OTHER_FRAMES: "Another host sends {id}",
+    ObservedCode.INVALID_FRAMES: "Frames not understood: {kind} (last {id})",
+    ObservedCode.FEWER_FRAMES: (
+        "The arm's status frames come more rarely: {share} % fewer than before"
     ),
-    ObservedCode.OTHER_FRAMES: QT_TRANSLATE_NOOP("Observed", "Another host sends {id}"),
-    ObservedCode.INVALID_FRAMES: QT_TRANSLATE_NOOP(
-        "Observed", "Frames not understood: {kind} (last {id})"
+    ObservedCode.RUN_POINT: "Sent the point of row {row}",
+    ObservedCode.ARRIVED: "Target reached, says the arm",
+    ObservedCode.MOTION_CUT: "Not driven to its end: {end}",
+    ObservedCode.ANSWERED: "Answered with 0x476 (setting {index})",
+    ObservedCode.PROBLEM: "{reason}",
+    ObservedCode.NOT_KEPT: (
+        "The events cannot be written to the disk; the newest are kept in memory. {text}"
     ),
-    ObservedCode.FEWER_FRAMES: QT_TRANSLATE_NOOP(
-        "Observed", "The arm's status frames come more rarely: {share} % fewer than before"
-    ),
-    ObservedCode.RUN_POINT: QT_TRANSLATE_NOOP("Observed", "Sent the point of row {row}"),
-    ObservedCode.ARRIVED: QT_TRANSLATE_NOOP("Observed", "Target reached, says the arm"),
-    ObservedCode.MOTION_CUT: QT_TRANSLATE_NOOP("Observed", "Not driven to its end: {end}"),
-    ObservedCode.ANSWERED: QT_TRANSLATE_NOOP("Observed", "Answered with 0x476 (setting {index})"),
-    ObservedCode.PROBLEM: QT_TRANSLATE_NOOP("Observed", "{reason}"),
-    ObservedCode.NOT_KEPT: QT_TRANSLATE_NOOP(
-        "Observed",
-        "The events cannot be written to the disk; the newest are kept in memory. {text}",
-    ),
-    ObservedCode.LOGGED_STOP: QT_TRANSLATE_NOOP("Observed", "Emergency stop sent"),
-    ObservedCode.LOGGED_RESUME: QT_TRANSLATE_NOOP("Observed", "Resume sent"),
-    ObservedCode.LOGGED_ENABLE: QT_TRANSLATE_NOOP("Observed", "Motors: enable sent"),
-    ObservedCode.LOGGED_DISABLE: QT_TRANSLATE_NOOP("Observed", "Motors: disable sent"),
-    ObservedCode.LOGGED_MOTION_COMMAND: QT_TRANSLATE_NOOP(
-        "Observed", "Trajectory or drag teaching command sent"
-    ),
-    ObservedCode.LOGGED_TARGETS: QT_TRANSLATE_NOOP("Observed", "{message} begin"),
-    ObservedCode.UNKNOWN_MARK: QT_TRANSLATE_NOOP("Observed", "Unknown event: {code}"),
+    ObservedCode.LOGGED_STOP: "Emergency stop sent",
+    ObservedCode.LOGGED_RESUME: "Resume sent",
+    ObservedCode.LOGGED_ENABLE: "Motors: enable sent",
+    ObservedCode.LOGGED_DISABLE: "Motors: disable sent",
+    ObservedCode.LOGGED_MOTION_COMMAND: "Trajectory or drag teaching command sent",
+    ObservedCode.LOGGED_TARGETS: "{message} begin",
+    ObservedCode.UNKNOWN_MARK: "Unknown event: {code}",
 }
 OBSERVED_CODES: Final = frozenset(_OBSERVED)
 """What there is a sentence for."""
 
-_ENDS: Final[Mapping[str, object]] = {
-    "short": QT_TRANSLATE_NOOP("MotionEnd", "the arm stands before its target"),
-    End.REPLACED.name: QT_TRANSLATE_NOOP("MotionEnd", "a newer command took its place"),
-    End.CANCELLED.name: QT_TRANSLATE_NOOP("MotionEnd", "cancelled"),
-    End.STOPPED.name: QT_TRANSLATE_NOOP("MotionEnd", "emergency stop"),
-    End.DISABLED.name: QT_TRANSLATE_NOOP("MotionEnd", "motors without power"),
-    End.OTHER_HOST.name: QT_TRANSLATE_NOOP("MotionEnd", "another host moved the arm"),
-    End.TAUGHT.name: QT_TRANSLATE_NOOP("MotionEnd", "drag teaching began"),
-    End.OTHER_MODE.name: QT_TRANSLATE_NOOP("MotionEnd", "the arm left CAN control"),
-    End.SILENT.name: QT_TRANSLATE_NOOP("MotionEnd", "the arm fell silent"),
-    End.LIMITS_CHANGED.name: QT_TRANSLATE_NOOP("MotionEnd", "the joint limits changed"),
-    End.ZERO_CHANGED.name: QT_TRANSLATE_NOOP("MotionEnd", "a zero was set"),
-    End.MOVED_AWAY.name: QT_TRANSLATE_NOOP("MotionEnd", "the arm stands elsewhere"),
-    End.NOT_SENT.name: QT_TRANSLATE_NOOP("MotionEnd", "its frames did not get out"),
-    End.FORGOTTEN.name: QT_TRANSLATE_NOOP("MotionEnd", "disconnected"),
+_ENDS: Final = Texts("MotionEnd") | {
+    "short": "the arm stands before its target",
+    End.REPLACED.name: "a newer command took its place",
+    End.CANCELLED.name: "cancelled",
+    End.STOPPED.name: "emergency stop",
+    End.DISABLED.name: "motors without power",
+    End.OTHER_HOST.name: "another host moved the arm",
+    End.TAUGHT.name: "drag teaching began",
+    End.OTHER_MODE.name: "the arm left CAN control",
+    End.SILENT.name: "the arm fell silent",
+    End.LIMITS_CHANGED.name: "the joint limits changed",
+    End.ZERO_CHANGED.name: "a zero was set",
+    End.MOVED_AWAY.name: "the arm stands elsewhere",
+    End.NOT_SENT.name: "its frames did not get out",
+    End.FORGOTTEN.name: "disconnected",
 }
-_TARGETS: Final[Mapping[str, object]] = {
-    "JointTarget12": QT_TRANSLATE_NOOP("Targets", "Joint targets"),
-    "CartesianTarget1": QT_TRANSLATE_NOOP("Targets", "Pose targets"),
-    "MitControl1": QT_TRANSLATE_NOOP("Targets", "MIT commands"),
-    "GripperCommand": QT_TRANSLATE_NOOP("Targets", "Gripper commands"),
+_TARGETS: Final = Texts("Targets") | {
+    "JointTarget12": "Joint targets",
+    "CartesianTarget1": "Pose targets",
+    "MitControl1": "MIT commands",
+    "GripperCommand": "Gripper commands",
 }
-_FRAME_KINDS: Final[Mapping[str, object]] = {
-    InvalidFrameKind.UNKNOWN_ID.name: QT_TRANSLATE_NOOP("FrameKind", "unknown identifier"),
-    InvalidFrameKind.WRONG_LENGTH.name: QT_TRANSLATE_NOOP("FrameKind", "wrong length"),
-    InvalidFrameKind.VALUE_OUTSIDE_TABLE.name: QT_TRANSLATE_NOOP(
-        "FrameKind", "value outside its table"
-    ),
+_FRAME_KINDS: Final = Texts("FrameKind") | {
+    InvalidFrameKind.UNKNOWN_ID.name: "unknown identifier",
+    InvalidFrameKind.WRONG_LENGTH.name: "wrong length",
+    InvalidFrameKind.VALUE_OUTSIDE_TABLE.name: "value outside its table",
 }
-_ASKERS: Final[Mapping[Asker, object]] = {
-    Asker.OPERATOR: QT_TRANSLATE_NOOP("Asker", "Operator"),
-    Asker.RUN: QT_TRANSLATE_NOOP("Asker", "Run"),
-    Asker.JOG: QT_TRANSLATE_NOOP("Asker", "Jogging"),
-    Asker.RECOVERY: QT_TRANSLATE_NOOP("Asker", "Recovery"),
-    Asker.ARM: QT_TRANSLATE_NOOP("Asker", "Arm"),
-    Asker.OTHER_HOST: QT_TRANSLATE_NOOP("Asker", "Other host"),
-    Asker.PROGRAM: QT_TRANSLATE_NOOP("Asker", "Program"),
+_ASKERS: Final = Texts("Asker") | {
+    Asker.OPERATOR: "Operator",
+    Asker.RUN: "Run",
+    Asker.JOG: "Jogging",
+    Asker.RECOVERY: "Recovery",
+    Asker.ARM: "Arm",
+    Asker.OTHER_HOST: "Other host",
+    Asker.PROGRAM: "Program",
 }
-_KINDS: Final[Mapping[EventKind, object]] = {
-    EventKind.COMMAND: QT_TRANSLATE_NOOP("EventKind", "Command"),
-    EventKind.RESULT: QT_TRANSLATE_NOOP("EventKind", "Result"),
-    EventKind.STATUS: QT_TRANSLATE_NOOP("EventKind", "Status"),
-    EventKind.FAULT: QT_TRANSLATE_NOOP("EventKind", "Fault"),
-    EventKind.LINK: QT_TRANSLATE_NOOP("EventKind", "Connection"),
-    EventKind.OTHER_HOST: QT_TRANSLATE_NOOP("EventKind", "Other host"),
-    EventKind.ODDITY: QT_TRANSLATE_NOOP("EventKind", "Bus"),
-    EventKind.PROGRAM: QT_TRANSLATE_NOOP("EventKind", "Program"),
+_KINDS: Final = Texts("EventKind") | {
+    EventKind.COMMAND: "Command",
+    EventKind.RESULT: "Result",
+    EventKind.STATUS: "Status",
+    EventKind.FAULT: "Fault",
+    EventKind.LINK: "Connection",
+    EventKind.OTHER_HOST: "Other host",
+    EventKind.ODDITY: "Bus",
+    EventKind.PROGRAM: "Program",
 }
-_LEVELS: Final[Mapping[Level, object]] = {
-    Level.INFO: QT_TRANSLATE_NOOP("Level", "Information"),
-    Level.DONE: QT_TRANSLATE_NOOP("Level", "Done"),
-    Level.WARNING: QT_TRANSLATE_NOOP("Level", "Warning"),
-    Level.FAULT: QT_TRANSLATE_NOOP("Level", "Fault"),
+_LEVELS: Final = Texts("Level") | {
+    Level.INFO: "Information",
+    Level.DONE: "Done",
+    Level.WARNING: "Warning",
+    Level.FAULT: "Fault",
 }
 
 
 def asker(who: Asker) -> str:
     """Who asked, for a column."""
-    return QCoreApplication.translate("Asker", str(_ASKERS[who]))
+    return _ASKERS.text(who)
 
 
 def event_kind(kind: EventKind) -> str:
     """What sort of event, for a column."""
-    return QCoreApplication.translate("EventKind", str(_KINDS[kind]))
+    return _KINDS.text(kind)
 
 
 def event_level(level: Level) -> str:
     """How grave, for a filter."""
-    return QCoreApplication.translate("Level", str(_LEVELS[level]))
+    return _LEVELS.text(level)
 
 
 def entry_text(entry: EventEntry) -> str:
@@ -149,11 +138,10 @@ def outcome_text(outcome: EventOutcome) -> str:
 
 def _text(code: str, params: Mapping[str, object]) -> str:
     """A sentence, whatever the figures are: they may come from a file."""
-    source = _OBSERVED.get(code)
     try:
-        if source is None:
+        if code not in _OBSERVED:
             return " ".join([event_text(code, params), *_values(params)])
-        return sentence("Observed", source, _figures(code, params)).rstrip()
+        return _OBSERVED.text(code, _figures(code, params)).rstrip()
     except (KeyError, ValueError, TypeError):
         return f"{code} {dict(params)}"
 
@@ -186,11 +174,6 @@ def _reason(reason: object) -> str:
     return refusal(reason) if isinstance(reason, Refusal) else str(reason)
 
 
-def _translated(context: str, words: Mapping[str, object], name: object) -> str:
-    source = words.get(str(name))
-    return str(name) if source is None else QCoreApplication.translate(context, str(source))
-
-
 def _control_mode(code: Any) -> str:
     return status.control_mode_short(int(code))
 
@@ -207,12 +190,10 @@ _FIGURES: Final[Mapping[str, Mapping[str, Callable[[Any], str]]]] = {
         "word": lambda name: joint_word(Word[name]),
     },
     ObservedCode.GRIPPER_FAULT: {"fault": lambda name: gripper_fault(GripperFault(name))},
-    ObservedCode.INVALID_FRAMES: {
-        "kind": lambda name: _translated("FrameKind", _FRAME_KINDS, name)
-    },
-    ObservedCode.MOTION_CUT: {"end": lambda name: _translated("MotionEnd", _ENDS, name)},
+    ObservedCode.INVALID_FRAMES: {"kind": _FRAME_KINDS.word},
+    ObservedCode.MOTION_CUT: {"end": _ENDS.word},
     ObservedCode.PROBLEM: {"reason": _reason},
     ObservedCode.NOT_KEPT: {"text": str},
-    ObservedCode.LOGGED_TARGETS: {"message": lambda name: _translated("Targets", _TARGETS, name)},
+    ObservedCode.LOGGED_TARGETS: {"message": _TARGETS.word},
 }
 """How the figures of a sentence are put into words."""

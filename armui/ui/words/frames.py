@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QT_TRANSLATE_NOOP, QCoreApplication
@@ -13,50 +12,47 @@ from armui.protocol.frame import FrameFlag
 from armui.telemetry.bus_errors import BusError
 from armui.telemetry.bus_senders import Sender
 from armui.ui.words.signals import signal_name
-from armui.ui.words.text import sentence
+from armui.ui.words.text import Texts, sentence
 
 if TYPE_CHECKING:
     from armui.protocol.codec import Codec, InvalidFrame
 
-_SENDERS: Final[Mapping[Sender, object]] = {
-    Sender.ARM: QT_TRANSLATE_NOOP("Sender", "arm"),
-    Sender.OWN: QT_TRANSLATE_NOOP("Sender", "this program"),
-    Sender.OTHER: QT_TRANSLATE_NOOP("Sender", "another host"),
-    Sender.OTHER_ARM: QT_TRANSLATE_NOOP("Sender", "another arm"),
-    Sender.ADAPTER: QT_TRANSLATE_NOOP("Sender", "adapter"),
-    Sender.UNKNOWN: QT_TRANSLATE_NOOP("Sender", "not known"),
+_SENDERS: Final = Texts("Sender") | {
+    Sender.ARM: "arm",
+    Sender.OWN: "this program",
+    Sender.OTHER: "another host",
+    Sender.OTHER_ARM: "another arm",
+    Sender.ADAPTER: "adapter",
+    Sender.UNKNOWN: "not known",
 }
 
-# fmt: off
-_ERRORS: Final[Mapping[BusError, object]] = {
-    BusError.SEND_TIMEOUT: QT_TRANSLATE_NOOP("BusError", "a frame could not be sent in time"),
-    BusError.ARBITRATION_LOST: QT_TRANSLATE_NOOP(
-        "BusError", "arbitration lost: a frame of higher rank came first, which is normal"),
-    BusError.CONTROLLER: QT_TRANSLATE_NOOP("BusError", "the adapter's CAN controller reports"),
-    BusError.RECEIVE_OVERFLOW: QT_TRANSLATE_NOOP(
-        "BusError", "the adapter has lost frames: too slow for this bus, or its USB port is"),
-    BusError.SEND_OVERFLOW: QT_TRANSLATE_NOOP(
-        "BusError", "the adapter has lost frames to be sent"),
-    BusError.MANY_ERRORS: QT_TRANSLATE_NOOP(
-        "BusError", "many errors: check the cable and both terminating resistors (120 Ω)"),
-    BusError.ERROR_PASSIVE: QT_TRANSLATE_NOOP(
-        "BusError",
-        "error passive: check CAN_H and CAN_L, both terminating resistors and the bit rate"),
-    BusError.ERROR_ACTIVE: QT_TRANSLATE_NOOP("BusError", "the errors have become few again"),
-    BusError.PROTOCOL: QT_TRANSLATE_NOOP(
-        "BusError", "disturbed frame: check the cable, its shield, and the bit rate"),
-    BusError.TRANSCEIVER: QT_TRANSLATE_NOOP(
-        "BusError", "transceiver: check CAN_H and CAN_L for a short or an open line"),
-    BusError.NO_ACKNOWLEDGE: QT_TRANSLATE_NOOP(
-        "BusError", "nobody acknowledges: check the arm's power, the cable and the bit rate"),
-    BusError.BUS_OFF: QT_TRANSLATE_NOOP(
-        "BusError",
+_ERRORS: Final = Texts("BusError") | {
+    BusError.SEND_TIMEOUT: "a frame could not be sent in time",
+    BusError.ARBITRATION_LOST: (
+        "arbitration lost: a frame of higher rank came first, which is normal"
+    ),
+    BusError.CONTROLLER: "the adapter's CAN controller reports",
+    BusError.RECEIVE_OVERFLOW: (
+        "the adapter has lost frames: too slow for this bus, or its USB port is"
+    ),
+    BusError.SEND_OVERFLOW: "the adapter has lost frames to be sent",
+    BusError.MANY_ERRORS: "many errors: check the cable and both terminating resistors (120 Ω)",
+    BusError.ERROR_PASSIVE: (
+        "error passive: check CAN_H and CAN_L, both terminating resistors and the bit rate"
+    ),
+    BusError.ERROR_ACTIVE: "the errors have become few again",
+    BusError.PROTOCOL: "disturbed frame: check the cable, its shield, and the bit rate",
+    BusError.TRANSCEIVER: "transceiver: check CAN_H and CAN_L for a short or an open line",
+    BusError.NO_ACKNOWLEDGE: (
+        "nobody acknowledges: check the arm's power, the cable and the bit rate"
+    ),
+    BusError.BUS_OFF: (
         "bus off: too many errors, the adapter takes no part. Check the cable, both terminating "
-        "resistors (120 Ω) and the bit rate, then connect again"),
-    BusError.BUS_ERROR: QT_TRANSLATE_NOOP("BusError", "error on the bus: check the cable"),
-    BusError.RESTARTED: QT_TRANSLATE_NOOP("BusError", "the adapter takes part again"),
+        "resistors (120 Ω) and the bit rate, then connect again"
+    ),
+    BusError.BUS_ERROR: "error on the bus: check the cable",
+    BusError.RESTARTED: "the adapter takes part again",
 }
-# fmt: on
 
 
 def frame_sender(sender: Sender, *, leader: bool = False) -> str:
@@ -68,7 +64,7 @@ def frame_sender(sender: Sender, *, leader: bool = False) -> str:
     """
     if leader and sender is Sender.OTHER:
         return QCoreApplication.translate("Sender", "leader arm")
-    return QCoreApplication.translate("Sender", str(_SENDERS[sender]))
+    return _SENDERS.text(sender)
 
 
 def frame_id(arbitration_id: int, flags: int) -> str:
@@ -98,7 +94,7 @@ def bus_errors(errors: tuple[BusError, ...]) -> str:
     """What an error frame says, with what to do about it."""
     if not errors:
         return QCoreApplication.translate("BusError", "the adapter tells no more")
-    return "; ".join(QCoreApplication.translate("BusError", str(_ERRORS[e])) for e in errors)
+    return "; ".join(_ERRORS.text(e) for e in errors)
 
 
 def why_invalid(invalid: InvalidFrame, length: int, codec: Codec) -> str:

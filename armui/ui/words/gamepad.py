@@ -10,22 +10,22 @@ from PySide6.QtCore import QT_TRANSLATE_NOOP
 from armui.gamepad.device_state import DeviceKind
 from armui.gamepad.layout import AxisSource, JogMode
 from armui.kinematics.axes import AXES
-from armui.ui.words.text import sentence
+from armui.ui.words.text import Texts, sentence
 
-_AXES: Final[Mapping[str, object]] = {
-    "left_x": QT_TRANSLATE_NOOP("GamepadAxis", "Left stick ↔"),
-    "left_y": QT_TRANSLATE_NOOP("GamepadAxis", "Left stick ↕"),
-    "right_x": QT_TRANSLATE_NOOP("GamepadAxis", "Right stick ↔"),
-    "right_y": QT_TRANSLATE_NOOP("GamepadAxis", "Right stick ↕"),
-    "right_trigger": QT_TRANSLATE_NOOP("GamepadAxis", "Right trigger"),
-    "dpad_up": QT_TRANSLATE_NOOP("GamepadAxis", "D-pad ↕"),
-    "dpad_right": QT_TRANSLATE_NOOP("GamepadAxis", "D-pad ↔"),
-    "x": QT_TRANSLATE_NOOP("GamepadAxis", "Push away / pull"),
-    "y": QT_TRANSLATE_NOOP("GamepadAxis", "Push left / right"),
-    "z": QT_TRANSLATE_NOOP("GamepadAxis", "Lift / press"),
-    "rx": QT_TRANSLATE_NOOP("GamepadAxis", "Tilt left / right"),
-    "ry": QT_TRANSLATE_NOOP("GamepadAxis", "Tilt away / towards"),
-    "rz": QT_TRANSLATE_NOOP("GamepadAxis", "Turn"),
+_AXES: Final = Texts("GamepadAxis") | {
+    "left_x": "Left stick ↔",
+    "left_y": "Left stick ↕",
+    "right_x": "Right stick ↔",
+    "right_y": "Right stick ↕",
+    "right_trigger": "Right trigger",
+    "dpad_up": "D-pad ↕",
+    "dpad_right": "D-pad ↔",
+    "x": "Push away / pull",
+    "y": "Push left / right",
+    "z": "Lift / press",
+    "rx": "Tilt left / right",
+    "ry": "Tilt away / towards",
+    "rz": "Turn",
 }
 _BUTTONS: Final[Mapping[str, str]] = {
     "a": "A / ✕",
@@ -46,27 +46,27 @@ _BUTTONS: Final[Mapping[str, str]] = {
 }
 """As they are printed on the two kinds of gamepads there are."""
 
-_MODES: Final[Mapping[JogMode, object]] = {
-    JogMode.JOINT: QT_TRANSLATE_NOOP("GamepadMode", "Joints"),
-    JogMode.BASE: QT_TRANSLATE_NOOP("GamepadMode", "Base frame"),
-    JogMode.TOOL: QT_TRANSLATE_NOOP("GamepadMode", "Tool frame"),
+_MODES: Final = Texts("GamepadMode") | {
+    JogMode.JOINT: "Joints",
+    JogMode.BASE: "Base frame",
+    JogMode.TOOL: "Tool frame",
 }
-_ACTIONS: Final[Mapping[str, object]] = {
-    "dead_man": QT_TRANSLATE_NOOP("GamepadAction", "Dead man (hold to move)"),
-    "stop": QT_TRANSLATE_NOOP("GamepadAction", "Emergency stop"),
-    "halt": QT_TRANSLATE_NOOP("GamepadAction", "Halt"),
-    "mode": QT_TRANSLATE_NOOP("GamepadAction", "Next mode"),
+_ACTIONS: Final = Texts("GamepadAction") | {
+    "dead_man": "Dead man (hold to move)",
+    "stop": "Emergency stop",
+    "halt": "Halt",
+    "mode": "Next mode",
 }
 
 
 def gamepad_source(source: AxisSource) -> str:
     """What is pushed to move an axis of the arm."""
-    return sentence("GamepadAxis", _AXES[source.axis or source.plus], {})
+    return _AXES.text(source.axis or source.plus)
 
 
 def gamepad_axis(name: str) -> str:
     """An axis of the device."""
-    return sentence("GamepadAxis", _AXES[name], {})
+    return _AXES.text(name)
 
 
 def gamepad_button(kind: DeviceKind, name: str) -> str:
@@ -79,12 +79,12 @@ def gamepad_button(kind: DeviceKind, name: str) -> str:
 
 def gamepad_mode(mode: JogMode) -> str:
     """What the axes move."""
-    return sentence("GamepadMode", _MODES[mode], {})
+    return _MODES.text(mode)
 
 
 def gamepad_action(action: str) -> str:
     """What a button does."""
-    return sentence("GamepadAction", _ACTIONS[action], {})
+    return _ACTIONS.text(action)
 
 
 def moved_axis(mode: JogMode, place: int) -> str:

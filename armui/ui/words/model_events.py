@@ -2,31 +2,25 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from typing import Final
 
-from PySide6.QtCore import QT_TRANSLATE_NOOP
-
 from armui.control.events import EventCode
+from armui.ui.words.text import Texts
 
-MODEL_NOTICES: Final[Mapping[EventCode, object]] = {
-    EventCode.MODEL_OTHER: QT_TRANSLATE_NOOP(
-        "Notice",
+MODEL_NOTICES: Final = Texts("Notice") | {
+    EventCode.MODEL_OTHER: (
         "Connected as a {chosen}, but the pose it reports is that of a {fits}. Connect it as a "
-        "{fits}.",
+        "{fits}."
     ),
-    EventCode.MODEL_NONE: QT_TRANSLATE_NOOP(
-        "Notice",
-        "The pose the arm reports fits its angles in no model of the family, {chosen} included.",
+    EventCode.MODEL_NONE: (
+        "The pose the arm reports fits its angles in no model of the family, {chosen} included."
     ),
-    EventCode.MODEL_RECALLED: QT_TRANSLATE_NOOP(
-        "Notice",
+    EventCode.MODEL_RECALLED: (
         "This arm (node {node}) was a {before} the last time: taken instead of {chosen}, which was "
-        "only offered.",
+        "only offered."
     ),
-    EventCode.MODEL_WAS_OTHER: QT_TRANSLATE_NOOP(
-        "Notice",
+    EventCode.MODEL_WAS_OTHER: (
         "Connected as a {chosen}, but this arm (node {node}) was a {before} the last time. If it "
-        "is one, connect it as that.",
+        "is one, connect it as that."
     ),
 }

@@ -6,97 +6,98 @@ import math
 from collections.abc import Callable, Mapping, Sequence
 from typing import TYPE_CHECKING, Final
 
-from PySide6.QtCore import QT_TRANSLATE_NOOP, QCoreApplication
+from PySide6.QtCore import QCoreApplication
 
 from armui.arm.limits import JOINTS
 from armui.telemetry.quantities import DRIVER_FAULTS, GRIPPER_FAULTS, Source
 from armui.ui import format as fmt
 from armui.ui.words import status
+from armui.ui.words.text import Texts
 
 if TYPE_CHECKING:
     from armui.telemetry.quantities import Quantity
 
-_KINDS: Final[Mapping[str, object]] = {
-    "joint_angle": QT_TRANSLATE_NOOP("Quantity", "angle"),
-    "pose_x": QT_TRANSLATE_NOOP("Quantity", "End X"),
-    "pose_y": QT_TRANSLATE_NOOP("Quantity", "End Y"),
-    "pose_z": QT_TRANSLATE_NOOP("Quantity", "End Z"),
-    "pose_rx": QT_TRANSLATE_NOOP("Quantity", "End RX"),
-    "pose_ry": QT_TRANSLATE_NOOP("Quantity", "End RY"),
-    "pose_rz": QT_TRANSLATE_NOOP("Quantity", "End RZ"),
-    "speed_percent": QT_TRANSLATE_NOOP("Quantity", "Speed percentage"),
-    "trajectory_point": QT_TRANSLATE_NOOP("Quantity", "Trajectory point"),
-    "beyond_limit": QT_TRANSLATE_NOOP("Quantity", "Joints beyond limit"),
-    "no_communication": QT_TRANSLATE_NOOP("Quantity", "Joints without communication"),
-    "control_mode": QT_TRANSLATE_NOOP("Quantity", "Control mode"),
-    "arm_status": QT_TRANSLATE_NOOP("Quantity", "Arm status"),
-    "move_mode": QT_TRANSLATE_NOOP("Quantity", "Move mode"),
-    "teaching": QT_TRANSLATE_NOOP("Quantity", "Teaching state"),
-    "not_reached": QT_TRANSLATE_NOOP("Quantity", "Target not reached"),
-    "gripper_opening": QT_TRANSLATE_NOOP("Quantity", "Gripper opening"),
-    "gripper_torque": QT_TRANSLATE_NOOP("Quantity", "Gripper torque"),
-    "gripper_angle": QT_TRANSLATE_NOOP("Quantity", "Gripper angle"),
-    "gripper_speed": QT_TRANSLATE_NOOP("Quantity", "Gripper speed"),
-    "gripper_faults": QT_TRANSLATE_NOOP("Quantity", "Gripper faults"),
-    "gripper_enabled": QT_TRANSLATE_NOOP("Quantity", "Gripper enabled"),
-    "motor_speed": QT_TRANSLATE_NOOP("Quantity", "motor speed"),
-    "motor_current": QT_TRANSLATE_NOOP("Quantity", "motor current"),
-    "motor_position": QT_TRANSLATE_NOOP("Quantity", "motor position"),
-    "voltage": QT_TRANSLATE_NOOP("Quantity", "supply voltage"),
-    "driver_temperature": QT_TRANSLATE_NOOP("Quantity", "driver temperature"),
-    "motor_temperature": QT_TRANSLATE_NOOP("Quantity", "motor temperature"),
-    "bus_current": QT_TRANSLATE_NOOP("Quantity", "supply current"),
-    "driver_faults": QT_TRANSLATE_NOOP("Quantity", "driver faults"),
-    "enabled": QT_TRANSLATE_NOOP("Quantity", "enabled"),
-    "end_linear_speed": QT_TRANSLATE_NOOP("Quantity", "part in linear speed"),
-    "end_angular_speed": QT_TRANSLATE_NOOP("Quantity", "part in angular speed"),
-    "end_linear_acceleration": QT_TRANSLATE_NOOP("Quantity", "part in linear acceleration"),
-    "end_angular_acceleration": QT_TRANSLATE_NOOP("Quantity", "part in angular acceleration"),
-    "mit_position": QT_TRANSLATE_NOOP("Quantity", "MIT position"),
-    "mit_speed": QT_TRANSLATE_NOOP("Quantity", "MIT speed"),
-    "mit_torque": QT_TRANSLATE_NOOP("Quantity", "MIT torque"),
-    "mit_kp": QT_TRANSLATE_NOOP("Quantity", "MIT kp"),
-    "mit_kd": QT_TRANSLATE_NOOP("Quantity", "MIT kd"),
-    "frames_per_s": QT_TRANSLATE_NOOP("Quantity", "Frames on the bus"),
-    "bus_load": QT_TRANSLATE_NOOP("Quantity", "Bus load, without stuff bits"),
-    "error_frames_per_s": QT_TRANSLATE_NOOP("Quantity", "Error frames"),
+_KINDS: Final = Texts("Quantity") | {
+    "joint_angle": "angle",
+    "pose_x": "End X",
+    "pose_y": "End Y",
+    "pose_z": "End Z",
+    "pose_rx": "End RX",
+    "pose_ry": "End RY",
+    "pose_rz": "End RZ",
+    "speed_percent": "Speed percentage",
+    "trajectory_point": "Trajectory point",
+    "beyond_limit": "Joints beyond limit",
+    "no_communication": "Joints without communication",
+    "control_mode": "Control mode",
+    "arm_status": "Arm status",
+    "move_mode": "Move mode",
+    "teaching": "Teaching state",
+    "not_reached": "Target not reached",
+    "gripper_opening": "Gripper opening",
+    "gripper_torque": "Gripper torque",
+    "gripper_angle": "Gripper angle",
+    "gripper_speed": "Gripper speed",
+    "gripper_faults": "Gripper faults",
+    "gripper_enabled": "Gripper enabled",
+    "motor_speed": "motor speed",
+    "motor_current": "motor current",
+    "motor_position": "motor position",
+    "voltage": "supply voltage",
+    "driver_temperature": "driver temperature",
+    "motor_temperature": "motor temperature",
+    "bus_current": "supply current",
+    "driver_faults": "driver faults",
+    "enabled": "enabled",
+    "end_linear_speed": "part in linear speed",
+    "end_angular_speed": "part in angular speed",
+    "end_linear_acceleration": "part in linear acceleration",
+    "end_angular_acceleration": "part in angular acceleration",
+    "mit_position": "MIT position",
+    "mit_speed": "MIT speed",
+    "mit_torque": "MIT torque",
+    "mit_kp": "MIT kp",
+    "mit_kd": "MIT kd",
+    "frames_per_s": "Frames on the bus",
+    "bus_load": "Bus load, without stuff bits",
+    "error_frames_per_s": "Error frames",
 }
-_SOURCES: Final[Mapping[Source, object]] = {
-    Source.OWN: QT_TRANSLATE_NOOP("Quantity", "{name}, our command"),
-    Source.OTHER: QT_TRANSLATE_NOOP("Quantity", "{name}, other host's command"),
+_SOURCES: Final = Texts("Quantity") | {
+    Source.OWN: "{name}, our command",
+    Source.OTHER: "{name}, other host's command",
 }
-_SHORT_SOURCES: Final[Mapping[Source, object]] = {
-    Source.ARM: QT_TRANSLATE_NOOP("Quantity", "measured"),
-    Source.OWN: QT_TRANSLATE_NOOP("Quantity", "our command"),
-    Source.OTHER: QT_TRANSLATE_NOOP("Quantity", "other host's command"),
-    Source.BUS: QT_TRANSLATE_NOOP("Quantity", "bus"),
+_SHORT_SOURCES: Final = Texts("Quantity") | {
+    Source.ARM: "measured",
+    Source.OWN: "our command",
+    Source.OTHER: "other host's command",
+    Source.BUS: "bus",
 }
-_GROUPS: Final[Mapping[Source, object]] = {
-    Source.ARM: QT_TRANSLATE_NOOP("Quantity", "Measured"),
-    Source.OWN: QT_TRANSLATE_NOOP("Quantity", "Commanded by this program"),
-    Source.OTHER: QT_TRANSLATE_NOOP("Quantity", "Commanded by other hosts"),
-    Source.BUS: QT_TRANSLATE_NOOP("Quantity", "Bus"),
+_GROUPS: Final = Texts("Quantity") | {
+    Source.ARM: "Measured",
+    Source.OWN: "Commanded by this program",
+    Source.OTHER: "Commanded by other hosts",
+    Source.BUS: "Bus",
 }
-_FAULTS: Final[Mapping[str, object]] = {
-    "Undervoltage": QT_TRANSLATE_NOOP("Quantity", "voltage too low"),
-    "MotorOvertemperature": QT_TRANSLATE_NOOP("Quantity", "motor too hot"),
-    "Overcurrent": QT_TRANSLATE_NOOP("Quantity", "overcurrent"),
-    "DriverOvertemperature": QT_TRANSLATE_NOOP("Quantity", "driver too hot"),
-    "SensorFault": QT_TRANSLATE_NOOP("Quantity", "sensor fault"),
-    "DriverFault": QT_TRANSLATE_NOOP("Quantity", "driver error"),
-    "CollisionProtection": QT_TRANSLATE_NOOP("Quantity", "collision protection"),
-    "StallProtection": QT_TRANSLATE_NOOP("Quantity", "stall protection"),
+_FAULTS: Final = Texts("Quantity") | {
+    "Undervoltage": "voltage too low",
+    "MotorOvertemperature": "motor too hot",
+    "Overcurrent": "overcurrent",
+    "DriverOvertemperature": "driver too hot",
+    "SensorFault": "sensor fault",
+    "DriverFault": "driver error",
+    "CollisionProtection": "collision protection",
+    "StallProtection": "stall protection",
 }
 _DECIMALS: Final[Mapping[str, int]] = {"°C": 0, "%": 1, "V": 1, "1/s": 0}
 
 
 def quantity(what: Quantity) -> str:
     """Its name: «J1 角度»; a command says whose."""
-    name = _translated(_KINDS[what.kind])
+    name = _KINDS.text(what.kind)
     if what.number is not None:
         name = f"J{what.number} {name}"
     if what.source in _SOURCES:
-        return _translated(_SOURCES[what.source]).format(name=name)
+        return _SOURCES.text(what.source, {"name": name})
     return name
 
 
@@ -111,23 +112,23 @@ def in_common(quantities: Sequence[Quantity]) -> tuple[str, list[str]]:
     if several and same_kind and first.number is not None:
         return quantity_kind(first), [f"J{each.number}" for each in quantities]
     if several and len({(each.kind, each.number) for each in quantities}) == 1:
-        name = _translated(_KINDS[first.kind])
+        name = _KINDS.text(first.kind)
         name = name if first.number is None else f"J{first.number} {name}"
-        return name, [_translated(_SHORT_SOURCES[each.source]) for each in quantities]
+        return name, [_SHORT_SOURCES.text(each.source) for each in quantities]
     return "", [quantity(each) for each in quantities]
 
 
 def quantity_group(source: Source) -> str:
     """Under which heading a list shows it."""
-    return _translated(_GROUPS[source])
+    return _GROUPS.text(source)
 
 
 def quantity_kind(what: Quantity) -> str:
     """What the same quantity of several joints is called: «电机温度»; a command says whose."""
-    name = _translated(_KINDS[what.kind])
+    name = _KINDS.text(what.kind)
     name = name[:1].upper() + name[1:]
     if what.source in _SOURCES:
-        return _translated(_SOURCES[what.source]).format(name=name)
+        return _SOURCES.text(what.source, {"name": name})
     return name
 
 
@@ -162,10 +163,6 @@ def _bits(code: int, names: list[str]) -> str:
     return ", ".join(said) or QCoreApplication.translate("Quantity", "none")
 
 
-def _translated(source: object) -> str:
-    return QCoreApplication.translate("Quantity", str(source))
-
-
 def _yes_or_no(code: int) -> str:
     yes = QCoreApplication.translate("Quantity", "yes")
     return yes if code else QCoreApplication.translate("Quantity", "no")
@@ -176,7 +173,7 @@ def _joints(code: int) -> str:
 
 
 def _faults_of(names: tuple[str, ...]) -> Callable[[int], str]:
-    return lambda code: _bits(code, [_translated(_FAULTS[name]) for name in names])
+    return lambda code: _bits(code, [_FAULTS.text(name) for name in names])
 
 
 _CODES: Final[Mapping[str, Callable[[int], str]]] = {

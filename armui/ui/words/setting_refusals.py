@@ -2,85 +2,67 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from typing import Final
 
-from PySide6.QtCore import QT_TRANSLATE_NOOP
-
 from armui.arm.refusal_codes import RefusalCode
+from armui.ui.words.text import Texts
 
-SETTING_REFUSALS: Final[Mapping[RefusalCode, object]] = {
-    RefusalCode.GENERATION_UNKNOWN: QT_TRANSLATE_NOOP(
-        "Refusal", "The program is still finding out which protocol the arm speaks. Wait a second."
+SETTING_REFUSALS: Final = Texts("Refusal") | {
+    RefusalCode.GENERATION_UNKNOWN: (
+        "The program is still finding out which protocol the arm speaks. Wait a second."
     ),
-    RefusalCode.SETTING_OUT_OF_RANGE: QT_TRANSLATE_NOOP(
-        "Refusal",
-        "{parameter}: {value} is out of range. Enter a value from {minimum} to {maximum}.",
+    RefusalCode.SETTING_OUT_OF_RANGE: (
+        "{parameter}: {value} is out of range. Enter a value from {minimum} to {maximum}."
     ),
-    RefusalCode.SETTING_NOT_A_NUMBER: QT_TRANSLATE_NOOP(
-        "Refusal",
-        "{parameter}: “{value}” is not a number. Enter a value from {minimum} to {maximum}.",
+    RefusalCode.SETTING_NOT_A_NUMBER: (
+        "{parameter}: “{value}” is not a number. Enter a value from {minimum} to {maximum}."
     ),
-    RefusalCode.SETTING_NO_CHOICE: QT_TRANSLATE_NOOP(
-        "Refusal", "{parameter}: {value} is not possible. Choose one of {choices}."
+    RefusalCode.SETTING_NO_CHOICE: "{parameter}: {value} is not possible. Choose one of {choices}.",
+    RefusalCode.SETTING_NOT_KEPT: (
+        "This arm's protocol (generation {generation}) has no such settings; generation 2 has."
     ),
-    RefusalCode.SETTING_NOT_KEPT: QT_TRANSLATE_NOOP(
-        "Refusal",
-        "This arm's protocol (generation {generation}) has no such settings; generation 2 has.",
-    ),
-    RefusalCode.NEEDS_FIRMWARE: QT_TRANSLATE_NOOP(
-        "Refusal",
+    RefusalCode.NEEDS_FIRMWARE: (
         "The arm's firmware {firmware} does not have this: it came with {since}. Updates come from "
-        "the maker's support.",
+        "the maker's support."
     ),
-    RefusalCode.FIRMWARE_UNKNOWN: QT_TRANSLATE_NOOP(
-        "Refusal",
+    RefusalCode.FIRMWARE_UNKNOWN: (
         "The arm has not named its firmware, and only {since} and later have this. Connect again "
-        "to ask for it.",
+        "to ask for it."
     ),
-    RefusalCode.MODE_UNKNOWN: QT_TRANSLATE_NOOP(
-        "Refusal",
+    RefusalCode.MODE_UNKNOWN: (
         "The arm's control mode is not known, or another one has the command: it would be changed "
-        "along with this. Bring the arm to standby or CAN control first.",
+        "along with this. Bring the arm to standby or CAN control first."
     ),
-    RefusalCode.SETTING_UNKNOWN: QT_TRANSLATE_NOOP(
-        "Refusal",
+    RefusalCode.SETTING_UNKNOWN: (
         "{parameter} would have to be sent along unchanged and has not been read from the arm. "
-        "Read it first.",
+        "Read it first."
     ),
-    RefusalCode.SETTING_CORRUPT: QT_TRANSLATE_NOOP(
-        "Refusal",
+    RefusalCode.SETTING_CORRUPT: (
         "{parameter} would have to be sent along, and what the arm holds there is corrupt. Enter "
-        "a value for it as well.",
+        "a value for it as well."
     ),
-    RefusalCode.LIMITS_CROSSED: QT_TRANSLATE_NOOP(
-        "Refusal",
+    RefusalCode.LIMITS_CROSSED: (
         "Joint {joint}: the min. angle {minimum}° must be below the max. angle {maximum}°. Change "
-        "one of them.",
+        "one of them."
     ),
-    RefusalCode.SETTING_UNANSWERED: QT_TRANSLATE_NOOP(
-        "Refusal",
+    RefusalCode.SETTING_UNANSWERED: (
         "The arm did not answer (0x476). Nothing says that it took this over: read the values "
-        "again, then save once more.",
+        "again, then save once more."
     ),
-    RefusalCode.ORDER_TOO_LATE: QT_TRANSLATE_NOOP(
-        "Refusal",
+    RefusalCode.ORDER_TOO_LATE: (
         "Nothing was sent: the arm was still being set or asked something a second after the "
-        "press. Try again.",
+        "press. Try again."
     ),
-    RefusalCode.ARM_CHANGED: QT_TRANSLATE_NOOP(
-        "Refusal",
+    RefusalCode.ARM_CHANGED: (
         "The arm was silent meanwhile, or another arm answers: nothing more was sent. See that it "
-        "is the right arm, then try again.",
+        "is the right arm, then try again."
     ),
-    RefusalCode.SETTING_NOT_READ_BACK: QT_TRANSLATE_NOOP(
-        "Refusal",
-        "The arm did not answer when asked for the value: what it holds is not known. Read again.",
+    RefusalCode.SETTING_NOT_READ_BACK: (
+        "The arm did not answer when asked for the value: what it holds is not known. Read again."
     ),
-    RefusalCode.SETTING_NOT_TAKEN: QT_TRANSLATE_NOOP(
-        "Refusal",
+    RefusalCode.SETTING_NOT_TAKEN: (
         "{parameter}: {value} was sent and answered, but the arm holds {held}. It did not take "
-        "this value; try another one.",
+        "this value; try another one."
     ),
 }
 

@@ -1,12 +1,15 @@
-"""Filling a translated sentence with its figures."""
+"""Tables of texts in the language chosen, and sentences with their figures filled in."""
 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Mapping
-from typing import Final
+from collections.abc import Iterable, Iterator, Mapping
+from typing import Final, TypeVar
 
 from PySide6.QtCore import QCoreApplication
+
+Key = TypeVar("Key")
+Other = TypeVar("Other")
 
 NOT_KNOWN = "—"
 """Stands where a figure is missing, as it does in the rest of the window."""
@@ -48,3 +51,41 @@ def sentence(context: str, source: object, params: Mapping[str, object]) -> str:
     """
     figures = _Figures({key: _figure(value) for key, value in params.items()})
     return QCoreApplication.translate(context, str(source)).format_map(figures)
+
+
+class Texts(Mapping[Key, str]):
+    """The English texts of a table by what each stands for, and how they read in any language.
+
+    A table is written out as ``Texts("Refusal") | {…}``, which ``python -m tests.translations``
+    finds: its texts need no mark of their own.
+
+    Args:
+        context: Of their translations.
+        sources: The texts; ``{name}`` is a figure.
+    """
+
+    def __init__(self, context: str, sources: Mapping[Key, str] | None = None) -> None:
+        self._context = context
+        self._sources = dict(sources or {})
+
+    def __or__(self, more: Mapping[Other, str]) -> Texts[Key | Other]:
+        """The texts of both, in this context."""
+        return Texts(self._context, {**self._sources, **more})
+
+    def __getitem__(self, key: Key) -> str:
+        """The English text."""
+        return self._sources[key]
+
+    def __iter__(self) -> Iterator[Key]:
+        return iter(self._sources)
+
+    def __len__(self) -> int:
+        return len(self._sources)
+
+    def text(self, key: Key, params: Mapping[str, object] | None = None) -> str:
+        """A text in the operator's language, with its figures as in :func:`sentence`."""
+        return sentence(self._context, self._sources[key], params or {})
+
+    def word(self, name: Key) -> str:
+        """The same without figures; a name there is no text for stands for itself."""
+        return self.text(name) if name in self._sources else str(name)

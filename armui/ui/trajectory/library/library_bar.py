@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from functools import partial
 from typing import Final
 
-from PySide6.QtCore import QT_TRANSLATE_NOOP, QCoreApplication, QEvent, QObject, Qt, Signal
+from PySide6.QtCore import QEvent, QObject, Qt, Signal
 from PySide6.QtGui import QAction, QKeyEvent, QKeySequence, QShortcut
 from PySide6.QtWidgets import QLineEdit, QMenu, QPushButton, QTableView, QWidget
 
@@ -15,15 +15,16 @@ from armui.trajectory.library.store import IndexEntry
 from armui.ui.actions.keys import key_text, keys_of
 from armui.ui.widgets.buttons import named, push_button
 from armui.ui.widgets.flow import Flow
+from armui.ui.words.text import Texts
 
-_BUTTONS: Final[Mapping[str, object]] = {
-    "import": QT_TRANSLATE_NOOP("LibraryBar", "Import files"),
-    "create": QT_TRANSLATE_NOOP("LibraryBar", "Create"),
-    "record": QT_TRANSLATE_NOOP("LibraryBar", "Record"),
-    "delete": QT_TRANSLATE_NOOP("LibraryBar", "Delete"),
-    "duplicate": QT_TRANSLATE_NOOP("LibraryBar", "Duplicate"),
-    "rename": QT_TRANSLATE_NOOP("LibraryBar", "Rename"),
-    "export": QT_TRANSLATE_NOOP("LibraryBar", "Export files"),
+_BUTTONS: Final = Texts("LibraryBar") | {
+    "import": "Import files",
+    "create": "Create",
+    "record": "Record",
+    "delete": "Delete",
+    "duplicate": "Duplicate",
+    "rename": "Rename",
+    "export": "Export files",
 }
 _OF_TABLE: Final = ("delete", "rename", "duplicate")
 """Their keys count in the list alone: in the search they edit its text."""
@@ -172,4 +173,4 @@ def _key(owner: QWidget, keys: str, alone: bool) -> QAction:
 
 
 def _text(name: str) -> str:
-    return QCoreApplication.translate("LibraryBar", str(_BUTTONS[name]))
+    return _BUTTONS.text(name)

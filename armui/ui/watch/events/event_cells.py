@@ -5,11 +5,12 @@ from __future__ import annotations
 from enum import IntEnum
 from typing import Final
 
-from PySide6.QtCore import QT_TRANSLATE_NOOP, QCoreApplication
+from PySide6.QtCore import QCoreApplication
 
 from armui.telemetry.events import EventEntry, EventOutcome, Level
 from armui.ui.format import NOTHING
 from armui.ui.words import event_log as words
+from armui.ui.words.text import Texts
 
 
 class EventColumn(IntEnum):
@@ -25,15 +26,15 @@ class EventColumn(IntEnum):
     COUNT = 7
 
 
-_TITLES: Final = {
-    EventColumn.BEGIN: QT_TRANSLATE_NOOP("EventTable", "Time"),
-    EventColumn.END: QT_TRANSLATE_NOOP("EventTable", "Until"),
-    EventColumn.KIND: QT_TRANSLATE_NOOP("EventTable", "Kind"),
-    EventColumn.WHO: QT_TRANSLATE_NOOP("EventTable", "Who"),
-    EventColumn.TEXT: QT_TRANSLATE_NOOP("EventTable", "Event"),
-    EventColumn.ANSWER: QT_TRANSLATE_NOOP("EventTable", "Answer"),
-    EventColumn.RESULT: QT_TRANSLATE_NOOP("EventTable", "Read back"),
-    EventColumn.COUNT: QT_TRANSLATE_NOOP("EventTable", "Count"),
+_TITLES: Final = Texts("EventTable") | {
+    EventColumn.BEGIN: "Time",
+    EventColumn.END: "Until",
+    EventColumn.KIND: "Kind",
+    EventColumn.WHO: "Who",
+    EventColumn.TEXT: "Event",
+    EventColumn.ANSWER: "Answer",
+    EventColumn.RESULT: "Read back",
+    EventColumn.COUNT: "Count",
 }
 _GOOD: Final = "✓"
 _BAD: Final = "✗"
@@ -42,7 +43,7 @@ _CUT: Final = "–"
 
 def column_title(column: EventColumn) -> str:
     """What a column is called."""
-    return QCoreApplication.translate("EventTable", str(_TITLES[column]))
+    return _TITLES.text(column)
 
 
 def cell_text(entry: EventEntry, column: EventColumn) -> str:

@@ -17,6 +17,7 @@ from PySide6.QtCore import (
 from armui.ui import format as fmt
 from armui.ui.watch.recordings import figures
 from armui.ui.widgets.table_model import LEFT, RIGHT, Index, TableModel
+from armui.ui.words.text import Texts
 
 if TYPE_CHECKING:
     from armui.session.recording.folder import RecordingEntry
@@ -25,19 +26,19 @@ ENTRY_ROLE: Final = Qt.ItemDataRole.UserRole
 """The :class:`RecordingEntry` of a row."""
 SORT_ROLE: Final = Qt.ItemDataRole.UserRole + 1
 
-_KINDS: Final = {
-    "operator": QT_TRANSLATE_NOOP("SessionKind", "recorded"),
-    "command": QT_TRANSLATE_NOOP("SessionKind", "by armui record"),
-    "ring": QT_TRANSLATE_NOOP("SessionKind", "saved from memory"),
-    "fault": QT_TRANSLATE_NOOP("SessionKind", "saved at a fault"),
-    "stop": QT_TRANSLATE_NOOP("SessionKind", "saved at a stop"),
+_KINDS: Final = Texts("SessionKind") | {
+    "operator": "recorded",
+    "command": "by armui record",
+    "ring": "saved from memory",
+    "fault": "saved at a fault",
+    "stop": "saved at a stop",
 }
-_STATES: Final = {
-    "under way": QT_TRANSLATE_NOOP("SessionState", "under way"),
-    "whole": QT_TRANSLATE_NOOP("SessionState", "whole"),
-    "cut off": QT_TRANSLATE_NOOP("SessionState", "cut off: readable to its last second"),
-    "failed": QT_TRANSLATE_NOOP("SessionState", "ended early: {text}"),
-    "empty": QT_TRANSLATE_NOOP("SessionState", "empty"),
+_STATES: Final = Texts("SessionState") | {
+    "under way": "under way",
+    "whole": "whole",
+    "cut off": "cut off: readable to its last second",
+    "failed": "ended early: {text}",
+    "empty": "empty",
 }
 _TITLES: Final = (
     QT_TRANSLATE_NOOP("SessionsModel", "Name"),
@@ -173,8 +174,7 @@ class SessionsModel(TableModel):
         if column is SessionColumn.STOPS:
             return fmt.NOTHING if entry.stops is None else str(entry.stops)
         if column is SessionColumn.KIND:
-            source = _KINDS.get(entry.reason, entry.reason)
-            return QCoreApplication.translate("SessionKind", str(source))
+            return _KINDS.word(entry.reason)
         return self._state(entry)
 
     def _state(self, entry: RecordingEntry) -> str:
@@ -186,8 +186,7 @@ class SessionsModel(TableModel):
             key = "cut off"
         else:
             key = "whole" if entry.path is not None else "empty"
-        text = QCoreApplication.translate("SessionState", str(_STATES[key]))
-        return text.replace("{text}", entry.failure)
+        return _STATES.text(key, {"text": entry.failure})
 
     def _sort_key(self, entry: RecordingEntry, column: SessionColumn) -> Any:
         keys: dict[SessionColumn, Any] = {
