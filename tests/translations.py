@@ -18,6 +18,10 @@ from pathlib import Path
 
 from pypinyin import lazy_pinyin
 
+from armui.protocol.database import load_database
+from armui.protocol.generation import Generation
+from armui.ui.words.signals import signal_word
+
 ROOT = Path(__file__).resolve().parent.parent
 TS = ROOT / "resources" / "i18n" / "armui_zh.ts"
 NAMES = TS.with_name("names.json")
@@ -31,14 +35,14 @@ def lupdate(ts: Path) -> None:
     options = ["-locations", "none", "-no-obsolete", "-source-language", "en_US"]
     with tempfile.TemporaryDirectory() as folder:
         tables = Path(folder) / "tables.py"
-        marks = (mark for path in sources for mark in _marks(path))
-        tables.write_text("\n".join(marks), encoding="utf-8")
+        texts = [*_of_value_tables(), *(text for path in sources for text in _of_tables(path))]
+        tables.write_text("\n".join(map(_marked, texts)), encoding="utf-8")
         of_code = [*map(str, sources), str(tables)]
         _run("lupdate", *options, "-target-language", "zh_CN", *of_code, "-ts", str(ts))
 
 
-def _marks(source: Path) -> Iterator[str]:
-    """The texts of tables like ``Texts("Refusal") | {…}`` in a file, marked as lupdate wants it."""
+def _of_tables(source: Path) -> Iterator[tuple[str, str]]:
+    """Context and text of every entry of tables like ``Texts("Refusal") | {…}`` in a file."""
     for table in ast.walk(ast.parse(source.read_text(encoding="utf-8"))):
         match table:
             case ast.BinOp(
@@ -47,8 +51,21 @@ def _marks(source: Path) -> Iterator[str]:
             ):
                 for text in texts:
                     if isinstance(text, ast.Constant):
-                        said = json.dumps(text.value, ensure_ascii=False)
-                        yield f'QT_TRANSLATE_NOOP("{context}", {said})'
+                        yield context, text.value
+
+
+def _of_value_tables() -> list[tuple[str, str]]:
+    """The same of the words in the DBC files that have no other name, as J1 or a message has."""
+    messages = (each for generation in Generation for each in load_database(generation).messages)
+    signals = (signal for message in messages for signal in message.signals)
+    words = {str(word) for signal in signals for word in (signal.choices or {}).values()}
+    return [("SignalWord", word) for word in sorted(words) if signal_word(word) == word]
+
+
+def _marked(text: tuple[str, str]) -> str:
+    """It as lupdate finds it."""
+    context, said = text
+    return f'QT_TRANSLATE_NOOP("{context}", {json.dumps(said, ensure_ascii=False)})'
 
 
 def lrelease(ts: Path, qm: Path) -> None:
