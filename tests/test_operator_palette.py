@@ -5,11 +5,11 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QAbstractButton, QPushButton, QToolButton
 
-from armui.ui.actions.catalogue import Need, actions
+from armui.ui.actions.catalogue import actions
+from armui.ui.actions.command import Need
 from armui.ui.actions.keys import SHORTCUTS
-from armui.ui.actions.page_commands import MOVABLE
 from armui.ui.actions.palette import CommandPalette
-from armui.ui.actions.places import PANELS, PLACES
+from armui.ui.actions.places import MOVABLE, PANELS, PLACES
 from armui.ui.actions.reasons import why_not
 from armui.ui.actions.shortcut_list import ShortcutList
 from armui.ui.dialogs.confirm_dialog import ConfirmDialog

@@ -16,9 +16,8 @@ from armui.trajectory.library.store import Library
 from armui.trajectory.points.program import Trajectory
 from armui.ui.actions.catalogue import actions
 from armui.ui.actions.names import read_names
-from armui.ui.actions.page_commands import MOVABLE
 from armui.ui.actions.palette import CommandPalette
-from armui.ui.actions.places import PLACES
+from armui.ui.actions.places import MOVABLE, PLACES
 from armui.ui.actions.search import rank
 from armui.ui.dialogs.connect import ConnectDialog
 from armui.ui.trajectory.editor.editor_page import EditorPage

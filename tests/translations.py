@@ -33,6 +33,7 @@ def lupdate(ts: Path) -> None:
     """Collect the strings of the code into a .ts file, keeping the translations it has."""
     sources = sorted((ROOT / "armui").rglob("*.py"))
     options = ["-locations", "none", "-no-obsolete", "-source-language", "en_US"]
+    options += ["-tr-function-alias", "QT_TRANSLATE_NOOP+=Text"]
     with tempfile.TemporaryDirectory() as folder:
         tables = Path(folder) / "tables.py"
         texts = [*_of_value_tables(), *(text for path in sources for text in _of_tables(path))]
@@ -51,7 +52,7 @@ def _of_tables(source: Path) -> Iterator[tuple[str, str]]:
             ):
                 for text in texts:
                     if isinstance(text, ast.Constant):
-                        yield context, text.value
+                        yield context, str(text.value)
 
 
 def _of_value_tables() -> list[tuple[str, str]]:

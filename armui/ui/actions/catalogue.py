@@ -2,297 +2,185 @@
 
 from __future__ import annotations
 
-import enum
 from collections.abc import Iterator
 from functools import cache
-from typing import Final, NamedTuple
-
-from PySide6.QtCore import QT_TRANSLATE_NOOP
+from typing import Final
 
 from armui.arm.limits import JOINTS
 from armui.kinematics.axes import AXES
 from armui.protocol.codes import ALL_JOINTS
 from armui.ui.actions import page_commands
-from armui.ui.actions.keys import SHORTCUTS
-from armui.ui.actions.places import PANELS, PLACES, Title
-
-
-class Need(enum.Enum):
-    """What must be so before something can be done; see :mod:`armui.ui.actions.reasons`."""
-
-    NOTHING = enum.auto()
-    MOVE = enum.auto()
-    SWITCH_ON = enum.auto()
-    SWITCH_OFF = enum.auto()
-    ZERO = enum.auto()
-    CLEAR = enum.auto()
-    ANGLES = enum.auto()
-    POSE = enum.auto()
-    LAMPS = enum.auto()
-    LINKAGE = enum.auto()
-    REACH = enum.auto()
-    REACH_FREE = enum.auto()
-    SETTINGS = enum.auto()
-    SETTINGS_FREE = enum.auto()
-    EDITING = enum.auto()
-    GRIPPER_MOVE = enum.auto()
-    GRIPPER = enum.auto()
-    GRIPPER_LET_GO = enum.auto()
-    TEACHING = enum.auto()
-    PLAN = enum.auto()
-
-
-class Command(NamedTuple):
-    """Something that can be done.
-
-    Attributes:
-        name: Its own, with its place before the dot; of its shortcut, too, if it has one.
-        title: What the palette calls it.
-        target: The object name of the button that does it, or of the field it leads to. Empty: the
-            window does it.
-        need: What must be so where its button is not seen.
-    """
-
-    name: str
-    title: Title
-    target: str = ""
-    need: Need = Need.NOTHING
-
-    @property
-    def place(self) -> str:
-        """Where it is done, a key of :data:`armui.ui.actions.places.PLACES`."""
-        return self.name.partition(".")[0]
-
-    @property
-    def keys(self) -> str:
-        """Its shortcut as this system writes it; empty: it has none."""
-        shortcut = SHORTCUTS.get(self.name)
-        return "" if shortcut is None else shortcut.text()
-
+from armui.ui.actions.command import Command, Need
+from armui.ui.actions.places import PANELS, PLACES
+from armui.ui.words.text import Text
 
 # fmt: off
 _WINDOW: Final = (
-    ("window.connect", "ConnectDialog", QT_TRANSLATE_NOOP("ConnectDialog", "Connect arm"),
-     "communication_button"),
-    ("window.enable", "Action", QT_TRANSLATE_NOOP("Action", "Enable or disable all motors"),
-     "enable_button"),
-    ("everywhere.stop", "StopButton", QT_TRANSLATE_NOOP("StopButton", "Emergency stop"), ""),
-    ("everywhere.halt", "HaltButton", QT_TRANSLATE_NOOP("HaltButton", "Halt"), ""),
-    ("window.resume", "TopBar",
-     QT_TRANSLATE_NOOP("TopBar", "Resume after the emergency stop"), ""),
-    ("window.next_step", "RecoveryLine", QT_TRANSLATE_NOOP("RecoveryLine", "Next step"), ""),
-    ("window.speed", "SpeedControl", QT_TRANSLATE_NOOP("SpeedControl", "Speed percentage"),
-     "speed_field"),
-    ("window.joint_status", "Action", QT_TRANSLATE_NOOP("Action", "Joint status"),
-     "joint_status_button"),
-    ("library.open", "LibraryButton",
-     QT_TRANSLATE_NOOP("LibraryButton", "Trajectory library"), "library_button"),
-    ("plots.open", "WatchMenu", QT_TRANSLATE_NOOP("WatchMenu", "Curves"), "plots_button"),
-    ("events.open", "WatchMenu", QT_TRANSLATE_NOOP("WatchMenu", "Events"), "events_button"),
-    ("bus.open", "WatchMenu", QT_TRANSLATE_NOOP("WatchMenu", "Bus"), "bus_button"),
-    ("window.sessions", "Action", QT_TRANSLATE_NOOP("Action", "Session recordings"),
-     "sessions_button"),
-    ("replay.open", "Action", QT_TRANSLATE_NOOP("Action", "Replay a recording"), ""),
-    ("window.export", "Action", QT_TRANSLATE_NOOP("Action", "Export a recording"), ""),
-    ("window.backup", "Action", QT_TRANSLATE_NOOP("Action", "Back up, compare, restore parameters"),
-     ""),
-    ("window.diagnosis", "DoctorDialog", QT_TRANSLATE_NOOP("DoctorDialog", "Diagnosis"), ""),
-    ("window.about_arm", "AboutArmDialog", QT_TRANSLATE_NOOP("AboutArmDialog", "About this arm"),
-     ""),
-    ("window.settings", "ViewRegion", QT_TRANSLATE_NOOP("ViewRegion", "Settings"),
-     "settings_button"),
-    ("window.language", "Action", QT_TRANSLATE_NOOP("Action", "Language: Chinese or English"), ""),
-    ("window.theme", "Action", QT_TRANSLATE_NOOP("Action", "Theme: light or dark"), ""),
-    ("window.reset_view", "ViewRegion", QT_TRANSLATE_NOOP("ViewRegion", "Reset view"),
-     "reset_view_button"),
-    ("view.front", "ViewBar", QT_TRANSLATE_NOOP("ViewBar", "Front view"), "view_front_button"),
-    ("view.side", "ViewBar", QT_TRANSLATE_NOOP("ViewBar", "Side view"), "view_side_button"),
-    ("view.top", "ViewBar", QT_TRANSLATE_NOOP("ViewBar", "Top view"), "view_top_button"),
-    ("view.iso", "ViewBar", QT_TRANSLATE_NOOP("ViewBar", "Oblique view"), "view_iso_button"),
-    ("view.fit", "ViewBar", QT_TRANSLATE_NOOP("ViewBar", "Fit"), "view_fit_button"),
-    ("view.follow", "ViewBar", QT_TRANSLATE_NOOP("ViewBar", "Follow the tool"),
-     "view_follow_button"),
-    ("view.orthographic", "ViewBar", QT_TRANSLATE_NOOP("ViewBar", "Without perspective"), ""),
-    ("view.tool_frame", "ViewBar", QT_TRANSLATE_NOOP("ViewBar", "Tool frame"), ""),
-    ("view.reach", "ViewBar", QT_TRANSLATE_NOOP("ViewBar", "Workspace"), ""),
-    ("view.save", "ViewBar", QT_TRANSLATE_NOOP("ViewBar", "Save picture…"), ""),
-    ("view.copy", "ViewBar", QT_TRANSLATE_NOOP("ViewBar", "Copy picture"), ""),
-    ("view.handles", "ViewBar",
-     QT_TRANSLATE_NOOP("ViewBar", "Drag the target in the picture"), ""),
-    ("view.help", "HelpDialog", QT_TRANSLATE_NOOP("HelpDialog", "Help: 3D view"), "help_button"),
-    ("everywhere.guide", "Action", QT_TRANSLATE_NOOP("Action", "User guide"), ""),
-    ("everywhere.shortcuts", "Action", QT_TRANSLATE_NOOP("Action", "Keyboard shortcuts"), ""),
-    ("window.close", "Action", QT_TRANSLATE_NOOP("Action", "Close the program"), ""),
+    Command("window.connect", Text("ConnectDialog", "Connect arm"), "communication_button"),
+    Command("window.enable", Text("Action", "Enable or disable all motors"), "enable_button"),
+    Command("everywhere.stop"),
+    Command("everywhere.halt", Text("HaltButton", "Halt")),
+    Command("window.resume", Text("TopBar", "Resume after the emergency stop")),
+    Command("window.next_step", Text("RecoveryLine", "Next step")),
+    Command("window.speed", Text("SpeedControl", "Speed percentage"), "speed_field"),
+    Command("window.joint_status", Text("Action", "Joint status"), "joint_status_button"),
+    Command("library.open", Text("LibraryButton", "Trajectory library"), "library_button"),
+    Command("plots.open", Text("WatchMenu", "Curves"), "plots_button"),
+    Command("events.open", Text("WatchMenu", "Events"), "events_button"),
+    Command("bus.open", Text("WatchMenu", "Bus"), "bus_button"),
+    Command("window.sessions", Text("Action", "Session recordings"), "sessions_button"),
+    Command("replay.open", Text("Action", "Replay a recording")),
+    Command("window.export", Text("Action", "Export a recording")),
+    Command("window.backup", Text("Action", "Back up, compare, restore parameters")),
+    Command("window.diagnosis", Text("DoctorDialog", "Diagnosis")),
+    Command("window.about_arm", Text("AboutArmDialog", "About this arm")),
+    Command("window.settings", target="settings_button"),
+    Command("window.language", Text("Action", "Language: Chinese or English")),
+    Command("window.theme", Text("Action", "Theme: light or dark")),
+    Command("window.reset_view", target="reset_view_button"),
+    Command("view.front", target="view_front_button"),
+    Command("view.side", target="view_side_button"),
+    Command("view.top", target="view_top_button"),
+    Command("view.iso", target="view_iso_button"),
+    Command("view.fit", target="view_fit_button"),
+    Command("view.follow", target="view_follow_button"),
+    Command("view.orthographic"),
+    Command("view.tool_frame"),
+    Command("view.reach"),
+    Command("view.save"),
+    Command("view.copy"),
+    Command("view.handles"),
+    Command("view.help", Text("HelpDialog", "Help: 3D view"), "help_button"),
+    Command("everywhere.guide", Text("Action", "User guide")),
+    Command("everywhere.shortcuts", Text("Action", "Keyboard shortcuts")),
+    Command("window.close", Text("Action", "Close the program")),
 )
 
 _PANELS: Final = (
-    ("motion.home", "MotionPanel", QT_TRANSLATE_NOOP("MotionPanel", "Home"),
-     "home_button", Need.MOVE),
-    ("motion.load", "MotionPanel", QT_TRANSLATE_NOOP("MotionPanel", "Load"),
-     "load_button", Need.ANGLES),
-    ("motion.send", "MotionPanel", QT_TRANSLATE_NOOP("MotionPanel", "Send"),
-     "send_button", Need.MOVE),
-    ("motion.keys", "JogPanel", QT_TRANSLATE_NOOP("JogPanel", "Keyboard jogging"),
-     "jog_keys_button", Need.NOTHING),
-    ("motion.step", "JogPanel", QT_TRANSLATE_NOOP("JogPanel", "Step of − and +"),
-     "jog_step", Need.NOTHING),
-    ("cartesian.base", "FrameChoice", QT_TRANSLATE_NOOP("FrameChoice", "Base frame"),
-     "frame_base", Need.NOTHING),
-    ("cartesian.tool", "FrameChoice", QT_TRANSLATE_NOOP("FrameChoice", "Tool frame"),
-     "frame_tool", Need.NOTHING),
-    ("cartesian.load", "CartesianPanel", QT_TRANSLATE_NOOP("CartesianPanel", "Load"),
-     "load_pose_button", Need.POSE),
-    ("cartesian.move_p", "Action", QT_TRANSLATE_NOOP("Action", "MOVE P: to the pose"),
-     "move_p_button", Need.MOVE),
-    ("cartesian.move_l", "Action",
-     QT_TRANSLATE_NOOP("Action", "MOVE L: on a straight line to the pose"),
-     "move_l_button", Need.MOVE),
-    ("cartesian.capture_start", "ArcBox", QT_TRANSLATE_NOOP("ArcBox", "Capture start"),
-     "capture_start", Need.POSE),
-    ("cartesian.capture_middle", "ArcBox", QT_TRANSLATE_NOOP("ArcBox", "Capture middle"),
-     "capture_middle", Need.POSE),
-    ("cartesian.capture_end", "ArcBox", QT_TRANSLATE_NOOP("ArcBox", "Capture end"),
-     "capture_end", Need.POSE),
-    ("cartesian.arc_start", "ArcBox", QT_TRANSLATE_NOOP("ArcBox", "Go to start"),
-     "arc_start_button", Need.MOVE),
-    ("cartesian.move_c", "Action", QT_TRANSLATE_NOOP("Action", "MOVE C: along the arc"),
-     "move_c_button", Need.MOVE),
-    ("cartesian.keys", "JogPanel", QT_TRANSLATE_NOOP("JogPanel", "Keyboard jogging"),
-     "tool_keys_button", Need.NOTHING),
-    ("light.all", "LightPanel", QT_TRANSLATE_NOOP("LightPanel", "All lamps of the joint"),
-     "all_lamps", Need.NOTHING),
-    ("light.hue", "LightPanel", QT_TRANSLATE_NOOP("LightPanel", "Hue and saturation"),
-     "hue_field", Need.NOTHING),
-    ("light.brightness", "LightPanel", QT_TRANSLATE_NOOP("LightPanel", "Brightness"),
-     "brightness_slider", Need.NOTHING),
-    ("light.confirm", "LightPanel", QT_TRANSLATE_NOOP("LightPanel", "Confirm"),
-     "light_confirm_button", Need.LAMPS),
-    ("linkage.input", "Action", QT_TRANSLATE_NOOP("Action", "Master arm (teaching input arm)"),
-     "linkage_input", Need.NOTHING),
-    ("linkage.output", "Action", QT_TRANSLATE_NOOP("Action", "Slave arm (motion output arm)"),
-     "linkage_output", Need.NOTHING),
-    ("linkage.confirm", "LinkagePanel", QT_TRANSLATE_NOOP("LinkagePanel", "Confirm"),
-     "linkage_confirm_button", Need.LINKAGE),
-    ("gripper.send", "GripperPanel", QT_TRANSLATE_NOOP("GripperPanel", "Send"),
-     "gripper_send_button", Need.GRIPPER_MOVE),
-    ("gripper.enable", "GripperAct", QT_TRANSLATE_NOOP("GripperAct", "Enable"),
-     "gripper_enable_button", Need.GRIPPER_MOVE),
-    ("gripper.disable", "GripperAct", QT_TRANSLATE_NOOP("GripperAct", "Disable"),
-     "gripper_disable_button", Need.GRIPPER_LET_GO),
-    ("gripper.clear", "GripperAct", QT_TRANSLATE_NOOP("GripperAct", "Clear error"),
-     "gripper_clear_button", Need.GRIPPER),
-    ("gripper.zero", "GripperAct", QT_TRANSLATE_NOOP("GripperAct", "Set zero"),
-     "gripper_zero_button", Need.GRIPPER),
-    ("end_load.empty", "EndLoad", QT_TRANSLATE_NOOP("EndLoad", "No load"),
-     "load_empty", Need.NOTHING),
-    ("end_load.half", "EndLoad", QT_TRANSLATE_NOOP("EndLoad", "Half load"),
-     "load_half", Need.NOTHING),
-    ("end_load.full", "EndLoad", QT_TRANSLATE_NOOP("EndLoad", "Full load"),
-     "load_full", Need.NOTHING),
-    ("end_load.confirm", "EndLoadPanel", QT_TRANSLATE_NOOP("EndLoadPanel", "Confirm"),
-     "load_confirm_button", Need.REACH_FREE),
-    ("end_load.feedback", "EndLoadPanel",
-     QT_TRANSLATE_NOOP("EndLoadPanel", "Speed and acceleration of the end, by joint"),
-     "end_feedback_button", Need.REACH),
-    ("teaching.start_recording", "TeachingCommand",
-     QT_TRANSLATE_NOOP("TeachingCommand", "Start recording"),
-     "teaching_start_recording", Need.TEACHING),
-    ("teaching.stop_recording", "TeachingCommand",
-     QT_TRANSLATE_NOOP("TeachingCommand", "Stop recording"),
-     "teaching_stop_recording", Need.TEACHING),
-    ("teaching.run_recording", "TeachingCommand", QT_TRANSLATE_NOOP("TeachingCommand", "Replay"),
-     "teaching_run_recording", Need.TEACHING),
-    ("teaching.move_to_start", "TeachingCommand",
-     QT_TRANSLATE_NOOP("TeachingCommand", "Move to start"),
-     "teaching_move_to_start", Need.TEACHING),
-    ("teaching.pause", "TeachingCommand", QT_TRANSLATE_NOOP("TeachingCommand", "Pause"),
-     "teaching_pause", Need.TEACHING),
-    ("teaching.continue", "TeachingCommand", QT_TRANSLATE_NOOP("TeachingCommand", "Continue"),
-     "teaching_continue", Need.TEACHING),
-    ("teaching.abort", "TeachingCommand", QT_TRANSLATE_NOOP("TeachingCommand", "Terminate"),
-     "teaching_abort", Need.TEACHING),
-    ("teaching.plan_pause", "Action", QT_TRANSLATE_NOOP("Action", "Pause the planned motion"),
-     "plan_pause", Need.PLAN),
-    ("teaching.plan_continue", "Action", QT_TRANSLATE_NOOP("Action", "Continue the held motion"),
-     "plan_continue", Need.PLAN),
-    ("teaching.plan_abort", "Action", QT_TRANSLATE_NOOP("Action", "Terminate the planned motion"),
-     "plan_abort", Need.PLAN),
-    ("teaching.plan_clear_current", "TrajectoryCommand",
-     QT_TRANSLATE_NOOP("TrajectoryCommand", "Clear current"), "plan_clear_current", Need.PLAN),
-    ("teaching.plan_clear_all", "TrajectoryCommand",
-     QT_TRANSLATE_NOOP("TrajectoryCommand", "Clear all"), "plan_clear_all", Need.PLAN),
+    Command("motion.home", target="home_button", need=Need.MOVE),
+    Command("motion.load", target="load_button", need=Need.ANGLES),
+    Command("motion.send", target="send_button", need=Need.MOVE),
+    Command("motion.keys", Text("JogPanel", "Keyboard jogging"), "jog_keys_button"),
+    Command("motion.step", Text("JogPanel", "Step of − and +"), "jog_step"),
+    Command("cartesian.base", Text("FrameChoice", "Base frame"), "frame_base"),
+    Command("cartesian.tool", Text("FrameChoice", "Tool frame"), "frame_tool"),
+    Command("cartesian.load", Text("CartesianPanel", "Load"), "load_pose_button", Need.POSE),
+    Command("cartesian.move_p", Text("Action", "MOVE P: to the pose"), "move_p_button", Need.MOVE),
+    Command("cartesian.move_l", Text("Action", "MOVE L: on a straight line to the pose"),
+            "move_l_button", Need.MOVE),
+    Command("cartesian.capture_start", Text("ArcBox", "Capture start"), "capture_start", Need.POSE),
+    Command("cartesian.capture_middle", Text("ArcBox", "Capture middle"), "capture_middle",
+            Need.POSE),
+    Command("cartesian.capture_end", Text("ArcBox", "Capture end"), "capture_end", Need.POSE),
+    Command("cartesian.arc_start", Text("ArcBox", "Go to start"), "arc_start_button", Need.MOVE),
+    Command("cartesian.move_c", Text("Action", "MOVE C: along the arc"), "move_c_button",
+            Need.MOVE),
+    Command("cartesian.keys", Text("JogPanel", "Keyboard jogging"), "tool_keys_button"),
+    Command("light.all", Text("LightPanel", "All lamps of the joint"), "all_lamps"),
+    Command("light.hue", Text("LightPanel", "Hue and saturation"), "hue_field"),
+    Command("light.brightness", Text("LightPanel", "Brightness"), "brightness_slider"),
+    Command("light.confirm", target="light_confirm_button", need=Need.LAMPS),
+    Command("linkage.input", Text("Action", "Master arm (teaching input arm)"), "linkage_input"),
+    Command("linkage.output", Text("Action", "Slave arm (motion output arm)"), "linkage_output"),
+    Command("linkage.confirm", Text("LinkagePanel", "Confirm"), "linkage_confirm_button",
+            Need.LINKAGE),
+    Command("gripper.send", target="gripper_send_button", need=Need.GRIPPER_MOVE),
+    Command("gripper.enable", Text("GripperAct", "Enable"), "gripper_enable_button",
+            Need.GRIPPER_MOVE),
+    Command("gripper.disable", Text("GripperAct", "Disable"), "gripper_disable_button",
+            Need.GRIPPER_LET_GO),
+    Command("gripper.clear", Text("GripperAct", "Clear error"), "gripper_clear_button",
+            Need.GRIPPER),
+    Command("gripper.zero", Text("GripperAct", "Set zero"), "gripper_zero_button", Need.GRIPPER),
+    Command("end_load.empty", Text("EndLoad", "No load"), "load_empty"),
+    Command("end_load.half", Text("EndLoad", "Half load"), "load_half"),
+    Command("end_load.full", Text("EndLoad", "Full load"), "load_full"),
+    Command("end_load.confirm", Text("EndLoadPanel", "Confirm"), "load_confirm_button",
+            Need.REACH_FREE),
+    Command("end_load.feedback",
+            Text("EndLoadPanel", "Speed and acceleration of the end, by joint"),
+            "end_feedback_button", Need.REACH),
+    Command("teaching.start_recording", Text("TeachingCommand", "Start recording"),
+            "teaching_start_recording", Need.TEACHING),
+    Command("teaching.stop_recording", Text("TeachingCommand", "Stop recording"),
+            "teaching_stop_recording", Need.TEACHING),
+    Command("teaching.run_recording", Text("TeachingCommand", "Replay"), "teaching_run_recording",
+            Need.TEACHING),
+    Command("teaching.move_to_start", Text("TeachingCommand", "Move to start"),
+            "teaching_move_to_start", Need.TEACHING),
+    Command("teaching.pause", Text("TeachingCommand", "Pause"), "teaching_pause", Need.TEACHING),
+    Command("teaching.continue", Text("TeachingCommand", "Continue"), "teaching_continue",
+            Need.TEACHING),
+    Command("teaching.abort", Text("TeachingCommand", "Terminate"), "teaching_abort",
+            Need.TEACHING),
+    Command("teaching.plan_pause", Text("Action", "Pause the planned motion"), "plan_pause",
+            Need.PLAN),
+    Command("teaching.plan_continue", Text("Action", "Continue the held motion"), "plan_continue",
+            Need.PLAN),
+    Command("teaching.plan_abort", Text("Action", "Terminate the planned motion"), "plan_abort",
+            Need.PLAN),
+    Command("teaching.plan_clear_current", Text("TrajectoryCommand", "Clear current"),
+            "plan_clear_current", Need.PLAN),
+    Command("teaching.plan_clear_all", Text("TrajectoryCommand", "Clear all"), "plan_clear_all",
+            Need.PLAN),
 )
 
 _PARAMETERS: Final = (
-    ("read", QT_TRANSLATE_NOOP("ParameterButtons", "Read"), Need.SETTINGS),
-    ("reset", QT_TRANSLATE_NOOP("ParameterButtons", "Initialise"), Need.SETTINGS_FREE),
-    ("edit", QT_TRANSLATE_NOOP("ParameterButtons", "Edit"), Need.SETTINGS),
-    ("cancel", QT_TRANSLATE_NOOP("ParameterButtons", "Cancel"), Need.EDITING),
-    ("save", QT_TRANSLATE_NOOP("ParameterButtons", "Save"), Need.EDITING),
+    ("read", Text("ParameterButtons", "Read"), Need.SETTINGS),
+    ("reset", Text("ParameterButtons", "Initialise"), Need.SETTINGS_FREE),
+    ("edit", Text("ParameterButtons", "Edit"), Need.SETTINGS),
+    ("cancel", Text("ParameterButtons", "Cancel"), Need.EDITING),
+    ("save", Text("ParameterButtons", "Save"), Need.EDITING),
 )
 _WITH_PARAMETERS: Final = ("joint_settings", "end_limits", "collision", "gripper_settings")
 _CAN_RESET: Final = ("joint_settings", "end_limits")
 
 _MOTOR: Final = (
-    ("enable", QT_TRANSLATE_NOOP("ActButtons", "Enable"), Need.SWITCH_ON),
-    ("disable", QT_TRANSLATE_NOOP("ActButtons", "Disable"), Need.SWITCH_OFF),
-    ("zero", QT_TRANSLATE_NOOP("ActButtons", "Set zero"), Need.ZERO),
-    ("clear", QT_TRANSLATE_NOOP("ActButtons", "Clear error"), Need.CLEAR),
+    ("enable", Text("ActButtons", "Enable"), Need.SWITCH_ON),
+    ("disable", Text("ActButtons", "Disable"), Need.SWITCH_OFF),
+    ("zero", Text("ActButtons", "Set zero"), Need.ZERO),
+    ("clear", Text("ActButtons", "Clear error"), Need.CLEAR),
 )
-_TARGET: Final = QT_TRANSLATE_NOOP("Action", "Target of")
-_LAMPS: Final = QT_TRANSLATE_NOOP("Action", "Lamps of")
 # fmt: on
 
 
 @cache
 def actions() -> tuple[Command, ...]:
     """All of them, in the order in which they are listed."""
-    return tuple(_all())
-
-
-def _all() -> Iterator[Command]:
-    for name, context, source, target in _WINDOW:
-        yield Command(name, Title(context, str(source)), target)
-    for panel in PANELS:
-        yield Command(f"{panel}.open", PLACES[panel], f"menu_{panel}")
-    for panel in PANELS:
-        yield from _of_panel(panel)
-    for name, context, source, target in page_commands.rows():
-        yield Command(name, Title(context, source), target)
+    opened = (Command(f"{panel}.open", PLACES[panel], f"menu_{panel}") for panel in PANELS)
+    in_panels = (command for panel in PANELS for command in _of_panel(panel))
+    return (*_WINDOW, *opened, *in_panels, *page_commands.commands())
 
 
 def _of_panel(panel: str) -> Iterator[Command]:
-    for name, context, source, target, need in _PANELS:
-        if name.partition(".")[0] == panel:
-            yield Command(name, Title(context, str(source)), target, need)
-    for place, source, suffix, target in _rows():
-        if place == panel:
-            yield Command(f"{panel}.{target}", Title("Action", str(source), suffix), target)
+    yield from (each for each in (*_PANELS, *_of_joints_and_axes()) if each.place == panel)
     if panel == "motor":
         yield from _of_motors()
     if panel in _WITH_PARAMETERS:
         yield from _of_parameters(panel)
 
 
-def _rows() -> Iterator[tuple[str, object, str, str]]:
-    """What there is of each joint or axis: its panel, title, what follows that, its field."""
+def _of_joints_and_axes() -> Iterator[Command]:
+    """The fields there are of each joint or axis."""
+    target, lamps = Text("Action", "Target of"), Text("Action", "Lamps of")
     for joint in JOINTS:
-        yield "motion", _TARGET, f"J{joint}", f"target_field_{joint}"
-        yield "light", _LAMPS, f"J{joint}", f"light_joint_{joint}"
+        field, button = f"target_field_{joint}", f"light_joint_{joint}"
+        yield Command(f"motion.{field}", target._replace(suffix=f"J{joint}"), field)
+        yield Command(f"light.{button}", lamps._replace(suffix=f"J{joint}"), button)
     for axis in AXES:
-        yield "cartesian", _TARGET, axis, f"pose_field_{axis}"
+        field = f"pose_field_{axis}"
+        yield Command(f"cartesian.{field}", target._replace(suffix=axis), field)
 
 
 def _of_parameters(panel: str) -> Iterator[Command]:
-    for act, source, need in _PARAMETERS:
+    for act, title, need in _PARAMETERS:
         if act != "reset" or panel in _CAN_RESET:
-            title = Title("ParameterButtons", str(source))
             yield Command(f"{panel}.{act}", title, f"{panel}_{act}_button", need)
 
 
 def _of_motors() -> Iterator[Command]:
     for joint in (ALL_JOINTS, *JOINTS):
         whose = "J1–J6" if joint == ALL_JOINTS else f"J{joint}"
-        for act, source, need in _MOTOR:
-            title = Title("ActButtons", str(source), whose)
-            yield Command(f"motor.{act}_{joint}", title, f"{act}_motor_{joint}", need)
+        for act, title, need in _MOTOR:
+            target = f"{act}_motor_{joint}"
+            yield Command(f"motor.{act}_{joint}", title._replace(suffix=whose), target, need)

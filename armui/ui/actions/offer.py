@@ -11,7 +11,8 @@ from PySide6.QtCore import QCoreApplication
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QAbstractButton, QApplication, QDialog, QMenu, QToolButton, QWidget
 
-from armui.ui.actions.catalogue import Command, actions
+from armui.ui.actions.catalogue import actions
+from armui.ui.actions.command import Command
 from armui.ui.actions.places import PANELS, PLACES
 from armui.ui.actions.reasons import why_not
 from armui.ui.widgets.page import Page

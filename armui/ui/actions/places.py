@@ -3,65 +3,39 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Final, NamedTuple
+from typing import Final
 
-from PySide6.QtCore import QT_TRANSLATE_NOOP, QCoreApplication
+from armui.ui.words.text import Text
 
-
-class Title(NamedTuple):
-    """A text in the operator's language.
-
-    Attributes:
-        context: Of the translation.
-        source: The English text.
-        suffix: What follows it in every language: ``J3``, ``X``.
-    """
-
-    context: str
-    source: str
-    suffix: str = ""
-
-    def text(self) -> str:
-        """It in the language of now."""
-        said = QCoreApplication.translate(self.context, self.source)
-        return f"{said} {self.suffix}".rstrip()
-
-
-# fmt: off
-_PLACES: Final = (
-    ("everywhere", "Place", QT_TRANSLATE_NOOP("Place", "In every window")),
-    ("window", "Place", QT_TRANSLATE_NOOP("Place", "Main window")),
-    ("view", "Place", QT_TRANSLATE_NOOP("Place", "3D view")),
-    ("motion", "SideMenu", QT_TRANSLATE_NOOP("SideMenu", "Motion control")),
-    ("cartesian", "SideMenu", QT_TRANSLATE_NOOP("SideMenu", "Tool control")),
-    ("jogging", "Place", QT_TRANSLATE_NOOP("Place", "Jogging by keys")),
-    ("light", "SideMenu", QT_TRANSLATE_NOOP("SideMenu", "Light control")),
-    ("linkage", "SideMenu", QT_TRANSLATE_NOOP("SideMenu", "Linkage control")),
-    ("joint_settings", "SideMenu", QT_TRANSLATE_NOOP("SideMenu", "Joint settings")),
-    ("end_limits", "SideMenu", QT_TRANSLATE_NOOP("SideMenu", "End speed limits")),
-    ("collision", "SideMenu", QT_TRANSLATE_NOOP("SideMenu", "Collision level")),
-    ("motor", "SideMenu", QT_TRANSLATE_NOOP("SideMenu", "Motor settings")),
-    ("gripper", "SideMenu", QT_TRANSLATE_NOOP("SideMenu", "Gripper control")),
-    ("gripper_settings", "SideMenu", QT_TRANSLATE_NOOP("SideMenu", "Gripper settings")),
-    ("end_load", "SideMenu", QT_TRANSLATE_NOOP("SideMenu", "End load")),
-    ("teaching", "SideMenu", QT_TRANSLATE_NOOP("SideMenu", "Drag teaching")),
-    ("parameters", "Place", QT_TRANSLATE_NOOP("Place", "Panels with parameters")),
-    ("library", "LibraryButton", QT_TRANSLATE_NOOP("LibraryButton", "Trajectory library")),
-    ("editor", "Place", QT_TRANSLATE_NOOP("Place", "Trajectory editor")),
-    ("recording", "RecordingPage", QT_TRANSLATE_NOOP("RecordingPage", "Recording")),
-    ("drawer", "Place", QT_TRANSLATE_NOOP("Place", "Drawer")),
-    ("plots", "WatchMenu", QT_TRANSLATE_NOOP("WatchMenu", "Curves")),
-    ("events", "WatchMenu", QT_TRANSLATE_NOOP("WatchMenu", "Events")),
-    ("bus", "WatchMenu", QT_TRANSLATE_NOOP("WatchMenu", "Bus")),
-    ("sessions", "SessionsWindow", QT_TRANSLATE_NOOP("SessionsWindow", "Session recordings")),
-    ("replay", "Place", QT_TRANSLATE_NOOP("Place", "Replay")),
-    ("connect", "ConnectDialog", QT_TRANSLATE_NOOP("ConnectDialog", "Connect arm")),
-    ("settings", "SettingsDialog", QT_TRANSLATE_NOOP("SettingsDialog", "Settings")),
-)
-# fmt: on
-
-PLACES: Final[Mapping[str, Title]] = {
-    key: Title(context, str(source)) for key, context, source in _PLACES
+PLACES: Final[Mapping[str, Text]] = {
+    "everywhere": Text("Place", "In every window"),
+    "window": Text("Place", "Main window"),
+    "view": Text("Place", "3D view"),
+    "motion": Text("SideMenu", "Motion control"),
+    "cartesian": Text("SideMenu", "Tool control"),
+    "jogging": Text("Place", "Jogging by keys"),
+    "light": Text("SideMenu", "Light control"),
+    "linkage": Text("SideMenu", "Linkage control"),
+    "joint_settings": Text("SideMenu", "Joint settings"),
+    "end_limits": Text("SideMenu", "End speed limits"),
+    "collision": Text("SideMenu", "Collision level"),
+    "motor": Text("SideMenu", "Motor settings"),
+    "gripper": Text("SideMenu", "Gripper control"),
+    "gripper_settings": Text("SideMenu", "Gripper settings"),
+    "end_load": Text("SideMenu", "End load"),
+    "teaching": Text("SideMenu", "Drag teaching"),
+    "parameters": Text("Place", "Panels with parameters"),
+    "library": Text("LibraryButton", "Trajectory library"),
+    "editor": Text("Place", "Trajectory editor"),
+    "recording": Text("RecordingPage", "Recording"),
+    "drawer": Text("Place", "Drawer"),
+    "plots": Text("WatchMenu", "Curves"),
+    "events": Text("WatchMenu", "Events"),
+    "bus": Text("WatchMenu", "Bus"),
+    "sessions": Text("SessionsWindow", "Session recordings"),
+    "replay": Text("Place", "Replay"),
+    "connect": Text("ConnectDialog", "Connect arm"),
+    "settings": Text("SettingsDialog", "Settings"),
 }
 """By their keys, in the order in which they are listed."""
 
@@ -70,3 +44,6 @@ PANELS: Final = (
     *("motor", "gripper", "gripper_settings", "end_load", "teaching"),
 )
 """The panels of the operation area, in the order of the menu."""
+
+MOVABLE: Final = ("library", "editor", "recording", "plots", "events", "bus")
+"""The pages that can be taken out into a window, by their keys."""

@@ -12,7 +12,7 @@ from armui.arm.refusal_codes import RefusalCode
 from armui.control.operating_state import LinkState
 from armui.protocol.codes import TeachingState, TrajectoryCommand
 from armui.ui import words
-from armui.ui.actions.catalogue import Command, Need
+from armui.ui.actions.command import Command, Need
 
 if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController

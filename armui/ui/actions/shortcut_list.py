@@ -8,12 +8,13 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QFrame, QGridLayout, QLabel, QScrollArea, QWidget
 
 from armui.ui.actions.keys import SHORTCUTS
-from armui.ui.actions.places import PLACES, Title
+from armui.ui.actions.places import PLACES
 from armui.ui.dialogs.base import ArmDialog
 from armui.ui.dialogs.keycap import KeyCap
 from armui.ui.widgets.buttons import named, push_button
 from armui.ui.widgets.layouts import STRETCH, empty_grid, fill, in_row
 from armui.ui.widgets.text_label import text_label
+from armui.ui.words.text import Text
 
 if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
@@ -40,7 +41,7 @@ class ShortcutList(ArmDialog):
     def __init__(self, controller: ArmController, parent: QWidget | None = None) -> None:
         super().__init__(controller, parent)
         self.setObjectName("shortcut_list")
-        self._titles: list[tuple[QLabel, Title]] = []
+        self._titles: list[tuple[QLabel, Text]] = []
         page = QWidget()
         columns = in_row(on=page, spacing=_COLUMN_GAP_PX, margins=(0, 0, 8, 0))
         right = [place for place in PLACES if place not in _LEFT]

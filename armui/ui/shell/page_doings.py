@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, QTimer
 
-from armui.ui.actions.page_commands import MOVABLE
+from armui.ui.actions.places import MOVABLE
 
 if TYPE_CHECKING:
     from armui.ui.actions.offer import Doing, Doings

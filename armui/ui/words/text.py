@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator, Mapping
-from typing import Final, TypeVar
+from typing import Final, NamedTuple, TypeVar
 
 from PySide6.QtCore import QCoreApplication
 
@@ -51,6 +51,25 @@ def sentence(context: str, source: object, params: Mapping[str, object]) -> str:
     """
     figures = _Figures({key: _figure(value) for key, value in params.items()})
     return QCoreApplication.translate(context, str(source)).format_map(figures)
+
+
+class Text(NamedTuple):
+    """A text that is looked up when it is shown: ``Text("ViewBar", "Fit")`` marks it, too.
+
+    Attributes:
+        context: Of the translation.
+        source: The English text.
+        suffix: What follows it in every language: ``J3``, ``X``.
+    """
+
+    context: str
+    source: str
+    suffix: str = ""
+
+    def text(self) -> str:
+        """It in the language of now."""
+        said = QCoreApplication.translate(self.context, self.source)
+        return f"{said} {self.suffix}".rstrip()
 
 
 class Texts(Mapping[Key, str]):
