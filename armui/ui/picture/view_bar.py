@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from functools import partial
-from typing import TYPE_CHECKING, Final, NamedTuple
+from typing import TYPE_CHECKING, Final
 
-from PySide6.QtCore import QT_TRANSLATE_NOOP, QCoreApplication, QSize, Qt, Signal
+from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtGui import QAction, QActionGroup, QKeySequence
 from PySide6.QtWidgets import QFrame, QMenu, QToolButton
 
@@ -29,81 +29,21 @@ TRAILS_S: Final = (0, 5, 15, 60)
 """How much of the tool's way can be shown, in seconds of motion; 0: nothing."""
 
 
-class _Entry(NamedTuple):
-    """One action.
-
-    Attributes:
-        text: Its name.
-        tip: What it does.
-        icon: Its icon's name.
-        stays: Whether it is switched on and off.
-    """
-
-    text: object
-    tip: object
-    icon: str = ""
-    stays: bool = False
-
-
-_ENTRIES: Final = {
-    "front": _Entry(
-        QT_TRANSLATE_NOOP("ViewBar", "Front view"),
-        QT_TRANSLATE_NOOP("ViewBar", "Looks at the arm from where it points to"),
-        "view_front",
-    ),
-    "side": _Entry(
-        QT_TRANSLATE_NOOP("ViewBar", "Side view"),
-        QT_TRANSLATE_NOOP("ViewBar", "Looks at the arm from its right side"),
-        "view_side",
-    ),
-    "top": _Entry(
-        QT_TRANSLATE_NOOP("ViewBar", "Top view"),
-        QT_TRANSLATE_NOOP("ViewBar", "Looks down on the arm"),
-        "view_top",
-    ),
-    "iso": _Entry(
-        QT_TRANSLATE_NOOP("ViewBar", "Oblique view"),
-        QT_TRANSLATE_NOOP("ViewBar", "Looks at the arm from the front right and above"),
-        "view_iso",
-    ),
-    "fit": _Entry(
-        QT_TRANSLATE_NOOP("ViewBar", "Fit"),
-        QT_TRANSLATE_NOOP("ViewBar", "Shows all of the arm as large as the room allows"),
-        "view_fit",
-    ),
-    "follow": _Entry(
-        QT_TRANSLATE_NOOP("ViewBar", "Follow the tool"),
-        QT_TRANSLATE_NOOP("ViewBar", "Keeps the tool centre point in the middle"),
-        "view_follow",
-        stays=True,
-    ),
-    "orthographic": _Entry(
-        QT_TRANSLATE_NOOP("ViewBar", "Without perspective"),
-        QT_TRANSLATE_NOOP("ViewBar", "Parallel lines look parallel: lengths can be compared"),
-        stays=True,
-    ),
-    "tool_frame": _Entry(
-        QT_TRANSLATE_NOOP("ViewBar", "Tool frame"),
-        QT_TRANSLATE_NOOP("ViewBar", "Shows the axes of the tool centre point"),
-        stays=True,
-    ),
-    "reach": _Entry(
-        QT_TRANSLATE_NOOP("ViewBar", "Workspace"),
-        QT_TRANSLATE_NOOP(
-            "ViewBar",
-            "Shows what the tool centre point can reach; orange bounds what it can't within",
-        ),
-        stays=True,
-    ),
-    "save": _Entry(
-        QT_TRANSLATE_NOOP("ViewBar", "Save picture…"),
-        QT_TRANSLATE_NOOP("ViewBar", "Writes the picture with its figures to a file"),
-    ),
-    "copy": _Entry(
-        QT_TRANSLATE_NOOP("ViewBar", "Copy picture"),
-        QT_TRANSLATE_NOOP("ViewBar", "Puts the picture with its figures into the clipboard"),
-    ),
+_TIPS: Final = Texts("ViewBar") | {
+    "front": "Looks at the arm from where it points to",
+    "side": "Looks at the arm from its right side",
+    "top": "Looks down on the arm",
+    "iso": "Looks at the arm from the front right and above",
+    "fit": "Shows all of the arm as large as the room allows",
+    "follow": "Keeps the tool centre point in the middle",
+    "orthographic": "Parallel lines look parallel: lengths can be compared",
+    "tool_frame": "Shows the axes of the tool centre point",
+    "reach": "Shows what the tool centre point can reach; orange bounds what it can't within",
+    "save": "Writes the picture with its figures to a file",
+    "copy": "Puts the picture with its figures into the clipboard",
 }
+"""What each action does; its name and its key are those of ``view.<action>`` in `SHORTCUTS`."""
+_SWITCHES: Final = ("follow", "orthographic", "tool_frame", "reach")
 _HANDLES: Final = Texts("ViewBar") | {
     None: "No handles",
     HandleKind.TOOL: "Tool, along the axes of the base",
@@ -141,7 +81,7 @@ class ViewBar(Translated, QFrame):
         self._view = view
         self._preferences = preferences
         self._buttons: list[QToolButton] = []
-        self.view_actions = {name: self._action(name, entry) for name, entry in _ENTRIES.items()}
+        self.view_actions = {name: self._action(name) for name in _TIPS}
         self._trail_menu = QMenu(self)
         self._trails = self._trail_actions()
         self._handles_menu = QMenu(self)
@@ -162,9 +102,9 @@ class ViewBar(Translated, QFrame):
         self.retranslate_ui()
         self._recolor()
 
-    def _action(self, name: str, entry: _Entry) -> QAction:
+    def _action(self, name: str) -> QAction:
         action = named(f"view_{name}", QAction(self))
-        action.setCheckable(entry.stays)
+        action.setCheckable(name in _SWITCHES)
         action.setShortcut(QKeySequence(keys_of(f"view.{name}")))
         self.addAction(action)
         return action
@@ -277,13 +217,10 @@ class ViewBar(Translated, QFrame):
 
     def retranslate_ui(self) -> None:
         """Put every word into the operator's language."""
-        for name, entry in _ENTRIES.items():
-            text = QCoreApplication.translate("ViewBar", str(entry.text))
-            tip = QCoreApplication.translate("ViewBar", str(entry.tip))
-            action = self.view_actions[name]
-            keys = action.shortcut().toString(QKeySequence.SequenceFormat.NativeText)
-            action.setText(text)
-            action.setToolTip(f"{text}: {tip} ({keys})")
+        for name, action in self.view_actions.items():
+            shortcut = SHORTCUTS[f"view.{name}"]
+            action.setText(shortcut.title.text())
+            action.setToolTip(f"{action.text()}: {_TIPS.text(name)} ({shortcut.text()})")
         for button in self._buttons:
             button.setAccessibleName(button.defaultAction().text())
         for kind, action in self._handles.items():
@@ -305,6 +242,6 @@ class ViewBar(Translated, QFrame):
     def _recolor(self) -> None:
         color = colors_of(self).muted
         for name in _STRIP:
-            self.view_actions[name].setIcon(icons.icon(_ENTRIES[name].icon, color))
+            self.view_actions[name].setIcon(icons.icon(f"view_{name}", color))
         self._handles_button.setIcon(icons.icon("drag_target", color))
         self._more.setIcon(icons.icon("view_more", color))

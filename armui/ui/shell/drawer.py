@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Final
 
-from PySide6.QtCore import QCoreApplication, QSize, Qt, Signal
+from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtWidgets import QButtonGroup, QToolButton, QWidget
 
 from armui.ui.shell.watch_menu import WatchEntry
@@ -102,11 +102,7 @@ class Drawer(Translated, QWidget):
     def retranslate_ui(self) -> None:
         """Put every word into the operator's language."""
         for entry in self._entries:
-            caption(
-                self._tabs[entry.key],
-                QCoreApplication.translate("WatchMenu", entry.title),
-                tip=QCoreApplication.translate("WatchMenu", entry.tip),
-            )
+            caption(self._tabs[entry.key], entry.title.text(), tip=entry.tip.text())
         tip = self.tr("Takes this page out into a window of its own, for a second screen.")
         describe(self._take_out, self.tr("Own window"), tip)
         describe(self._fold, self.tr("Fold away"), self.tr("Folds the drawer away (Esc)"))

@@ -7,44 +7,30 @@ from functools import partial
 from importlib import import_module
 from typing import TYPE_CHECKING, Final
 
-from PySide6.QtCore import QT_TRANSLATE_NOOP
 from PySide6.QtWidgets import QWidget
 
+from armui.ui.actions.places import PLACES
 from armui.ui.shell.side_menu import MenuEntry
 
 if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
     from armui.settings import SettingsStore
 
-# key, title, module and class below `armui.ui.panels`, what the panel gets beside the controller
-# fmt: off
+# key, module and class below `armui.ui.panels`, what the panel gets beside the controller
 _PANELS: Final = (
-    ("motion", QT_TRANSLATE_NOOP("SideMenu", "Motion control"),
-     "jogging.motion_panel.MotionPanel", "jog_step"),
-    ("cartesian", QT_TRANSLATE_NOOP("SideMenu", "Tool control"),
-     "jogging.cartesian_panel.CartesianPanel", "preferences"),
-    ("light", QT_TRANSLATE_NOOP("SideMenu", "Light control"),
-     "light.light_panel.LightPanel", ""),
-    ("linkage", QT_TRANSLATE_NOOP("SideMenu", "Linkage control"),
-     "linkage_panel.LinkagePanel", ""),
-    ("joint_settings", QT_TRANSLATE_NOOP("SideMenu", "Joint settings"),
-     "parameters.joint_settings_panel.JointSettingsPanel", "open_backup"),
-    ("end_limits", QT_TRANSLATE_NOOP("SideMenu", "End speed limits"),
-     "parameters.end_limits_panel.EndLimitsPanel", "open_backup"),
-    ("collision", QT_TRANSLATE_NOOP("SideMenu", "Collision level"),
-     "parameters.collision_panel.CollisionPanel", "open_backup"),
-    ("motor", QT_TRANSLATE_NOOP("SideMenu", "Motor settings"),
-     "motors.motor_panel.MotorPanel", ""),
-    ("gripper", QT_TRANSLATE_NOOP("SideMenu", "Gripper control"),
-     "gripper.gripper_panel.GripperPanel", ""),
-    ("gripper_settings", QT_TRANSLATE_NOOP("SideMenu", "Gripper settings"),
-     "parameters.gripper_settings_panel.GripperSettingsPanel", "open_backup"),
-    ("end_load", QT_TRANSLATE_NOOP("SideMenu", "End load"),
-     "parameters.end_load_panel.EndLoadPanel", "preferences"),
-    ("teaching", QT_TRANSLATE_NOOP("SideMenu", "Drag teaching"),
-     "teaching.teaching_panel.TeachingPanel", "open_backup"),
+    ("motion", "jogging.motion_panel.MotionPanel", "jog_step"),
+    ("cartesian", "jogging.cartesian_panel.CartesianPanel", "preferences"),
+    ("light", "light.light_panel.LightPanel", ""),
+    ("linkage", "linkage_panel.LinkagePanel", ""),
+    ("joint_settings", "parameters.joint_settings_panel.JointSettingsPanel", "open_backup"),
+    ("end_limits", "parameters.end_limits_panel.EndLimitsPanel", "open_backup"),
+    ("collision", "parameters.collision_panel.CollisionPanel", "open_backup"),
+    ("motor", "motors.motor_panel.MotorPanel", ""),
+    ("gripper", "gripper.gripper_panel.GripperPanel", ""),
+    ("gripper_settings", "parameters.gripper_settings_panel.GripperSettingsPanel", "open_backup"),
+    ("end_load", "parameters.end_load_panel.EndLoadPanel", "preferences"),
+    ("teaching", "teaching.teaching_panel.TeachingPanel", "open_backup"),
 )
-# fmt: on
 
 
 def menu_entries(
@@ -72,6 +58,5 @@ def menu_entries(
         return panel
 
     return tuple(
-        MenuEntry(key, str(title), partial(make, place, needs))
-        for key, title, place, needs in _PANELS
+        MenuEntry(key, PLACES[key], partial(make, place, needs)) for key, place, needs in _PANELS
     )

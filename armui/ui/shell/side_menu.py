@@ -6,7 +6,7 @@ from collections.abc import Callable, Sequence
 from functools import partial
 from typing import Final, NamedTuple
 
-from PySide6.QtCore import QCoreApplication, QSize, Qt, Signal
+from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtWidgets import (
     QScrollArea,
     QSizePolicy,
@@ -19,6 +19,7 @@ from armui.ui.theme import colors_of
 from armui.ui.widgets import icons
 from armui.ui.widgets.buttons import named
 from armui.ui.widgets.translated import Translated
+from armui.ui.words.text import Text
 
 _WIDTH_PX: Final = 176
 
@@ -28,12 +29,12 @@ class MenuEntry(NamedTuple):
 
     Attributes:
         key: Its name in the program and its icon's; the button is called ``menu_<key>``.
-        title: What the menu says, marked for translation in the context ``SideMenu``.
+        title: What the menu says.
         make_panel: Makes the panel.
     """
 
     key: str
-    title: str
+    title: Text
     make_panel: Callable[[], QWidget]
 
 
@@ -109,7 +110,7 @@ class SideMenu(Translated, QWidget):
     def retranslate_ui(self) -> None:
         """Put the entries into the operator's language."""
         for place, entry in enumerate(self._entries):
-            title = QCoreApplication.translate("SideMenu", entry.title)
+            title = entry.title.text()
             self._buttons[place].setText(f" {title}")
             self._buttons[place].setAccessibleName(title)
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from typing import Final, NamedTuple
 
-from PySide6.QtCore import QCoreApplication, QSize, Qt
+from PySide6.QtCore import QSize, Qt
 from PySide6.QtWidgets import QSizePolicy, QToolButton, QWidget
 
 from armui.ui.theme import colors_of
@@ -13,6 +13,7 @@ from armui.ui.widgets import icons
 from armui.ui.widgets.buttons import named
 from armui.ui.widgets.layouts import empty_grid
 from armui.ui.widgets.translated import Translated
+from armui.ui.words.text import Text
 
 _COLUMNS: Final = 2
 
@@ -22,14 +23,14 @@ class WatchEntry(NamedTuple):
 
     Attributes:
         key: Its icon's name; the button is called ``<key>_button``.
-        title: What the button says, marked for translation in the context ``WatchMenu``.
-        tip: What the window is for, marked likewise.
+        title: What the button says.
+        tip: What the window is for.
         open_window: Shows it.
     """
 
     key: str
-    title: str
-    tip: str
+    title: Text
+    tip: Text
     open_window: Callable[[], object]
 
 
@@ -62,10 +63,10 @@ class WatchMenu(Translated, QWidget):
     def retranslate_ui(self) -> None:
         """Put the names into the operator's language."""
         for entry, button in self._buttons:
-            title = QCoreApplication.translate("WatchMenu", entry.title)
+            title = entry.title.text()
             button.setText(f" {title}")
             button.setAccessibleName(title)
-            button.setToolTip(QCoreApplication.translate("WatchMenu", entry.tip))
+            button.setToolTip(entry.tip.text())
 
     def _recolor(self) -> None:
         for entry, button in self._buttons:

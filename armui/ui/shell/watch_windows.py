@@ -6,11 +6,12 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Final
 
-from PySide6.QtCore import QT_TRANSLATE_NOOP, QObject
+from PySide6.QtCore import QObject
 from PySide6.QtWidgets import QDialog, QWidget
 
 from armui.control.events import EventCode
 from armui.ui.shell.watch_menu import WatchEntry
+from armui.ui.words.text import Text
 
 if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
@@ -33,25 +34,21 @@ _PAGES: Final = ("plots", "events", "bus")
 
 # fmt: off
 _BUTTONS: Final = (
-    ("plots", QT_TRANSLATE_NOOP("WatchMenu", "Curves"),
-     QT_TRANSLATE_NOOP(
-         "WatchMenu",
-         "What was heard and commanded in the last half hour. The right button on any figure "
-         "shows it here.")),
-    ("events", QT_TRANSLATE_NOOP("WatchMenu", "Events"),
-     QT_TRANSLATE_NOOP(
-         "WatchMenu",
-         "What happened: every command and what became of it, every change of the arm's status, "
-         "every fault with its beginning and its end.")),
-    ("bus", QT_TRANSLATE_NOOP("WatchMenu", "Bus"),
-     QT_TRANSLATE_NOOP(
-         "WatchMenu",
-         "Every frame on the CAN bus: what it says, how often it comes, who sends it.")),
-    ("sessions", QT_TRANSLATE_NOOP("WatchMenu", "Record"),
-     QT_TRANSLATE_NOOP(
-         "WatchMenu",
-         "Record everything on the bus, save what just happened, replay what was recorded, here or "
-         "by another program.")),
+    ("plots", Text("WatchMenu", "Curves"),
+     Text("WatchMenu",
+          "What was heard and commanded in the last half hour. The right button on any figure "
+          "shows it here.")),
+    ("events", Text("WatchMenu", "Events"),
+     Text("WatchMenu",
+          "What happened: every command and what became of it, every change of the arm's status, "
+          "every fault with its beginning and its end.")),
+    ("bus", Text("WatchMenu", "Bus"),
+     Text("WatchMenu",
+          "Every frame on the CAN bus: what it says, how often it comes, who sends it.")),
+    ("sessions", Text("WatchMenu", "Record"),
+     Text("WatchMenu",
+          "Record everything on the bus, save what just happened, replay what was recorded, here "
+          "or by another program.")),
 )
 # fmt: on
 """Icon, name and purpose of each window, row by row."""
@@ -103,9 +100,7 @@ class WatchWindows(QObject):
             "bus": self.open_bus_monitor,
             "sessions": self.open_sessions,
         }
-        return tuple(
-            WatchEntry(key, str(title), str(tip), openers[key]) for key, title, tip in _BUTTONS
-        )
+        return tuple(WatchEntry(key, title, tip, openers[key]) for key, title, tip in _BUTTONS)
 
     def pages(self) -> tuple[WatchEntry, ...]:
         """Those that are pages of the drawer."""

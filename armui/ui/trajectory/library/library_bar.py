@@ -139,7 +139,7 @@ class LibraryBar(QWidget):
     def retranslate(self) -> None:
         """Put every word into the operator's language."""
         for name, button in self._buttons.items():
-            button.setText(_text(name))
+            button.setText(_BUTTONS.text(name))
         self.search.setPlaceholderText(self.tr("Search"))
         self.search.setAccessibleName(self.tr("Search"))
         shown = key_text("library.find")
@@ -149,7 +149,7 @@ class LibraryBar(QWidget):
     def _show_tips(self) -> None:
         for name, button in self._buttons.items():
             shown = key_text(f"library.{name}")
-            tip = f"{_text(name)} ({shown})" if shown else ""
+            tip = f"{_BUTTONS.text(name)} ({shown})" if shown else ""
             button.setToolTip(tip if button.isEnabled() else self._missing())
 
     def _missing(self) -> str:
@@ -170,7 +170,3 @@ def _key(owner: QWidget, keys: str, alone: bool) -> QAction:
     )
     owner.addAction(action)
     return action
-
-
-def _text(name: str) -> str:
-    return _BUTTONS.text(name)
