@@ -179,10 +179,6 @@
         <translation>复制为文本</translation>
     </message>
     <message>
-        <source>Close</source>
-        <translation>关闭</translation>
-    </message>
-    <message>
         <source>Copied: paste it into a mail.</source>
         <translation>已复制，可粘贴到邮件中。</translation>
     </message>
@@ -613,10 +609,6 @@
         <translation>恢复</translation>
     </message>
     <message>
-        <source>Close</source>
-        <translation>关闭</translation>
-    </message>
-    <message>
         <source>Reading was stopped; what was read is shown.</source>
         <translation>已停止读取；显示的是已读到的参数。</translation>
     </message>
@@ -768,10 +760,6 @@
     <message>
         <source>Bring back</source>
         <translation>恢复</translation>
-    </message>
-    <message>
-        <source>Close</source>
-        <translation>关闭</translation>
     </message>
 </context>
 <context>
@@ -1060,6 +1048,13 @@
     </message>
 </context>
 <context>
+    <name>CloseButton</name>
+    <message>
+        <source>Close</source>
+        <translation>关闭</translation>
+    </message>
+</context>
+<context>
     <name>CloseQuestion</name>
     <message>
         <source>The arm is moving</source>
@@ -1315,10 +1310,6 @@
     <message>
         <source>Diagnosis…</source>
         <translation>诊断…</translation>
-    </message>
-    <message>
-        <source>Close</source>
-        <translation>关闭</translation>
     </message>
     <message>
         <source>Bit rate</source>
@@ -1583,10 +1574,6 @@
     <message>
         <source>Examine again</source>
         <translation>重新诊断</translation>
-    </message>
-    <message>
-        <source>Close</source>
-        <translation>关闭</translation>
     </message>
     <message>
         <source>Only looked and listened: nothing was sent. In a terminal: armui doctor</source>
@@ -3156,10 +3143,6 @@
         <source>Copy the command</source>
         <translation>复制命令</translation>
     </message>
-    <message>
-        <source>Close</source>
-        <translation>关闭</translation>
-    </message>
 </context>
 <context>
     <name>GamepadMode</name>
@@ -3612,10 +3595,6 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
         <source>Help: 3D view</source>
         <translation>使用帮助</translation>
     </message>
-    <message>
-        <source>Close</source>
-        <translation>关闭</translation>
-    </message>
 </context>
 <context>
     <name>ImportReport</name>
@@ -3634,10 +3613,6 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
     <message>
         <source>Result</source>
         <translation>结果</translation>
-    </message>
-    <message>
-        <source>Close</source>
-        <translation>关闭</translation>
     </message>
     <message>
         <source>✓ As “{name}”: the name “{requested}” was taken</source>
@@ -3857,10 +3832,6 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
     <message>
         <source>Joint status</source>
         <translation>关节状态</translation>
-    </message>
-    <message>
-        <source>Close</source>
-        <translation>关闭</translation>
     </message>
     <message>
         <source>Joint</source>
@@ -8872,10 +8843,6 @@ The other program must have ended.</source>
         <translation>关于本机械臂…</translation>
     </message>
     <message>
-        <source>Close</source>
-        <translation>关闭</translation>
-    </message>
-    <message>
         <source>Built-in model of the PiPER</source>
         <translation>PiPER 内置模型</translation>
     </message>
@@ -8988,10 +8955,6 @@ The other program must have ended.</source>
     <message>
         <source>Keyboard shortcuts</source>
         <translation>快捷键</translation>
-    </message>
-    <message>
-        <source>Close</source>
-        <translation>关闭</translation>
     </message>
 </context>
 <context>

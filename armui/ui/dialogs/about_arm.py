@@ -18,6 +18,7 @@ from armui.doctor.probes.can_devices import look_at_links
 from armui.ui.background import Background, Job
 from armui.ui.dialogs.about_arm_rows import AboutRow, about_rows
 from armui.ui.dialogs.base import ArmDialog
+from armui.ui.dialogs.close_button import CloseButton
 from armui.ui.dialogs.online_since import OnlineSince
 from armui.ui.widgets.buttons import named, push_button
 from armui.ui.widgets.layouts import empty_grid, fill
@@ -63,7 +64,6 @@ class AboutArmDialog(ArmDialog):
         self._timer.setInterval(_REFRESH_MS)
         self._timer.timeout.connect(self._refresh)
         self.copy_button.clicked.connect(self._on_copy)
-        self.close_button.clicked.connect(self.close)
         controller.operating_state_changed.connect(self._on_state_changed)
         self.retranslate_ui()
 
@@ -79,15 +79,13 @@ class AboutArmDialog(ArmDialog):
         self._grid_widget.setAutoFillBackground(False)
         self._said = text_label("about_arm_said", rank="muted")
         self.copy_button = push_button("about_arm_copy", on_enter=False)
-        self.close_button = push_button(on_enter=True)
         self.body.addWidget(area, 1)
-        fill(self.footer, self.copy_button, (self._said, 1), self.close_button)
+        fill(self.footer, self.copy_button, (self._said, 1), CloseButton(self, on_enter=True))
 
     def retranslate_ui(self) -> None:
         """Put every word into the operator's language."""
         self.set_title(self.tr("About this arm"))
         self.copy_button.setText(self.tr("Copy as text"))
-        self.close_button.setText(self.tr("Close"))
         self._refresh()
 
     def showEvent(self, event: QShowEvent) -> None:

@@ -29,6 +29,7 @@ from armui.ui import words
 from armui.ui.dialogs import backup_text
 from armui.ui.dialogs.backup_model import NAME, BackupModel, DifferencesOnly
 from armui.ui.dialogs.base import ArmDialog
+from armui.ui.dialogs.close_button import CloseButton
 from armui.ui.dialogs.confirm import confirm
 from armui.ui.dialogs.files import choose_file
 from armui.ui.widgets.buttons import named, push_button
@@ -79,10 +80,10 @@ class BackupDialog(ArmDialog):
         choice = in_row(self.only_differences, STRETCH, self.all_button, self.none_button)
         fill(self.body, self._origin, choice, (self.table, 1), self.progress, self._message)
         self.read_button, self.save_button = (push_button(on_enter=False) for _ in range(2))
-        self.open_button, self.close_button = (push_button(on_enter=False) for _ in range(2))
+        self.open_button = push_button(on_enter=False)
         self.restore_button = push_button(primary=True, on_enter=False)
         fill(self.footer, self.read_button, STRETCH, self.save_button)
-        fill(self.footer, self.open_button, self.restore_button, self.close_button)
+        fill(self.footer, self.open_button, self.restore_button, CloseButton(self))
 
     def _connect(self) -> None:
         self.only_differences.toggled.connect(self._shown.show_only_differences)
@@ -92,7 +93,6 @@ class BackupDialog(ArmDialog):
         self.save_button.clicked.connect(self._on_save)
         self.open_button.clicked.connect(self._on_open)
         self.restore_button.clicked.connect(self._on_restore)
-        self.close_button.clicked.connect(self.close)
         self._model.ticked.connect(self._show_possible)
         self._reader.progressed.connect(self._on_progress)
         self._reader.finished.connect(self._on_read_to_the_end)
@@ -109,7 +109,6 @@ class BackupDialog(ArmDialog):
         self.save_button.setText(self.tr("Save to a file…"))
         self.open_button.setText(self.tr("Open a file…"))
         self.restore_button.setText(self.tr("Restore"))
-        self.close_button.setText(self.tr("Close"))
         self._model.retranslate()
         self._show_all()
 

@@ -27,6 +27,7 @@ from armui.ui import words
 from armui.ui.background import Background
 from armui.ui.dialogs.adapter_trouble import AdapterTrouble
 from armui.ui.dialogs.base import ArmDialog
+from armui.ui.dialogs.close_button import CloseButton
 from armui.ui.dialogs.confirm import confirm
 from armui.ui.dialogs.device_model import CHANNEL, STATE, DeviceModel, bitrate_text, same_device
 from armui.ui.dialogs.kept_models import KeptModels
@@ -95,7 +96,6 @@ class ConnectDialog(ArmDialog):
         self.disconnect_button.clicked.connect(self._on_disconnect)
         self.refresh_button.clicked.connect(self._search)
         self.diagnosis_button.clicked.connect(self._on_diagnosis)
-        self.close_button.clicked.connect(self.close)
         self._manual.entered.connect(self._on_entered)
         self.model_choice.chosen.connect(self._refresh)
         if self._trouble is not None:
@@ -152,9 +152,8 @@ class ConnectDialog(ArmDialog):
         self.refresh_button = push_button(on_enter=False)
         self.disconnect_button = push_button(on_enter=False)
         self.connect_button = push_button(primary=True, on_enter=True)
-        self.close_button = push_button(on_enter=False)
         fill(self.footer, self.refresh_button, STRETCH)
-        fill(self.footer, self.disconnect_button, self.connect_button, self.close_button)
+        fill(self.footer, self.disconnect_button, self.connect_button, CloseButton(self))
 
     def retranslate_ui(self) -> None:
         """Put every word into the operator's language."""
@@ -164,7 +163,6 @@ class ConnectDialog(ArmDialog):
         self.connect_button.setText(self.tr("Connect"))
         self.disconnect_button.setText(self.tr("Disconnect"))
         self.diagnosis_button.setText(self.tr("Diagnosis…"))
-        self.close_button.setText(self.tr("Close"))
         self._bitrate_label.setText(self.tr("Bit rate"))
         self.model_choice.retranslate_ui()
         self.model_choice.line_up(self._bitrate_label, self._manual.interface_label)

@@ -9,7 +9,7 @@ from typing import Any, Final, Protocol
 
 from PySide6.QtCore import Qt, QTimer, Signal
 from PySide6.QtGui import QCloseEvent, QGuiApplication
-from PySide6.QtWidgets import QFrame, QLabel, QProgressBar, QScrollArea, QWidget
+from PySide6.QtWidgets import QLabel, QProgressBar, QWidget
 
 from armui.arm.device import Device
 from armui.control.arm_controller import ArmController
@@ -18,9 +18,11 @@ from armui.doctor.finding import Diagnosis, DiagnosisLevel, Section
 from armui.doctor.process import DoctorProcess
 from armui.doctor.report import Words, as_text
 from armui.ui.dialogs.base import ArmDialog
+from armui.ui.dialogs.close_button import CloseButton
 from armui.ui.dialogs.connected_arm import judge_connected
 from armui.ui.dialogs.finding_row import FindingRow
 from armui.ui.widgets.buttons import named, push_button
+from armui.ui.widgets.card import bare_area
 from armui.ui.widgets.enable_or_explain import enable_or_explain
 from armui.ui.widgets.layouts import STRETCH, fill, in_column
 from armui.ui.widgets.message_line import MessageLine
@@ -72,7 +74,6 @@ class DoctorDialog(ArmDialog):
         self.resize(*_SIZE_PX)
         self.copy_button.clicked.connect(self._on_copy)
         self.again_button.clicked.connect(self.examine)
-        self.close_button.clicked.connect(self.close)
         # queued, for an answer may come while the examination is being begun
         self._told.connect(self._on_told, Qt.ConnectionType.QueuedConnection)
         self.retranslate_ui()
@@ -85,13 +86,10 @@ class DoctorDialog(ArmDialog):
         self._progress.setRange(0, 0)
         self._progress.setTextVisible(False)
         self._note = text_label(rank="muted", wraps=True, plain=True)
-        self._area = named("doctor_findings", QScrollArea())
-        self._area.setWidgetResizable(True)
-        self._area.setFrameShape(QFrame.Shape.NoFrame)
-        self._area.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self._area = named("doctor_findings", bare_area())
         self.copy_button = push_button("doctor_copy", on_enter=False)
         self.again_button = push_button("doctor_again", on_enter=False)
-        self.close_button = push_button(on_enter=False)
+        self.close_button = CloseButton(self)
         self.close_button.setDefault(True)
         fill(self.body, self._message, self._progress, (self._area, 1), self._note)
         fill(self.footer, self.copy_button, STRETCH, self.again_button, self.close_button)
@@ -101,7 +99,6 @@ class DoctorDialog(ArmDialog):
         self.set_title(self.tr("Diagnosis"))
         self.copy_button.setText(self.tr("Copy report"))
         self.again_button.setText(self.tr("Examine again"))
-        self.close_button.setText(self.tr("Close"))
         self._note.setText(
             self.tr("Only looked and listened: nothing was sent. In a terminal: armui doctor")
         )

@@ -24,11 +24,12 @@ from armui.control.events import Event, EventCode, Level
 from armui.control.operating_state import OperatingState
 from armui.ui import words
 from armui.ui.dialogs.base import ArmDialog
+from armui.ui.dialogs.close_button import CloseButton
 from armui.ui.dialogs.joint_status_cell import JointCellDelegate, cell_width
 from armui.ui.dialogs.joint_status_model import JointStatusModel
 from armui.ui.widgets.buttons import named, push_button
 from armui.ui.widgets.enable_or_explain import enable_or_explain
-from armui.ui.widgets.layouts import in_column, in_row
+from armui.ui.widgets.layouts import fill, in_column, in_row
 from armui.ui.widgets.message_line import MessageLine
 from armui.ui.widgets.text_label import text_label
 
@@ -120,15 +121,11 @@ class JointStatusDialog(ArmDialog):
 
     def _build_footer(self) -> None:
         self._detail = text_label("joint_status_detail", rank="muted", wraps=True, plain=True)
-        self.close_button = push_button(on_enter=True)
-        self.close_button.clicked.connect(self.close)
-        self.footer.addWidget(self._detail, 1)
-        self.footer.addWidget(self.close_button)
+        fill(self.footer, (self._detail, 1), CloseButton(self, on_enter=True))
 
     def retranslate_ui(self) -> None:
         """Put every word into the operator's language."""
         self.set_title(self.tr("Joint status"))
-        self.close_button.setText(self.tr("Close"))
         self._corner_label.setText(self.tr("Joint"))
         self._table.setAccessibleName(self.tr("Joint status"))
         for joint, button in zip(JOINTS, self.clear_buttons, strict=True):

@@ -25,6 +25,7 @@ from armui.settings import SettingsStore
 from armui.ui import format as fmt
 from armui.ui import words
 from armui.ui.dialogs.base import ArmDialog
+from armui.ui.dialogs.close_button import CloseButton
 from armui.ui.dialogs.files import choose_file
 from armui.ui.widgets.buttons import caption, named, push_button
 from armui.ui.widgets.elided_label import ElidedLabel
@@ -75,7 +76,6 @@ class SettingsDialog(ArmDialog):
         self.diagnosis_button.clicked.connect(self.diagnosis_wanted)
         self.about_arm_button.clicked.connect(self.about_arm_wanted)
         self.gamepad_button.clicked.connect(self._on_gamepad)
-        self.close_button.clicked.connect(self.close)
         self.language_box.setFocus()
         self.retranslate_ui()
 
@@ -97,7 +97,6 @@ class SettingsDialog(ArmDialog):
         self._gamepad_label, self._gamepad_state = QLabel(), ElidedLabel()
         self.gamepad_button = push_button("gamepad_button", on_enter=False)
         self._gamepad_dialog: GamepadDialog | None = None
-        self.close_button = push_button(on_enter=False)
         for code, name in _LANGUAGES:
             self.language_box.addItem(name, code)
         for code in ("light", "dark", "system"):
@@ -120,7 +119,7 @@ class SettingsDialog(ArmDialog):
         grid.addWidget(self.stop_again_box, grid.rowCount(), 1)
         self._message = MessageLine()
         fill(self.body, grid, STRETCH, self._message)
-        fill(self.footer, self.diagnosis_button, self.about_arm_button, STRETCH, self.close_button)
+        fill(self.footer, self.diagnosis_button, self.about_arm_button, STRETCH, CloseButton(self))
 
     def retranslate_ui(self) -> None:
         """Put every word into the operator's language."""
@@ -148,7 +147,6 @@ class SettingsDialog(ArmDialog):
         caption(self.gamepad_button, self.tr("Gamepad…"))
         self.diagnosis_button.setText(self.tr("Diagnosis…"))
         self.about_arm_button.setText(self.tr("About this arm…"))
-        self.close_button.setText(self.tr("Close"))
         self._refresh()
 
     def showEvent(self, event: QShowEvent) -> None:

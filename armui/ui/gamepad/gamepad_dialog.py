@@ -18,6 +18,7 @@ from armui.setting_checks import GamepadMode
 from armui.settings import SettingsStore
 from armui.ui import words
 from armui.ui.dialogs.base import ArmDialog
+from armui.ui.dialogs.close_button import CloseButton
 from armui.ui.gamepad.axis_rows import AxisRows
 from armui.ui.gamepad.button_rows import ButtonRows
 from armui.ui.widgets.buttons import caption, choice_button, named, push_button
@@ -65,7 +66,6 @@ class GamepadDialog(ArmDialog):
         self.device_box.activated.connect(self._on_device)
         self._modes.idClicked.connect(self._on_mode)
         self.copy_button.clicked.connect(self._on_copy)
-        self.close_button.clicked.connect(self.close)
         self.on_box.setFocus()
         self.retranslate_ui()
 
@@ -87,7 +87,6 @@ class GamepadDialog(ArmDialog):
         self._hint = text_label("gamepad_hint", rank="muted", wraps=True)
         self._message = named("gamepad_message", MessageLine())
         self.copy_button = push_button("gamepad_copy_button", on_enter=False)
-        self.close_button = push_button(on_enter=False)
         self._axes_card, self._buttons_card = QFrame(), QFrame()
         self._axes_title, self._buttons_title = QLabel(), QLabel()
         self._axes_place = in_column(self._axes_title, spacing=10)
@@ -110,7 +109,7 @@ class GamepadDialog(ArmDialog):
             STRETCH,
             self._hint,
         )
-        fill(self.footer, self.copy_button, STRETCH, self.close_button)
+        fill(self.footer, self.copy_button, STRETCH, CloseButton(self))
 
     # What is shown ----------------------------------------------------------------------------
 
@@ -262,5 +261,4 @@ class GamepadDialog(ArmDialog):
             )
         )
         caption(self.copy_button, self.tr("Copy the command"))
-        self.close_button.setText(self.tr("Close"))
         self._refresh()

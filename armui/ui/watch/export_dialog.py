@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, Final, Protocol
 
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QCloseEvent
-from PySide6.QtWidgets import QProgressBar, QPushButton, QWidget
+from PySide6.QtWidgets import QWidget
 
 from armui.control.events import Level
 from armui.export.process import ExportDone, ExportProcess
@@ -19,9 +19,11 @@ from armui.ui.dialogs.base import ArmDialog
 from armui.ui.dialogs.confirm import confirm
 from armui.ui.watch import export_text
 from armui.ui.watch.export_form import ExportForm
-from armui.ui.widgets.buttons import named
+from armui.ui.widgets.buttons import named, push_button
 from armui.ui.widgets.enable_or_explain import enable_or_explain
+from armui.ui.widgets.layouts import STRETCH, fill
 from armui.ui.widgets.message_line import MessageLine
+from armui.ui.widgets.progress import quiet_progress
 from armui.ui.widgets.text_label import text_label
 
 if TYPE_CHECKING:
@@ -87,24 +89,11 @@ class ExportDialog(ArmDialog):
         self.form = ExportForm(self._controller)
         self._message = named("export_message", MessageLine())
         self._remarks = text_label("export_remarks", rank="muted", wraps=True, plain=True)
-        self.progress = QProgressBar()
-        self.progress.setTextVisible(False)
-        policy = self.progress.sizePolicy()
-        policy.setRetainSizeWhenHidden(True)
-        self.progress.setSizePolicy(policy)
-        self.body.addWidget(self.form)
-        self.body.addStretch(1)
-        self.body.addWidget(self._message)
-        self.body.addWidget(self._remarks)
-        self.body.addWidget(self.progress)
-        self.export_button, self.close_button = QPushButton(), QPushButton()
-        self.export_button.setObjectName("export_button")
-        self.export_button.setProperty("primary", True)
-        self.footer.addStretch(1)
-        self.footer.addWidget(self.export_button)
-        self.footer.addWidget(self.close_button)
-        for button in (self.export_button, self.close_button):
-            button.setAutoDefault(False)
+        self.progress = quiet_progress()
+        fill(self.body, self.form, STRETCH, self._message, self._remarks, self.progress)
+        self.export_button = push_button("export_button", primary=True, on_enter=False)
+        self.close_button = push_button(on_enter=False)
+        fill(self.footer, STRETCH, self.export_button, self.close_button)
 
     def retranslate_ui(self) -> None:
         """Put every word into the operator's language."""

@@ -6,7 +6,7 @@ from typing import Final
 
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QShowEvent
-from PySide6.QtWidgets import QFrame, QScrollArea
+from PySide6.QtWidgets import QFrame, QScrollArea, QWidget
 
 _LOWEST_PX: Final = 120
 
@@ -45,4 +45,19 @@ def scrolled(card: QFrame, tallest_px: int) -> QScrollArea:
     area.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
     area.setMinimumHeight(_LOWEST_PX)
     area.setMaximumHeight(tallest_px)
+    return area
+
+
+def bare_area(content: QWidget | None = None) -> QScrollArea:
+    """Let something scroll down without a frame around it; it is as wide as the area.
+
+    Args:
+        content: What scrolls, if it is known by now.
+    """
+    area = QScrollArea()
+    if content is not None:
+        area.setWidget(content)
+    area.setWidgetResizable(True)
+    area.setFrameShape(QFrame.Shape.NoFrame)
+    area.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
     return area

@@ -13,6 +13,7 @@ from armui.control.events import Level
 from armui.trajectory.library.bin import KEPT
 from armui.trajectory.library.store import Deleted
 from armui.ui.dialogs.base import ArmDialog
+from armui.ui.dialogs.close_button import CloseButton
 from armui.ui.widgets.buttons import named, push_button
 from armui.ui.widgets.layouts import STRETCH, fill
 from armui.ui.widgets.message_line import MessageLine, Words
@@ -44,14 +45,12 @@ class BinDialog(ArmDialog):
         for column in (1, 2):
             self._table.setColumnWidth(column, _DATE_PX)
         self._back = push_button("bin_back", primary=True, on_enter=True)
-        self._close = push_button(on_enter=False)
         self._message = named("bin_message", MessageLine())
         fill(self.body, self._text, (self._table, 1), self._message)
-        fill(self.footer, STRETCH, self._back, self._close)
+        fill(self.footer, STRETCH, self._back, CloseButton(self))
         self._table.itemSelectionChanged.connect(self._show_usable)
         self._table.itemDoubleClicked.connect(lambda _item: self._back.click())
         self._back.clicked.connect(lambda _checked=False: self.wanted.emit(self._chosen()))
-        self._close.clicked.connect(self.reject)
         self.retranslate_ui()
         self.resize(_SIZE)
         self._table.setFocus()
@@ -108,5 +107,4 @@ class BinDialog(ArmDialog):
         )
         self._table.setAccessibleName(self.tr("Recently deleted"))
         self._back.setText(self.tr("Bring back"))
-        self._close.setText(self.tr("Close"))
         self._show_usable()

@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QHeaderView, QPushButton, QTableWidgetItem, QWidge
 
 from armui.control.arm_controller import ArmController
 from armui.ui.dialogs.base import ArmDialog
-from armui.ui.widgets.buttons import push_button
+from armui.ui.dialogs.close_button import CloseButton
 from armui.ui.widgets.layouts import STRETCH, fill
 from armui.ui.widgets.plain_table import plain_table
 from armui.ui.widgets.text_label import text_label
@@ -55,10 +55,8 @@ class ImportReport(ArmDialog):
         self._table.setRowCount(len(results))
         self._table.verticalHeader().setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
         self._table.setColumnWidth(0, _FILE_PX)
-        self._close = push_button(on_enter=True)
-        self._close.clicked.connect(self.accept)
         fill(self.body, self._summary, (self._table, 1))
-        fill(self.footer, STRETCH, self._close)
+        fill(self.footer, STRETCH, CloseButton(self, on_enter=True))
         self.retranslate_ui()
         self.resize(_SIZE)
 
@@ -75,7 +73,6 @@ class ImportReport(ArmDialog):
                 item = QTableWidgetItem(cell)
                 item.setToolTip(cell)
                 self._table.setItem(row, column, item)
-        self._close.setText(self.tr("Close"))
 
     def _tell(self, result: Result) -> str:
         """A sign and a sentence."""

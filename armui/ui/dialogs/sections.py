@@ -1,0 +1,101 @@
+"""A window to be read: sections in two columns, each a heading and lines that explain."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Final, NamedTuple
+
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QGridLayout, QLabel, QScrollArea, QWidget
+
+from armui.ui.dialogs.base import ArmDialog
+from armui.ui.dialogs.close_button import CloseButton
+from armui.ui.dialogs.keycap import KeyCap
+from armui.ui.theme import scaled_font
+from armui.ui.widgets.card import bare_area
+from armui.ui.widgets.layouts import STRETCH, empty_grid, fill, in_row
+from armui.ui.widgets.text_label import text_label
+from armui.ui.words.text import Text
+
+if TYPE_CHECKING:
+    from armui.control.arm_controller import ArmController
+
+_COLUMN_GAP_PX: Final = 36
+_SECTION_GAP_PX: Final = 12
+
+
+class Section(NamedTuple):
+    """A heading and its lines: what to do or see, and what it does or means.
+
+    Attributes:
+        heading: Of the section.
+        lines: Left and right; what is in no language is a plain string.
+        keys: What is on the left of a line is a key or a gesture.
+    """
+
+    heading: Text
+    lines: Sequence[tuple[Text | str, Text]]
+    keys: bool = True
+
+
+class SectionsDialog(ArmDialog):
+    """Shows them; who derives from it gives it its title.
+
+    Args:
+        controller: Whom the emergency stop tells.
+        parent: The main window.
+        left, right: The columns.
+        gaps_px: Within a line, and between two.
+    """
+
+    def __init__(
+        self,
+        controller: ArmController,
+        parent: QWidget | None,
+        *,
+        left: Sequence[Section],
+        right: Sequence[Section],
+        gaps_px: tuple[int, int],
+    ) -> None:
+        super().__init__(controller, parent)
+        self._texts: list[tuple[QLabel, Text]] = []
+        page = QWidget()
+        columns = in_row(on=page, spacing=_COLUMN_GAP_PX, margins=(0, 0, 8, 0))
+        for sections in (left, right):
+            grid = empty_grid(gaps=gaps_px)
+            grid.setColumnStretch(1, 1)
+            for section in sections:
+                self._add_section(grid, section)
+            grid.setRowStretch(grid.rowCount(), 1)
+            columns.addLayout(grid, 1)
+        self.area: QScrollArea = bare_area(page)
+        self.close_button = CloseButton(self, on_enter=True)
+        fill(self.body, (self.area, 1))
+        fill(self.footer, STRETCH, self.close_button)
+        self.retranslate_ui()
+
+    def _add_section(self, grid: QGridLayout, section: Section) -> None:
+        row = grid.rowCount()
+        grid.setRowMinimumHeight(row, _SECTION_GAP_PX if row > 1 else 0)
+        row += 1
+        heading = text_label(rank="muted")
+        grid.addWidget(heading, row, 0, 1, 2)
+        self._texts.append((heading, section.heading))
+        align = Qt.AlignmentFlag.AlignVCenter if section.keys else Qt.AlignmentFlag.AlignTop
+        for what, meaning in section.lines:
+            row += 1
+            left, right = KeyCap() if section.keys else QLabel(), QLabel()
+            left.setFont(scaled_font(left, 1.0, bold=not section.keys))
+            right.setWordWrap(True)
+            grid.addWidget(left, row, 0, align | Qt.AlignmentFlag.AlignLeft)
+            grid.addWidget(right, row, 1, align)
+            self._texts.append((right, meaning))
+            if isinstance(what, Text):
+                self._texts.append((left, what))
+            else:
+                left.setText(what)
+
+    def retranslate_ui(self) -> None:
+        """Put every word into the operator's language."""
+        for label, text in self._texts:
+            label.setText(text.text())
