@@ -11,13 +11,13 @@ from PySide6.QtWidgets import (
     QScrollArea,
     QSizePolicy,
     QToolButton,
-    QVBoxLayout,
     QWidget,
 )
 
 from armui.ui.theme import colors_of
 from armui.ui.widgets import icons
 from armui.ui.widgets.buttons import named
+from armui.ui.widgets.layouts import in_column
 from armui.ui.widgets.translated import Translated
 from armui.ui.words.text import Text
 
@@ -61,9 +61,7 @@ class SideMenu(Translated, QWidget):
         self._chosen: int | None = 0
         self.setFixedWidth(_WIDTH_PX)
         column = QWidget()
-        layout = QVBoxLayout(column)
-        layout.setContentsMargins(0, 0, 0, 0)
-        layout.setSpacing(2)
+        layout = in_column(on=column, spacing=2, margins=0)
         for place, entry in enumerate(self._entries):
             button = named(f"menu_{entry.key}", QToolButton())
             button.setProperty("entry", True)
@@ -75,12 +73,8 @@ class SideMenu(Translated, QWidget):
             self._buttons.append(button)
             layout.addWidget(button)
         layout.addStretch(1)
-        whole = QVBoxLayout(self)
-        whole.setContentsMargins(8, 10, 8, 10)
-        whole.setSpacing(6)
-        whole.addWidget(self._scrolled(column), 1)
-        for widget in at_bottom:
-            whole.addWidget(widget)
+        entries_area = (self._scrolled(column), 1)
+        in_column(entries_area, *at_bottom, on=self, spacing=6, margins=(8, 10, 8, 10))
         self.retranslate_ui()
         self.choose(0)
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QSignalBlocker, Qt
-from PySide6.QtWidgets import QHBoxLayout, QLabel, QSpinBox, QWidget
+from PySide6.QtWidgets import QLabel, QSpinBox, QWidget
 
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
@@ -17,6 +17,7 @@ from armui.ui import words
 from armui.ui.freshness import is_stale
 from armui.ui.widgets.buttons import named
 from armui.ui.widgets.curve_menu import tell_quantities
+from armui.ui.widgets.layouts import in_row
 from armui.ui.widgets.track_slider import TrackSlider
 from armui.ui.widgets.translated import Translated
 from armui.ui.widgets.value_label import ValueLabel
@@ -55,14 +56,8 @@ class SpeedControl(Translated, QWidget):
         self._arm_label.setProperty("rank", "muted")
         self._arm_value = named("arm_speed", ValueLabel(fmt.percent(100)))
         tell_quantities(self, "arm.speed_percent", "own.speed_percent", "other.speed_percent")
-        layout = QHBoxLayout(self)
-        layout.setContentsMargins(0, 0, 0, 0)
-        layout.setSpacing(8)
-        layout.addWidget(self._label)
-        layout.addWidget(self._slider, 1)
-        layout.addWidget(self._field)
-        layout.addWidget(self._arm_label)
-        layout.addWidget(self._arm_value)
+        wanted = (self._label, (self._slider, 1), self._field)
+        in_row(*wanted, self._arm_label, self._arm_value, on=self, spacing=8, margins=0)
         self._slider.valueChanged.connect(self._on_chosen)
         self._slider.sliderMoved.connect(self._on_dragged)
         self._field.valueChanged.connect(self._on_chosen)

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QEvent, QObject, Qt, Signal
 from PySide6.QtGui import QColor, QMouseEvent, QShowEvent
-from PySide6.QtWidgets import QHBoxLayout, QLabel, QWidget
+from PySide6.QtWidgets import QLabel, QWidget
 
 from armui.arm.limits import JOINTS
 from armui.arm.refusal import Refusal
@@ -23,6 +23,7 @@ from armui.ui.widgets import icons
 from armui.ui.widgets.buttons import named
 from armui.ui.widgets.curve_menu import tell_quantities
 from armui.ui.widgets.elided_label import ElidedLabel
+from armui.ui.widgets.layouts import in_row
 from armui.ui.widgets.translated import Translated
 
 if TYPE_CHECKING:
@@ -90,12 +91,8 @@ class StatusBar(Translated, QWidget):
         self._labels = {
             name: QLabel() for name in ("control", "arm", "mode", "teaching", "reached", "joints")
         }
-        self._layout = layout = QHBoxLayout(self)
-        layout.setContentsMargins(14, 6, 14, 6)
-        layout.setSpacing(8)
-        layout.addWidget(self._notice_icon)
-        layout.addWidget(self._notice_label, 1)
-        layout.addSpacing(16)
+        notice = (self._notice_icon, (self._notice_label, 1), 16)
+        self._layout = in_row(*notice, on=self, spacing=8, margins=(14, 6, 14, 6))
         self._separators: dict[str, QLabel] = {}
         for name, label in self._labels.items():
             label.setObjectName(f"status_{name}")
@@ -105,10 +102,10 @@ class StatusBar(Translated, QWidget):
                 separator = QLabel("│")
                 separator.setProperty("rank", "muted")
                 self._separators[name] = separator
-                layout.addWidget(separator)
+                self._layout.addWidget(separator)
             if name == "arm":
-                layout.addWidget(self._status_icon)
-            layout.addWidget(label)
+                self._layout.addWidget(self._status_icon)
+            self._layout.addWidget(label)
         if with_notices:
             controller.noticed.connect(self._on_noticed)
         controller.state_changed.connect(self._on_state_changed)

@@ -6,7 +6,7 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QHBoxLayout, QWidget
+from PySide6.QtWidgets import QWidget
 
 from armui.control.operating_state import OperatingState
 from armui.ui import words
@@ -15,6 +15,7 @@ from armui.ui.shell.communication_button import CommunicationButton
 from armui.ui.shell.enable_button import EnableButton
 from armui.ui.shell.speed_control import SpeedControl
 from armui.ui.widgets.halt_button import HaltButton
+from armui.ui.widgets.layouts import fill, in_row
 from armui.ui.widgets.stop_button import StopButton
 from armui.ui.widgets.translated import Translated
 
@@ -42,15 +43,11 @@ class TopBar(Translated, QWidget):
         self._controller = controller
         self._communication = CommunicationButton()
         self._enable = EnableButton()
-        layout = QHBoxLayout(self)
-        layout.setContentsMargins(8, 6, 8, 6)
-        layout.setSpacing(12)
-        layout.addWidget(self._communication)
-        layout.addWidget(SpeedControl(controller), 1)
+        left = (self._communication, (SpeedControl(controller), 1))
+        layout = in_row(*left, on=self, spacing=12, margins=(8, 6, 8, 6))
         layout.addStretch(0)
-        layout.addWidget(self._enable)
-        layout.addWidget(HaltButton(controller))
-        layout.addWidget(StopButton(controller, ask_to_resume=self._ask_to_resume))
+        stop = StopButton(controller, ask_to_resume=self._ask_to_resume)
+        fill(layout, self._enable, HaltButton(controller), stop)
         self._communication.clicked.connect(open_connection)
         self._enable.clicked.connect(self._on_enable)
         controller.operating_state_changed.connect(self._show_operating_state)

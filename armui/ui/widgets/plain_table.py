@@ -34,14 +34,7 @@ def plain_table(name: str, columns: int, *, wide: int) -> QTableWidget:
     """
     table = named(name, QTableWidget(0, columns))
     table.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
-    table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
-    table.setShowGrid(False)
     table.setAlternatingRowColors(True)
-    table.setTabKeyNavigation(False)
     table.setTextElideMode(Qt.TextElideMode.ElideMiddle)
-    table.verticalHeader().hide()
-    across = table.horizontalHeader()
-    across.setHighlightSections(False)
-    across.setDefaultAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
-    across.setSectionResizeMode(wide, QHeaderView.ResizeMode.Stretch)
+    list_rows(table).setSectionResizeMode(wide, QHeaderView.ResizeMode.Stretch)
     return table

@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QAbstractItemView, QTableView
 
 from armui.trajectory.library.store import IndexEntry
 from armui.ui.trajectory.library.library_model import ENTRY_ROLE, LibraryColumn, LibraryFilter
+from armui.ui.widgets.plain_table import list_rows
 
 _ROW_PX: Final = 34
 _LEAST_ROWS: Final = 3
@@ -35,20 +36,14 @@ class LibraryTable(QTableView):
         super().__init__()
         self.setObjectName("library_table")
         self.setModel(shown)
-        self.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
         self.setSelectionMode(QAbstractItemView.SelectionMode.ExtendedSelection)
         self.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
         self.setSortingEnabled(True)
         self.sortByColumn(LibraryColumn.NAME, Qt.SortOrder.AscendingOrder)
-        self.setShowGrid(False)
         self.setAlternatingRowColors(True)
         self.setWordWrap(False)
-        self.setTabKeyNavigation(False)
-        self.verticalHeader().hide()
         self.verticalHeader().setDefaultSectionSize(_ROW_PX)
-        across = self.horizontalHeader()
-        across.setHighlightSections(False)
-        across.setDefaultAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
+        across = list_rows(self)
         across.setStretchLastSection(True)
         self.setMinimumHeight(_LEAST_ROWS * _ROW_PX + across.sizeHint().height())
         for column, width_px in _WIDTHS_PX.items():

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Final
 
-from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableView
 
 from armui.telemetry.events import Asker, EventKind
 from armui.ui.watch.events.event_cells import EventColumn, column_title
+from armui.ui.widgets.plain_table import list_rows
 from armui.ui.words import event_log as words
 
 if TYPE_CHECKING:
@@ -46,21 +46,14 @@ class EventTable(QTableView):
         self._widths: dict[EventColumn, int] = {}
         self.setObjectName("event_table")
         self.setModel(model)
-        self.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
         self.setSelectionMode(QAbstractItemView.SelectionMode.ExtendedSelection)
         self.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
-        self.setShowGrid(False)
         self.setAlternatingRowColors(True)
-        self.setTabKeyNavigation(False)
         self.setWordWrap(False)
         down = self.verticalHeader()
-        down.hide()
         down.setSectionResizeMode(QHeaderView.ResizeMode.Fixed)
         down.setDefaultSectionSize(_ROW_PX)
-        across = self.horizontalHeader()
-        across.setHighlightSections(False)
-        across.setDefaultAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
-        across.setSectionResizeMode(EventColumn.TEXT, QHeaderView.ResizeMode.Stretch)
+        list_rows(self).setSectionResizeMode(EventColumn.TEXT, QHeaderView.ResizeMode.Stretch)
 
     def chosen(self) -> list[EventEntry]:
         """The rows that are selected, from top to bottom."""

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Final
 
-from PySide6.QtWidgets import QHBoxLayout, QProgressBar, QPushButton, QWidget
+from PySide6.QtWidgets import QProgressBar, QWidget
 
+from armui.ui.widgets.buttons import push_button
+from armui.ui.widgets.layouts import in_row
 from armui.ui.widgets.translated import Translated
 
 if TYPE_CHECKING:
@@ -27,14 +29,9 @@ class CallableOff(Translated, QWidget):
         self._is_called_off = False
         self.progress = QProgressBar()
         self.progress.setTextVisible(False)
-        self.button = QPushButton()
-        self.button.setAutoDefault(False)
+        self.button = push_button(on_enter=False)
         self.button.clicked.connect(self._on_clicked)
-        layout = QHBoxLayout(self)
-        layout.setContentsMargins(0, 0, 0, 0)
-        layout.setSpacing(12)
-        layout.addWidget(self.progress, 1)
-        layout.addWidget(self.button)
+        in_row((self.progress, 1), self.button, on=self, spacing=12, margins=0)
         self.retranslate_ui()
         self.hide()
 
