@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 from PySide6.QtCore import QModelIndex, QPoint, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QLabel, QWidget
 
 from armui.ui.watch.bus import frame_model
 from armui.ui.watch.bus.bus_page import BusPage
+from armui.ui.watch.bus.cells import Cell
 
 LEFT = Qt.MouseButton.LeftButton
 
@@ -98,3 +101,9 @@ class BusMonitor:
     def write(self, identifier, data):
         self.type_into("bus_send_id", identifier)
         self.type_into("bus_send_data", data)
+
+
+def painted(index: Any) -> Cell:
+    """What is painted in a cell."""
+    cells: list[Cell] = index.model().cells(index)
+    return cells[index.column()]

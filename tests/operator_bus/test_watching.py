@@ -10,9 +10,9 @@ from PySide6.QtWidgets import QApplication, QMenu
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.ui.watch.bus import frame_model, trace_model
-from armui.ui.watch.bus.cells import BYTES_ROLE, TONE_ROLE, Tone
+from armui.ui.watch.bus.cells import Tone
 from tests.company import OtherArm
-from tests.operator_bus.actions import LEFT, BusMonitor
+from tests.operator_bus.actions import LEFT, BusMonitor, painted
 from tests.operator_plots.actions import ask_for_menu, trigger
 
 UNKNOWN = "3C1#0102"
@@ -65,7 +65,7 @@ def test_who_sends_what(monitor, company):
     company.move_to((0.0,) * 6, 10)
     monitor.run()
     assert monitor.cell(monitor.index("0x155"), frame_model.SENDER) == "another host"
-    tone = monitor.index("0x155").siblingAtColumn(frame_model.SENDER).data(TONE_ROLE)
+    tone = painted(monitor.index("0x155").siblingAtColumn(frame_model.SENDER)).tone
     assert tone is Tone.NOTE
     monitor.driver.run(4.0)
     assert monitor.driver.controller.motion.send_joints((5.0, *[0.0] * 5)) is None
@@ -98,7 +98,7 @@ def test_unknown_and_malformed_frames_with_the_reason(monitor, company):
     assert monitor.cell(monitor.index("0x3C1"), frame_model.NAME).startswith("Unknown")
     assert monitor.cell(monitor.index("0x18FF50E5"), frame_model.NAME).startswith("29-bit")
     assert "2 bytes instead of 8" in monitor.details(monitor.index("0x2A8"))
-    assert monitor.index("0x2A8").data(TONE_ROLE) is Tone.TROUBLE
+    assert painted(monitor.index("0x2A8")).tone is Tone.TROUBLE
     assert "1 bytes instead of 8" in monitor.details(monitor.index("0x151"))
     error = monitor.index("0x040", "adapter")
     assert monitor.cell(error, frame_model.NAME) == "Error frame of the adapter"
@@ -131,12 +131,12 @@ def test_bytes_that_change_are_lit_for_a_second(monitor, company):
     monitor.run()
     company.say("3C1#01FF03")
     monitor.run()
-    payload = monitor.index("0x3C1").siblingAtColumn(frame_model.DATA).data(BYTES_ROLE)
+    payload = painted(monitor.index("0x3C1").siblingAtColumn(frame_model.DATA)).payload
     assert payload.text == "01 FF 03"
     assert payload.lit[:3] == (False, True, False)
     monitor.run(1.2)
 
-    payload = monitor.index("0x3C1").siblingAtColumn(frame_model.DATA).data(BYTES_ROLE)
+    payload = painted(monitor.index("0x3C1").siblingAtColumn(frame_model.DATA)).payload
     assert not any(payload.lit)
 
 
@@ -147,7 +147,7 @@ def test_a_frame_that_stops_is_silent(monitor, company):
     monitor.run(1.0)
 
     assert monitor.cell(monitor.index("0x3C1"), frame_model.RATE) == "silent"
-    assert monitor.index("0x3C1").data(TONE_ROLE) is Tone.MUTED
+    assert painted(monitor.index("0x3C1")).tone is Tone.MUTED
 
 
 def test_filters_by_text_identifier_and_sender(monitor, company):
@@ -241,7 +241,7 @@ def test_the_filter_holds_for_single_frames_too(monitor, company):
     monitor.click("bus_only_changed")
     monitor.run()
     assert model.rowCount() == 1
-    assert model.index(0, trace_model.DATA).data(BYTES_ROLE).lit == (False, True)
+    assert painted(model.index(0, trace_model.DATA)).payload.lit == (False, True)
 
 
 def test_a_click_on_the_sign_shows_the_curve(monitor):

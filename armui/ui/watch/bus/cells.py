@@ -1,4 +1,4 @@
-"""What both views have in common: cells, their roles, and rows painted in one go."""
+"""What both views have in common: cells, and rows painted in one go."""
 
 from __future__ import annotations
 
@@ -21,11 +21,7 @@ from PySide6.QtWidgets import QStyleOptionViewItem, QTreeView, QWidget
 from armui.ui.theme import Colors, colors_of
 from armui.ui.widgets.table_model import Index
 
-BYTES_ROLE: Final = Qt.ItemDataRole.UserRole
-"""A `Payload`."""
-TONE_ROLE: Final = Qt.ItemDataRole.UserRole + 1
-"""A `Tone`."""
-KEY_ROLE: Final = Qt.ItemDataRole.UserRole + 2
+KEY_ROLE: Final = Qt.ItemDataRole.UserRole
 """The key of the quantity that the row shows."""
 
 _SIDE_PX: Final = 6
@@ -77,6 +73,17 @@ class Cell(NamedTuple):
     tone: Tone = Tone.PLAIN
     right: bool = False
     payload: Payload | None = None
+
+    def data(self, role: int) -> str | None:
+        """What Qt asks of it."""
+        if role == Qt.ItemDataRole.AccessibleTextRole and self.payload is not None:
+            return self.payload.text
+        asked = {
+            Qt.ItemDataRole.DisplayRole,
+            Qt.ItemDataRole.ToolTipRole,
+            Qt.ItemDataRole.AccessibleTextRole,
+        }
+        return self.text if role in asked else None
 
 
 class HasCells(Protocol):

@@ -12,7 +12,7 @@ from PySide6.QtCore import QCoreApplication as App
 from armui.telemetry.bus_rows import Cycle, FrameRow
 from armui.telemetry.bus_senders import Sender
 from armui.ui import format as fmt
-from armui.ui.watch.bus.cells import BYTES_ROLE, KEY_ROLE, TONE_ROLE, Cell, Payload, Tone
+from armui.ui.watch.bus.cells import KEY_ROLE, Cell, Payload, Tone
 from armui.ui.watch.bus.frame_texts import FrameTexts, SignalText
 from armui.ui.widgets.table_model import LEFT, RIGHT, Index
 from armui.ui.words import frames
@@ -158,7 +158,7 @@ class FrameModel(QAbstractItemModel):
         """The keys of what a row shows: of a frame, all of its signals."""
         node = self._node(index)
         if index.internalId():
-            key = self.data(index, KEY_ROLE)
+            key = self._key(index)
             return [key] if key else []
         keys = [signal.key for signal in node.signals(self._texts) if signal.key]
         return list(dict.fromkeys(keys))
@@ -211,12 +211,26 @@ class FrameModel(QAbstractItemModel):
         """A cell."""
         if not index.isValid():
             return None
-        node = self._node(index)
         if role == Qt.ItemDataRole.TextAlignmentRole:
             return RIGHT if index.column() in _RIGHT else None
-        if index.internalId():
-            return self._detail(node, index, role)
-        return self._cell(node.row, index.column(), role)
+        if role == KEY_ROLE:
+            return self._key(index)
+        if role == Qt.ItemDataRole.ToolTipRole:
+            return self._tip(index)
+        return self.cells(index)[index.column()].data(role)
+
+    def _key(self, index: Index) -> str | None:
+        """Of the quantity that a signal is drawn as."""
+        signals = self._node(index).signals(self._texts) if index.internalId() else []
+        return signals[index.row()].key if index.row() < len(signals) else None
+
+    def _tip(self, index: Index) -> str:
+        if not index.internalId():
+            row = self._node(index).row
+            return self._texts.trouble(row) or self._texts.words(row)
+        if index.column() == ID and self._key(index) is not None:
+            return App.translate("BusMonitor", "Show as curve")
+        return self.cells(index)[index.column()].text
 
     def cells(self, index: Index) -> list[Cell]:
         """A whole row, as it is painted."""
@@ -235,19 +249,6 @@ class FrameModel(QAbstractItemModel):
     def _payload(self, row: FrameRow) -> Payload:
         since_s = self._now_s - LIT_S
         return Payload(row.data, tuple(each > since_s for each in row.changed_s))
-
-    def _cell(self, row: FrameRow, column: int, role: int) -> Any:
-        if role == Qt.ItemDataRole.DisplayRole:
-            return self._text(row, column)
-        if role == Qt.ItemDataRole.AccessibleTextRole:
-            return self._payload(row).text if column == DATA else self._text(row, column)
-        if role == BYTES_ROLE and column == DATA:
-            return self._payload(row)
-        if role == TONE_ROLE:
-            return self._tones(row)[column]
-        if role == Qt.ItemDataRole.ToolTipRole:
-            return self._texts.trouble(row) or self._texts.words(row)
-        return None
 
     def _tones(self, row: FrameRow) -> dict[int, Tone]:
         """By column."""
@@ -307,21 +308,6 @@ class FrameModel(QAbstractItemModel):
             cells[COUNT] = Cell(str(node.row.invalid_count), Tone.TROUBLE, right=True)
             cells[LAST] = Cell(self._clock_text(node.row.invalid_s), Tone.TROUBLE)
         return cells
-
-    def _detail(self, node: _Node, index: Index, role: int) -> Any:
-        signals = node.signals(self._texts)
-        cell = self._detail_cells(node, index.row())[index.column()]
-        key = signals[index.row()].key if index.row() < len(signals) else None
-        if role == Qt.ItemDataRole.DisplayRole:
-            return cell.text or None
-        if role == TONE_ROLE:
-            return cell.tone
-        if role == KEY_ROLE:
-            return key
-        if role != Qt.ItemDataRole.ToolTipRole:
-            return None
-        sign = index.column() == ID and key is not None
-        return App.translate("BusMonitor", "Show as curve") if sign else cell.text
 
 
 def _ms(seconds: float) -> str:

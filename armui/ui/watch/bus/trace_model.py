@@ -11,7 +11,7 @@ from PySide6.QtCore import QModelIndex, QObject, Qt
 from armui.protocol.frame import FrameFlag
 from armui.telemetry.bus_senders import Sender
 from armui.telemetry.bus_trace import TracedFrame, TraceSnapshot
-from armui.ui.watch.bus.cells import BYTES_ROLE, TONE_ROLE, Cell, Payload, Tone
+from armui.ui.watch.bus.cells import Cell, Payload, Tone
 from armui.ui.watch.bus.frame_texts import FrameTexts
 from armui.ui.widgets.table_model import LEFT, Index, TableModel
 from armui.ui.words import frames
@@ -103,16 +103,7 @@ class TraceModel(TableModel):
         """A cell."""
         if not index.isValid() or self._trace is None:
             return None
-        cell = self.cells(index)[index.column()]
-        if role == Qt.ItemDataRole.DisplayRole:
-            return cell.text
-        if role == BYTES_ROLE:
-            return cell.payload
-        if role == TONE_ROLE:
-            return cell.tone
-        if role == Qt.ItemDataRole.AccessibleTextRole:
-            return cell.text if cell.payload is None else cell.payload.text
-        return cell.text if role == Qt.ItemDataRole.ToolTipRole else None
+        return self.cells(index)[index.column()].data(role)
 
     def cells(self, index: Index) -> list[Cell]:
         """A whole row, as it is painted."""
