@@ -7,8 +7,8 @@ from __future__ import annotations
 
 from typing import Final
 
-from PySide6.QtCore import Qt, QTimer
-from PySide6.QtGui import QGuiApplication, QHideEvent, QShowEvent
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QGuiApplication, QShowEvent
 from PySide6.QtWidgets import QFrame, QLabel, QScrollArea, QWidget
 
 from armui.arm.refusal import Refusal
@@ -22,6 +22,7 @@ from armui.ui.dialogs.close_button import CloseButton
 from armui.ui.dialogs.online_since import OnlineSince
 from armui.ui.widgets.buttons import named, push_button
 from armui.ui.widgets.layouts import empty_grid, fill
+from armui.ui.widgets.seen_timer import SeenTimer
 from armui.ui.widgets.text_label import text_label
 
 _SIZE_PX: Final = (720, 720)
@@ -60,9 +61,7 @@ class AboutArmDialog(ArmDialog):
         self._labels: list[tuple[QLabel, QLabel]] = []
         self._build()
         self.resize(*_SIZE_PX)
-        self._timer = QTimer(self)
-        self._timer.setInterval(_REFRESH_MS)
-        self._timer.timeout.connect(self._refresh)
+        self._timer = SeenTimer(self, _REFRESH_MS, self._refresh)
         self.copy_button.clicked.connect(self._on_copy)
         controller.operating_state_changed.connect(self._on_state_changed)
         self.retranslate_ui()
@@ -96,12 +95,6 @@ class AboutArmDialog(ArmDialog):
             self._said.clear()
             self._look_at_links()
             self._refresh()
-            self._timer.start()
-
-    def hideEvent(self, event: QHideEvent) -> None:
-        """A hidden window costs nothing."""
-        super().hideEvent(event)
-        self._timer.stop()
 
     def text(self) -> str:
         """Everything that is shown, a line each."""

@@ -5,8 +5,7 @@ from __future__ import annotations
 from dataclasses import asdict
 from typing import Final
 
-from PySide6.QtCore import QTimer
-from PySide6.QtGui import QGuiApplication, QHideEvent, QShowEvent
+from PySide6.QtGui import QGuiApplication, QShowEvent
 from PySide6.QtWidgets import QButtonGroup, QCheckBox, QComboBox, QFrame, QLabel, QWidget
 
 from armui.control.arm_controller import ArmController
@@ -24,6 +23,7 @@ from armui.ui.gamepad.button_rows import ButtonRows
 from armui.ui.widgets.buttons import caption, choice_button, named, push_button
 from armui.ui.widgets.layouts import STRETCH, fill, in_column, in_row
 from armui.ui.widgets.message_line import MessageLine
+from armui.ui.widgets.seen_timer import SeenTimer
 from armui.ui.widgets.text_label import text_label
 from armui.ui.words.gamepad import gamepad_mode
 
@@ -58,8 +58,7 @@ class GamepadDialog(ArmDialog):
         self._buttons: ButtonRows | None = None
         self._build()
         self.resize(*_SIZE_PX)
-        self._timer = QTimer(self, interval=_LIVE_MS)
-        self._timer.timeout.connect(self._show_live)
+        self._timer = SeenTimer(self, _LIVE_MS, self._show_live)
         self._pilot.changed.connect(self._on_changed)
         self.on_box.clicked.connect(self._on_switched)
         self.one_axis_box.clicked.connect(self._on_one_axis)
@@ -114,16 +113,10 @@ class GamepadDialog(ArmDialog):
     # What is shown ----------------------------------------------------------------------------
 
     def showEvent(self, event: QShowEvent) -> None:
-        """Follow the axes while the window is seen."""
+        """Show how everything stands now."""
         super().showEvent(event)
         if not event.spontaneous():
             self._refresh()
-        self._timer.start()
-
-    def hideEvent(self, event: QHideEvent) -> None:
-        """A hidden window costs nothing."""
-        super().hideEvent(event)
-        self._timer.stop()
 
     def _on_changed(self, _view: PilotView) -> None:
         if self.isVisible():

@@ -21,9 +21,10 @@ from armui.ui.watch.time_strip import TimeStrip
 from armui.ui.watch.wall_clock import clock_time
 from armui.ui.widgets.buttons import named
 from armui.ui.widgets.layouts import in_column
+from armui.ui.widgets.seen_timer import SeenTimer
 
 if TYPE_CHECKING:
-    from PySide6.QtGui import QHideEvent, QResizeEvent, QShowEvent
+    from PySide6.QtGui import QResizeEvent, QShowEvent
 
     from armui.telemetry.store import Telemetry
     from armui.ui.watch.curves_item import Missing
@@ -95,9 +96,7 @@ class PlotBoard(QWidget):
         area.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         area.setWidget(self._column)
         in_column((area, 1), self.times, self._strip, on=self, spacing=4, margins=0)
-        self._timer = QTimer(self)
-        self._timer.setInterval(PICTURE_MS)
-        self._timer.timeout.connect(self._on_tick)
+        self._timer = SeenTimer(self, PICTURE_MS, self._on_tick)
         self._rebuild()
 
     # What is drawn ----------------------------------------------------------------------------
@@ -369,15 +368,9 @@ class PlotBoard(QWidget):
         return [pane for pane in self.panes if not pane.visibleRegion().isEmpty()]
 
     def showEvent(self, event: QShowEvent) -> None:
-        """Begin to draw."""
+        """Draw what is new."""
         super().showEvent(event)
         self.draw_soon()
-        self._timer.start()
-
-    def hideEvent(self, event: QHideEvent) -> None:
-        """Draw no more."""
-        super().hideEvent(event)
-        self._timer.stop()
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         """Draw for the new width."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import TYPE_CHECKING, Final
 
-from PySide6.QtCore import QModelIndex, QSortFilterProxyModel, Qt, QTimer, Signal
+from PySide6.QtCore import QModelIndex, QSortFilterProxyModel, Qt, Signal
 from PySide6.QtGui import QColor, QStandardItem, QStandardItemModel
 from PySide6.QtWidgets import QAbstractItemView, QLineEdit, QTreeView, QWidget
 
@@ -14,11 +14,12 @@ from armui.ui.theme import colors_of
 from armui.ui.watch.carrying import carry_away
 from armui.ui.widgets.buttons import named
 from armui.ui.widgets.layouts import in_column
+from armui.ui.widgets.seen_timer import SeenTimer
 from armui.ui.widgets.translated import Translated
 from armui.ui.words import quantities as names
 
 if TYPE_CHECKING:
-    from PySide6.QtGui import QHideEvent, QShowEvent
+    from PySide6.QtGui import QShowEvent
 
     from armui.telemetry.store import Telemetry
 
@@ -80,9 +81,7 @@ class QuantityList(Translated, QWidget):
         self._fill()
         self.search.textChanged.connect(self._on_search)
         self.tree.activated.connect(self._on_activated)
-        self._timer = QTimer(self)
-        self._timer.setInterval(_LOOK_MS)
-        self._timer.timeout.connect(self.show_heard)
+        self._timer = SeenTimer(self, _LOOK_MS, self.show_heard)
         self.retranslate_ui()
 
     def _fill(self) -> None:
@@ -163,15 +162,9 @@ class QuantityList(Translated, QWidget):
             self.wanted.emit(list(keys))
 
     def showEvent(self, event: QShowEvent) -> None:
-        """Look now and then."""
+        """Catch up."""
         super().showEvent(event)
         self.show_heard()
-        self._timer.start()
-
-    def hideEvent(self, event: QHideEvent) -> None:
-        """Look no more."""
-        super().hideEvent(event)
-        self._timer.stop()
 
     def _recolor(self) -> None:
         self.show_heard()

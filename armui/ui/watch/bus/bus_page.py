@@ -25,6 +25,7 @@ from armui.ui.watch.bus.trace_model import TraceModel
 from armui.ui.widgets.buttons import named
 from armui.ui.widgets.curve_menu import show_curves
 from armui.ui.widgets.page import Page
+from armui.ui.widgets.seen_timer import SeenTimer
 from armui.ui.widgets.table_model import Index
 
 if TYPE_CHECKING:
@@ -78,7 +79,7 @@ class BusPage(Page):
         self._views.addWidget(self.tree)
         self._views.addWidget(self.trace)
         self.send_box = SendBox(controller)
-        self._timer = QTimer(self, interval=LOOK_MS)
+        self._timer = SeenTimer(self, LOOK_MS, self.look)
         self._soon = QTimer(self, interval=_SOON_MS, singleShot=True)
         self._lay_out()
         self._connect()
@@ -92,7 +93,6 @@ class BusPage(Page):
         self.body.addWidget(self.send_box)
 
     def _connect(self) -> None:
-        self._timer.timeout.connect(self.look)
         self._soon.timeout.connect(self._count)
         self.filter_bar.changed.connect(self._show)
         self.filter_bar.trace_wanted.connect(self._on_trace_wanted)
@@ -284,11 +284,9 @@ class BusPage(Page):
         self._device = self._controller.operating_state.device
         self.begin()
         self._controller.bus.add_tap(self.statistics)
-        self._timer.start()
 
     def hideEvent(self, event: QHideEvent) -> None:
         """Listen no more."""
-        self._timer.stop()
         self._soon.stop()
         self._controller.bus.remove_tap(self.statistics)
         super().hideEvent(event)

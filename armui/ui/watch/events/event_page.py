@@ -19,10 +19,11 @@ from armui.ui.watch.events.event_table import EventTable
 from armui.ui.widgets.buttons import named
 from armui.ui.widgets.message_line import MessageLine
 from armui.ui.widgets.page import Page
+from armui.ui.widgets.seen_timer import SeenTimer
 from armui.ui.widgets.text_label import text_label
 
 if TYPE_CHECKING:
-    from PySide6.QtGui import QHideEvent, QShowEvent
+    from PySide6.QtGui import QShowEvent
 
     from armui.control.arm_controller import ArmController
     from armui.control.events import Level
@@ -67,8 +68,7 @@ class EventPage(Page):
         for widget, stretch in ((self.bar, 0), (self.table, 1), (self.detail, 0)):
             self.body.addWidget(widget, stretch)
         self.body.addWidget(self._message)
-        self._timer = QTimer(self)
-        self._timer.setInterval(_LOOK_MS)
+        self._timer = SeenTimer(self, _LOOK_MS, self.refresh)
         self._connect()
         self.retranslate_ui()
 
@@ -84,7 +84,6 @@ class EventPage(Page):
         self.model.modelReset.connect(self._on_reset)
         self.model.dataChanged.connect(self._show_detail)
         self.table.verticalScrollBar().actionTriggered.connect(self._on_scrolled)
-        self._timer.timeout.connect(self.refresh)
         copy = QShortcut(QKeySequence(keys_of("events.copy")), self.table)
         copy.setContext(Qt.ShortcutContext.WidgetShortcut)
         copy.activated.connect(self.copy_chosen)
@@ -217,9 +216,3 @@ class EventPage(Page):
         super().showEvent(event)
         self.refresh()
         self._show_newest()
-        self._timer.start()
-
-    def hideEvent(self, event: QHideEvent) -> None:
-        """Look no more."""
-        super().hideEvent(event)
-        self._timer.stop()

@@ -11,7 +11,6 @@ from PySide6.QtCore import (
     QSize,
     QSortFilterProxyModel,
     Qt,
-    QTimer,
     QUrl,
     Signal,
 )
@@ -44,9 +43,10 @@ from armui.ui.widgets.buttons import named
 from armui.ui.widgets.layouts import in_row
 from armui.ui.widgets.message_line import MessageLine
 from armui.ui.widgets.plain_table import list_rows
+from armui.ui.widgets.seen_timer import SeenTimer
 
 if TYPE_CHECKING:
-    from PySide6.QtGui import QHideEvent, QShowEvent
+    from PySide6.QtGui import QShowEvent
 
     from armui.control.arm_controller import ArmController
     from armui.session.recording.folder import RecordingEntry
@@ -125,8 +125,7 @@ class SessionsWindow(ArmDialog):
         self._message.hide()
         self._make_buttons()
         self._lay_out()
-        self._timer = QTimer(self, interval=_LOOK_MS)
-        self._timer.timeout.connect(self._look)
+        self._timer = SeenTimer(self, _LOOK_MS, self._look)
         self._sessions.changed.connect(self._on_changed)
         controller.noticed.connect(self._on_noticed)
         self._model.rename_wanted.connect(self._rename)
@@ -197,13 +196,7 @@ class SessionsWindow(ArmDialog):
         """Look at the folder anew, and go on looking at what is under way."""
         super().showEvent(event)
         self._look()
-        self._timer.start()
         self.refresh()
-
-    def hideEvent(self, event: QHideEvent) -> None:
-        """A hidden window costs nothing."""
-        self._timer.stop()
-        super().hideEvent(event)
 
     def changeEvent(self, event: QEvent) -> None:
         """What was done elsewhere meanwhile is listed when the operator comes back."""

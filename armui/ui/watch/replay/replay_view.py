@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Final
 
-from PySide6.QtCore import Qt, QTimer, Signal
+from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QComboBox, QSplitter, QTabWidget, QWidget
 
 from armui.protocol.generation import Generation
@@ -24,6 +24,7 @@ from armui.ui.watch.replay.time_line import TimeLine
 from armui.ui.watch.replay.transport import SPEEDS, Transport
 from armui.ui.widgets.buttons import named
 from armui.ui.widgets.layouts import in_column, in_row
+from armui.ui.widgets.seen_timer import SeenTimer
 from armui.ui.widgets.text_label import text_label
 from armui.ui.widgets.translated import Translated
 from armui.viewport import palette as scene_palette
@@ -98,8 +99,7 @@ class ReplayView(Translated, QWidget):
         self._surveys: tuple[ChannelSurvey, ...] = ()
         self._lay_out(name)
         self._connect()
-        self._timer = QTimer(self, interval=_LOOK_MS)
-        self._timer.timeout.connect(self._look)
+        self._timer = SeenTimer(self, _LOOK_MS, self._look)
         self.retranslate_ui()
         self._recolor()
 
@@ -273,14 +273,12 @@ class ReplayView(Translated, QWidget):
         self.view.set_theme(scene_palette.DARK if dark else scene_palette.LIGHT)
 
     def showEvent(self, event: object) -> None:
-        """Begin to look."""
+        """Catch up."""
         super().showEvent(event)  # type: ignore[arg-type]
-        self._timer.start()
         self._look()
         self._show_arm()
 
     def hideEvent(self, event: object) -> None:
-        """Look no more; the log stands still."""
+        """The log stands still."""
         super().hideEvent(event)  # type: ignore[arg-type]
-        self._timer.stop()
         self.replay.play(on=False)
