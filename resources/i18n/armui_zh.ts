@@ -8489,6 +8489,13 @@ The other program must have ended.</source>
     </message>
 </context>
 <context>
+    <name>SaveButton</name>
+    <message>
+        <source>Save</source>
+        <translation>保存</translation>
+    </message>
+</context>
+<context>
     <name>SaveQuestion</name>
     <message>
         <source>Changes are not saved</source>

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from typing import Final, NamedTuple
 
-from PySide6.QtCore import QT_TRANSLATE_NOOP
-from PySide6.QtGui import QKeySequence
+from PySide6.QtCore import QT_TRANSLATE_NOOP, Qt
+from PySide6.QtGui import QKeySequence, QShortcut
+from PySide6.QtWidgets import QWidget
 
 from armui.ui.words.text import Text
 
@@ -143,6 +144,26 @@ def keys_of(name: str) -> str:
         KeyError: No shortcut has the name.
     """
     return SHORTCUTS[name].keys
+
+
+def listen_for(
+    name: str,
+    place: QWidget,
+    act: Callable[[], object],
+    context: Qt.ShortcutContext = Qt.ShortcutContext.WidgetWithChildrenShortcut,
+) -> QShortcut:
+    """Have the keys of an action do it.
+
+    Args:
+        name: Of the action.
+        place: Where they count.
+        act: What they do.
+        context: How far around that place.
+    """
+    shortcut = QShortcut(QKeySequence(keys_of(name)), place)
+    shortcut.setContext(context)
+    shortcut.activated.connect(act)
+    return shortcut
 
 
 def key_text(name: str) -> str:

@@ -3,15 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Final
+from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, Qt
-from PySide6.QtGui import QKeySequence, QShortcut
 from PySide6.QtWidgets import QAbstractButton, QApplication, QDialog, QWidget
 
 from armui.control.operating_state import StopState
 from armui.ui.actions.commands_button import CommandsButton
-from armui.ui.actions.keys import keys_of
+from armui.ui.actions.keys import listen_for
 from armui.ui.shell.first_steps import FirstSteps
 
 if TYPE_CHECKING:
@@ -24,8 +23,6 @@ if TYPE_CHECKING:
     from armui.ui.shell.diagnosis_dialogs import DiagnosisDialogs
     from armui.ui.shell.page_doings import PageDoings
     from armui.ui.shell.watch_windows import WatchWindows
-
-_EVERYWHERE: Final = ("palette", "guide", "shortcuts")
 
 
 class WindowActions(QObject):
@@ -61,11 +58,9 @@ class WindowActions(QObject):
             "guide": self.open_guide,
             "shortcuts": self.open_shortcuts,
         }
-        for name in _EVERYWHERE:
-            shortcut = QShortcut(QKeySequence(keys_of(f"everywhere.{name}")), window)
-            shortcut.setContext(Qt.ShortcutContext.ApplicationShortcut)
-            shortcut.setAutoRepeat(False)
-            shortcut.activated.connect(openers[name])
+        everywhere = Qt.ShortcutContext.ApplicationShortcut
+        for name, act in openers.items():
+            listen_for(f"everywhere.{name}", window, act, everywhere).setAutoRepeat(False)
 
     def offer(
         self,

@@ -25,7 +25,13 @@ _SETS: Final = Texts("PlotBar") | {
     "tool": "Where was the tool?",
     "bus": "Is the bus well?",
 }
-SAVES: Final = ("csv", "png", "svg", "copy_picture", "copy_values")
+SAVES: Final = Texts("PlotBar") | {
+    "csv": "Values as CSV…",
+    "png": "Picture as PNG…",
+    "svg": "Picture as SVG…",
+    "copy_picture": "Copy picture",
+    "copy_values": "Copy values at the cursors",
+}
 
 
 class PlotBar(Translated, QWidget):
@@ -123,16 +129,6 @@ class PlotBar(Translated, QWidget):
         self.cursors.setToolTip(
             self.tr("Two upright lines to be dragged; the table below tells the values at them")
         )
-        self.save.setText(self.tr("Save"))
-        texts = {
-            "csv": self.tr("Values as CSV…"),
-            "png": self.tr("Picture as PNG…"),
-            "svg": self.tr("Picture as SVG…"),
-            "copy_picture": self.tr("Copy picture"),
-            "copy_values": self.tr("Copy values at the cursors"),
-        }
-        for name, text in texts.items():
-            self.saves[name].setText(text)
         self.refresh()
 
 

@@ -5,11 +5,10 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QPoint, Qt
-from PySide6.QtGui import QKeySequence, QShortcut
 from PySide6.QtWidgets import QMenu, QWidget
 
 from armui.control.events import Level
-from armui.ui.actions.keys import keys_of
+from armui.ui.actions.keys import listen_for
 from armui.ui.watch.cursor_table import CursorTable
 from armui.ui.watch.plot_bar import PlotBar
 from armui.ui.watch.plot_board import PlotBoard
@@ -64,10 +63,8 @@ class PlotsArea(QWidget):
         self.board.menu_wanted.connect(self._open_menu)
         self.bar.save_wanted.connect(self._on_save)
         self.export.said.connect(self.say)
-        undo = QShortcut(QKeySequence(keys_of("plots.undo")), self)
         # beside the plots the same key is for what is edited there
-        undo.setContext(Qt.ShortcutContext.WidgetWithChildrenShortcut)
-        undo.activated.connect(self.bar.undo.click)
+        listen_for("plots.undo", self, self.bar.undo.click)
 
     def _lay_out(self) -> None:
         # a widget that changes its parent is styled anew, with all that is in it

@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-
 from PySide6.QtCore import Signal
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QMenu, QToolButton
 
+from armui.ui.widgets.translated import Translated
+from armui.ui.words.text import Texts
 
-class SaveButton(QToolButton):
-    """Opens its menu at a press; whoever has it puts the words in.
+
+class SaveButton(Translated, QToolButton):
+    """Opens its menu at a press.
 
     Args:
         room: How the names of button and actions begin: ``plot`` makes ``plot_save``.
@@ -25,14 +26,22 @@ class SaveButton(QToolButton):
 
     wanted = Signal(str)
 
-    def __init__(self, room: str, kinds: Iterable[str]) -> None:
+    def __init__(self, room: str, kinds: Texts[str]) -> None:
         super().__init__()
         self.setObjectName(f"{room}_save")
         self.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
         menu = QMenu(self)
+        self._kinds = kinds
         self.saves = {name: QAction(menu) for name in kinds}
         for name, action in self.saves.items():
             action.setObjectName(f"{room}_{name}")
             action.triggered.connect(lambda _on=False, name=name: self.wanted.emit(name))
             menu.addAction(action)
         self.setMenu(menu)
+        self.retranslate_ui()
+
+    def retranslate_ui(self) -> None:
+        """Put every word into the operator's language."""
+        self.setText(self.tr("Save"))
+        for name, action in self.saves.items():
+            action.setText(self._kinds.text(name))

@@ -7,12 +7,12 @@ from functools import partial
 from typing import Final
 
 from PySide6.QtCore import QEvent, QObject, Qt, Signal
-from PySide6.QtGui import QAction, QKeyEvent, QKeySequence, QShortcut
+from PySide6.QtGui import QAction, QKeyEvent, QKeySequence
 from PySide6.QtWidgets import QLineEdit, QMenu, QPushButton, QTableView, QWidget
 
 from armui.trajectory.files import SUFFIXES
 from armui.trajectory.library.store import IndexEntry
-from armui.ui.actions.keys import key_text, keys_of
+from armui.ui.actions.keys import key_text, keys_of, listen_for
 from armui.ui.widgets.buttons import named, push_button
 from armui.ui.widgets.flow import Flow
 from armui.ui.words.text import Texts
@@ -87,9 +87,7 @@ class LibraryBar(QWidget):
                 _key(owner, keys, owner is table).triggered.connect(self._buttons[name].click)
         for keys in ("Return", "Enter"):
             _key(table, keys, True).triggered.connect(self.open_wanted)
-        find = QShortcut(QKeySequence(keys_of("library.find")), page)
-        find.setContext(Qt.ShortcutContext.WidgetWithChildrenShortcut)
-        find.activated.connect(self._on_find)
+        listen_for("library.find", page, self._on_find)
         self._table = table
 
     def show_chosen(self, entries: Sequence[IndexEntry]) -> None:

@@ -5,10 +5,9 @@ from __future__ import annotations
 from typing import Final
 
 from PySide6.QtCore import Qt
-from PySide6.QtGui import QKeySequence, QShortcut
 from PySide6.QtWidgets import QPushButton, QWidget
 
-from armui.ui.actions.keys import keys_of
+from armui.ui.actions.keys import key_text, listen_for
 from armui.ui.trajectory.library.library_actions import LibraryActions
 from armui.ui.widgets.translated import Translated
 
@@ -29,9 +28,7 @@ class UndoButton(Translated, QPushButton):
         self._actions = actions
         self.setObjectName("library_undo")
         self.setAutoDefault(False)
-        self._keys = QShortcut(QKeySequence(keys_of("library.undo")), page)
-        self._keys.setContext(Qt.ShortcutContext.WidgetWithChildrenShortcut)
-        self._keys.activated.connect(actions.undo)
+        listen_for("library.undo", page, actions.undo)
         self.clicked.connect(lambda _checked=False: actions.undo())
         actions.undo_changed.connect(self.show_step)
         self.show_step()
@@ -41,8 +38,7 @@ class UndoButton(Translated, QPushButton):
         text = self._actions.undo_text()
         room_px = _WIDEST_PX - _SIDES_PX
         self.setText(self.fontMetrics().elidedText(text, Qt.TextElideMode.ElideRight, room_px))
-        keys = self._keys.key().toString(QKeySequence.SequenceFormat.NativeText)
-        self.setToolTip(f"{text} ({keys})")
+        self.setToolTip(f"{text} ({key_text('library.undo')})")
         self.setAccessibleName(text)
         self.setVisible(bool(text))
 

@@ -8,7 +8,7 @@ from functools import partial
 from typing import Final
 
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtGui import QHideEvent, QKeySequence, QShortcut, QShowEvent
+from PySide6.QtGui import QHideEvent, QShowEvent
 from PySide6.QtWidgets import QCheckBox, QComboBox, QLabel, QSpinBox, QWidget
 
 from armui.arm.refusal import Refusal
@@ -18,7 +18,7 @@ from armui.control.operating_state import OperatingState, StopState
 from armui.control.run.progress import ENDLESS, Progress
 from armui.trajectory.files import Content
 from armui.ui import words
-from armui.ui.actions.keys import keys_of
+from armui.ui.actions.keys import keys_of, listen_for
 from armui.ui.trajectory.running.preflight import CheckJob, Checks, Preflight
 from armui.ui.trajectory.running.run_options import RunOptions
 from armui.ui.trajectory.running.runner import Runner, ended_early
@@ -113,10 +113,7 @@ class RunBar(Translated, QWidget):
 
     def listen(self, page: QWidget) -> None:
         """Have a key press 发送 wherever in its page; a key that is held presses once."""
-        key = QShortcut(QKeySequence(_SEND_KEY), page)
-        key.setContext(Qt.ShortcutContext.WidgetWithChildrenShortcut)
-        key.setAutoRepeat(False)
-        key.activated.connect(self._send.click)
+        listen_for("editor.send", page, self._send.click).setAutoRepeat(False)
 
     def show_content(
         self, count: int, *, recording: bool = False, nothing: Refusal | None = None

@@ -7,14 +7,14 @@ from functools import partial
 from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QPoint, Qt, QTimer
-from PySide6.QtGui import QGuiApplication, QKeySequence, QShortcut
+from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QHeaderView, QMenu, QStackedWidget
 
 from armui.arm.refusal_codes import RefusalCode
 from armui.telemetry.bus_senders import Sender
 from armui.telemetry.bus_statistics import BusStatistics
 from armui.telemetry.bus_trace import TRACE_FRAMES, TraceSnapshot
-from armui.ui.actions.keys import keys_of
+from armui.ui.actions.keys import listen_for
 from armui.ui.watch.bus.bus_summary import BusSummary
 from armui.ui.watch.bus.filter_bar import FilterBar
 from armui.ui.watch.bus.frame_model import FrameModel
@@ -24,6 +24,7 @@ from armui.ui.watch.bus.send_box import SendBox
 from armui.ui.watch.bus.trace_model import TraceModel
 from armui.ui.widgets.buttons import named
 from armui.ui.widgets.curve_menu import show_curves
+from armui.ui.widgets.layouts import fill
 from armui.ui.widgets.page import Page
 from armui.ui.widgets.seen_timer import SeenTimer
 from armui.ui.widgets.table_model import Index
@@ -87,10 +88,7 @@ class BusPage(Page):
 
     def _lay_out(self) -> None:
         self.body.setSpacing(8)
-        self.body.addWidget(self.summary)
-        self.body.addWidget(self.filter_bar)
-        self.body.addWidget(self._views, 1)
-        self.body.addWidget(self.send_box)
+        fill(self.body, self.summary, self.filter_bar, (self._views, 1), self.send_box)
 
     def _connect(self) -> None:
         self._soon.timeout.connect(self._count)
@@ -99,9 +97,7 @@ class BusPage(Page):
         self.filter_bar.pause_wanted.connect(self._on_pause)
         self.filter_bar.clear_wanted.connect(self.begin)
         self.tree.curves_wanted.connect(lambda keys: show_curves(self, keys))
-        copy = QShortcut(QKeySequence(keys_of("bus.copy")), self.trace)
-        copy.setContext(Qt.ShortcutContext.WidgetShortcut)
-        copy.activated.connect(self._on_copy)
+        listen_for("bus.copy", self.trace, self._on_copy, Qt.ShortcutContext.WidgetShortcut)
 
     # Counting ---------------------------------------------------------------------------------
 

@@ -20,10 +20,16 @@ from armui.ui.widgets.layouts import in_column, in_row
 from armui.ui.widgets.text_label import text_label
 from armui.ui.widgets.translated import Translated
 from armui.ui.words import event_log as words
+from armui.ui.words.text import Texts
 
 _LEVELS: Final = (Level.INFO, Level.WARNING, Level.FAULT)
 _TOGGLE_PAD_PX: Final = 32
-SAVES: Final = ("csv", "json", "txt", "copy")
+SAVES: Final = Texts("EventBar") | {
+    "csv": "Shown events as CSV…",
+    "json": "Shown events as JSON…",
+    "txt": "Shown events as text…",
+    "copy": "Copy shown events",
+}
 
 
 class EventBar(Translated, QWidget):
@@ -148,12 +154,3 @@ class EventBar(Translated, QWidget):
         for kind, button in self.kinds.items():
             button.setText(words.event_kind(kind))
         self._fit_toggles()
-        self.save.setText(self.tr("Save"))
-        names = {
-            "csv": self.tr("Shown events as CSV…"),
-            "json": self.tr("Shown events as JSON…"),
-            "txt": self.tr("Shown events as text…"),
-            "copy": self.tr("Copy shown events"),
-        }
-        for name, text in names.items():
-            self.saves[name].setText(text)

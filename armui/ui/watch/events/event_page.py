@@ -6,10 +6,9 @@ from collections.abc import Mapping
 from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QItemSelectionModel, QModelIndex, QPoint, Qt, QTimer, Signal
-from PySide6.QtGui import QKeySequence, QShortcut
 from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QMenu
 
-from armui.ui.actions.keys import keys_of
+from armui.ui.actions.keys import listen_for
 from armui.ui.theme import colors_of
 from armui.ui.watch.events.event_bar import EventBar
 from armui.ui.watch.events.event_cells import details
@@ -84,9 +83,7 @@ class EventPage(Page):
         self.model.modelReset.connect(self._on_reset)
         self.model.dataChanged.connect(self._show_detail)
         self.table.verticalScrollBar().actionTriggered.connect(self._on_scrolled)
-        copy = QShortcut(QKeySequence(keys_of("events.copy")), self.table)
-        copy.setContext(Qt.ShortcutContext.WidgetShortcut)
-        copy.activated.connect(self.copy_chosen)
+        listen_for("events.copy", self.table, self.copy_chosen, Qt.ShortcutContext.WidgetShortcut)
 
     # What is shown ----------------------------------------------------------------------------
 

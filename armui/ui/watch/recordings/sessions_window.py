@@ -19,7 +19,6 @@ from PySide6.QtWidgets import (
     QAbstractItemView,
     QHeaderView,
     QLabel,
-    QPushButton,
     QTableView,
     QWidget,
 )
@@ -39,8 +38,8 @@ from armui.ui.watch.recordings.sessions_model import (
     SessionColumn,
     SessionsModel,
 )
-from armui.ui.widgets.buttons import named
-from armui.ui.widgets.layouts import in_row
+from armui.ui.widgets.buttons import named, push_button
+from armui.ui.widgets.layouts import STRETCH, fill, in_row
 from armui.ui.widgets.message_line import MessageLine
 from armui.ui.widgets.plain_table import list_rows
 from armui.ui.widgets.seen_timer import SeenTimer
@@ -136,34 +135,24 @@ class SessionsWindow(ArmDialog):
         self.resize(_SIZE.boundedTo(self.screen().availableSize()))
 
     def _make_buttons(self) -> None:
-        self.open_button, self.rename_button = QPushButton(), QPushButton()
-        self.delete_button, self.folder_button = QPushButton(), QPushButton()
-        self.export_button, self.other_button = QPushButton(), QPushButton()
-        for name, button, act in (
-            ("session_open", self.open_button, self._open_chosen),
-            ("session_open_other", self.other_button, self._open_other),
-            ("session_export", self.export_button, self._export_chosen),
-            ("session_rename", self.rename_button, self._edit_name),
-            ("session_delete", self.delete_button, self._delete),
-            ("session_show_folder", self.folder_button, self._show_folder),
-        ):
-            button.setObjectName(name)
-            button.setAutoDefault(False)
-            button.clicked.connect(act)
+        self.open_button = push_button("session_open", on_enter=False)
+        self.export_button = push_button("session_export", on_enter=False)
+        self.rename_button = push_button("session_rename", on_enter=False)
+        self.delete_button = push_button("session_delete", on_enter=False)
+        self.other_button = push_button("session_open_other", on_enter=False)
+        self.folder_button = push_button("session_show_folder", on_enter=False)
+        self.open_button.clicked.connect(self._open_chosen)
+        self.export_button.clicked.connect(self._export_chosen)
+        self.rename_button.clicked.connect(self._edit_name)
+        self.delete_button.clicked.connect(self._delete)
+        self.other_button.clicked.connect(self.other_wanted)
+        self.folder_button.clicked.connect(self._show_folder)
 
     def _lay_out(self) -> None:
         cards = in_row((self.recording, 3), (self.ring, 2), spacing=14)
-        self.body.addLayout(cards)
-        self.body.addWidget(self.table, 1)
-        self.body.addWidget(self._hint)
-        self.body.addWidget(self._message)
-        self.footer.addWidget(self.open_button)
-        self.footer.addWidget(self.export_button)
-        self.footer.addWidget(self.rename_button)
-        self.footer.addWidget(self.delete_button)
-        self.footer.addStretch(1)
-        self.footer.addWidget(self.other_button)
-        self.footer.addWidget(self.folder_button)
+        fill(self.body, cards, (self.table, 1), self._hint, self._message)
+        of_chosen = (self.open_button, self.export_button, self.rename_button, self.delete_button)
+        fill(self.footer, *of_chosen, STRETCH, self.other_button, self.folder_button)
 
     def retranslate_ui(self) -> None:
         """Put every word into the operator's language."""
@@ -274,9 +263,6 @@ class SessionsWindow(ArmDialog):
         chosen = self.chosen()
         if len(chosen) == 1 and chosen[0].path is not None:
             self.open_wanted.emit(chosen[0].path)
-
-    def _open_other(self) -> None:
-        self.other_wanted.emit()
 
     def _export_chosen(self) -> None:
         chosen = self.chosen()

@@ -5,11 +5,10 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QItemSelectionModel, Qt, QTimer, Signal
-from PySide6.QtGui import QKeySequence, QShortcut
 from PySide6.QtWidgets import QAbstractItemView, QWidget
 
 from armui.telemetry.events import EventLog
-from armui.ui.actions.keys import keys_of
+from armui.ui.actions.keys import listen_for
 from armui.ui.theme import colors_of
 from armui.ui.watch.events.event_bar import EventBar
 from armui.ui.watch.events.event_cells import details
@@ -93,9 +92,7 @@ class ReplayEvents(Translated, QWidget):
         self.table.verticalScrollBar().actionTriggered.connect(self._on_scrolled)
         self.model.modelReset.connect(self._on_reset)
         self.model.dataChanged.connect(self._show_detail)
-        copy = QShortcut(QKeySequence(keys_of("replay.copy")), self.table)
-        copy.setContext(Qt.ShortcutContext.WidgetShortcut)
-        copy.activated.connect(self.copy_chosen)
+        listen_for("replay.copy", self.table, self.copy_chosen, Qt.ShortcutContext.WidgetShortcut)
 
     def show_log(self, log: EventLog) -> None:
         """Show what happened, in the order of time."""

@@ -5,10 +5,9 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QSize, Qt, Signal
-from PySide6.QtGui import QKeySequence, QShortcut
 from PySide6.QtWidgets import QComboBox, QPushButton, QWidget
 
-from armui.ui.actions.keys import key_text, keys_of
+from armui.ui.actions.keys import key_text, listen_for
 from armui.ui.theme import colors_of
 from armui.ui.widgets import icons
 from armui.ui.widgets.buttons import named
@@ -78,9 +77,7 @@ class Transport(Translated, QWidget):
         # the window keeps the keys: one that is held plays on in no other control
         button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
         button.clicked.connect(lambda _on=False: act())
-        shortcut = QShortcut(QKeySequence(keys_of(f"replay.{name}")), self)
-        shortcut.setContext(Qt.ShortcutContext.WindowShortcut)
-        shortcut.activated.connect(act)
+        listen_for(f"replay.{name}", self, act, Qt.ShortcutContext.WindowShortcut)
         return button
 
     def show_playing(self, *, playing: bool, at_end: bool) -> None:
