@@ -14,10 +14,19 @@ from armui.ui import format as fmt
 from armui.ui.theme import Colors, colors_of, scaled_font
 from armui.ui.widgets import painting
 from armui.ui.widgets.translated import Translated
+from armui.ui.words.text import Texts
 
 _MARK_PX: Final = 20.0
 _GAP_PX: Final = 4.0
 _PAD_PX: Final = 10.0
+_WORDS: Final = Texts("EnableButton") | {
+    "enabling": "Enabling…",
+    "disabling": "Disabling…",
+    "enabled": "Enabled",
+    "partly": "Partly enabled",
+    "unknown": "Unknown",
+    "disabled": "Disabled",
+}
 
 
 class EnableButton(Translated, QAbstractButton):
@@ -51,38 +60,26 @@ class EnableButton(Translated, QAbstractButton):
 
     def retranslate_ui(self) -> None:
         """Put the word into the operator's language."""
-        self.setText(self._word())
+        self.setText(_WORDS.text(self._stands()))
         known = [fmt.joints([j for j, on in zip(JOINTS, self._enabled, strict=True) if on])]
         self.setAccessibleName(f"{self.text()} {known[0]}".strip())
         self.updateGeometry()
         self.update()
 
-    def _word(self) -> str:
+    def _stands(self) -> str:
         if self._busy is Busy.ENABLING:
-            return self.tr("Enabling…")
+            return "enabling"
         if self._busy is Busy.DISABLING:
-            return self.tr("Disabling…")
+            return "disabling"
         if all(self._enabled):
-            return self.tr("Enabled")
+            return "enabled"
         if any(self._enabled):
-            return self.tr("Partly enabled")
-        if None in self._enabled:
-            return self.tr("Unknown")
-        return self.tr("Disabled")
-
-    def _all_words(self) -> list[str]:
-        return [
-            self.tr("Enabling…"),
-            self.tr("Disabling…"),
-            self.tr("Enabled"),
-            self.tr("Partly enabled"),
-            self.tr("Unknown"),
-            self.tr("Disabled"),
-        ]
+            return "partly"
+        return "unknown" if None in self._enabled else "disabled"
 
     def _word_width(self) -> int:
         metrics = QFontMetrics(scaled_font(self, 1.0, bold=True))
-        return max(metrics.horizontalAdvance(word) for word in self._all_words())
+        return max(metrics.horizontalAdvance(_WORDS.text(word)) for word in _WORDS)
 
     def sizeHint(self) -> QSize:
         """As large as it wants to be."""

@@ -119,14 +119,9 @@ class LibraryExchange(QObject):
             text = self.tr("Their names were taken, so they got others: {names}")
             lines.append(text.format(names=name_list(moved)))
         problems = [result.problem for result in results if result.problem]
-        lines += [
-            self.tr("Not imported. {reason}").format(reason=problem)
-            for problem in problems[:_MOST_PROBLEMS]
-        ]
-        if len(problems) > _MOST_PROBLEMS:
-            text = self.tr("Not imported either: {count} more. See the results.")
-            lines.append(text.format(count=len(problems) - _MOST_PROBLEMS))
-        return "\n".join(lines)
+        one = self.tr("Not imported. {reason}")
+        rest = self.tr("Not imported either: {count} more. See the results.")
+        return "\n".join([*lines, *_problem_lines(problems, one, rest)])
 
     def _on_by_columns(self, name: str) -> None:
         """One is done; the others are still offered."""
@@ -172,14 +167,16 @@ class LibraryExchange(QObject):
         lines = []
         if written:
             lines.append(self.tr("Exported: {names}").format(names=name_list(written)))
-        lines += [
-            self.tr("Not exported. {reason}").format(reason=text)
-            for text in problems[:_MOST_PROBLEMS]
-        ]
-        if len(problems) > _MOST_PROBLEMS:
-            text = self.tr("Not exported either: {count} more.")
-            lines.append(text.format(count=len(problems) - _MOST_PROBLEMS))
+        one, rest = self.tr("Not exported. {reason}"), self.tr("Not exported either: {count} more.")
+        lines += _problem_lines(problems, one, rest)
         self.said.emit("\n".join(lines), Level.FAULT if problems else Level.DONE)
+
+
+def _problem_lines(problems: Sequence[str], one: str, rest: str) -> list[str]:
+    """The first problems, a line each, and how many more there are."""
+    lines = [one.format(reason=problem) for problem in problems[:_MOST_PROBLEMS]]
+    more = len(problems) - _MOST_PROBLEMS
+    return [*lines, rest.format(count=more)] if more > 0 else lines
 
 
 def _problem_text(failure: library_files.Failure) -> str:

@@ -16,7 +16,7 @@ from armui.trajectory import files
 from armui.trajectory.files import Content, TrajectoryFileError
 from armui.trajectory.library.file_names import file_stem
 from armui.trajectory.library.store import Library, LibraryError
-from armui.ui.dialogs.files import FileDialog
+from armui.ui.dialogs.files import FileDialog, choose_file
 
 _PATTERNS: Final = "*.log *.csv *.json *.npz *.txt"
 
@@ -50,19 +50,14 @@ def choose_export(
     on_chosen: Callable[[Path], object],
 ) -> FileDialog:
     """Let the operator say to which file one trajectory is written."""
-    dialog = FileDialog(
-        controller,
+    return choose_file(
         parent,
+        controller,
         title=QCoreApplication.translate("LibraryFiles", "Export file"),
         name_filter=f"{suffix} (*{suffix})",
+        on_chosen=on_chosen,
+        new_file=file_stem(name) + suffix,
     )
-    dialog.setAcceptMode(QFileDialog.AcceptMode.AcceptSave)
-    dialog.setFileMode(QFileDialog.FileMode.AnyFile)
-    dialog.setDefaultSuffix(suffix)
-    dialog.selectFile(file_stem(name) + suffix)
-    dialog.fileSelected.connect(lambda chosen: on_chosen(Path(chosen)))
-    dialog.show()
-    return dialog
 
 
 def choose_folder(
