@@ -27,7 +27,7 @@ from armui.ui import words
 from armui.ui.dialogs.base import ArmDialog
 from armui.ui.dialogs.close_button import CloseButton
 from armui.ui.dialogs.files import choose_file
-from armui.ui.widgets.buttons import caption, named, push_button, show_property
+from armui.ui.widgets.buttons import caption, named, push_button
 from armui.ui.widgets.elided_label import ElidedLabel
 from armui.ui.widgets.layouts import STRETCH, empty_grid, fill, in_row
 from armui.ui.widgets.message_line import MessageLine
@@ -225,7 +225,10 @@ class SettingsDialog(ArmDialog):
 
     def _mark_jog_step(self, *, wrong: bool) -> None:
         self._jog_step_wrong = wrong
-        show_property(self.jog_step_edit, "attention", wrong)
+        self.jog_step_edit.setProperty("attention", wrong)
+        style = self.jog_step_edit.style()
+        style.unpolish(self.jog_step_edit)
+        style.polish(self.jog_step_edit)
 
     def _on_browse(self) -> None:
         now = self._store.settings.urdf_path

@@ -16,7 +16,7 @@ from armui.ui import words
 from armui.ui.dialogs.confirm import confirm
 from armui.ui.theme import Colors, colors_of
 from armui.ui.widgets import icons, painting
-from armui.ui.widgets.buttons import named, show_primary, show_property
+from armui.ui.widgets.buttons import named, show_primary
 from armui.ui.widgets.hold_button import HoldButton
 from armui.ui.widgets.layouts import in_row
 from armui.ui.widgets.text_label import text_label
@@ -137,7 +137,9 @@ class RecoveryLine(Translated, QWidget):
         self._says_running = self._is_running()
         text = self.tr("A trajectory is running") if self._says_running else words.step(step)
         self._text.setText(text)
-        show_property(self._text, "rank", "muted" if calm else None)
+        self._text.setProperty("rank", "muted" if calm else None)
+        self._text.style().unpolish(self._text)
+        self._text.style().polish(self._text)
         self.setAccessibleName(text)
         self._show_button()
         show_primary(self._button, wanted=step.level is Level.INFO)

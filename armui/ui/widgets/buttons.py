@@ -37,17 +37,12 @@ def push_button(
     return button
 
 
-def show_property(widget: QWidget, name: str, value: object) -> None:
-    """Have the style sheet show a widget by another value of a property."""
-    widget.setProperty(name, value)
-    widget.style().unpolish(widget)
-    widget.style().polish(widget)
-
-
 def show_primary(button: QPushButton, *, wanted: bool) -> None:
     """Light a button, or let it stand back: it has something to do, or not just now."""
     if bool(button.property("primary")) != wanted:
-        show_property(button, "primary", wanted)
+        button.setProperty("primary", wanted)
+        button.style().unpolish(button)
+        button.style().polish(button)
 
 
 def caption(

@@ -8,7 +8,6 @@ from PySide6.QtWidgets import QLineEdit
 
 from armui.ui import format as fmt
 from armui.ui.theme import colors_of
-from armui.ui.widgets.buttons import show_property
 
 
 class FigureField(QLineEdit):
@@ -73,7 +72,9 @@ class FigureField(QLineEdit):
     def show_attention(self, *, wanted: bool) -> None:
         """Mark the field, or take the mark away."""
         if bool(self.property("attention")) != wanted:
-            show_property(self, "attention", wanted)
+            self.setProperty("attention", wanted)
+            self.style().unpolish(self)
+            self.style().polish(self)
 
     def _unit_px(self) -> int:
         """Room for the unit: a degree sign stands close to its figure, others apart."""

@@ -28,7 +28,6 @@ from armui.ui.trajectory.editor.cell_editors import (
     TextEditor,
 )
 from armui.ui.trajectory.editor.points_model import PointsModel
-from armui.ui.widgets.buttons import show_property
 from armui.ui.widgets.table_model import Index
 
 _LEAVING: Final = frozenset(
@@ -121,5 +120,7 @@ class PointDelegate(QStyledItemDelegate):
             return False
         self.refused.emit(model.index(self._index.row(), self._index.column()), reason)
         if isinstance(editor, QLineEdit):
-            show_property(editor, "attention", True)
+            editor.setProperty("attention", True)
+            editor.style().unpolish(editor)
+            editor.style().polish(editor)
         return True

@@ -18,7 +18,7 @@ from PySide6.QtWidgets import (
 from armui.telemetry.bus_senders import Sender
 from armui.ui.actions.keys import keys_of
 from armui.ui.watch.bus.frame_filter import FrameFilter, IdFilter, parse_ids
-from armui.ui.widgets.buttons import bar_button, named, show_property
+from armui.ui.widgets.buttons import bar_button, named
 from armui.ui.widgets.layouts import STRETCH, in_column, in_row
 from armui.ui.widgets.translated import Translated
 from armui.ui.words import frames
@@ -105,7 +105,9 @@ class FilterBar(Translated, QWidget):
     def _on_ids(self, text: str) -> None:
         found = parse_ids(text)
         bad = found if isinstance(found, str) else ""
-        show_property(self.ids, "attention", bool(bad))
+        self.ids.setProperty("attention", bool(bad))
+        self.ids.style().unpolish(self.ids)
+        self.ids.style().polish(self.ids)
         self._tip_ids(bad)
         if isinstance(found, IdFilter):
             self._ids = found
