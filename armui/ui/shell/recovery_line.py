@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QRectF, QSize, Qt
 from PySide6.QtGui import QMouseEvent, QPaintEvent
-from PySide6.QtWidgets import QLabel, QPushButton, QSizePolicy, QWidget
+from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QSizePolicy, QWidget
 
 from armui.control.events import Level
 from armui.control.operating_state import LinkState, OperatingState
@@ -18,7 +18,6 @@ from armui.ui.theme import Colors, colors_of
 from armui.ui.widgets import icons, painting
 from armui.ui.widgets.buttons import named, show_primary
 from armui.ui.widgets.hold_button import HoldButton
-from armui.ui.widgets.layouts import in_row
 from armui.ui.widgets.text_label import text_label
 from armui.ui.widgets.translated import Translated
 
@@ -74,13 +73,18 @@ class RecoveryLine(Translated, QWidget):
         self._hold_button = named("recovery_hold_button", HoldButton())
         self._hold_button.setMinimumWidth(_BUTTON_PX)
         self._other_button = named("recovery_other_button", StepButton())
+        layout = QHBoxLayout(self)
         side = _MARGIN_PX + _GAP_PX
-        margins = (side, _TOP_PX + _PADDING_PX, side, _PADDING_PX)
-        layout = in_row(self._icon, (self._text, 1), on=self, spacing=_GAP_PX, margins=margins)
-        for button in (self._other_button, self._hold_button, self._button):
-            layout.addWidget(button, 0, Qt.AlignmentFlag.AlignVCenter)
-            button.pressed.connect(self._on_pressed)
+        layout.setContentsMargins(side, _TOP_PX + _PADDING_PX, side, _PADDING_PX)
+        layout.setSpacing(_GAP_PX)
+        layout.addWidget(self._icon)
+        layout.addWidget(self._text, 1)
+        layout.addWidget(self._other_button, 0, Qt.AlignmentFlag.AlignVCenter)
+        layout.addWidget(self._hold_button, 0, Qt.AlignmentFlag.AlignVCenter)
+        layout.addWidget(self._button, 0, Qt.AlignmentFlag.AlignVCenter)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
+        for button in (self._button, self._hold_button, self._other_button):
+            button.pressed.connect(self._on_pressed)
         self._button.clicked.connect(self._on_clicked)
         self._hold_button.held.connect(lambda: self._act(self._pressed.action))
         self._other_button.clicked.connect(lambda: self._act(self._pressed.alternative))

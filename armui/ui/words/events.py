@@ -19,7 +19,7 @@ from armui.ui.words.refusals import refusal
 from armui.ui.words.teaching import teaching_command, trajectory_command
 from armui.ui.words.text import Texts, sentence
 
-_NOTICES: Final = Texts("Notice") | {
+_NOTICES: Final[Texts[str]] = Texts("Notice") | {
     EventCode.SENT_JOINTS: "Sent J1 {j1}°  J2 {j2}°  J3 {j3}°  J4 {j4}°  J5 {j5}°  J6 {j6}°",
     EventCode.JOGGED: "Sent J{joint} {target}°",
     EventCode.WENT_HOME: "Home sent: all joints to 0°",
@@ -273,6 +273,6 @@ def event_text(code: str, figures: Mapping[str, object]) -> str:
     if isinstance(how := params.get("mounting"), int):
         params["mounting"] = mounting(Mounting(how))
     if code in _NOTICES:
-        return _NOTICES.text(EventCode(code), params).rstrip()
+        return _NOTICES.text(code, params).rstrip()
     unknown = QT_TRANSLATE_NOOP("Notice", "Event: {code}")
     return sentence("Notice", unknown, {**params, "code": code}).rstrip()

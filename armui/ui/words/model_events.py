@@ -7,7 +7,7 @@ from typing import Final
 from armui.control.events import EventCode
 from armui.ui.words.text import Texts
 
-MODEL_NOTICES: Final = Texts("Notice") | {
+MODEL_NOTICES: Final[Texts[str]] = Texts("Notice") | {
     EventCode.MODEL_OTHER: (
         "Connected as a {chosen}, but the pose it reports is that of a {fits}. Connect it as a "
         "{fits}."
