@@ -8,7 +8,7 @@ from PySide6.QtWidgets import QWidget
 
 from armui.ui.actions.keys import SHORTCUTS
 from armui.ui.actions.places import PLACES
-from armui.ui.dialogs.sections import Section, SectionsDialog
+from armui.ui.dialogs.sections import HelpSection, SectionsDialog
 
 if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
@@ -49,6 +49,6 @@ class ShortcutList(SectionsDialog):
         self.set_title(self.tr("Keyboard shortcuts"))
 
 
-def _section(place: str) -> Section:
+def _section(place: str) -> HelpSection:
     shortcuts = (each for each in SHORTCUTS.values() if each.place == place)
-    return Section(PLACES[place], [(each.text(), each.title) for each in shortcuts])
+    return HelpSection(PLACES[place], [(each.text(), each.title) for each in shortcuts])

@@ -7,14 +7,14 @@ from typing import Final
 from PySide6.QtWidgets import QWidget
 
 from armui.control.arm_controller import ArmController
-from armui.ui.dialogs.sections import Section, SectionsDialog
+from armui.ui.dialogs.sections import HelpSection, SectionsDialog
 from armui.ui.words.text import Text
 
 _SIZE_PX: Final = (1000, 680)
 _GAPS_PX: Final = (18, 8)
 
 _HANDLING: Final = (
-    Section(
+    HelpSection(
         Text("Help", "Mouse"),
         (
             (Text("Help", "Left drag"), Text("Help", "Turn the view around the arm")),
@@ -26,7 +26,7 @@ _HANDLING: Final = (
             ),
         ),
     ),
-    Section(
+    HelpSection(
         Text("Help", "Keyboard"),
         (
             (Text("Help", "← → ↑ ↓"), Text("Help", "Turn the view")),
@@ -50,7 +50,7 @@ _HANDLING: Final = (
     ),
 )
 _READING: Final = (
-    Section(
+    HelpSection(
         Text("Help", "Figures at the top left"),
         (
             (Text("Help", "X  Y  Z"), Text("Help", "Measured place of the flange, in mm")),
@@ -65,7 +65,7 @@ _READING: Final = (
         ),
         keys=False,
     ),
-    Section(
+    HelpSection(
         Text("Help", "What the picture says"),
         (
             (Text("Help", "—"), Text("Help", "Not heard from the arm yet: no figure is made up")),

@@ -24,7 +24,7 @@ _COLUMN_GAP_PX: Final = 36
 _SECTION_GAP_PX: Final = 12
 
 
-class Section(NamedTuple):
+class HelpSection(NamedTuple):
     """A heading and its lines: what to do or see, and what it does or means.
 
     Attributes:
@@ -53,8 +53,8 @@ class SectionsDialog(ArmDialog):
         controller: ArmController,
         parent: QWidget | None,
         *,
-        left: Sequence[Section],
-        right: Sequence[Section],
+        left: Sequence[HelpSection],
+        right: Sequence[HelpSection],
         gaps_px: tuple[int, int],
     ) -> None:
         super().__init__(controller, parent)
@@ -74,7 +74,7 @@ class SectionsDialog(ArmDialog):
         fill(self.footer, STRETCH, self.close_button)
         self.retranslate_ui()
 
-    def _add_section(self, grid: QGridLayout, section: Section) -> None:
+    def _add_section(self, grid: QGridLayout, section: HelpSection) -> None:
         row = grid.rowCount()
         grid.setRowMinimumHeight(row, _SECTION_GAP_PX if row > 1 else 0)
         row += 1
