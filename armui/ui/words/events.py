@@ -19,7 +19,7 @@ from armui.ui.words.refusals import refusal
 from armui.ui.words.teaching import teaching_command, trajectory_command
 from armui.ui.words.text import sentence
 
-_NOTICES: Final[Mapping[EventCode, object]] = {
+_NOTICES: Final[Mapping[str, object]] = {
     EventCode.SENT_JOINTS: QT_TRANSLATE_NOOP(
         "Notice", "Sent J1 {j1}°  J2 {j2}°  J3 {j3}°  J4 {j4}°  J5 {j5}°  J6 {j6}°"
     ),
@@ -383,7 +383,7 @@ def event_text(code: str, figures: Mapping[str, object]) -> str:
         params["load"] = end_load(EndLoad(load))
     if isinstance(how := params.get("mounting"), int):
         params["mounting"] = mounting(Mounting(how))
-    source = _NOTICES.get(EventCode(code)) if code in _NOTICES else None
+    source = _NOTICES.get(code)
     if source is None:
         source = QT_TRANSLATE_NOOP("Notice", "Event: {code}")
         params["code"] = code

@@ -9,7 +9,7 @@ from PySide6.QtCore import QT_TRANSLATE_NOOP
 
 from armui.control.events import EventCode
 
-MODEL_NOTICES: Final[Mapping[EventCode, object]] = {
+MODEL_NOTICES: Final[Mapping[str, object]] = {
     EventCode.MODEL_OTHER: QT_TRANSLATE_NOOP(
         "Notice",
         "Connected as a {chosen}, but the pose it reports is that of a {fits}. Connect it as a "
