@@ -153,8 +153,11 @@ class Context:
         return speed_frames(self.connection.codec, mode, speed_percent)
 
 
-class ControllerPart(Protocol):
-    """A part of the controller that follows something over time."""
+class ControllerPart:
+    """A part of the controller that follows something over time.
+
+    A part has those of the three of which it has to know; of the others nothing comes.
+    """
 
     def advance(self) -> None:
         """Look at what was heard and move on; called at each tick while a device is open."""

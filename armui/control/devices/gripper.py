@@ -12,7 +12,7 @@ from armui.arm.quirks import why_not_by_firmware
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import ArmState, is_fresh
-from armui.control.context import Context
+from armui.control.context import Context, ControllerPart
 from armui.control.devices.gripper_ranges import Figures, check, figures_of
 from armui.control.events import EventCode
 from armui.control.parameters.arm_settings import ArmSettings
@@ -53,7 +53,7 @@ class _Travel:
     unit: str
 
 
-class GripperControl:
+class GripperControl(ControllerPart):
     """Commands the gripper; one command at a time, a new one replaces the last.
 
     The frame carries target, effort and power at once. So whatever switches the power sends the

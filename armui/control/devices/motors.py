@@ -9,7 +9,7 @@ from armui.arm.limits import JOINTS
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import ArmState
-from armui.control.context import Context
+from armui.control.context import Context, ControllerPart
 from armui.control.events import EventCode
 from armui.control.motion.motion_command import End
 from armui.control.operating_state import Busy, StopState, why_only_heard
@@ -25,7 +25,7 @@ _ATTEMPTS: Final = 3
 """Real arms often want the enable command twice."""
 
 
-class Motors:
+class Motors(ControllerPart):
     """Switches the motors, and follows each switching until the drivers' feedback shows it.
 
     Args:

@@ -8,7 +8,7 @@ from typing import Final
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import ArmState
-from armui.control.context import Context
+from armui.control.context import Context, ControllerPart
 from armui.control.devices.teaching_phase import TeachingPhase, phase_of, why_not
 from armui.control.events import EventCode
 from armui.control.requests.request import Request, RequestOutcome
@@ -36,7 +36,7 @@ _ENDS_SOMETHING: Final = frozenset(
 start late, when nobody expects it any more."""
 
 
-class TeachingControl:
+class TeachingControl(ControllerPart):
     """Commands drag teaching, one command at a time.
 
     Args:

@@ -19,7 +19,7 @@ from armui.arm.limits import JOINTS
 from armui.arm.models import model_data
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
-from armui.control.context import Context
+from armui.control.context import Context, ControllerPart
 from armui.control.events import EventCode
 from armui.control.motion.jog_pace import accelerations, pace
 from armui.control.motion.jog_path import JogPath, JointJog, JointJogPath, ToolJog, ToolJogPath
@@ -77,7 +77,7 @@ class _Hold:
     command: MotionCommand | None = None
 
 
-class Jogging:
+class Jogging(ControllerPart):
     """Moves while it is held: :meth:`start` on the press, :meth:`stop` when it ends.
 
     Args:

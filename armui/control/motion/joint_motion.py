@@ -8,7 +8,7 @@ from typing import Final
 from armui.arm.limits import check_joints
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
-from armui.control.context import Context
+from armui.control.context import Context, ControllerPart
 from armui.control.events import EventCode
 from armui.control.motion.motion_command import CommandKind
 from armui.control.motion.speed import speed_frames
@@ -24,7 +24,7 @@ _SETTLE_S: Final = 0.3
 """So long after a command of ours the operator's speed is not given back yet."""
 
 
-class Motion:
+class Motion(ControllerPart):
     """Joint motions, and the speed of every motion.
 
     Attributes:
@@ -152,9 +152,3 @@ class Motion:
     def _settled(self) -> bool:
         command = self._context.authority.command
         return command is None or self._context.clock() - command.sent_s >= _SETTLE_S
-
-    def halt(self) -> None:
-        """A motion under way ends with the arm's own stop."""
-
-    def forget(self) -> None:
-        """Nothing of a motion is kept here."""

@@ -14,7 +14,7 @@ from armui.arm.quirks import why_not_by_firmware
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import ArmState
-from armui.control.context import Context
+from armui.control.context import Context, ControllerPart
 from armui.control.events import EventCode
 from armui.control.operating_state import why_unreachable
 from armui.control.parameters.setting_cell import CellState, SettingCellState
@@ -49,7 +49,7 @@ _SECOND_ONLY: Final = frozenset({Group.TEACHING, Group.DRAG_ASSISTANCE})
 _UNREAD: Final = SettingCellState()
 
 
-class ArmSettings(QObject):
+class ArmSettings(QObject, ControllerPart):
     """Follows every parameter; the values themselves are those last heard (:class:`ArmState`).
 
     Args:
@@ -319,12 +319,6 @@ class ArmSettings(QObject):
             self._cells[parameter] = cell
 
     # A part of the controller -----------------------------------------------------------------
-
-    def advance(self) -> None:
-        """Nothing to do: the queue of transactions advances by itself."""
-
-    def halt(self) -> None:
-        """Settings move nothing: a stop does not end them."""
 
     def forget(self) -> None:
         """Another arm may come: only what was refused is kept, so that it can be read."""

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Final
 
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
-from armui.control.context import Context
+from armui.control.context import Context, ControllerPart
 from armui.control.events import EventCode
 from armui.control.requests.request import Request, RequestOutcome
 from armui.control.safety.recovery_rules import next_step
@@ -79,7 +79,7 @@ class _PendingAction:
     idle_since_s: float | None = None
 
 
-class Recovery:
+class Recovery(ControllerPart):
     """Determines the next step of recovery and carries it out on request.
 
     Args:
