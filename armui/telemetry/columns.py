@@ -71,11 +71,7 @@ class ColumnWriter:
     """
 
     def __init__(self, series: Mapping[str, Series], codec: Codec, *, proven: bool) -> None:
-        layouts = {
-            layout.name: (wire_id, layout)
-            for wire_id in range(_IDS)
-            if (layout := codec.layout(wire_id)) is not None
-        }
+        layouts = {layout.name: (wire_id, layout) for wire_id, layout in codec.layouts.items()}
         self.is_feedback: NDArray[np.bool_] = np.zeros(_IDS, np.bool_)
         self._writers: dict[int, Callable[[FrameColumns], None]] = {}
         for record in RECORDS:

@@ -20,11 +20,11 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
 
     from armui.bus.playback.log_clock import LogClock
-    from armui.bus.tap import Tap
     from armui.protocol.codec import Codec, Message
     from armui.session.frames import Channel
     from armui.session.session import Session
     from armui.telemetry.columns import FrameColumns
+    from armui.telemetry.tap import Tap
 
 ONE_BY_ONE_UP_TO: Final = 4.0
 """Up to this speed every frame is taken in by itself; above it those that tell something new."""

@@ -104,11 +104,7 @@ def _gathered(
 
     generation = Generation(arm.generation)
     codec = Codec(generation, Addressing(arm.feedback_offset))
-    watched = {
-        wire_id
-        for wire_id in range(0x800)
-        if (layout := codec.layout(wire_id)) is not None and layout.name in WATCHED
-    }
+    watched = {wire_id for wire_id, layout in codec.layouts.items() if layout.name in WATCHED}
     every, heard = marked_ids(generation)
     return IdRows(session, channel, every | watched, heard, is_wanted)
 
