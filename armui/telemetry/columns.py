@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, Final
+from dataclasses import dataclass, fields
+from typing import TYPE_CHECKING, Any, Final, TypeVar
 
 import numpy as np
 
@@ -13,8 +13,9 @@ from armui.telemetry.quantities import BUS, RECORDS, Source
 from armui.telemetry.rows import factor_of, told_signals
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Mapping
+    from collections.abc import Callable, Mapping, Sequence
 
+    from _typeshed import DataclassInstance
     from numpy.typing import NDArray
 
     from armui.protocol.codec import Codec
@@ -24,6 +25,7 @@ if TYPE_CHECKING:
 
 NOT_OF_THE_ARM: Final = ~FrameFlag.TRANSMITTED & 0xFF
 _IDS: Final = 0x800
+_Columns = TypeVar("_Columns", bound="DataclassInstance")
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -56,6 +58,13 @@ class FrameColumns:
             self.lengths[rows],
             self.payloads[rows],
         )
+
+
+def joined(pieces: Sequence[_Columns]) -> _Columns:
+    """Columns one behind the other; of one piece at least."""
+    kind = type(pieces[0])
+    columns = ([getattr(piece, each.name) for piece in pieces] for each in fields(kind))
+    return pieces[0] if len(pieces) == 1 else kind(*map(np.concatenate, columns))
 
 
 class ColumnWriter:

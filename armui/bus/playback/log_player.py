@@ -10,9 +10,10 @@ from typing import TYPE_CHECKING, Final
 from armui.bus.intake import Intake
 from armui.bus.playback.curve_history import CurveHistory, fill
 from armui.bus.playback.folding import Folding
-from armui.bus.playback.log_cursor import LogCursor, ReplayedFrame, joined
+from armui.bus.playback.log_cursor import LogCursor, ReplayedFrame
 from armui.bus.playback.series_tap import SeriesTap, is_own_command
 from armui.protocol.frame import Frame
+from armui.telemetry.columns import joined
 from armui.telemetry.series import KEPT_S
 from armui.telemetry.store import Telemetry
 

@@ -68,8 +68,7 @@ def _understood(rows: DataRows | None, layout: MessageLayout) -> DataRows | None
         return rows
     if not good.any():
         return None
-    numbers, times_s, lengths, payloads = rows
-    return DataRows(numbers[good], times_s[good], lengths[good], payloads[good])
+    return rows.of(good)
 
 
 def _changes(
