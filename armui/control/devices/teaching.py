@@ -15,8 +15,6 @@ from armui.control.requests.request import Request, RequestOutcome
 from armui.protocol import commands
 from armui.protocol.codes import TeachingState
 
-_REPEAT_S: Final = 0.5
-_ATTEMPTS: Final = 3
 _ANSWER_S: Final = 1.5
 
 _LEADS_TO: Final[Mapping[TeachingState, frozenset[TeachingPhase]]] = {
@@ -67,23 +65,21 @@ class TeachingControl(ControllerPart):
         if refusal is not None:
             return context.refuse(refusal)
         context.tell(EventCode.TEACHING_SENT, command=int(command))
-        again = command in _ENDS_SOMETHING
         self._pending = command
-        self._request = Request(
-            commands.teaching_command(context.connection.codec, command),
-            _shows(command),
-            context.connection.send,
-            _REPEAT_S if again else _ANSWER_S,
-            _ATTEMPTS if again else 1,
+        frames = commands.teaching_command(context.connection.codec, command)
+        self._request = (
+            Request(context, frames, _shows(command))
+            if command in _ENDS_SOMETHING
+            else Request(context, frames, _shows(command), _ANSWER_S, attempts=1)
         )
-        self._request.advance(context.state(), context.clock())
+        self._request.advance()
         return None
 
     def advance(self) -> None:
         """See whether the arm does it, or time is up."""
         if self._request is None or self._pending is None:
             return
-        outcome = self._request.advance(self._context.state(), self._context.clock())
+        outcome = self._request.advance()
         if outcome is RequestOutcome.WAITING:
             return
         command = self._pending

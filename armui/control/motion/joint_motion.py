@@ -11,7 +11,6 @@ from armui.arm.refusal_codes import RefusalCode
 from armui.control.context import Context, ControllerPart
 from armui.control.events import EventCode
 from armui.control.motion.motion_command import CommandKind
-from armui.control.motion.speed import speed_frames
 from armui.control.requests import reports
 from armui.control.safety import interlocks
 from armui.protocol import commands
@@ -72,9 +71,7 @@ class Motion(ControllerPart):
         context = self._context
         authority, percent = context.authority, self.speed_percent
         mode = None if context.why_no_motion() is not None else authority.mode_in_force()
-        if mode is None or not context.connection.send(
-            speed_frames(context.connection.codec, mode, percent)
-        ):
+        if mode is None or not context.connection.send(context.speed_frames(mode, percent)):
             return False
         authority.told_percent(percent)
         return True

@@ -16,7 +16,6 @@ from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import ArmState
 from armui.control.context import Context, ControllerPart
 from armui.control.events import EventCode
-from armui.control.operating_state import why_unreachable
 from armui.control.parameters.setting_cell import CellState, SettingCellState
 from armui.control.parameters.setting_checks import (
     Changes,
@@ -89,7 +88,7 @@ class ArmSettings(QObject, ControllerPart):
 
     def everything(self) -> list[Batch] | Refusal:
         """All that a backup holds of this arm, or why that is not known now."""
-        refusal = self._why_unknown()
+        refusal = self._context.why_unknown()
         if refusal is not None:
             return refusal
         generation = self._context.connection.generation
@@ -127,7 +126,7 @@ class ArmSettings(QObject, ControllerPart):
             ``None`` if it was asked, or why not.
         """
         batches = list(batches)
-        refusal = self._why_unknown() or self.why_not_kept(batches)
+        refusal = self._context.why_unknown() or self.why_not_kept(batches)
         if refusal is not None:
             return refusal
         for batch in batches:
@@ -188,20 +187,12 @@ class ArmSettings(QObject, ControllerPart):
 
     def _codec(self) -> Codec | Refusal:
         """What to speak, or why nothing can be set now."""
-        refusal = self._why_unknown() or self._context.refresh().occupied
+        refusal = self._context.why_unknown() or self._context.refresh().occupied
         if refusal is None and self.busy:
             refusal = Refusal(RefusalCode.BUSY, {"what": "settings"})
         if refusal is None:
             refusal = why_moving(self._context.state())
         return self._context.connection.codec if refusal is None else self._context.refuse(refusal)
-
-    def _why_unknown(self) -> Refusal | None:
-        """Why the arm cannot be asked: it is not there, or its protocol is not known yet."""
-        connection = self._context.connection
-        refusal = why_unreachable(connection.link, connection.device)
-        if refusal is None and connection.generation is None:
-            return Refusal(RefusalCode.GENERATION_UNKNOWN)
-        return refusal
 
     def _read(self, batch: Batch) -> None:
         self._mark(batch.parameters(), SettingCellState(CellState.READING))

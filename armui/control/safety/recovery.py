@@ -33,8 +33,6 @@ if TYPE_CHECKING:
     from armui.control.motion.planned_motion import PlannedMotion
     from armui.control.safety.mode_exit import ModeExitCommand
 
-_REPEAT_S: Final = 0.5
-_ATTEMPTS: Final = 3
 _SHOWS_LATER_S: Final = 0.5
 """Between an answer and the feedback that shows its effect: drivers report ten times a second."""
 
@@ -208,7 +206,7 @@ class Recovery(ControllerPart):
         """Look at what was heard; called regularly while a device is open."""
         now_s = self._context.clock()
         if self._request is not None:
-            outcome = self._request.advance(self._context.state(), now_s)
+            outcome = self._request.advance()
             if outcome is not RequestOutcome.WAITING:
                 self._request = None
         if self._to_clear and not self._joint_errors.busy:
@@ -331,13 +329,7 @@ class Recovery(ControllerPart):
         """Send until the arm is in another state, or time is up."""
         context = self._context
         kind = self._look().kind
-        self._request = Request(
-            frames,
-            lambda _state: self._look().kind is not kind,
-            context.connection.send,
-            _REPEAT_S,
-            _ATTEMPTS,
-        )
+        self._request = Request(context, frames, lambda _state: self._look().kind is not kind)
         context.tell(code)
-        self._request.advance(context.state(), context.clock())
+        self._request.advance()
         return None
