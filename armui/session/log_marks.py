@@ -29,7 +29,7 @@ SILENT_S: Final = 0.5
 _BURST_S: Final = 0.5
 """Commands of one sort that follow each other faster are one stream, marked where it begins."""
 
-_AT_WORK: Final = frozenset(
+AT_WORK: Final = frozenset(
     {
         ArmStatusCode.NORMAL,
         ArmStatusCode.TEACHING_RECORDING,
@@ -37,6 +37,7 @@ _AT_WORK: Final = frozenset(
         ArmStatusCode.TEACHING_PAUSED,
     }
 )
+"""Statuses that are no fault."""
 _JOINT_FAULTS: Final = (
     "Undervoltage",
     "MotorOvertemperature",
@@ -127,7 +128,7 @@ class _Finder:
         times_s, words, layout = found
         codes = signal_column(words, layout.signals["Status"])
         for first, behind, code in _runs(codes):
-            if code in _AT_WORK:
+            if code in AT_WORK:
                 continue
             stopped = code == ArmStatusCode.EMERGENCY_STOP
             kind = MarkKind.STOP if stopped else MarkKind.FAULT
