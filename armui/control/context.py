@@ -170,7 +170,8 @@ class Context:
 class ControllerPart:
     """A part of the controller that follows something over time.
 
-    A part has those of the three of which it has to know; of the others nothing comes.
+    A part has those of the three in which it has something to do. One without `halt` is not
+    touched by a stop: a motion under way ends with the arm's own, and a setting moves nothing.
     """
 
     def advance(self) -> None:
