@@ -17,7 +17,7 @@ A frame that is repeated shares its decoded message: it must not be changed."""
 
 
 class Tap:
-    """Hears everything, and says only what it makes of something.
+    """Hears everything; what it makes nothing of, it leaves out.
 
     All but `know_generation` is called by the bus thread.
     """
