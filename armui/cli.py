@@ -4,14 +4,13 @@ from __future__ import annotations
 
 import argparse
 import importlib
-import os
 import sys
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Final
 
 from armui import __version__
-from armui.system.command_line import add_device
+from armui.system.command_line import add_device, has_display
 
 _COMMANDS: Final = {
     "decode": ("armui.decode", "print a recorded CAN log frame by frame, in words and units"),
@@ -59,7 +58,7 @@ def _run_window(parser: argparse.ArgumentParser, options: argparse.Namespace) ->
         parser.error("--generation belongs to --sim: a real arm says for itself which it is")
     if options.firmware is not None and (not options.sim or options.generation == 1):
         parser.error("--firmware belongs to --sim in generation 2: a real arm tells its own")
-    if _no_display():
+    if not has_display():
         print(
             "armui: no display found. Start it in a desktop session, or set DISPLAY or "
             "WAYLAND_DISPLAY. `armui doctor` tells more.",
@@ -120,12 +119,6 @@ def _version(text: str) -> str:
             f"{text!r} is no firmware version; write it as {RECOMMENDED}"
         )
     return text
-
-
-def _no_display() -> bool:
-    if sys.platform in {"win32", "darwin"} or os.environ.get("QT_QPA_PLATFORM"):
-        return False
-    return not (os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY"))
 
 
 def _parser() -> argparse.ArgumentParser:

@@ -70,14 +70,15 @@ def to_text(backup: Backup) -> str:
         },
     }
     rows = [
-        "    " + json.dumps(_row(parameter, value), ensure_ascii=False)
+        "    " + json.dumps(parameter_row(parameter, value), ensure_ascii=False)
         for parameter, value in backup.values.items()
     ]
     opening = json.dumps(head, indent=2, ensure_ascii=False).removesuffix("\n}")
     return opening + ',\n  "parameters": [\n' + ",\n".join(rows) + "\n  ]\n}\n"
 
 
-def _row(parameter: Parameter, value: float) -> dict[str, float | int | str]:
+def parameter_row(parameter: Parameter, value: float) -> dict[str, float | int | str]:
+    """A parameter as a backup and a recording's sidecar name it."""
     joint: dict[str, float | int | str] = {"joint": parameter.joint} if parameter.joint else {}
     return {
         "name": parameter.name,

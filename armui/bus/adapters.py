@@ -14,6 +14,7 @@ import can
 from armui.arm.device import DEFAULT_BITRATE, Device, bitrate_is_ours
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
+from armui.bus.send_errors import causes
 from armui.system.error_text import error_text
 
 _SEARCH_S: Final = 5.0
@@ -85,7 +86,7 @@ def _keep_kernel_queue_short(bus: can.BusABC) -> None:
 def explain(device: Device, error: BaseException) -> Refusal:
     """What is wrong with a device, from the exception that opening or using it raised."""
     params: dict[str, str] = {"device": device.name, "interface": device.interface}
-    for cause in _causes(error):
+    for cause in causes(error):
         code = _CODE_OF_ERRNO.get(_errno(cause) or 0)
         if code is not None:
             return Refusal(code, params)
@@ -126,13 +127,6 @@ _CODE_OF_WORDS: Final = (
 )
 """For back-ends that put the reason into words only; the last entry of the first line is what
 python-can's back-ends stumble over when the maker's library is not there."""
-
-
-def _causes(error: BaseException) -> Iterator[BaseException]:
-    seen: BaseException | None = error
-    while seen is not None:
-        yield seen
-        seen = seen.__cause__ or seen.__context__
 
 
 def _errno(error: BaseException) -> int | None:

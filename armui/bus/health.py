@@ -7,12 +7,10 @@ from typing import Final
 from armui.arm.device import Device
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
+from armui.telemetry.bus_errors import LINUX_ERROR_FRAMES
 
 HEARD_S: Final = 0.5
 """Frames heard not longer ago than this: the receiving side works."""
-
-_LINUX_ERROR_FRAMES: Final = frozenset({"socketcan", "gs_usb", "candle"})
-"""Back-ends whose error frames have the classes of ``linux/can/error.h`` as their identifier."""
 
 _BUS_OFF: Final = 0x040
 _RESTARTED: Final = 0x100
@@ -37,7 +35,7 @@ class BusHealth:
 
     def on_error_frame(self, arbitration_id: int) -> None:
         """The adapter reports an error of the bus."""
-        if self._device.interface not in _LINUX_ERROR_FRAMES:
+        if self._device.interface not in LINUX_ERROR_FRAMES:
             return
         if arbitration_id & _BUS_OFF:
             self._bus_off = True

@@ -16,9 +16,9 @@ from armui.protocol.frame import FrameFlag
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
 
-    from armui.bus.tap import Tap
     from armui.protocol.codec import Codec
     from armui.protocol.frame import Frame
+    from armui.telemetry.tap import Tap
 
 ANSWERS: Final = frozenset(
     {

@@ -62,10 +62,10 @@ def obeys_its_timeout(bus: can.BusABC) -> bool:
 
 def queue_is_full(error: BaseException) -> bool:
     """Whether a frame could not be sent just now, while the device itself is there."""
-    causes = list(_causes(error))
-    if any(_names_a_full_queue(cause) for cause in causes):
+    chain = list(causes(error))
+    if any(_names_a_full_queue(cause) for cause in chain):
         return True
-    if any(_number(cause) is not None for cause in causes):
+    if any(_number(cause) is not None for cause in chain):
         return False
     text = str(error).lower()
     return any(words in text for words in (*_FULL_WORDS, *_BUS_OFF_WORDS))
@@ -98,7 +98,8 @@ def _number(error: BaseException) -> int | None:
     return None
 
 
-def _causes(error: BaseException) -> Iterator[BaseException]:
+def causes(error: BaseException) -> Iterator[BaseException]:
+    """An error, what it came of, and so on."""
     cause: BaseException | None = error
     while cause is not None:
         yield cause

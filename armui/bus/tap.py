@@ -1,53 +1,23 @@
-"""Who else is told of every frame on the bus, in batches, by the thread that owns it."""
+"""Who else is told of every frame on the bus, on the side of the thread that owns it."""
 
 from __future__ import annotations
 
 import logging
 from collections import deque
 from collections.abc import Callable, Sequence
-from typing import TYPE_CHECKING, Final, Protocol
+from typing import TYPE_CHECKING, Final
 
-from armui.protocol.codec import Codec, InvalidFrame, Message
 from armui.protocol.frame import FrameFlag
 
 if TYPE_CHECKING:
+    from armui.protocol.codec import Codec
     from armui.protocol.frame import Frame
-    from armui.protocol.generation import Generation
+    from armui.telemetry.tap import Taken, Tap
 
 _LOG: Final = logging.getLogger(__name__)
 
-Taken = tuple[Message | InvalidFrame, float, "Frame", int]
-"""A frame as decoded, its monotonic time in seconds, the frame itself, and its `FrameFlag` bits.
-
-A frame that is repeated shares its decoded message: it must not be changed."""
-
 SENT_KEPT: Final = 4096
 """So many frames that were sent may wait for the bus thread, which looks every few milliseconds."""
-
-
-class Tap(Protocol):
-    """Hears everything. All but `know_generation` is called by the bus thread."""
-
-    def know_generation(self, generation: Generation | None) -> None:
-        """Which protocol the arm was found to speak; ``None``: not known, or not any more."""
-
-    def on_open(self, bitrate: int | None) -> None:
-        """A device was opened."""
-
-    def on_codec(self, codec: Codec) -> None:
-        """How frames are decoded from now on."""
-
-    def on_heard(self, batch: Sequence[Taken]) -> None:
-        """Frames that others sent."""
-
-    def on_sent(self, batch: Sequence[Taken]) -> None:
-        """Frames that this program sent."""
-
-    def on_error_frame(self) -> None:
-        """The adapter has reported an error on the bus."""
-
-    def on_look(self, now_s: float) -> None:
-        """Called every few milliseconds."""
 
 
 class TapLine:

@@ -28,11 +28,11 @@ from armui.bus.outbox import KEEP_S, Outbox
 from armui.bus.receive_clock import STAMPED, ReceiveClock
 from armui.bus.receive_queue import ReceiveQueue
 from armui.bus.sending import SendingThread
-from armui.bus.tap import Tap
 from armui.protocol.codec import Codec
 from armui.protocol.frame import Frame, FrameFlag
 from armui.system.clock import steady_s
 from armui.system.failures import is_our_own
+from armui.telemetry.tap import Tap
 
 _LOG: Final = logging.getLogger(__name__)
 

@@ -22,7 +22,7 @@ from armui.control.authority import Authority
 from armui.control.authority_watch import AuthorityWatch
 from armui.control.context import Context
 from armui.control.controller_parts import ControllerParts
-from armui.control.events import LEVELS, LINK_BREAKS, Event, EventCode
+from armui.control.events import LINK_BREAKS, Event, EventCode
 from armui.control.link.connection import Connection
 from armui.control.link.device_finder import DeviceFinder
 from armui.control.link.link_watch import LinkWatch
@@ -217,7 +217,7 @@ class ArmController(ControllerParts):
         self._stop.stop_again = on
 
     def _notice(self, code: EventCode, **params: object) -> None:
-        self.noticed.emit(Event(self._wall(self._clock()), LEVELS[code], code, params))
+        self.noticed.emit(Event(self._wall(self._clock()), code.level, code, params))
 
     def _on_noticed(self, event: Event) -> None:
         self.happenings.on_noticed(event)

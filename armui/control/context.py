@@ -12,8 +12,8 @@ from armui.arm.state import ArmState
 from armui.control.authority import Authority
 from armui.control.events import EventCode
 from armui.control.motion.motion_command import CommandKind, End, MotionCommand
-from armui.control.motion.speed import speed_frames
-from armui.control.operating_state import OperatingState
+from armui.control.operating_state import OperatingState, why_unreachable
+from armui.protocol import commands
 from armui.protocol.codes import ControlMode
 
 if TYPE_CHECKING:
@@ -150,11 +150,29 @@ class Context:
             return []  # in standby no target starts
         if not self.authority.lowers_speed(speed_percent):
             return []
-        return speed_frames(self.connection.codec, mode, speed_percent)
+        return self.speed_frames(mode, speed_percent)
+
+    def speed_frames(self, mode: tuple[ControlMode, MoveMode], percent: int) -> list[Frame]:
+        """0x151 with another speed, 0–100 %, and the modes that the arm is in."""
+        return commands.set_mode(
+            self.connection.codec, control_mode=mode[0], move_mode=mode[1], speed_percent=percent
+        )
+
+    def why_unknown(self) -> Refusal | None:
+        """Why the arm cannot be asked: it is not there, or its protocol is not known yet."""
+        connection = self.connection
+        refusal = why_unreachable(connection.link, connection.device)
+        if refusal is None and connection.generation is None:
+            return Refusal(RefusalCode.GENERATION_UNKNOWN)
+        return refusal
 
 
-class ControllerPart(Protocol):
-    """A part of the controller that follows something over time."""
+class ControllerPart:
+    """A part of the controller that follows something over time.
+
+    A part has those of the three in which it has something to do. One without `halt` is not
+    touched by a stop: a motion under way ends with the arm's own, and a setting moves nothing.
+    """
 
     def advance(self) -> None:
         """Look at what was heard and move on; called at each tick while a device is open."""

@@ -281,7 +281,6 @@ class ControllerParts(QObject):
             self.transactions,
             self.settings,
             self.teaching,
-            self.planned_motion,
             self._dropped_frames,
             self.model_watch,
             self.happenings,

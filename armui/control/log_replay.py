@@ -22,10 +22,10 @@ if TYPE_CHECKING:
     from typing import NoReturn
 
     from armui.bus.playback.log_cursor import ReplayedFrame
-    from armui.bus.tap import Tap
     from armui.protocol.codec import Codec
     from armui.session.frames import Channel
     from armui.session.session import Session
+    from armui.telemetry.tap import Tap
 
 _FILL_AFTER_MS: Final = 120
 """Curves are filled when the operator has come to rest somewhere."""

@@ -52,7 +52,7 @@ _SINGLE_MOTIONS: Final = frozenset(
             "armui.control.motion.planned_motion",
         ),
         *("armui.control.authority", "armui.control.context", "armui.control.safety.overspeed"),
-        *("armui.control.motion.speed", "armui.control.devices.gripper"),
+        "armui.control.devices.gripper",
         *("armui.ui.panels.jogging.motion_panel", "armui.ui.panels.jogging.cartesian_panel"),
     }
 )

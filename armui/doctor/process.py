@@ -18,7 +18,7 @@ Tell = Callable[[list[Diagnosis] | str], object]
 """Given the findings, or in one line why there are none; called in another thread."""
 
 
-class DoctorProcess:
+class DoctorProcess(CommandProcess):
     """One examination; it begins at once.
 
     Args:
@@ -27,17 +27,7 @@ class DoctorProcess:
     """
 
     def __init__(self, arguments: Sequence[str], tell: Tell) -> None:
-        self._tell = tell
-        self._process = CommandProcess(["doctor", "--json", *arguments], self._listen)
-        self._process.begin()
-
-    def end(self) -> None:
-        """End it, whatever it is doing: nobody waits for it any more."""
-        self._process.end()
-
-    def wait(self, within_s: float) -> bool:
-        """Whether it has ended, after a time at most."""
-        return self._process.wait(within_s)
+        super().__init__(["doctor", "--json", *arguments], tell)
 
     def _listen(self, process: subprocess.Popen[str] | OSError) -> None:
         if isinstance(process, OSError):
@@ -52,10 +42,9 @@ class DoctorProcess:
         else:
             self._answer(_findings(out, err))
 
-    def _answer(self, answer: list[Diagnosis] | str) -> None:
+    def _answer(self, answer: object) -> None:
         load_texts()  # here, where nobody waits for the disk
-        if not self._process.is_ended:
-            self._tell(answer)
+        super()._answer(answer)
 
 
 def _findings(out: str, err: str) -> list[Diagnosis] | str:

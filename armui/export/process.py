@@ -1,6 +1,6 @@
 """`armui export` in a process of its own, for the window, which shares no lock with it.
 
-Cancelling ends the process at once, whatever it is doing; what it had begun to write goes with it.
+It can be ended at any moment, whatever it is doing; what it had begun to write goes with it.
 """
 
 from __future__ import annotations
@@ -24,7 +24,6 @@ from armui.session.exports.request import (
 from armui.system.command_process import CommandProcess
 
 _LAST_WORDS: Final = 300
-_END_S: Final = 10.0
 _NICER_BY: Final = 5
 """The window and the bus go before it where there are too few cores for all."""
 
@@ -48,27 +47,17 @@ Tell = Callable[[ExportProgress | ExportDone], object]
 """Given how far it has come, and what became of it at last; called in another thread."""
 
 
-class ExportProcess:
+class ExportProcess(CommandProcess):
     """One export; it begins at once.
 
     Args:
         request: What to export.
-        tell: Told until it is over, unless it is cancelled before.
+        tell: Told until it is over, unless it is ended before.
     """
 
     def __init__(self, request: ExportRequest, tell: Tell) -> None:
-        self._tell = tell
         self._unfinished: Path | None = None
-        self._process = CommandProcess(_arguments(request), self._listen, nicer_by=_NICER_BY)
-        self._process.begin()
-
-    def cancel(self) -> None:
-        """End it, whatever it is doing; nothing remains of it."""
-        self._process.end()
-
-    def wait(self, within_s: float = _END_S) -> bool:
-        """Whether it has ended, after a time at most."""
-        return self._process.wait(within_s)
+        super().__init__(_arguments(request), tell, nicer_by=_NICER_BY)
 
     def _listen(self, process: subprocess.Popen[str] | OSError) -> None:
         """Pass on what it tells, until it has ended."""
@@ -118,10 +107,6 @@ class ExportProcess:
                     shutil.rmtree(self._unfinished)
                 else:
                     self._unfinished.unlink(missing_ok=True)
-
-    def _answer(self, answer: ExportProgress | ExportDone) -> None:
-        if not self._process.is_ended:
-            self._tell(answer)
 
 
 def _arguments(request: ExportRequest) -> list[str]:

@@ -87,6 +87,7 @@ class Codec:
         addressing: The identifier offsets of the arm.
         firmware: The arm's version, which says how its MIT frames are laid out; ``None``: not
             known, they are taken for those of the version that the maker recommends.
+        layouts: Every message by its identifier on the wire.
     """
 
     def __init__(
@@ -100,7 +101,7 @@ class Codec:
         self.firmware = firmware
         layouts = _layouts(generation, self.quirks.mit_layout)
         self._by_name = {layout.name: layout for layout in layouts}
-        self._by_wire_id = {addressing.to_wire(layout.arbitration_id): layout for layout in layouts}
+        self.layouts = {addressing.to_wire(layout.arbitration_id): layout for layout in layouts}
         self._latest: dict[int, tuple[bytes, Message | InvalidFrame]] = {}
 
     @property
@@ -117,7 +118,7 @@ class Codec:
         latest = self._latest.get(frame.arbitration_id)
         if latest is not None and latest[0] == frame.data:
             return latest[1]
-        layout = self._by_wire_id.get(frame.arbitration_id)
+        layout = self.layouts.get(frame.arbitration_id)
         if layout is None:
             return self._unknown_id(frame.arbitration_id)
         heard = _decoded(layout, frame)
@@ -158,7 +159,7 @@ class Codec:
 
         Decoding is more generous; this is what tells the generations apart in a log.
         """
-        layout = self._by_wire_id.get(frame.arbitration_id)
+        layout = self.layouts.get(frame.arbitration_id)
         return (
             layout is not None
             and len(frame.data) == layout.length
@@ -168,7 +169,7 @@ class Codec:
 
     def layout(self, arbitration_id: int) -> MessageLayout | None:
         """The message with an identifier on the wire, None when it is not in the tables."""
-        return self._by_wire_id.get(arbitration_id)
+        return self.layouts.get(arbitration_id)
 
     def signals(self, message: str) -> tuple[str, ...]:
         """Names of a message's signals in the order of bytes and, within a byte, of bits.

@@ -13,6 +13,7 @@ from armui.bus.adapters import open_bus
 from armui.bus.receive_clock import STAMPED, ReceiveClock
 from armui.protocol.frame import Frame, FrameFlag
 from armui.protocol.generation import Generation
+from armui.session.gather import MESSAGE_FLAGS
 
 if TYPE_CHECKING:
     from armui.session.recording.lane import FrameLane
@@ -21,14 +22,6 @@ if TYPE_CHECKING:
 SIMULATED: Final = "armui-simulated"
 _WAIT_S: Final = 0.05
 _AT_ONCE: Final = 256
-_MARKS: Final = (
-    ("is_extended_id", FrameFlag.EXTENDED),
-    ("is_remote_frame", FrameFlag.REMOTE),
-    ("is_error_frame", FrameFlag.ERROR),
-    ("is_fd", FrameFlag.FD),
-    ("bitrate_switch", FrameFlag.BITRATE_SWITCH),
-    ("error_state_indicator", FrameFlag.ERROR_STATE),
-)
 
 
 @contextmanager
@@ -100,7 +93,7 @@ class BusListener:
 def _taken(message: can.Message, at_s: float) -> TakenFrame:
     flags = FrameFlag(0)
     if message.is_extended_id or message.is_remote_frame or message.is_error_frame or message.is_fd:
-        for name, flag in _MARKS:
+        for name, flag in MESSAGE_FLAGS:
             if getattr(message, name):
                 flags |= flag
     data = bytes(message.dlc) if message.is_remote_frame else bytes(message.data)

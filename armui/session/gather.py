@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from operator import attrgetter
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
 
@@ -28,7 +28,7 @@ _TOP_STANDARD_ID = 0x7FF
 _TOP_EXTENDED_ID = 0x1FFFFFFF
 _TOP_ID = 0xFFFFFFFF
 _MOST_CHANNELS = 255
-_FLAGS = (
+MESSAGE_FLAGS: Final = (
     ("is_extended_id", FrameFlag.EXTENDED),
     ("is_remote_frame", FrameFlag.REMOTE),
     ("is_error_frame", FrameFlag.ERROR),
@@ -36,8 +36,15 @@ _FLAGS = (
     ("bitrate_switch", FrameFlag.BITRATE_SWITCH),
     ("error_state_indicator", FrameFlag.ERROR_STATE),
 )
+"""What python-can's messages say of themselves, by attribute."""
 _columns = attrgetter(
-    "timestamp", "arbitration_id", "data", "dlc", "channel", "is_rx", *(name for name, _ in _FLAGS)
+    "timestamp",
+    "arbitration_id",
+    "data",
+    "dlc",
+    "channel",
+    "is_rx",
+    *(name for name, _ in MESSAGE_FLAGS),
 )
 
 
@@ -92,7 +99,7 @@ class Gatherer:
         if count and not 0 <= id_column.min() <= id_column.max() <= _TOP_ID:
             raise ValueError("identifiers of more than 32 bits")
         flags = np.zeros(count, np.uint8)
-        for (_name, flag), values in zip(_FLAGS, marks, strict=True):
+        for (_name, flag), values in zip(MESSAGE_FLAGS, marks, strict=True):
             if True in values:
                 flags |= np.where(np.array(values, bool), flag, 0).astype(np.uint8)
         if False in received:

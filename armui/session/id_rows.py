@@ -10,7 +10,7 @@ from armui.protocol.frame import FrameFlag
 from armui.session.session import DataRows
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Collection
+    from collections.abc import Callable, Collection, Mapping
 
     from numpy.typing import NDArray
 
@@ -46,14 +46,22 @@ class IdRows:
         self._channel = channel
         self._kept = _among(ids)
         self._heard = _among(heard) & ~self._kept
-        pieces = []
+        ids_found: list[NDArray[np.uint32]] = []
+        pieces: list[DataRows] = []
         for batch in session.frames_between(-np.inf, np.inf):
             rows = self._rows(batch)
             if rows.size:
-                pieces.append(_Piece(batch, rows))
+                ids_found.append(batch.ids[rows])
+                times_s, lengths, payloads = batch.times_s, batch.lengths, batch.payloads
+                pieces.append(
+                    DataRows(batch.first + rows, times_s[rows], lengths[rows], payloads[rows])
+                )
             if not is_wanted():
                 break
-        self._found = _by_id(pieces)
+        self._found: Mapping[int, DataRows] = {}
+        if pieces:
+            found = DataRows(*map(np.concatenate, zip(*pieces, strict=True)))
+            self._found = _by_id(np.concatenate(ids_found), found)
 
     def data_rows(self, channel: Channel, arbitration_id: int) -> DataRows | None:
         """See `HasDataRows`; ``None`` also for what was not asked for."""
@@ -84,38 +92,17 @@ class IdRows:
         return rows[kept]
 
 
-class _Piece:
-    """The rows of one batch that are kept, copied out of it."""
-
-    def __init__(self, batch: FrameBatch, rows: NDArray[np.int64]) -> None:
-        self.ids = batch.ids[rows]
-        self.numbers = batch.first + rows
-        self.times_s = batch.times_s[rows]
-        self.lengths = batch.lengths[rows]
-        self.payloads = batch.payloads[rows]
-
-
 def _among(ids: Collection[int]) -> NDArray[np.bool_]:
     table = np.zeros(_IDS, np.bool_)
     table[list(ids)] = True
     return table
 
 
-def _by_id(pieces: list[_Piece]) -> dict[int, DataRows]:
-    if not pieces:
-        return {}
-    ids = np.concatenate([each.ids for each in pieces])
+def _by_id(ids: NDArray[np.uint32], rows: DataRows) -> dict[int, DataRows]:
     order = np.argsort(ids, kind="stable")
-    numbers = np.concatenate([each.numbers for each in pieces])[order]
-    times_s = np.concatenate([each.times_s for each in pieces])[order]
-    lengths = np.concatenate([each.lengths for each in pieces])[order]
-    payloads = np.concatenate([each.payloads for each in pieces])[order]
-    ids = ids[order]
+    ids, rows = ids[order], rows.of(order)
     edges = np.flatnonzero(np.diff(ids)) + 1
     begins, ends = [0, *edges.tolist()], [*edges.tolist(), ids.size]
     return {
-        int(ids[begin]): DataRows(
-            numbers[begin:end], times_s[begin:end], lengths[begin:end], payloads[begin:end]
-        )
-        for begin, end in zip(begins, ends, strict=True)
+        int(ids[begin]): rows.of(slice(begin, end)) for begin, end in zip(begins, ends, strict=True)
     }

@@ -29,7 +29,7 @@ SILENT_S: Final = 0.5
 _BURST_S: Final = 0.5
 """Commands of one sort that follow each other faster are one stream, marked where it begins."""
 
-_AT_WORK: Final = frozenset(
+AT_WORK: Final = frozenset(
     {
         ArmStatusCode.NORMAL,
         ArmStatusCode.TEACHING_RECORDING,
@@ -37,6 +37,7 @@ _AT_WORK: Final = frozenset(
         ArmStatusCode.TEACHING_PAUSED,
     }
 )
+"""Statuses that are no fault."""
 _JOINT_FAULTS: Final = (
     "Undervoltage",
     "MotorOvertemperature",
@@ -93,13 +94,9 @@ def marked_ids(generation: Generation) -> tuple[frozenset[int], frozenset[int]]:
     names = {"ArmStatus", "MotionCommand", "MotorEnable", *_TARGETS, *_DRIVERS}
     every, heard = set(), set()
     for offset in OFFSETS:
-        codec = Codec(generation, Addressing(offset, offset))
-        for wire_id in range(0x800):
-            layout = codec.layout(wire_id)
-            if layout is not None and layout.name in names:
-                every.add(wire_id)
-            elif layout is not None and layout.name in _FAST:
-                heard.add(wire_id)
+        layouts = Codec(generation, Addressing(offset, offset)).layouts.items()
+        every |= {wire_id for wire_id, layout in layouts if layout.name in names}
+        heard |= {wire_id for wire_id, layout in layouts if layout.name in _FAST}
         heard |= {0x2A1 + offset, 0x2A5 + offset}
     return frozenset(every), frozenset(heard)
 
@@ -110,11 +107,7 @@ class _Finder:
     def __init__(self, frames: LogFrames, codec: Codec, channel: Channel) -> None:
         self._frames = frames
         self._channel = channel
-        self._ids = {
-            layout.name: (wire_id, layout)
-            for wire_id in range(0x800)
-            if (layout := codec.layout(wire_id)) is not None
-        }
+        self._ids = {layout.name: (wire_id, layout) for wire_id, layout in codec.layouts.items()}
 
     def words(
         self, message: str
@@ -135,7 +128,7 @@ class _Finder:
         times_s, words, layout = found
         codes = signal_column(words, layout.signals["Status"])
         for first, behind, code in _runs(codes):
-            if code in _AT_WORK:
+            if code in AT_WORK:
                 continue
             stopped = code == ArmStatusCode.EMERGENCY_STOP
             kind = MarkKind.STOP if stopped else MarkKind.FAULT

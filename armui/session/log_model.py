@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Final
+from typing import TYPE_CHECKING, Final, TypeVar
 
 from armui.arm.model_check import FittingArm, fitting_arms
 from armui.protocol.addressing import Addressing
@@ -11,7 +11,7 @@ from armui.protocol.frame import Frame
 from armui.protocol.piper_model import PiperModel
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Mapping
+    from collections.abc import Callable, Iterable, Mapping
     from typing import Any
 
     from armui.protocol.generation import Generation
@@ -20,13 +20,20 @@ if TYPE_CHECKING:
 
 _PLACES: Final = (1.0, 0.0, 0.5, 0.25, 0.75)
 """Parts of the log that are looked at: its ends first, where an arm often stands."""
-_ANGLES: Final = tuple(
-    (f"JointFeedback{pair}", f"J{joint}") for pair in ("12", "34", "56") for joint in pair
-)
-_POSE: Final = (
+END_POSE: Final = (
     ("EndPose1", "X"), ("EndPose1", "Y"), ("EndPose2", "Z"),
     ("EndPose2", "RX"), ("EndPose3", "RY"), ("EndPose3", "RZ"),
 )  # fmt: skip
+"""Where the pose of the end stands: messages and signals."""
+_Said = TypeVar("_Said")
+
+
+def joint_signals(message: str) -> tuple[tuple[str, str], ...]:
+    """Where six angles stand, measured or asked for: messages and signals."""
+    return tuple((f"{message}{pair}", f"J{joint}") for pair in ("12", "34", "56") for joint in pair)
+
+
+ANGLES: Final = joint_signals("JointFeedback")
 
 
 def model_of_log(
@@ -40,25 +47,30 @@ def model_of_log(
     told = told_model(getattr(session, "lines", ()))
     if told is not None:
         return told
-    codec = Codec(generation, Addressing(feedback_offset))
-    for place in _PLACES:
-        at_s = session.start_s + place * (session.end_s - session.start_s)
-        fitting = {arm.model for arm in _fitting(session, channel, codec, at_s)}
-        if len(fitting) == 1:
-            return fitting.pop()
-    return None
+    return _agreed(session, channel, generation, feedback_offset, lambda arm: arm.model)
 
 
 def zeros_of_log(
     session: Session, channel: Channel, generation: Generation, feedback_offset: int
 ) -> bool | None:
     """Whether the poses in a log are those of the zeros before S-V1.6-3; ``None``: who knows."""
+    return _agreed(session, channel, generation, feedback_offset, lambda arm: arm.older_zeros)
+
+
+def _agreed(
+    session: Session,
+    channel: Channel,
+    generation: Generation,
+    feedback_offset: int,
+    says: Callable[[FittingArm], _Said],
+) -> _Said | None:
+    """What the arms that fit say alike, at the first place where they do."""
     codec = Codec(generation, Addressing(feedback_offset))
     for place in _PLACES:
         at_s = session.start_s + place * (session.end_s - session.start_s)
-        zeros = {arm.older_zeros for arm in _fitting(session, channel, codec, at_s)}
-        if len(zeros) == 1:
-            return zeros.pop()
+        said = set(map(says, _fitting(session, channel, codec, at_s)))
+        if len(said) == 1:
+            return said.pop()
     return None
 
 
@@ -90,7 +102,7 @@ def _fitting(
             message = codec.decode(Frame(int(last.ids[row]), last.data(row)))
             if isinstance(message, Message):
                 heard[message.name] = message.signals
-    if any(name not in heard for name, _signal in (*_ANGLES, *_POSE)):
+    if any(name not in heard for name, _signal in (*ANGLES, *END_POSE)):
         return frozenset()
-    angles, pose = ([heard[name][signal] for name, signal in each] for each in (_ANGLES, _POSE))
+    angles, pose = ([heard[name][signal] for name, signal in each] for each in (ANGLES, END_POSE))
     return fitting_arms(angles, pose, None)

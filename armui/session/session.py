@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import enum
-from typing import TYPE_CHECKING, Final, NamedTuple, Protocol, runtime_checkable
+from typing import TYPE_CHECKING, Any, Final, NamedTuple, Protocol, runtime_checkable
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Mapping, Sequence
@@ -117,6 +117,11 @@ class DataRows(NamedTuple):
     times_s: NDArray[np.float64]
     lengths: NDArray[np.uint8]
     payloads: NDArray[np.uint8]
+
+    def of(self, rows: NDArray[Any] | slice) -> DataRows:
+        """Some of them."""
+        numbers, times_s, lengths, payloads = self
+        return DataRows(numbers[rows], times_s[rows], lengths[rows], payloads[rows])
 
 
 @runtime_checkable

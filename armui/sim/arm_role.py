@@ -3,33 +3,20 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Final, Protocol
+from typing import TYPE_CHECKING, Final
 
 from armui.protocol.codes import ControlMode, LeaderZero, LinkageRole
 from armui.protocol.frame import Frame
-from armui.protocol.generation import Generation
-from armui.sim.condition import Condition
 from armui.sim.feedback.linkage import LinkedInput
 from armui.sim.mechanics.gripper import SimulatedGripper
-from armui.sim.mechanics.hand_guiding import HandGuiding
-from armui.sim.mechanics.mechanics import Mechanics
 from armui.sim.mechanics.powered_joints import STANDSTILL
-from armui.sim.parameters.flash import Flash
-from armui.sim.parameters.settings import ArmSettingsRecord, LinkageSettings
+from armui.sim.parameters.settings import LinkageSettings
+
+if TYPE_CHECKING:
+    from armui.sim.firmware import Firmware
 
 _TO_ZERO_SHARE: Final = 0.2
 """Share of the joints' highest speeds with which a leader goes to its zero."""
-
-
-class _Arm(Protocol):
-    """The parts of the arm that a role touches."""
-
-    generation: Generation
-    mechanics: Mechanics
-    condition: Condition
-    settings: ArmSettingsRecord
-    hand_guiding: HandGuiding
-    flash: Flash
 
 
 class ArmRole:
@@ -39,7 +26,9 @@ class ArmRole:
         leader: What a teaching input sends; None while it is none.
     """
 
-    def __init__(self, arm: _Arm, *, forget: Callable[[], None], speak: Callable[[], None]) -> None:
+    def __init__(
+        self, arm: Firmware, *, forget: Callable[[], None], speak: Callable[[], None]
+    ) -> None:
         """Looks after one arm's role.
 
         Args:

@@ -392,7 +392,3 @@ class Firmware(Readings):
     def _bus_silence(self, signals: Signals) -> list[Frame]:
         self._silent = signals["Mode"] != SilenceMode.LEAVE_SILENCE
         return []
-
-    def _firmware_version(self, signals: Signals) -> list[Frame]:
-        arm_type = self.type
-        return version_frames(self._codec, signals, arm_type.version, arm_type.model.model)

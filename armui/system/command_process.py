@@ -8,18 +8,17 @@ import subprocess
 import sys
 import threading
 from collections.abc import Callable, Sequence
-from typing import Final
+from typing import Any, Final
 
 _END_S: Final = 10.0
 
 
 class CommandProcess:
-    """Begins with `begin`; a thread of its own listens to it.
+    """Begins at once; a thread of its own listens to it.
 
     Args:
         arguments: Of the program: the name of the command first.
-        listen: Called in the thread with the process once it runs, or with the error that kept it
-            from running.
+        tell: Told what it says and what became of it, until it is ended; in that thread.
         nicer_by: The window and the bus go before it where there are too few cores for all.
 
     Attributes:
@@ -29,7 +28,7 @@ class CommandProcess:
     def __init__(
         self,
         arguments: Sequence[str],
-        listen: Callable[[subprocess.Popen[str] | OSError], object],
+        tell: Callable[[Any], object],
         *,
         nicer_by: int = 0,
     ) -> None:
@@ -37,15 +36,12 @@ class CommandProcess:
         frozen = getattr(sys, "frozen", False)
         start = [sys.executable] if frozen else [sys.executable, "-m", "armui"]
         self._command = [*start, *arguments]
-        self._listen = listen
+        self._tell = tell
         self._nicer_by = nicer_by
         self._process: subprocess.Popen[str] | None = None
         self._lock = threading.Lock()
         self.is_ended = False
         self._thread = threading.Thread(target=self._run, name=f"armui-{arguments[0]}", daemon=True)
-
-    def begin(self) -> None:
-        """Start it; nobody waits for that."""
         self._thread.start()
 
     def end(self) -> None:
@@ -59,6 +55,14 @@ class CommandProcess:
         """Whether it has ended and was listened to, after a time at most."""
         self._thread.join(within_s)
         return not self._thread.is_alive()
+
+    def _listen(self, process: subprocess.Popen[str] | OSError) -> None:
+        """Listen to the process now that it runs, or to the error that kept it from running."""
+        raise NotImplementedError
+
+    def _answer(self, answer: object) -> None:
+        if not self.is_ended:
+            self._tell(answer)
 
     def _run(self) -> None:
         try:

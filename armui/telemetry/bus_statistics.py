@@ -17,12 +17,13 @@ from armui.system.clock import steady_s
 from armui.telemetry.bus_rows import BUS_CYCLES, BusSnapshot, FrameRow
 from armui.telemetry.bus_senders import VERSION_ID, Sender, sender_of
 from armui.telemetry.bus_trace import BusTrace
+from armui.telemetry.tap import Tap
 
 if TYPE_CHECKING:
     from armui.protocol.codec import Codec, InvalidFrame
     from armui.protocol.frame import Frame
     from armui.protocol.generation import Generation
-    from armui.telemetry.store import Taken
+    from armui.telemetry.tap import Taken
 
 MOST_ROWS: Final = 512
 """A bus full of nonsense has more identifiers than anybody can look at."""
@@ -116,7 +117,7 @@ _OPENED: Final[list[Taken]] = []
 """Stands in the queue where a device was opened: no cycle goes on over it."""
 
 
-class BusStatistics:
+class BusStatistics(Tap):
     """A tap on the bus (`armui.bus.tap.Tap`), and what was counted since it began.
 
     `on_…` are called by the bus thread, the others by one thread that looks.
@@ -160,12 +161,6 @@ class BusStatistics:
     def on_sent(self, batch: Sequence[Taken]) -> None:
         """Frames that this program sent."""
         self._hand_over(batch, own=True)
-
-    def on_error_frame(self) -> None:
-        """An error frame is among those heard, too."""
-
-    def on_look(self, _now_s: float) -> None:
-        """Nothing is done in the meantime."""
 
     def _hand_over(self, batch: Sequence[Taken], *, own: bool) -> None:
         if self._handed_over - self._taken > MOST_WAITING:

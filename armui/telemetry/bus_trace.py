@@ -12,7 +12,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from armui.telemetry.bus_senders import Sender
-    from armui.telemetry.store import Taken
+    from armui.telemetry.tap import Taken
 
 TRACE_FRAMES: Final = 10_000
 """Some three seconds of an arm; a view takes in more of them too slowly."""

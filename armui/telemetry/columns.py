@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, Final
+from dataclasses import dataclass, fields
+from typing import TYPE_CHECKING, Any, Final, TypeVar
 
 import numpy as np
 
@@ -13,8 +13,9 @@ from armui.telemetry.quantities import BUS, RECORDS, Source
 from armui.telemetry.rows import factor_of, told_signals
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Mapping
+    from collections.abc import Callable, Mapping, Sequence
 
+    from _typeshed import DataclassInstance
     from numpy.typing import NDArray
 
     from armui.protocol.codec import Codec
@@ -24,6 +25,7 @@ if TYPE_CHECKING:
 
 NOT_OF_THE_ARM: Final = ~FrameFlag.TRANSMITTED & 0xFF
 _IDS: Final = 0x800
+_Columns = TypeVar("_Columns", bound="DataclassInstance")
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -58,6 +60,13 @@ class FrameColumns:
         )
 
 
+def joined(pieces: Sequence[_Columns]) -> _Columns:
+    """Columns one behind the other; of one piece at least."""
+    kind = type(pieces[0])
+    columns = ([getattr(piece, each.name) for piece in pieces] for each in fields(kind))
+    return pieces[0] if len(pieces) == 1 else kind(*map(np.concatenate, columns))
+
+
 class ColumnWriter:
     """Takes the feedback of an arm into its series.
 
@@ -71,11 +80,7 @@ class ColumnWriter:
     """
 
     def __init__(self, series: Mapping[str, Series], codec: Codec, *, proven: bool) -> None:
-        layouts = {
-            layout.name: (wire_id, layout)
-            for wire_id in range(_IDS)
-            if (layout := codec.layout(wire_id)) is not None
-        }
+        layouts = {layout.name: (wire_id, layout) for wire_id, layout in codec.layouts.items()}
         self.is_feedback: NDArray[np.bool_] = np.zeros(_IDS, np.bool_)
         self._writers: dict[int, Callable[[FrameColumns], None]] = {}
         for record in RECORDS:

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
-from armui.protocol.codec import InvalidFrame, Message
+from armui.protocol.codec import Message
 from armui.protocol.codes import MotorAction, StopCommand, TrajectoryCommand
 from armui.protocol.frame import Frame, FrameFlag
 from armui.system.clock import steady_s
@@ -18,6 +18,7 @@ from armui.telemetry.columns import NOT_OF_THE_ARM, ColumnWriter
 from armui.telemetry.quantities import BUS, QUANTITIES, RECORDS, Quantity, Record, Source, Space
 from armui.telemetry.rows import row_of
 from armui.telemetry.series import KEPT_S, Row, Series
+from armui.telemetry.tap import Tap
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -25,6 +26,7 @@ if TYPE_CHECKING:
     from armui.protocol.codec import Codec
     from armui.protocol.generation import Generation
     from armui.telemetry.columns import FrameColumns
+    from armui.telemetry.tap import Taken
 
 _BUS_EVERY_S: Final = 0.1
 _ROUNDING_S: Final = 1e-4
@@ -46,12 +48,10 @@ ENDS: Final = {
 }
 """What of 0x150 ends every target that stands."""
 
-Taken = tuple["Message | InvalidFrame", float, "Frame", int]
-"""A frame as decoded, its monotonic time, the frame itself, and what sort of frame it is."""
 _Writer = Callable[[Mapping[str, float], float], None]
 
 
-class Telemetry:
+class Telemetry(Tap):
     """Fed by the thread that owns the bus; read by any thread.
 
     It takes about a microsecond a frame. Nothing that a reader does holds up the bus thread.

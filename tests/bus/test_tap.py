@@ -12,6 +12,7 @@ from armui.bus.worker import BusWorker
 from armui.protocol.codec import Codec, InvalidFrame
 from armui.protocol.frame import Frame, FrameFlag
 from armui.protocol.generation import Generation
+from armui.telemetry.tap import Tap
 
 # J1 12.000° = 12,000 = 0x00002EE0, J2 −12.000°
 JOINTS_12 = can.Message(
@@ -21,16 +22,13 @@ TARGET = Frame(0x155, bytes.fromhex("000003E8000007D0"))
 STOP = Frame(0x150, bytes.fromhex("0100000000000000"))
 
 
-class Ear:
+class Ear(Tap):
     """Notes what it is told."""
 
     def __init__(self):
         self.opened, self.codecs, self.heard, self.sent = [], [], [], []
         self.errors = self.looks = 0
         self.broken = None
-
-    def know_generation(self, generation):
-        pass
 
     def on_open(self, bitrate):
         self.opened.append(bitrate)

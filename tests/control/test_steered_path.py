@@ -10,9 +10,10 @@ from armui.arm.limits import JointLimits
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.control.motion.jog_pace import pace
+from armui.control.motion.jog_path import JointJogPath
 from armui.control.motion.jog_stream import JogStream
 from armui.control.motion.jogging import axes_text
-from armui.control.motion.steered_path import SteeredJog, SteeredJointPath, SteeredToolPath
+from armui.control.motion.steered_path import SteeredJog, SteeredToolPath
 from armui.kinematics.arm_kinematics import Kinematics
 from armui.kinematics.axes import JogFrame
 from armui.kinematics.poses import matrix_to_pose, moved, pose_to_matrix, rotation, shifted
@@ -41,7 +42,7 @@ def tool(*rates, frame=JogFrame.BASE):
 
 
 def test_each_joint_goes_at_its_rate():
-    path = SteeredJointPath((0.5, -0.25, 0, 0, 0, 0), BENT_DEG, FACTORY_LIMITS)
+    path = JointJogPath((0.5, -0.25, 0, 0, 0, 0), BENT_DEG, FACTORY_LIMITS)
     one_second = path.joints_at(path.speed(PACE) * 1.0, BENT_DEG)
     turned = [now - then for now, then in zip(one_second, BENT_DEG, strict=True)]
     speed = PACE.speeds_deg_s[0]
@@ -51,7 +52,7 @@ def test_each_joint_goes_at_its_rate():
 def test_the_slowest_joint_keeps_the_direction():
     slow = (*FACTORY_LIMITS[:1], JointLimits(-10.0, 190.0, 4.0), *FACTORY_LIMITS[2:])
     at_pace = pace(100, slow, (FACTORY_ACCELERATION_DEG_S2,) * 6)
-    path = SteeredJointPath((1.0, 1.0, 0, 0, 0, 0), BENT_DEG, slow)
+    path = JointJogPath((1.0, 1.0, 0, 0, 0, 0), BENT_DEG, slow)
     assert path.speed(at_pace) == pytest.approx(4.0)
 
 
@@ -65,7 +66,7 @@ def test_the_slowest_joint_keeps_the_direction():
     ],
 )
 def test_it_ends_at_the_first_limit(rates, joint, limit, room):
-    path = SteeredJointPath(rates, BENT_DEG, FACTORY_LIMITS)
+    path = JointJogPath(rates, BENT_DEG, FACTORY_LIMITS)
     expected = 2 * (FACTORY_LIMITS[4].max_deg - BENT_DEG[4]) if room is None else room
     assert path.room() == pytest.approx(expected)
     assert path.end().code == RefusalCode.JOG_AT_LIMIT
@@ -125,11 +126,11 @@ def test_beyond_reach_is_said():
 
 def test_another_way_begins_where_the_setpoint_is():
     stream = JogStream(
-        SteeredJointPath((1.0, 0, 0, 0, 0, 0), BENT_DEG, FACTORY_LIMITS), BENT_DEG, BENT_DEG
+        JointJogPath((1.0, 0, 0, 0, 0, 0), BENT_DEG, FACTORY_LIMITS), BENT_DEG, BENT_DEG
     )
     assert stream.advance(BENT_DEG, 0.01, PACE) is None
     before = stream.setpoint_deg
-    stream.follow(SteeredJointPath((0, -1.0, 0, 0, 0, 0), before, FACTORY_LIMITS))
+    stream.follow(JointJogPath((0, -1.0, 0, 0, 0, 0), before, FACTORY_LIMITS))
     assert stream.setpoint_deg == before
     assert stream.advance(BENT_DEG, 0.01, PACE) is None
     assert stream.setpoint_deg[0] == before[0]

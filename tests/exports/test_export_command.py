@@ -232,7 +232,7 @@ def test_a_cancelled_process_leaves_nothing_and_tells_nothing(tmp_path):
 
     process = ExportProcess(ExportRequest(log, tmp_path / "a.mcap", ExportFormat.MCAP), tell)
     assert begun.wait(60)
-    process.cancel()
+    process.end()
     assert process.wait()
     assert not any(isinstance(said, ExportDone) and said.report is None for said in told)
     if not any(isinstance(said, ExportDone) for said in told):

@@ -13,7 +13,7 @@ import time
 from collections.abc import Iterator
 from dataclasses import replace
 from pathlib import Path
-from typing import Any
+from typing import Any, cast
 
 import pytest
 
@@ -340,7 +340,7 @@ def test_a_session_of_several_files_is_exported_as_one(tmp_path):
     report = export_log(
         ExportRequest(parts[0], tmp_path / "a.mcap", ExportFormat.MCAP),
         lambda progress: told.append(progress.done or 0.0),
-        open_recording=lambda _path: SessionSource(recorded),
+        open_recording=lambda _path: SessionSource(cast(Any, recorded)),
     )
     assert (report.items, report.frames) == (whole.items, whole.frames)
     assert (report.damages, report.damage_count) == (Session.damages, 1)

@@ -26,7 +26,7 @@ REPORT = {
 class _Idle:
     """An export that a scene answers."""
 
-    def cancel(self) -> None:
+    def end(self) -> None:
         """Nothing is under way."""
 
 

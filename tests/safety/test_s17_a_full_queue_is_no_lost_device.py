@@ -184,7 +184,7 @@ def test_error_frames_of_another_layout_are_not_read():
 
 
 def test_bus_off_reaches_the_operator(rig, qtbot, monkeypatch):
-    monkeypatch.setattr("armui.bus.health._LINUX_ERROR_FRAMES", frozenset({"virtual"}))
+    monkeypatch.setattr("armui.bus.health.LINUX_ERROR_FRAMES", frozenset({"virtual"}))
     rig.connect()
     rig._arm_bus.send(
         can.Message(arbitration_id=BUS_OFF, is_error_frame=True, data=bytes(8), is_extended_id=True)

@@ -51,7 +51,7 @@ class Exports:
         self.tell = tell
         return self
 
-    def cancel(self) -> None:
+    def end(self) -> None:
         self.cancelled += 1
 
 

@@ -7,8 +7,9 @@ import threading
 import time
 from typing import TYPE_CHECKING, Final
 
-from armui.bus.playback.log_cursor import LogCursor, joined
+from armui.bus.playback.log_cursor import LogCursor
 from armui.bus.playback.series_tap import SeriesTap
+from armui.telemetry.columns import joined
 
 if TYPE_CHECKING:
     from collections.abc import Callable

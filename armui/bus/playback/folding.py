@@ -39,9 +39,8 @@ class Folding:
         self._is_folded: NDArray[np.bool_] = np.zeros(_IDS, np.bool_)
         self._masks: dict[int, np.uint64] = {}
         self._last: dict[int, int] = {}
-        for wire_id in range(_IDS):
-            layout = codec.layout(wire_id)
-            if layout is None or layout.name not in _MEASURED | _TOLD:
+        for wire_id, layout in codec.layouts.items():
+            if layout.name not in _MEASURED | _TOLD:
                 continue
             self._is_folded[wire_id] = True
             if layout.name in _TOLD:

@@ -3,18 +3,23 @@
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, Final, NamedTuple
 
 import numpy as np
 
 from armui.protocol.frame import Frame
-from armui.telemetry.columns import FrameColumns
+from armui.telemetry.columns import FrameColumns, joined
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
     from armui.session.frames import Channel, FrameBatch
     from armui.session.session import Session
+
+_NONE: Final = FrameColumns(
+    np.empty(0), np.empty(0, np.uint32), np.empty(0, np.uint8), np.empty(0, np.uint8),
+    np.empty((0, 8), np.uint8),
+)  # fmt: skip
 
 
 class ReplayedFrame(NamedTuple):
@@ -86,7 +91,7 @@ class LogCursor:
             if not rows.size:
                 break
             pieces.append(_columns(batch, rows))
-        return joined(pieces)
+        return joined(pieces) if pieces else _NONE
 
     def columns_between(self, begin_s: float, end_s: float) -> Iterator[FrameColumns]:
         """The frames from one time to another, the latter included; this changes no place."""
@@ -133,22 +138,4 @@ def _columns(batch: FrameBatch, rows: np.ndarray) -> FrameColumns:
         batch.flags[rows],
         batch.lengths[rows],
         batch.payloads[rows],
-    )
-
-
-def joined(pieces: list[FrameColumns]) -> FrameColumns:
-    """Columns one behind the other."""
-    if len(pieces) == 1:
-        return pieces[0]
-    if not pieces:
-        return FrameColumns(
-            np.empty(0), np.empty(0, np.uint32), np.empty(0, np.uint8), np.empty(0, np.uint8),
-            np.empty((0, 8), np.uint8),
-        )  # fmt: skip
-    return FrameColumns(
-        np.concatenate([each.times_s for each in pieces]),
-        np.concatenate([each.ids for each in pieces]),
-        np.concatenate([each.flags for each in pieces]),
-        np.concatenate([each.lengths for each in pieces]),
-        np.concatenate([each.payloads for each in pieces]),
     )

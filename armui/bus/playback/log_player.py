@@ -10,9 +10,10 @@ from typing import TYPE_CHECKING, Final
 from armui.bus.intake import Intake
 from armui.bus.playback.curve_history import CurveHistory, fill
 from armui.bus.playback.folding import Folding
-from armui.bus.playback.log_cursor import LogCursor, ReplayedFrame, joined
+from armui.bus.playback.log_cursor import LogCursor, ReplayedFrame
 from armui.bus.playback.series_tap import SeriesTap, is_own_command
 from armui.protocol.frame import Frame
+from armui.telemetry.columns import joined
 from armui.telemetry.series import KEPT_S
 from armui.telemetry.store import Telemetry
 
@@ -20,11 +21,11 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
 
     from armui.bus.playback.log_clock import LogClock
-    from armui.bus.tap import Tap
     from armui.protocol.codec import Codec, Message
     from armui.session.frames import Channel
     from armui.session.session import Session
     from armui.telemetry.columns import FrameColumns
+    from armui.telemetry.tap import Tap
 
 ONE_BY_ONE_UP_TO: Final = 4.0
 """Up to this speed every frame is taken in by itself; above it those that tell something new."""

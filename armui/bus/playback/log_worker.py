@@ -22,11 +22,11 @@ if TYPE_CHECKING:
     from armui.bus.playback.log_clock import LogClock
     from armui.bus.playback.log_cursor import ReplayedFrame
     from armui.bus.samples import SampleRing
-    from armui.bus.tap import Tap
     from armui.protocol.codec import Codec
     from armui.protocol.frame import Frame
     from armui.session.frames import Channel
     from armui.session.session import Session
+    from armui.telemetry.tap import Tap
 
 SLOWEST, FASTEST = 0.1, 20.0
 _TURN_S: Final = 0.01

@@ -8,15 +8,16 @@ import numpy as np
 
 from armui.arm.other_hosts import MOTION_IDS, OTHER_COMMAND_IDS
 from armui.protocol.frame import FrameFlag
+from armui.telemetry.tap import Tap
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from armui.bus.tap import Taken
     from armui.protocol.codec import Codec
     from armui.protocol.generation import Generation
     from armui.telemetry.columns import FrameColumns
     from armui.telemetry.store import Telemetry
+    from armui.telemetry.tap import Taken
 
 COMMAND_IDS = frozenset(MOTION_IDS | OTHER_COMMAND_IDS)
 """What an arm is told. Such a frame that the recording program has sent was its own command."""
@@ -29,7 +30,7 @@ def is_own_command(arbitration_id: int, flags: int) -> bool:
     return bool(flags & FrameFlag.TRANSMITTED) and arbitration_id in COMMAND_IDS
 
 
-class SeriesTap:
+class SeriesTap(Tap):
     """Stands for the telemetry among the taps of a replay.
 
     Args:

@@ -10,7 +10,6 @@ from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import ArmState
 from armui.control.context import Context
 from armui.control.events import EventCode
-from armui.control.operating_state import why_unreachable
 from armui.control.requests.transactions import ReadBack, Transaction, TransactionQueue
 from armui.protocol import commands
 from armui.protocol.codes import EndLoad, SettingIndex
@@ -84,13 +83,8 @@ class EndReports:
         return None
 
     def _why_not(self) -> Refusal | None:
-        connection = self._context.connection
-        refusal = why_unreachable(connection.link, connection.device)
-        if refusal is not None:
-            return refusal
-        if connection.generation is None:
-            return Refusal(RefusalCode.GENERATION_UNKNOWN)
-        return Refusal(RefusalCode.BUSY, {"what": "end_reports"}) if self._busy else None
+        busy = Refusal(RefusalCode.BUSY, {"what": "end_reports"}) if self._busy else None
+        return self._context.why_unknown() or busy
 
     def _after_load(self, load: EndLoad, refusal: Refusal | None) -> None:
         self._busy = False

@@ -12,7 +12,7 @@ from armui.arm.quirks import why_not_by_firmware
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import ArmState, is_fresh
-from armui.control.context import Context
+from armui.control.context import Context, ControllerPart
 from armui.control.devices.gripper_ranges import Figures, check, figures_of
 from armui.control.events import EventCode
 from armui.control.parameters.arm_settings import ArmSettings
@@ -23,8 +23,6 @@ from armui.protocol.codes import ControlMode
 from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
 
-_REPEAT_S: Final = 0.5
-_ATTEMPTS: Final = 3
 _THERE: Final = 0.5
 """So close, in mm or degrees, the gripper is where it was sent."""
 _STILL: Final = 0.05
@@ -53,7 +51,7 @@ class _Travel:
     unit: str
 
 
-class GripperControl:
+class GripperControl(ControllerPart):
     """Commands the gripper; one command at a time, a new one replaces the last.
 
     The frame carries target, effort and power at once. So whatever switches the power sends the
@@ -243,9 +241,9 @@ class GripperControl:
 
         self.forget()
         self._action = action
-        self._request = Request(frames, shows, context.connection.send, _REPEAT_S, _ATTEMPTS)
+        self._request = Request(context, frames, shows)
         context.tell(EventCode.GRIPPER_ACT_SENT, act=action)
-        self._request.advance(context.state(), context.clock())
+        self._request.advance()
 
     # A part of the controller -----------------------------------------------------------------
 
@@ -255,7 +253,7 @@ class GripperControl:
             self._follow(self._travel)
         if self._request is None:
             return
-        outcome = self._request.advance(self._context.state(), self._context.clock())
+        outcome = self._request.advance()
         if outcome is RequestOutcome.WAITING:
             return
         action = self._action

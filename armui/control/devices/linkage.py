@@ -7,7 +7,7 @@ from typing import Final
 
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
-from armui.control.context import Context
+from armui.control.context import Context, ControllerPart
 from armui.control.events import EventCode
 from armui.control.operating_state import LinkState, why_only_heard, why_unreachable
 from armui.control.requests.transactions import Transaction, TransactionQueue
@@ -18,7 +18,7 @@ from armui.protocol.codes import LinkageRole, SettingIndex
 _NO_OFFSET: Final = Addressing()
 
 
-class LinkageControl:
+class LinkageControl(ControllerPart):
     """Sets role and offsets, and tells when the arm is heard under them.
 
     0x470 has no identifier of its own arm: every arm on the bus obeys it. It is answered by 0x476,
@@ -145,9 +145,6 @@ class LinkageControl:
             return
         command = f"0x{0x150 + self._used.control_offset:03X}"
         self._context.tell(EventCode.LINKAGE_IN_USE, feedback=feedback, control=command)
-
-    def halt(self) -> None:
-        """A linkage setting moves nothing: a stop does not end it."""
 
     def forget(self) -> None:
         """The next device begins without offsets."""

@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from typing import Final
 
 from armui.arm.limits import JOINTS
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import ArmState
-from armui.control.context import Context
+from armui.control.context import Context, ControllerPart
 from armui.control.events import EventCode
 from armui.control.motion.motion_command import End
 from armui.control.operating_state import Busy, StopState, why_only_heard
@@ -20,12 +19,8 @@ from armui.protocol import commands
 from armui.protocol.codes import ALL_JOINTS
 from armui.protocol.frame import Frame
 
-_REPEAT_S: Final = 0.5
-_ATTEMPTS: Final = 3
-"""Real arms often want the enable command twice."""
 
-
-class Motors:
+class Motors(ControllerPart):
     """Switches the motors, and follows each switching until the drivers' feedback shows it.
 
     Args:
@@ -87,14 +82,13 @@ class Motors:
         """See whether the arm has done it, or time is up."""
         if self._request is None or self._busy is None:
             return
-        state = self._context.state()
-        outcome = self._request.advance(state, self._context.clock())
+        outcome = self._request.advance()
         if outcome is RequestOutcome.WAITING:
             return
         busy = self._busy
         self.forget()
         done = outcome is RequestOutcome.DONE
-        code, figures = reports.on_motors(busy, state, self._joints, done=done)
+        code, figures = reports.on_motors(busy, self._context.state(), self._joints, done=done)
         self._context.tell(code, **figures)
 
     def halt(self) -> None:
@@ -139,6 +133,6 @@ class Motors:
     ) -> None:
         context = self._context
         self._busy, self._joints = busy, joints
-        self._request = Request(frames, seen, context.connection.send, _REPEAT_S, _ATTEMPTS)
-        self._request.advance(context.state(), context.clock())
+        self._request = Request(context, frames, seen)
+        self._request.advance()
         context.refresh()

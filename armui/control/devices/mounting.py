@@ -8,7 +8,6 @@ from armui.arm.quirks import why_not_by_firmware
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.control.events import EventCode
-from armui.control.operating_state import why_unreachable
 from armui.control.safety.standstill import why_moving
 from armui.protocol import commands
 from armui.protocol.codes import Mounting
@@ -60,16 +59,13 @@ class MountingControl:
     def why_not(self, mounting: Mounting) -> Refusal | None:
         """The reason against telling it now, or ``None``."""
         context = self._context
-        connection, operating_state = context.connection, context.operating_state()
-        refusal = why_unreachable(connection.link, connection.device)
+        operating_state = context.operating_state()
+        refusal = context.why_unknown()
+        if refusal is None and context.connection.generation is Generation.ONE:
+            refusal = Refusal(RefusalCode.SETTING_NOT_KEPT, {"generation": 1})
+        refusal = refusal or self.why_not_by_firmware(mounting)
         if refusal is not None:
             return refusal
-        if connection.generation is not Generation.TWO:
-            if connection.generation is None:
-                return Refusal(RefusalCode.GENERATION_UNKNOWN)
-            return Refusal(RefusalCode.SETTING_NOT_KEPT, {"generation": 1})
-        if (lacks := self.why_not_by_firmware(mounting)) is not None:
-            return lacks
         if operating_state.occupied is not None:
             return operating_state.occupied
         if not operating_state.control_certain:

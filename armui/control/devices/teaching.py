@@ -8,15 +8,13 @@ from typing import Final
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import ArmState
-from armui.control.context import Context
+from armui.control.context import Context, ControllerPart
 from armui.control.devices.teaching_phase import TeachingPhase, phase_of, why_not
 from armui.control.events import EventCode
 from armui.control.requests.request import Request, RequestOutcome
 from armui.protocol import commands
 from armui.protocol.codes import TeachingState
 
-_REPEAT_S: Final = 0.5
-_ATTEMPTS: Final = 3
 _ANSWER_S: Final = 1.5
 
 _LEADS_TO: Final[Mapping[TeachingState, frozenset[TeachingPhase]]] = {
@@ -36,7 +34,7 @@ _ENDS_SOMETHING: Final = frozenset(
 start late, when nobody expects it any more."""
 
 
-class TeachingControl:
+class TeachingControl(ControllerPart):
     """Commands drag teaching, one command at a time.
 
     Args:
@@ -67,23 +65,21 @@ class TeachingControl:
         if refusal is not None:
             return context.refuse(refusal)
         context.tell(EventCode.TEACHING_SENT, command=int(command))
-        again = command in _ENDS_SOMETHING
         self._pending = command
-        self._request = Request(
-            commands.teaching_command(context.connection.codec, command),
-            _shows(command),
-            context.connection.send,
-            _REPEAT_S if again else _ANSWER_S,
-            _ATTEMPTS if again else 1,
+        frames = commands.teaching_command(context.connection.codec, command)
+        self._request = (
+            Request(context, frames, _shows(command))
+            if command in _ENDS_SOMETHING
+            else Request(context, frames, _shows(command), _ANSWER_S, attempts=1)
         )
-        self._request.advance(context.state(), context.clock())
+        self._request.advance()
         return None
 
     def advance(self) -> None:
         """See whether the arm does it, or time is up."""
         if self._request is None or self._pending is None:
             return
-        outcome = self._request.advance(self._context.state(), self._context.clock())
+        outcome = self._request.advance()
         if outcome is RequestOutcome.WAITING:
             return
         command = self._pending

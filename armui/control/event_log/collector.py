@@ -6,6 +6,7 @@ from collections.abc import Callable, Hashable
 from datetime import datetime
 from typing import TYPE_CHECKING, Any, Final
 
+from armui.control.context import ControllerPart
 from armui.control.event_log.commands import (
     COMMANDS,
     JOGS,
@@ -43,7 +44,7 @@ _SETS_OUT_S: Final = 1.0
 _CUT_LEVELS: Final = {End.REPLACED: Level.INFO, End.CANCELLED: Level.INFO}
 
 
-class EventCollector:
+class EventCollector(ControllerPart):
     """A part of the controller; it acts after the others.
 
     It knows the arm by what was heard, and the time by the clocks it is given: the same log,
@@ -112,9 +113,6 @@ class EventCollector:
         """Take in what was heard, and see what has become of our motions."""
         self._take_in()
         self._follow_motions()
-
-    def halt(self) -> None:
-        """What the arm does about a stop is heard."""
 
     def forget(self) -> None:
         """The arm is gone: what went on was not heard to end."""

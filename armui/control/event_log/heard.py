@@ -9,11 +9,12 @@ from typing import TYPE_CHECKING, Any, Final, NamedTuple
 from armui.arm.limits import JOINTS
 from armui.arm.state import FRESH_FOR_S
 from armui.protocol.codec import Message
+from armui.telemetry.tap import Tap
 
 if TYPE_CHECKING:
     from armui.protocol.codec import Codec
     from armui.protocol.generation import Generation
-    from armui.telemetry.store import Taken
+    from armui.telemetry.tap import Taken
 
 STATUS: Final = "ArmStatus"
 GRIPPER: Final = "GripperFeedback"
@@ -80,7 +81,7 @@ class InvalidFrames(NamedTuple):
     last_s: float
 
 
-class StatusTap:
+class StatusTap(Tap):
     """Notes changes in the bus thread; the controller's tick takes them away.
 
     An arm repeats most of what it says, and the same bytes share one decoded message: they cost
@@ -184,12 +185,6 @@ class StatusTap:
         before = self._invalid.get(kind)
         count, first_s = (0, at_s) if before is None else (before.times, before.first_s)
         self._invalid[kind] = InvalidFrames(kind, arbitration_id, count + 1, first_s, at_s)
-
-    def on_sent(self, _batch: Sequence[Taken]) -> None:
-        """What this program sends is told by those who ask for it."""
-
-    def on_error_frame(self) -> None:
-        """What the adapter reports is told by the link."""
 
     def on_look(self, _now_s: float) -> None:
         """Hand over what was counted."""

@@ -13,7 +13,7 @@ from armui.arm.state import ArmState
 from armui.control.event_log.observed import ObservedCode
 from armui.control.event_log.observer import DRIVER_FAULTS, STATUS_LEVELS, EventObserver
 from armui.control.event_log.writer import EventWriter
-from armui.control.events import LEVELS, EventCode
+from armui.control.events import EventCode
 from armui.protocol.addressing import Addressing
 from armui.protocol.codec import Codec
 from armui.protocol.codes import ArmStatusCode
@@ -104,11 +104,7 @@ def _gathered(
 
     generation = Generation(arm.generation)
     codec = Codec(generation, Addressing(arm.feedback_offset))
-    watched = {
-        wire_id
-        for wire_id in range(0x800)
-        if (layout := codec.layout(wire_id)) is not None and layout.name in WATCHED
-    }
+    watched = {wire_id for wire_id, layout in codec.layouts.items() if layout.name in WATCHED}
     every, heard = marked_ids(generation)
     return IdRows(session, channel, every | watched, heard, is_wanted)
 
@@ -124,14 +120,14 @@ def entry_of(mark: SessionMark, wall: Wall) -> EventEntry:
     if mark.entry.get("kind") == "lost":
         params = {"count": mark.entry.get("count", 0)}
         lost = EventCode.SESSION_FRAMES_LOST
-        return _entry(mark, wall, lost, _BY_PROGRAM, params=params, level=LEVELS[lost])
+        return _entry(mark, wall, lost, _BY_PROGRAM, params=params, level=lost.level)
     if code in _COMMANDS:
         logged, level = _COMMANDS[code]
         params = {"message": mark.entry["message"]} if "message" in mark.entry else {}
         return _entry(mark, wall, logged, _COMMAND, params=params, level=level)
     if code == "silent":
         offline = EventCode.OFFLINE
-        return _entry(mark, wall, offline, _LINK, params={}, level=LEVELS[offline])
+        return _entry(mark, wall, offline, _LINK, params={}, level=offline.level)
     return _fault(mark, wall, code) or _unknown(mark, wall)
 
 

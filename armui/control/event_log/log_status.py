@@ -27,7 +27,6 @@ MOST: Final = 20_000
 """Changes; a log that holds more is noise, and further ones are left out."""
 _BEFORE_ALL, _BEFORE = -0.5, -0.25
 """Of what one frame tells, a silence before it comes first, then how many came, then itself."""
-_IDS: Final = 0x800
 
 
 def status_changes(session: HasDataRows, channel: Channel, codec: Codec) -> list[Heard]:
@@ -40,9 +39,8 @@ def status_changes(session: HasDataRows, channel: Channel, codec: Codec) -> list
     """
     found = [
         (layout, rows)
-        for arbitration_id in range(_IDS)
-        if (layout := codec.layout(arbitration_id)) is not None
-        and layout.name in WATCHED
+        for arbitration_id, layout in codec.layouts.items()
+        if layout.name in WATCHED
         and (rows := _understood(session.data_rows(channel, arbitration_id), layout)) is not None
     ]
     if not found:
@@ -70,8 +68,7 @@ def _understood(rows: DataRows | None, layout: MessageLayout) -> DataRows | None
         return rows
     if not good.any():
         return None
-    numbers, times_s, lengths, payloads = rows
-    return DataRows(numbers[good], times_s[good], lengths[good], payloads[good])
+    return rows.of(good)
 
 
 def _changes(

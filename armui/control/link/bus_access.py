@@ -19,9 +19,9 @@ from armui.control.safety.hand_frame import (
 from armui.protocol.addressing import OFFSETS
 
 if TYPE_CHECKING:
-    from armui.bus.tap import Tap
     from armui.control.context import Context
     from armui.protocol.frame import Frame
+    from armui.telemetry.tap import Tap
 
 _KEEP_S: Final = 0.2
 """A frame that could not be sent within this time is dropped: what was meant may be over."""

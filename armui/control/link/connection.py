@@ -26,11 +26,11 @@ from armui.protocol.piper_model import PiperModel
 if TYPE_CHECKING:
     from armui.bus.playback.log_worker import LogWorker
     from armui.bus.samples import SampleRing
-    from armui.bus.tap import Tap
     from armui.bus.worker import BusWorker, Opener
     from armui.control.link.handshake import Handshake
     from armui.protocol.codec import Codec
     from armui.telemetry.store import Telemetry
+    from armui.telemetry.tap import Tap
 
 
 Worker: TypeAlias = "BusWorker | LogWorker"

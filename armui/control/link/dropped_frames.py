@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from typing import Final
 
-from armui.control.context import Context
+from armui.control.context import Context, ControllerPart
 from armui.control.events import EventCode
 
 _EVERY_S: Final = 10.0
 
 
-class DroppedFrames:
+class DroppedFrames(ControllerPart):
     """Tells the first loss at once, and of those that follow no more often than every 10 s.
 
     Args:
@@ -31,9 +31,6 @@ class DroppedFrames:
         if self._told_s is None or now_s - self._told_s >= _EVERY_S:
             self._context.tell(EventCode.FRAMES_DROPPED, count=dropped - self._told, total=dropped)
             self._told, self._told_s = dropped, now_s
-
-    def halt(self) -> None:
-        """A stop changes nothing here."""
 
     def forget(self) -> None:
         """The next device counts anew."""

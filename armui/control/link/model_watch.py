@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Final
 
 from armui.arm.model_check import FittingArm, ModelFit, Models, fitting_arms
 from armui.arm.models import model_data
+from armui.control.context import ControllerPart
 from armui.control.events import EventCode
 
 if TYPE_CHECKING:
@@ -23,7 +24,7 @@ _LOOKS: Final = 2
 """So often in a row the arm must say the same before it is believed."""
 
 
-class ModelWatch:
+class ModelWatch(ControllerPart):
     """Looks at a standing arm twice a second.
 
     A single pose that fits more than one model decides nothing; together with the poses before it
@@ -110,9 +111,6 @@ class ModelWatch:
         self._take_zeros(found)
         self._look_for_zeros()
         self._take(frozenset(arm.model for arm in found))
-
-    def halt(self) -> None:
-        """A stop changes no model."""
 
     def forget(self) -> None:
         """Another arm may be another model."""

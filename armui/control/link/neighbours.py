@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QObject, Signal
 
-from armui.control.events import LEVELS, Event, EventCode
+from armui.control.events import Event, EventCode
 from armui.control.operating_state import OperatingState
 from armui.system.presence import PresenceWatch
 
@@ -86,4 +86,4 @@ class Neighbours(QObject):
                 "count": count,
             }
             at = datetime.now().astimezone()
-            self._controller.noticed.emit(Event(at, LEVELS[code], code, params))
+            self._controller.noticed.emit(Event(at, code.level, code, params))

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Final
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import ArmState
-from armui.control.context import Context
+from armui.control.context import Context, ControllerPart
 from armui.control.events import EventCode
 from armui.control.motion.motion_command import CommandKind
 from armui.control.motion.point_frames import leading_mode
@@ -41,7 +41,7 @@ _AT_START_MM: Final = 1.0
 _AT_START_DEG: Final = 1.0
 
 
-class Cartesian:
+class Cartesian(ControllerPart):
     """Motions of the tool centre point.
 
     Args:
@@ -288,12 +288,6 @@ class Cartesian:
 
     def _start_deg(self) -> Sequence[float]:
         return self._context.state().angles_deg() or _NO_TOOL
-
-    def advance(self) -> None:
-        """A motion goes on by itself."""
-
-    def halt(self) -> None:
-        """A motion under way ends with the arm's own stop."""
 
     def forget(self) -> None:
         """Nothing is known of an arm that is gone; another one may be of another geometry."""

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Final, Protocol
 
-from armui.arm.limits import JointLimits, check_joints
+from armui.arm.limits import JOINTS, JointLimits, check_joints
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.kinematics.axes import LINEAR_AXES, JogFrame
@@ -21,6 +21,8 @@ TOOL_DEG_S: Final = 12.0
 """Highest jog speeds of the tool centre point. Where a joint would have to turn faster than it may
 be jogged, the tool goes slower."""
 
+_NOWHERE_DEG: Final = float("inf")
+
 
 @dataclass(frozen=True, slots=True)
 class JointJog:
@@ -28,6 +30,11 @@ class JointJog:
 
     joint: int
     direction: int
+
+    @property
+    def rates(self) -> tuple[float, ...]:
+        """Of the six joints: its direction for this one, 0 for the others."""
+        return tuple(float(self.direction) if each == self.joint else 0.0 for each in JOINTS)
 
 
 @dataclass(frozen=True, slots=True)
@@ -60,41 +67,53 @@ class JogPath(Protocol):
 
 
 class JointJogPath:
-    """One joint turns to its limit; the others stay.
+    """Joints turn together, each at its rate, until one is at its limit; often it is one alone.
 
     Args:
-        jog: Which joint, and where to.
+        rates: Six, −1 to 1, not all 0.
         base_deg: Six angles to begin with.
         limits: Of the six joints.
     """
 
     def __init__(
-        self, jog: JointJog, base_deg: Sequence[float], limits: Sequence[JointLimits]
+        self, rates: Sequence[float], base_deg: Sequence[float], limits: Sequence[JointLimits]
     ) -> None:
-        self._jog = jog
         self._base_deg = tuple(base_deg)
-        bounds = limits[jog.joint - 1]
-        self._bound_deg = bounds.max_deg if jog.direction > 0 else bounds.min_deg
+        self._limits = tuple(limits)
+        self._most = max(map(abs, rates))
+        self._ways = tuple(rate / self._most for rate in rates)
 
     def speed(self, pace: Pace) -> float:
-        """That of the joint."""
-        return pace.speeds_deg_s[self._jog.joint - 1]
+        """That of the joint with the highest rate; the others keep their share of it."""
+        speeds = zip(pace.speeds_deg_s, self._ways, strict=True)
+        return self._most * min(speed for speed, way in speeds if way)
 
     def room(self) -> float:
-        """To the limit; none for a joint that is beyond it already."""
-        return self._jog.direction * (self._bound_deg - self._base_deg[self._jog.joint - 1])
+        """To the first limit."""
+        return min(self._room_of(place) for place in range(len(self._ways)))
 
     def joints_at(self, gone: float, near_deg: Sequence[float]) -> tuple[float, ...]:  # noqa: ARG002 - one way only
-        """The joint turned so far."""
-        place = self._jog.joint - 1
-        turned = self._base_deg[place] + self._jog.direction * gone
-        return (*self._base_deg[:place], turned, *self._base_deg[place + 1 :])
+        """The joints turned so far."""
+        return tuple(
+            base + way * gone for base, way in zip(self._base_deg, self._ways, strict=True)
+        )
 
     def end(self) -> Refusal:
-        """The limit."""
+        """The limit that is nearest."""
+        place = min(range(len(self._ways)), key=self._room_of)
         return Refusal(
-            RefusalCode.JOG_AT_LIMIT, {"joint": self._jog.joint, "limit": self._bound_deg}
+            RefusalCode.JOG_AT_LIMIT, {"joint": place + 1, "limit": self._bound_deg(place)}
         )
+
+    def _room_of(self, place: int) -> float:
+        way = self._ways[place]
+        if not way:
+            return _NOWHERE_DEG
+        return (self._bound_deg(place) - self._base_deg[place]) / way
+
+    def _bound_deg(self, place: int) -> float:
+        bounds = self._limits[place]
+        return bounds.max_deg if self._ways[place] > 0 else bounds.min_deg
 
 
 class HeldToolPath:

@@ -19,13 +19,13 @@ from armui.arm.limits import JOINTS
 from armui.arm.models import model_data
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
-from armui.control.context import Context
+from armui.control.context import Context, ControllerPart
 from armui.control.events import EventCode
 from armui.control.motion.jog_pace import accelerations, pace
 from armui.control.motion.jog_path import JogPath, JointJog, JointJogPath, ToolJog, ToolJogPath
 from armui.control.motion.jog_stream import JogStream
 from armui.control.motion.motion_command import CommandKind, MotionCommand
-from armui.control.motion.steered_path import SteeredJog, SteeredJointPath, SteeredToolPath
+from armui.control.motion.steered_path import SteeredJog, SteeredToolPath
 from armui.control.safety.standstill import QUIET_DEG, QUIET_S, RestWatch
 from armui.kinematics.axes import AXES, JogFrame
 from armui.protocol import commands
@@ -77,7 +77,7 @@ class _Hold:
     command: MotionCommand | None = None
 
 
-class Jogging:
+class Jogging(ControllerPart):
     """Moves while it is held: :meth:`start` on the press, :meth:`stop` when it ends.
 
     Args:
@@ -225,11 +225,11 @@ class Jogging:
     def _way(self, jog: Jog, base_deg: Sequence[float]) -> JogPath:
         limits = self._context.operating_state().limits
         if isinstance(jog, JointJog):
-            return JointJogPath(jog, base_deg, limits)
+            return JointJogPath(jog.rates, base_deg, limits)
         cartesian = self._cartesian
         if isinstance(jog, SteeredJog):
             if jog.frame is None:
-                return SteeredJointPath(jog.rates, base_deg, limits)
+                return JointJogPath(jog.rates, base_deg, limits)
             return SteeredToolPath(
                 *(jog.rates, jog.frame, cartesian.kinematics(), base_deg),
                 tool=cartesian.tool,

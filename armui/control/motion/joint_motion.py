@@ -8,10 +8,9 @@ from typing import Final
 from armui.arm.limits import check_joints
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
-from armui.control.context import Context
+from armui.control.context import Context, ControllerPart
 from armui.control.events import EventCode
 from armui.control.motion.motion_command import CommandKind
-from armui.control.motion.speed import speed_frames
 from armui.control.requests import reports
 from armui.control.safety import interlocks
 from armui.protocol import commands
@@ -24,7 +23,7 @@ _SETTLE_S: Final = 0.3
 """So long after a command of ours the operator's speed is not given back yet."""
 
 
-class Motion:
+class Motion(ControllerPart):
     """Joint motions, and the speed of every motion.
 
     Attributes:
@@ -72,9 +71,7 @@ class Motion:
         context = self._context
         authority, percent = context.authority, self.speed_percent
         mode = None if context.why_no_motion() is not None else authority.mode_in_force()
-        if mode is None or not context.connection.send(
-            speed_frames(context.connection.codec, mode, percent)
-        ):
+        if mode is None or not context.connection.send(context.speed_frames(mode, percent)):
             return False
         authority.told_percent(percent)
         return True
@@ -152,9 +149,3 @@ class Motion:
     def _settled(self) -> bool:
         command = self._context.authority.command
         return command is None or self._context.clock() - command.sent_s >= _SETTLE_S
-
-    def halt(self) -> None:
-        """A motion under way ends with the arm's own stop."""
-
-    def forget(self) -> None:
-        """Nothing of a motion is kept here."""

@@ -107,12 +107,3 @@ class PlannedMotion:
             authority.holds = holds
             return False
         return Hold.PAUSE not in holds or connection.send(frames)
-
-    def advance(self) -> None:
-        """What is held back is followed where the arm is heard; see :mod:`.authority`."""
-
-    def halt(self) -> None:
-        """A stop drops what was planned and the pause; the arm reports it."""
-
-    def forget(self) -> None:
-        """Nothing is kept here."""

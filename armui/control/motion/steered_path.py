@@ -4,19 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Final
+from typing import TYPE_CHECKING
 
 from armui.arm.limits import JointLimits
 from armui.arm.refusal import Refusal
-from armui.arm.refusal_codes import RefusalCode
 from armui.control.motion.jog_path import TOOL_DEG_S, TOOL_MM_S, HeldToolPath
 from armui.kinematics.axes import LINEAR_AXES, JogFrame
 
 if TYPE_CHECKING:
     from armui.control.motion.jog_pace import Pace
     from armui.kinematics.arm_kinematics import Kinematics
-
-_NOWHERE_DEG: Final = float("inf")
 
 
 @dataclass(frozen=True, slots=True)
@@ -32,56 +29,6 @@ class SteeredJog:
     rates: tuple[float, ...]
     frame: JogFrame | None
     device: str
-
-
-class SteeredJointPath:
-    """The joints turn together, each at its rate, until one is at its limit.
-
-    Args:
-        rates: Six, −1 to 1, not all 0.
-        base_deg: Six angles to begin with.
-        limits: Of the six joints.
-    """
-
-    def __init__(
-        self, rates: Sequence[float], base_deg: Sequence[float], limits: Sequence[JointLimits]
-    ) -> None:
-        self._base_deg = tuple(base_deg)
-        self._limits = tuple(limits)
-        self._most = max(map(abs, rates))
-        self._ways = tuple(rate / self._most for rate in rates)
-
-    def speed(self, pace: Pace) -> float:
-        """That of the joint with the highest rate; the others keep their share of it."""
-        speeds = zip(pace.speeds_deg_s, self._ways, strict=True)
-        return self._most * min(speed for speed, way in speeds if way)
-
-    def room(self) -> float:
-        """To the first limit."""
-        return min(self._room_of(place) for place in range(len(self._ways)))
-
-    def joints_at(self, gone: float, near_deg: Sequence[float]) -> tuple[float, ...]:  # noqa: ARG002 - one way only
-        """The joints turned so far."""
-        return tuple(
-            base + way * gone for base, way in zip(self._base_deg, self._ways, strict=True)
-        )
-
-    def end(self) -> Refusal:
-        """The limit that is nearest."""
-        place = min(range(len(self._ways)), key=self._room_of)
-        return Refusal(
-            RefusalCode.JOG_AT_LIMIT, {"joint": place + 1, "limit": self._bound_deg(place)}
-        )
-
-    def _room_of(self, place: int) -> float:
-        way = self._ways[place]
-        if not way:
-            return _NOWHERE_DEG
-        return (self._bound_deg(place) - self._base_deg[place]) / way
-
-    def _bound_deg(self, place: int) -> float:
-        bounds = self._limits[place]
-        return bounds.max_deg if self._ways[place] > 0 else bounds.min_deg
 
 
 class SteeredToolPath(HeldToolPath):

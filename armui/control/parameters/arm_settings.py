@@ -14,9 +14,8 @@ from armui.arm.quirks import why_not_by_firmware
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import ArmState
-from armui.control.context import Context
+from armui.control.context import Context, ControllerPart
 from armui.control.events import EventCode
-from armui.control.operating_state import why_unreachable
 from armui.control.parameters.setting_cell import CellState, SettingCellState
 from armui.control.parameters.setting_checks import (
     Changes,
@@ -49,7 +48,7 @@ _SECOND_ONLY: Final = frozenset({Group.TEACHING, Group.DRAG_ASSISTANCE})
 _UNREAD: Final = SettingCellState()
 
 
-class ArmSettings(QObject):
+class ArmSettings(QObject, ControllerPart):
     """Follows every parameter; the values themselves are those last heard (:class:`ArmState`).
 
     Args:
@@ -89,7 +88,7 @@ class ArmSettings(QObject):
 
     def everything(self) -> list[Batch] | Refusal:
         """All that a backup holds of this arm, or why that is not known now."""
-        refusal = self._why_unknown()
+        refusal = self._context.why_unknown()
         if refusal is not None:
             return refusal
         generation = self._context.connection.generation
@@ -127,7 +126,7 @@ class ArmSettings(QObject):
             ``None`` if it was asked, or why not.
         """
         batches = list(batches)
-        refusal = self._why_unknown() or self.why_not_kept(batches)
+        refusal = self._context.why_unknown() or self.why_not_kept(batches)
         if refusal is not None:
             return refusal
         for batch in batches:
@@ -188,20 +187,12 @@ class ArmSettings(QObject):
 
     def _codec(self) -> Codec | Refusal:
         """What to speak, or why nothing can be set now."""
-        refusal = self._why_unknown() or self._context.refresh().occupied
+        refusal = self._context.why_unknown() or self._context.refresh().occupied
         if refusal is None and self.busy:
             refusal = Refusal(RefusalCode.BUSY, {"what": "settings"})
         if refusal is None:
             refusal = why_moving(self._context.state())
         return self._context.connection.codec if refusal is None else self._context.refuse(refusal)
-
-    def _why_unknown(self) -> Refusal | None:
-        """Why the arm cannot be asked: it is not there, or its protocol is not known yet."""
-        connection = self._context.connection
-        refusal = why_unreachable(connection.link, connection.device)
-        if refusal is None and connection.generation is None:
-            return Refusal(RefusalCode.GENERATION_UNKNOWN)
-        return refusal
 
     def _read(self, batch: Batch) -> None:
         self._mark(batch.parameters(), SettingCellState(CellState.READING))
@@ -319,12 +310,6 @@ class ArmSettings(QObject):
             self._cells[parameter] = cell
 
     # A part of the controller -----------------------------------------------------------------
-
-    def advance(self) -> None:
-        """Nothing to do: the queue of transactions advances by itself."""
-
-    def halt(self) -> None:
-        """Settings move nothing: a stop does not end them."""
 
     def forget(self) -> None:
         """Another arm may come: only what was refused is kept, so that it can be read."""

@@ -19,7 +19,7 @@ from typing import TYPE_CHECKING, Final
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import ArmState
-from armui.control.context import Context
+from armui.control.context import Context, ControllerPart
 from armui.control.operating_state import why_unreachable
 from armui.protocol.codes import SettingIndex
 from armui.protocol.frame import Frame
@@ -112,7 +112,7 @@ class _Task:
     unanswered: Refusal | None = None
 
 
-class TransactionQueue:
+class TransactionQueue(ControllerPart):
     """Carries out transactions, one after the other; a part of the controller.
 
     Commands go in the order in which they came, the first step of an action before the further

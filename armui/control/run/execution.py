@@ -9,7 +9,7 @@ from PySide6.QtCore import QObject, Signal
 
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
-from armui.control.context import Context
+from armui.control.context import Context, ControllerPart
 from armui.control.run.progress import OVER, Progress, RunPhase
 from armui.control.run.run_end import cut_short, cut_short_for
 from armui.control.safety.standstill import RestWatch
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from armui.protocol.frame import Frame
 
 
-class Execution(QObject):
+class Execution(QObject, ControllerPart):
     """Moves the arm by several commands; each follows from the arm's feedback to the one before.
 
     Args:

@@ -8,7 +8,7 @@ from PySide6.QtCore import QObject, Signal
 
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
-from armui.control.context import Context
+from armui.control.context import Context, ControllerPart
 from armui.control.events import EventCode
 from armui.control.operating_state import why_unreachable
 
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from armui.control.run.sample_store import Recorded, SampleStore
 
 
-class Recorder(QObject):
+class Recorder(QObject, ControllerPart):
     """Keeps every joint feedback from :meth:`start` to :meth:`finish`; it sends nothing.
 
     When the arm is lost, what has been recorded is kept.
@@ -94,9 +94,6 @@ class Recorder(QObject):
             self._samples.extend(taken)
             self.dropped = self._context.connection.samples.dropped
             self.changed.emit()
-
-    def halt(self) -> None:
-        """A stopped arm may be recorded as well."""
 
     def forget(self) -> None:
         """The arm is gone: recording ends, what there is is kept."""

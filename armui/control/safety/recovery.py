@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Final
 
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
-from armui.control.context import Context
+from armui.control.context import Context, ControllerPart
 from armui.control.events import EventCode
 from armui.control.requests.request import Request, RequestOutcome
 from armui.control.safety.recovery_rules import next_step
@@ -33,8 +33,6 @@ if TYPE_CHECKING:
     from armui.control.motion.planned_motion import PlannedMotion
     from armui.control.safety.mode_exit import ModeExitCommand
 
-_REPEAT_S: Final = 0.5
-_ATTEMPTS: Final = 3
 _SHOWS_LATER_S: Final = 0.5
 """Between an answer and the feedback that shows its effect: drivers report ten times a second."""
 
@@ -79,7 +77,7 @@ class _PendingAction:
     idle_since_s: float | None = None
 
 
-class Recovery:
+class Recovery(ControllerPart):
     """Determines the next step of recovery and carries it out on request.
 
     Args:
@@ -208,7 +206,7 @@ class Recovery:
         """Look at what was heard; called regularly while a device is open."""
         now_s = self._context.clock()
         if self._request is not None:
-            outcome = self._request.advance(self._context.state(), now_s)
+            outcome = self._request.advance()
             if outcome is not RequestOutcome.WAITING:
                 self._request = None
         if self._to_clear and not self._joint_errors.busy:
@@ -331,13 +329,7 @@ class Recovery:
         """Send until the arm is in another state, or time is up."""
         context = self._context
         kind = self._look().kind
-        self._request = Request(
-            frames,
-            lambda _state: self._look().kind is not kind,
-            context.connection.send,
-            _REPEAT_S,
-            _ATTEMPTS,
-        )
+        self._request = Request(context, frames, lambda _state: self._look().kind is not kind)
         context.tell(code)
-        self._request.advance(context.state(), context.clock())
+        self._request.advance()
         return None

@@ -2,16 +2,15 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Final
+from typing import TYPE_CHECKING
 
+from armui.arm.backup import parameter_row
 from armui.arm.parameters import all_batches, heard
 
 if TYPE_CHECKING:
     from armui.arm.state import ArmState
     from armui.control.context import Context
     from armui.session.recording.sidecar import Line
-
-_DECIMALS: Final = 6
 
 
 class SidecarLines:
@@ -57,15 +56,11 @@ class SidecarLines:
         return new
 
 
-def settings_read(state: ArmState) -> list[dict[str, object]]:
+def settings_read(state: ArmState) -> list[dict[str, float | int | str]]:
     """The parameters that were read from the arm, as the file of a backup names them."""
-    rows: list[dict[str, object]] = []
-    for batch in all_batches(teaching=True, drag_assistance=True):
-        for parameter in batch.parameters():
-            known = heard(state, parameter)
-            if known is not None:
-                joint: dict[str, object] = {"joint": parameter.joint} if parameter.joint else {}
-                value = round(known.value, _DECIMALS)
-                unit = parameter.kind.unit
-                rows.append({"name": parameter.name, **joint, "value": value, "unit": unit})
-    return rows
+    return [
+        parameter_row(parameter, known.value)
+        for batch in all_batches(teaching=True, drag_assistance=True)
+        for parameter in batch.parameters()
+        if (known := heard(state, parameter)) is not None
+    ]

@@ -7,6 +7,7 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING, Final
 
 from armui.doctor.facts import HeardFacts
+from armui.telemetry.bus_errors import BusError, errors_of
 
 if TYPE_CHECKING:
     import can
@@ -16,8 +17,6 @@ if TYPE_CHECKING:
 
 _MOST_FRAMES: Final = 60_000
 """Some seven seconds of a bus that is full."""
-_BUS_OFF: Final = 0x040
-_LINUX_ERROR_FRAMES: Final = ("socketcan", "gs_usb", "candle")
 _WAIT_S: Final = 0.05
 _PAUSE_S: Final = 0.02
 """Between questions: an answer of eleven frames must not be cut by the next."""
@@ -94,8 +93,8 @@ def _hear(
             continue
         if message.is_error_frame:
             errors += 1
-            if device.interface in _LINUX_ERROR_FRAMES and message.arbitration_id & _BUS_OFF:
-                bus_off = True
+            told = errors_of(message.arbitration_id, bytes(message.data), device.interface)
+            bus_off = bus_off or BusError.BUS_OFF in told
         elif _is_of_the_protocol(message) and len(frames) < _MOST_FRAMES:
             frame = Frame(message.arbitration_id, bytes(message.data))
             if frame in echoes:  # some back-ends hand over what was sent

@@ -15,6 +15,7 @@ from pathlib import Path
 from typing import Final
 
 from armui.doctor.facts import ScreenFacts
+from armui.system.command_line import has_display
 
 _PATIENCE_S: Final = 30.0
 _QT_CODE: Final = """
@@ -59,13 +60,6 @@ def look_at_screen() -> ScreenFacts:
         opengl=opengl,
         opengl_error=opengl_error,
     )
-
-
-def has_display() -> bool:
-    """Whether there is a desktop session to show a window in."""
-    if sys.platform in {"win32", "darwin"} or os.environ.get("QT_QPA_PLATFORM"):
-        return True
-    return bool(os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY"))
 
 
 def _look_at_opengl() -> tuple[str | None, str]:

@@ -23,7 +23,7 @@ from armui.session.exports.ros.streams import signals_at
 from armui.session.exports.sink import TimeSpan
 from armui.session.exports.table import table_rows
 from armui.session.frames import NOT_OF_THE_ARM
-from armui.session.log_model import told_firmware, told_model
+from armui.session.log_model import ANGLES, END_POSE, told_firmware, told_model
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator, Mapping, Sequence
@@ -39,13 +39,6 @@ if TYPE_CHECKING:
 _FEEDBACK: Final = range(0x2A1, 0x2A9)
 _DRIVERS: Final = (*range(0x251, 0x257), *range(0x261, 0x267))
 _FRAMES_LOOKED_AT: Final = 6_000
-_ANGLES: Final = tuple(
-    (f"JointFeedback{pair}", f"J{joint}") for pair in ("12", "34", "56") for joint in map(int, pair)
-)
-_POSES: Final = (
-    ("EndPose1", "X"), ("EndPose1", "Y"), ("EndPose2", "Z"),
-    ("EndPose2", "RX"), ("EndPose3", "RY"), ("EndPose3", "RZ"),
-)  # fmt: skip
 _LEVER_MM: Final = 200.0
 """What a turn of the flange counts, set against a way of it."""
 
@@ -196,7 +189,7 @@ def _model(
         at = table_rows(history, TimeSpan(-np.inf, np.inf))
         if at is None:
             continue
-        angles, poses = signals_at(history, at, _ANGLES), signals_at(history, at, _POSES)
+        angles, poses = signals_at(history, at, ANGLES), signals_at(history, at, END_POSE)
         known = ~(np.isnan(angles).any(axis=1) | np.isnan(poses).any(axis=1))
         rows += int(known.sum())
         reported = pose_to_matrix(poses[known])

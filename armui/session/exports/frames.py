@@ -9,6 +9,7 @@ import numpy as np
 
 from armui.protocol.columns import payload_words
 from armui.session.frames import NOT_OF_THE_ARM
+from armui.telemetry.columns import joined
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator
@@ -79,10 +80,10 @@ class ArmFrameReader:
         for batch in batches:
             waiting.append(self._of_the_arm(batch))
             if sum(map(len, waiting)) >= _ENOUGH:
-                yield _joined(waiting)
+                yield joined(waiting)
                 waiting.clear()
         if waiting:
-            yield _joined(waiting)
+            yield joined(waiting)
 
     def _of_the_arm(self, batch: FrameBatch) -> ArmFrames:
         here = np.array([name == self.channel for name in batch.channel_names], np.bool_)
@@ -102,15 +103,3 @@ class ArmFrameReader:
             batch.lengths[rows],
             payload_words(batch.payloads[rows]),
         )
-
-
-def _joined(pieces: list[ArmFrames]) -> ArmFrames:
-    if len(pieces) == 1:
-        return pieces[0]
-    return ArmFrames(
-        np.concatenate([each.rows for each in pieces]),
-        np.concatenate([each.times_s for each in pieces]),
-        np.concatenate([each.ids for each in pieces]),
-        np.concatenate([each.lengths for each in pieces]),
-        np.concatenate([each.words for each in pieces]),
-    )

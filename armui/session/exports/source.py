@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING, Protocol
+from typing import TYPE_CHECKING
 
 from armui.session.frames import NotALogError
 from armui.session.reader import LogFile
@@ -15,43 +15,11 @@ if TYPE_CHECKING:
     from typing import Any
 
     from armui.session.frames import Damage, FrameBatch
-
-
-class ExportSource(Protocol):
-    """A recording, read once from its beginning to its end.
-
-    Attributes:
-        frames: Frames read so far.
-        done: How much of it that is, 0 to 1; `None` where nobody knows.
-        damages: The damaged places met so far, or the first of them.
-        damage_count: All of those met so far.
-        lines: What a recording of this program says of itself; nothing of other logs.
-    """
-
-    @property
-    def lines(self) -> Sequence[Mapping[str, Any]]: ...  # noqa: D102 - said above
-
-    @property
-    def frames(self) -> int: ...  # noqa: D102 - said above
-
-    @property
-    def done(self) -> float | None: ...  # noqa: D102 - said above
-
-    @property
-    def damages(self) -> Sequence[Damage]: ...  # noqa: D102 - said above
-
-    @property
-    def damage_count(self) -> int: ...  # noqa: D102 - said above
-
-    def batches(self) -> Iterator[FrameBatch]:
-        """The frames; only once."""
-
-    def close(self) -> None:
-        """Let go of the files."""
+    from armui.session.session import Session
 
 
 class FileSource:
-    """A log file, see `ExportSource`.
+    """A log file, read once from its beginning to its end.
 
     Args:
         path: Of any format that `LogFile` reads.
@@ -61,6 +29,7 @@ class FileSource:
     """
 
     lines: Sequence[Mapping[str, Any]] = ()
+    """What a recording of this program says of itself; nothing of other logs."""
 
     def __init__(self, path: Path) -> None:
         self._log = LogFile(path)
@@ -72,7 +41,7 @@ class FileSource:
 
     @property
     def done(self) -> float | None:
-        """By its bytes."""
+        """How much of its bytes, 0 to 1; `None` where nobody knows."""
         return min(self._log.position / self._log.size, 1.0) if self._log.size else None
 
     @property
@@ -94,36 +63,14 @@ class FileSource:
         self._log.close()
 
 
-class TimedFrames(Protocol):
-    """What is wanted of a session, which may lie in several files."""
-
-    @property
-    def start_s(self) -> float: ...  # noqa: D102 - of the first frame
-
-    @property
-    def end_s(self) -> float: ...  # noqa: D102 - of the last frame
-
-    @property
-    def damages(self) -> Sequence[Damage]: ...  # noqa: D102 - those met so far, bounded
-
-    @property
-    def damage_count(self) -> int: ...  # noqa: D102 - all of them
-
-    def frames_between(self, t0_s: float, t1_s: float) -> Iterator[FrameBatch]:
-        """The frames with t0_s <= time < t1_s, in the order of time."""
-
-    def close(self) -> None:
-        """Let go of the files."""
-
-
 class SessionSource:
-    """A session with all its files, see `ExportSource`.
+    """A session with all its files, read as a `FileSource` is.
 
     Args:
         session: Closed with this.
     """
 
-    def __init__(self, session: TimedFrames) -> None:
+    def __init__(self, session: Session) -> None:
         self._session = session
         self._at_s = session.start_s
         self.lines: Sequence[Mapping[str, Any]] = getattr(session, "lines", ())
@@ -131,7 +78,7 @@ class SessionSource:
 
     @property
     def done(self) -> float | None:
-        """By its time."""
+        """How much of its time, 0 to 1; `None` where nobody knows."""
         length_s = self._session.end_s - self._session.start_s
         return min((self._at_s - self._session.start_s) / length_s, 1.0) if length_s > 0 else None
 
@@ -155,6 +102,9 @@ class SessionSource:
     def close(self) -> None:
         """Closes the session."""
         self._session.close()
+
+
+ExportSource = FileSource | SessionSource
 
 
 def open_source(path: Path) -> ExportSource:

@@ -112,6 +112,12 @@ class DiskFile:
                 os.close(self._handle)
             self._handle = -1
 
+    def discard(self) -> None:
+        """Close it and remove it: it was begun in vain."""
+        self.close()
+        with contextlib.suppress(OSError):
+            self.path.unlink()
+
     def _write(self, data: bytes) -> None:
         left = memoryview(data)
         while left:

@@ -10,17 +10,17 @@ from collections import deque
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Final
 
+from armui.telemetry.tap import Tap
+
 if TYPE_CHECKING:
-    from armui.protocol.codec import Codec
-    from armui.protocol.generation import Generation
     from armui.session.recording.rows import TakenFrame
 
 MOST_WAITING: Final = 65_536
 """Frames that may wait; a bus that is full has some 8,000 a second."""
 
 
-class FrameLane:
-    """Listens to the bus as a `Tap` does.
+class FrameLane(Tap):
+    """Takes frames as they are, whoever sent them and however they are decoded.
 
     Args:
         most: Frames that may wait; a batch beyond them is dropped whole, and counted.
@@ -62,18 +62,3 @@ class FrameLane:
     def on_sent(self, batch: Sequence[TakenFrame]) -> None:
         """Frames that this program sent; their flags say so."""
         self.on_heard(batch)
-
-    def on_open(self, bitrate: int | None) -> None:
-        """A device was opened: nothing to do, its frames tell."""
-
-    def on_codec(self, codec: Codec) -> None:
-        """Frames are kept as they are, however they are decoded."""
-
-    def on_error_frame(self) -> None:
-        """An error frame is among those heard."""
-
-    def on_look(self, now_s: float) -> None:
-        """Nothing to do."""
-
-    def know_generation(self, generation: Generation | None) -> None:
-        """Frames are kept as they are, whichever arm they are from."""

@@ -141,7 +141,7 @@ class RecordedSession:
         while place >= 0:
             block = self._blocks[place]
             if block.standing is not None and block.last_s + _SLACK_S < t_s:
-                parts.append(self._standing(block.standing))
+                parts.append(_batch(block.standing, (self._channel,), {}))
                 break
             parts += reversed(self._read(block))
             place -= 1
@@ -150,18 +150,6 @@ class RecordedSession:
     def close(self) -> None:
         """Let go of what is in memory."""
         self._blocks, self._starts_s, self._cut_off = [], [], {}
-
-    def _standing(self, rows: Any) -> FrameBatch:
-        return FrameBatch(
-            first=0,
-            times_s=rows["time_s"],
-            ids=rows["id"],
-            flags=rows["flags"],
-            lengths=rows["length"],
-            payloads=rows["data"],
-            channels=np.zeros(len(rows), np.uint8),
-            channel_names=(self._channel,),
-        )
 
     def _path(self, number: int) -> Path:
         return self._folder / file_name(self.name, number, self._kind.value)
@@ -339,6 +327,10 @@ def _picked(found: Sequence[tuple[FrameBatch, int]], names: tuple[Channel, ...])
         )
         if row in batch.long_data:
             long_data[place] = batch.long_data[row]
+    return _batch(table, names, long_data)
+
+
+def _batch(table: Any, names: tuple[Channel, ...], long_data: Mapping[int, bytes]) -> FrameBatch:
     return FrameBatch(
         first=0,
         times_s=table["time_s"],

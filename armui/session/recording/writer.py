@@ -105,9 +105,7 @@ class RecordingWriter:
             self._index = DiskFile(plan.folder / f"{self.name}{index_file.SUFFIX}")
             self._index.append(index_file.MAGIC)
         except OSError:
-            self._sidecar.close()
-            with contextlib.suppress(OSError):
-                self._sidecar.path.unlink()
+            self._sidecar.discard()
             raise
 
     @property
@@ -175,9 +173,7 @@ class RecordingWriter:
             try:
                 found.append(sidecar.as_bytes([self._first_line()]))
             except OSError:
-                found.close()
-                with contextlib.suppress(OSError):
-                    found.path.unlink()
+                found.discard()
                 raise
             return name, found
         raise AssertionError("count() never ends")
@@ -239,9 +235,7 @@ class RecordingWriter:
             facts: Line = {"kind": "file", "number": number, "start_s": new_format.start_s}
             self._sidecar.append(sidecar.as_bytes([facts]))
         except OSError:
-            file.close()
-            with contextlib.suppress(OSError):
-                path.unlink()
+            file.discard()
             raise
         self._number = number
         return file, new_format

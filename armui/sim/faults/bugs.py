@@ -7,16 +7,16 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import replace
-from typing import Final, Protocol
+from typing import TYPE_CHECKING, Final
 
 from armui.arm.limits import JOINTS
 from armui.protocol.codes import LinkageRole
 from armui.protocol.firmware_version import FirmwareBug
 from armui.protocol.frame import Frame
-from armui.sim.condition import Condition
-from armui.sim.mechanics.mechanics import Mechanics
-from armui.sim.parameters.settings import ArmSettingsRecord, LinkageSettings
-from armui.sim.parameters.settings_applier import SettingsApplier
+from armui.sim.parameters.settings import LinkageSettings
+
+if TYPE_CHECKING:
+    from armui.sim.firmware import Firmware
 
 PURPOSES: Final = {
     FirmwareBug.CORRUPTED_LIMITS: (
@@ -58,17 +58,6 @@ _BAD_DEG: Final = -0.1
 _TOLD_ZERO: Final = ("JointFeedback", "EndPose", "DriverFast")
 
 
-class _Arm(Protocol):
-    """The parts of the arm that have the bugs."""
-
-    mechanics: Mechanics
-    condition: Condition
-    settings: ArmSettingsRecord
-    settings_applier: SettingsApplier
-
-    def corrupt_limits(self, joint: int) -> None: ...
-
-
 class FirmwareBugs:
     """The bugs that one arm has.
 
@@ -78,7 +67,10 @@ class FirmwareBugs:
     """
 
     def __init__(
-        self, present: frozenset[FirmwareBug], arm: _Arm, lead: Callable[[LinkageSettings], None]
+        self,
+        present: frozenset[FirmwareBug],
+        arm: Firmware,
+        lead: Callable[[LinkageSettings], None],
     ) -> None:
         """Lets the bugs of an arm be; `lead` gives it another role."""
         self.present = present

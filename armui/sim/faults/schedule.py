@@ -62,10 +62,6 @@ class FaultKind:
     switch: Callable[[Broken, float, bool], None]
 
 
-def _alarm(alarm: Alarm, on: Broken, joint: float, present: bool) -> None:
-    on.arm.protection.set_alarm(int(joint) - 1, alarm, present=present)
-
-
 def _line(attribute: str, on: Broken, value: float, present: bool) -> None:
     setattr(on.link, attribute, value if present else 0.0)
 
@@ -91,6 +87,13 @@ def _arm_fault(purpose: str, switch: Callable[[Firmware, int, bool], None]) -> F
     )
 
 
+def _alarm(purpose: str, alarm: Alarm) -> FaultKind:
+    return _arm_fault(
+        purpose,
+        lambda arm, joint, on: arm.protection.set_alarm(joint - 1, alarm, present=on),
+    )
+
+
 FAULTS: Final[dict[str, FaultKind]] = {
     "joint-communication": _arm_fault(
         "the controller loses the connection to a joint",
@@ -105,21 +108,11 @@ FAULTS: Final[dict[str, FaultKind]] = {
         lambda arm, joint, present: arm.drivers.overheat_driver(joint - 1, on=present),
     ),
     "undervoltage": FaultKind("the supply gives 18 V", FaultParameter.NONE, 0.0, _weaken_supply),
-    "overcurrent": FaultKind(
-        "a driver sees too much current and switches its motor off",
-        FaultParameter.JOINT,
-        1.0,
-        partial(_alarm, Alarm.OVERCURRENT),
+    "overcurrent": _alarm(
+        "a driver sees too much current and switches its motor off", Alarm.OVERCURRENT
     ),
-    "sensor-error": FaultKind(
-        "a joint's encoder fails", FaultParameter.JOINT, 1.0, partial(_alarm, Alarm.SENSOR)
-    ),
-    "driver-error": FaultKind(
-        "a driver fails and switches its motor off",
-        FaultParameter.JOINT,
-        1.0,
-        partial(_alarm, Alarm.DRIVER),
-    ),
+    "sensor-error": _alarm("a joint's encoder fails", Alarm.SENSOR),
+    "driver-error": _alarm("a driver fails and switches its motor off", Alarm.DRIVER),
     "stall": _arm_fault(
         "something keeps a joint from turning",
         lambda arm, joint, present: arm.protection.block(joint - 1, blocked=present),

@@ -5,47 +5,32 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterable, Mapping
 from functools import partial
-from typing import Final, Protocol
+from typing import TYPE_CHECKING, Final
 
 from armui.arm.gripper import GripperFault
 from armui.arm.limits import JOINTS
 from armui.arm.units import DEGREES_PER
-from armui.kinematics.arm_kinematics import Kinematics
 from armui.kinematics.poses import Pose
 from armui.protocol.codec import Codec
 from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
-from armui.sim.condition import Condition
 from armui.sim.faults.alarms import Alarm
 from armui.sim.feedback.end_motion import end_motion
 from armui.sim.feedback.frame_cache import FrameCache
-from armui.sim.mechanics.drivers import Drivers
-from armui.sim.mechanics.gripper import SimulatedGripper
-from armui.sim.mechanics.mechanics import Mechanics
 from armui.sim.mechanics.powered_joints import STANDSTILL, SixValues
+
+if TYPE_CHECKING:
+    from armui.sim.firmware import Firmware
 
 _DEGREES_PER: Final = {**DEGREES_PER, "pulse": 360.0 / 65536.0}
 """With the encoder's pulses; the protocol text gives no number of them a turn, this is assumed."""
 _NO_ALARM: Final[Mapping[str, float]] = dict.fromkeys((alarm.value for alarm in Alarm), False)
 
 
-class _Parts(Protocol):
-    """The parts of the arm that the feedback reports."""
-
-    condition: Condition
-    mechanics: Mechanics
-    drivers: Drivers
-    gripper: SimulatedGripper
-    kinematics: Kinematics
-
-    @property
-    def ik_solution_deg(self) -> SixValues | None: ...
-
-
 class Feedback:
     """Makes the periodic frames from the state of the arm's parts."""
 
-    def __init__(self, codec: Codec, arm: _Parts) -> None:
+    def __init__(self, codec: Codec, arm: Firmware) -> None:
         self._cache = FrameCache(codec)
         self._arm = arm
         self._kinematics = arm.kinematics

@@ -2,36 +2,25 @@
 
 from __future__ import annotations
 
-from collections import Counter
 from collections.abc import Callable
-from typing import Final, Protocol
+from typing import TYPE_CHECKING, Final
 
 from armui.protocol.codes import ControlMode, StopCommand, TeachingState, TrajectoryCommand
 from armui.protocol.generation import Generation
-from armui.sim.condition import Condition
-from armui.sim.mechanics.mechanics import Mechanics
 from armui.sim.mechanics.powered_joints import JOINT_COUNT
 from armui.sim.mechanics.unpowered_joints import UnpoweredJoints
 from armui.sim.motion.moves import Moves
-from armui.sim.motion.teaching import SimulatedTeaching
+
+if TYPE_CHECKING:
+    from armui.sim.firmware import Firmware
 
 _ALL_INDICES: Final = range(JOINT_COUNT)
-
-
-class _Arm(Protocol):
-    """The parts of the arm that the commands touch."""
-
-    generation: Generation
-    mechanics: Mechanics
-    condition: Condition
-    teaching: SimulatedTeaching
-    unsupported: Counter[str]
 
 
 class MotionCommandHandler:
     """Obeys 0x150."""
 
-    def __init__(self, arm: _Arm, moves: Moves, enter: Callable[[ControlMode], None]) -> None:
+    def __init__(self, arm: Firmware, moves: Moves, enter: Callable[[ControlMode], None]) -> None:
         """Commands one arm.
 
         Args:

@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable
 from dataclasses import replace
-from typing import Final, Protocol
+from typing import TYPE_CHECKING, Final
 
 from armui.arm.limits import JOINTS, JointLimits
-from armui.arm.models import ModelData
 from armui.arm.units import DEGREES_PER
 from armui.protocol.codec import Codec, InvalidFrame
 from armui.protocol.codes import (
@@ -27,6 +26,9 @@ from armui.sim.parameters.settings import (
     Light,
 )
 
+if TYPE_CHECKING:
+    from armui.sim.parameters.settings_applier import SettingsApplier
+
 Signals = dict[str, float]
 
 _END_LIMIT_NAMES: Final = (
@@ -45,32 +47,6 @@ _ON_OFF: Final = ("On", "Off")
 _READS_ONLY: Final = frozenset({"LimitQuery", "LightControl"})
 
 
-class Arm(Protocol):
-    """What a setting does to the arm beyond the value itself.
-
-    Attributes:
-        model: Which arm it is.
-    """
-
-    model: ModelData
-
-    def set_zero(self, indices: Iterable[int]) -> bool:
-        """Takes the present position of joints (0–5) as their zero; False when it cannot."""
-        ...
-
-    def clear_joint_errors(self, indices: Iterable[int]) -> None:
-        """Clears the errors the drivers of joints (0–5) keep."""
-        ...
-
-    def report_end_motion(self, *, on: bool) -> None:
-        """Switches 0x481–0x486."""
-        ...
-
-    def settings_changed(self) -> None:
-        """Takes over and keeps what may be new."""
-        ...
-
-
 class ParameterServer:
     """Answers questions about the settings, and changes them.
 
@@ -79,7 +55,7 @@ class ParameterServer:
     stored: the answer alone proves nothing, the value read back does.
     """
 
-    def __init__(self, codec: Codec, settings: ArmSettingsRecord, arm: Arm) -> None:
+    def __init__(self, codec: Codec, settings: ArmSettingsRecord, arm: SettingsApplier) -> None:
         self._codec = codec
         self._arm = arm
         self.settings = settings

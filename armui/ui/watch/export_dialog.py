@@ -36,7 +36,7 @@ _STEPS: Final = 1000
 class RunningExport(Protocol):
     """An export under way."""
 
-    def cancel(self) -> None:
+    def end(self) -> None:
         """End it; nothing remains of it."""
 
 
@@ -225,5 +225,5 @@ class ExportDialog(ArmDialog):
         """Nobody waits any more for what is under way."""
         self._number += 1
         if self._under_way is not None:
-            self._under_way.cancel()
+            self._under_way.end()
             self._under_way = None

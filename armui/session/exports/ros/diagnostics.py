@@ -14,10 +14,10 @@ from typing import TYPE_CHECKING, Final
 import numpy as np
 
 from armui.arm.limits import JOINTS
-from armui.protocol.codes import ArmStatusCode
 from armui.protocol.columns import bit_mask
 from armui.session.exports.ros.cdr import CdrWriter
 from armui.session.exports.ros.streams import TimedMessages, nanoseconds
+from armui.session.log_marks import AT_WORK
 from armui.telemetry.quantities import DRIVER_FAULTS, GRIPPER_FAULTS
 
 if TYPE_CHECKING:
@@ -35,14 +35,6 @@ OK, WARN, ERROR, STALE = range(4)
 """Levels of a status."""
 _STATUS: Final = "ArmStatus"
 _GRIPPER: Final = "GripperFeedback"
-_NO_FAULT: Final = frozenset(
-    {
-        ArmStatusCode.NORMAL,
-        ArmStatusCode.TEACHING_RECORDING,
-        ArmStatusCode.TEACHING_RUNNING,
-        ArmStatusCode.TEACHING_PAUSED,
-    }
-)
 _COUNTERS: Final = frozenset({"SpeedPercent", "TrajectoryPoint"})
 """What goes on changing although nothing has happened."""
 _SILENT: Final = "Not heard for half a second"
@@ -188,7 +180,7 @@ class DiagnosticStream:
         if part.messages[0] == _STATUS:
             code = int(main["Status"])
             word = self._codec.word(_STATUS, "Status", code) or f"Code {code}"
-            return (OK if code in _NO_FAULT else ERROR), word
+            return (OK if code in AT_WORK else ERROR), word
         is_gripper = part.messages[0] == _GRIPPER
         names = GRIPPER_FAULTS if is_gripper else DRIVER_FAULTS
         faults = [_words(name) for name in names if main.get(name) == 1]

@@ -12,6 +12,7 @@ from armui.session.exports.columns import TIME_BASE
 from armui.session.exports.ros import links
 from armui.session.exports.ros.cdr import CdrTemplate, CdrWriter
 from armui.session.exports.table import RowTimes, table_rows
+from armui.session.log_model import ANGLES, END_POSE, joint_signals
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -22,8 +23,6 @@ if TYPE_CHECKING:
     from armui.session.exports.history import History
     from armui.session.exports.sink import ExportFacts, TimeSpan
 
-_PAIRS: Final = (("12", "J1", "J2"), ("34", "J3", "J4"), ("56", "J5", "J6"))
-_POSES: Final = (("1", "X", "Y"), ("2", "Z", "RX"), ("3", "RY", "RZ"))
 _US_PER_S: Final = 1_000_000
 _NS_PER_US: Final = 1_000
 _MM_PER_M: Final = 1000.0
@@ -111,9 +110,7 @@ class JointStream:
         self.topic = "/joint_commands" if commanded else "/joint_states"
         message = "JointTarget" if commanded else "JointFeedback"
         self._base = f"{message}56" if commanded else TIME_BASE
-        self._angles = tuple(
-            (f"{message}{pair}", signal) for pair, *signals in _PAIRS for signal in signals
-        )
+        self._angles = joint_signals(message)
         self._speeds = () if commanded else tuple((f"DriverFast{n}", "Speed") for n in range(1, 7))
         unit = codec.unit("DriverFast1", "Speed")
         self._speed_rad = math.radians(DEGREES_PER[unit])
@@ -168,14 +165,13 @@ class EndPoseStream:
         writer.header(0, links.BASE)
         writer.floats([0.0] * 7, "pose")
         self._template = CdrTemplate(writer)
-        self._signals = tuple((f"EndPose{part}", axis) for part, *axes in _POSES for axis in axes)
 
     def messages(self, history: History, span: TimeSpan) -> TimedMessages | None:
         """What a piece of the log adds, see `Stream`."""
         at = table_rows(history, span, "EndPose3")
         if at is None:
             return None
-        poses = signals_at(history, at, self._signals)
+        poses = signals_at(history, at, END_POSE)
         whole = _whole(poses)
         figures = {"pose": links.pose_figures(poses[whole])}
         return _timed(_only(at, whole), self._template, figures)
@@ -195,16 +191,13 @@ class LinkStream:
         self._geometry = facts.geometry
         parents = (links.BASE, *links.LINKS)
         self._template = _transform_template(list(zip(parents, links.LINKS, strict=False)))
-        self._angles = tuple(
-            (f"JointFeedback{pair}", signal) for pair, *signals in _PAIRS for signal in signals
-        )
 
     def messages(self, history: History, span: TimeSpan) -> TimedMessages | None:
         """What a piece of the log adds, see `Stream`."""
         at = table_rows(history, span)
         if at is None:
             return None
-        angles = signals_at(history, at, self._angles)
+        angles = signals_at(history, at, ANGLES)
         whole = _whole(angles)
         transforms = links.link_transforms(self._geometry, angles[whole])
         return _timed(_only(at, whole), self._template, _by_place(transforms))
