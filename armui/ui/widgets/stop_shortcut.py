@@ -86,14 +86,17 @@ class _FirstPicture(QObject):
     def __init__(self, parent: QObject, window: QWidget) -> None:
         super().__init__(parent)
         window.installEventFilter(self)
-        QTimer.singleShot(_PAINTED_WITHIN_MS, self, self.seen)
+        QTimer.singleShot(_PAINTED_WITHIN_MS, self, self._tell)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         """Look at what the window itself gets."""
         if isinstance(event, QPaintEvent):
             watched.removeEventFilter(self)
-            QTimer.singleShot(0, self, self.seen)
+            QTimer.singleShot(0, self, self._tell)
         return False
+
+    def _tell(self) -> None:
+        self.seen.emit()
 
 
 def _press_behind_popup(event: QMouseEvent) -> bool:
