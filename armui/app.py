@@ -19,6 +19,7 @@ from PySide6.QtWidgets import QApplication
 
 from armui.arm.device import DEFAULT_BITRATE, Device, bitrate_is_ours
 from armui.control.arm_controller import ArmController
+from armui.control.operating_state import LinkState, OperatingState
 from armui.control.part_failure import end_motion_of
 from armui.protocol.generation import Generation
 from armui.protocol.piper_model import PiperModel
@@ -29,6 +30,7 @@ from armui.system.failures import Failure, FailureHandler
 from armui.system.helper_process import FileThread, HelperProcess
 from armui.system.log_file import log_to
 from armui.system.quick_start import begun
+from armui.system.thread_priority import raise_in_background
 from armui.ui.dialogs.kept_models import KeptModels, NodeKeeper, last_model
 from armui.ui.main_window import MainWindow
 from armui.ui.theme import Theme, apply_theme, make_application
@@ -51,6 +53,7 @@ _SWITCH_INTERVAL_S: Final = 0.0005
 the bus thread and once for the simulated arm's, is what a pressed stop would wait."""
 
 _CONNECTED_MS: Final = 5000
+_THREADS_BEGUN_MS: Final = 500
 
 
 class _FailureRelay(QObject):
@@ -181,6 +184,23 @@ def _session_choices(store: SettingsStore) -> SessionChoices:
     return choices_of(store.settings)
 
 
+class _GoingFirst(QObject):
+    """Asks the system to run our threads before other programs', again with those of each bus."""
+
+    def __init__(self, app: QApplication, controller: ArmController) -> None:
+        super().__init__(app)
+        self._link = LinkState.NO_DEVICE
+        self._wait = QTimer(self, singleShot=True, interval=_THREADS_BEGUN_MS)
+        self._wait.timeout.connect(raise_in_background)
+        self._wait.start()
+        controller.operating_state_changed.connect(self._on_operating_state)
+
+    def _on_operating_state(self, state: OperatingState) -> None:
+        if state.link is not self._link:
+            self._link = state.link
+            self._wait.start()
+
+
 def run(options: StartOptions) -> int:
     """Open the window and stay until it is closed; returns the exit code."""
     with failures.hooks(), log_to(paths.logs()):
@@ -209,6 +229,7 @@ def _run(options: StartOptions) -> int:
     _end_on_ctrl_c(app)
     program.window.show()
     _preload_when_idle(app, then=program.window.page_doings.reopen)
+    _GoingFirst(app, controller)
     device = chosen_device(options)
     if device is not None:
         # the bus waits for nothing: the picture is loaded in a process of its own

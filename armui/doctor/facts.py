@@ -36,6 +36,8 @@ class ProgramFacts:
         system: Operating system and machine.
         families: The Linux distribution and those it comes from, as in /etc/os-release.
         packages: What the program wants.
+        goes_first: Whether its threads may go before other programs'; None: that was not tried.
+        priority_reason: What stood against it, in the system's words.
     """
 
     armui: str
@@ -45,6 +47,8 @@ class ProgramFacts:
     system: str
     families: tuple[str, ...] = ()
     packages: tuple[PackageFacts, ...] = ()
+    goes_first: bool | None = None
+    priority_reason: str = ""
 
 
 @dataclass(frozen=True, slots=True)

@@ -44,6 +44,7 @@ _APT: Final = {
 }
 """The Debian package of each library that Qt's Linux wheels leave to the system."""
 
+_APT_INSTALL: Final = "sudo apt install"
 _SOFTWARE_RENDERERS: Final = ("llvmpipe", "softpipe", "swrast", "software", "gdi generic")
 
 
@@ -83,7 +84,18 @@ def judge_program(facts: ProgramFacts) -> list[Diagnosis]:
     if needed and not any(each in wrong for each in needed):
         count = {"count": str(len(needed))}
         findings.append(Diagnosis(Section.PROGRAM, "packages", DiagnosisLevel.OK, count))
+    if facts.goes_first is not None:
+        findings.append(_priority(facts))
     return findings
+
+
+def _priority(facts: ProgramFacts) -> Diagnosis:
+    if facts.goes_first:
+        return Diagnosis(Section.PROGRAM, "priority", DiagnosisLevel.OK)
+    text = {"text": facts.priority_reason}
+    tool = _installer(facts.families)
+    commands = (f"{tool} rtkit",) if tool else ()
+    return Diagnosis(Section.PROGRAM, "priority_refused", DiagnosisLevel.NOTE, text, commands)
 
 
 def _package(facts: PackageFacts, executable: str) -> Diagnosis:
@@ -155,13 +167,20 @@ def _opengl(facts: ScreenFacts, families: tuple[str, ...]) -> Diagnosis:
 
 def _install(libraries: tuple[str, ...], families: tuple[str, ...]) -> tuple[str, ...]:
     """How this distribution installs libraries that are known by their files."""
-    if {"debian", "ubuntu"} & set(families):
+    tool = _installer(families)
+    if tool == _APT_INSTALL:
         packages = dict.fromkeys(_APT[each] for each in libraries if each in _APT)
-        return (f"sudo apt install {' '.join(packages)}",) if packages else ()
-    if {"fedora", "rhel", "suse", "opensuse"} & set(families):
-        tool = "dnf" if {"fedora", "rhel"} & set(families) else "zypper"
-        return (f"sudo {tool} install " + " ".join(f"'{each}()(64bit)'" for each in libraries),)
-    return ()
+        return (f"{tool} {' '.join(packages)}",) if packages else ()
+    return (f"{tool} " + " ".join(f"'{each}()(64bit)'" for each in libraries),) if tool else ()
+
+
+def _installer(families: tuple[str, ...]) -> str:
+    """The command that installs what is named behind it; "" for a system that is not known."""
+    if {"debian", "ubuntu"} & set(families):
+        return _APT_INSTALL
+    if {"fedora", "rhel"} & set(families):
+        return "sudo dnf install"
+    return "sudo zypper install" if {"suse", "opensuse"} & set(families) else ""
 
 
 def _quoted(path: str) -> str:

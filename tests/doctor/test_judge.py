@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import pytest
 
 from armui.doctor.facts import (
@@ -88,6 +90,27 @@ def test_an_old_python_is_a_fault():
     assert (
         grave(judge_program(program(suffices=False)))["python_old"].severity is DiagnosisLevel.FAULT
     )
+
+
+@pytest.mark.parametrize(
+    ("families", "commands"),
+    [
+        (UBUNTU, ("sudo apt install rtkit",)),
+        (("fedora",), ("sudo dnf install rtkit",)),
+        (("opensuse",), ("sudo zypper install rtkit",)),
+        ((), ()),
+    ],
+)
+def test_a_system_that_lets_the_program_go_first_and_one_that_does_not(families, commands):
+    facts = ProgramFacts("0.1.0", "3.11.9", True, "/usr/bin/python3", "Linux", families)
+    assert "priority" not in codes(judge_program(facts)), "it was not tried"
+    granted = replace(facts, goes_first=True)
+    assert codes(judge_program(granted))[-1] == "priority"
+    refused = replace(facts, goes_first=False, priority_reason="not at the seat")
+    found = grave(judge_program(refused))["priority_refused"]
+    assert found.severity is DiagnosisLevel.NOTE
+    assert found.params["text"] == "not at the seat"
+    assert found.commands == commands
 
 
 def test_libraries_that_qt_wants_are_installed_by_their_package():

@@ -98,6 +98,8 @@ def test_this_python_and_its_packages():
     assert by_name["numpy"].satisfied
     assert by_name["pyside6-essentials"].installed is not None
     assert by_name["gs-usb"].extra == "adapters"
+    assert ("jeepney" in by_name) == (sys.platform == "linux")
+    assert facts.goes_first == (not facts.priority_reason)
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="Windows finds libraries in another way")

@@ -5,12 +5,14 @@ from __future__ import annotations
 import platform
 import re
 import sys
+import threading
 from importlib import metadata
 from pathlib import Path
 from typing import Final
 
 from armui import __version__
 from armui.doctor.facts import PackageFacts, ProgramFacts
+from armui.system.thread_priority import RaisedBy, Rise, raise_threads
 
 _OLDEST_PYTHON: Final = (3, 11)
 _ADAPTERS: Final = "adapters"
@@ -18,12 +20,14 @@ _REQUIREMENT: Final = re.compile(
     r"^\s*(?P<name>[A-Za-z0-9._-]+)\s*(\[[^]]*\])?\s*\(?(?P<wanted>[^;()]*)\)?\s*(;(?P<marker>.*))?$"
 )
 _EXTRA: Final = re.compile(r"extra\s*==\s*['\"]([^'\"]+)['\"]")
+_SYSTEM: Final = re.compile(r"sys_platform\s*==\s*['\"]([^'\"]+)['\"]")
 _CLAUSE: Final = re.compile(r"(>=|<=|==|!=|<|>|~=)\s*([0-9][0-9A-Za-z.]*)")
 _NUMBERS: Final = re.compile(r"\d+")
 
 
 def look_at_program() -> ProgramFacts:
     """The facts."""
+    rise = try_priority()
     return ProgramFacts(
         armui=__version__,
         python=platform.python_version(),
@@ -31,8 +35,26 @@ def look_at_program() -> ProgramFacts:
         executable=sys.executable,
         system=f"{platform.system()} {platform.release()} {platform.machine()}",
         families=_families(Path("/etc/os-release")),
-        packages=tuple(map(_package, _requirements())),
+        packages=tuple(map(_package, filter(_is_of_this_system, _requirements()))),
+        goes_first=rise.by is not RaisedBy.NOBODY,
+        priority_reason=rise.reason,
     )
+
+
+def try_priority() -> Rise:
+    """Ask for a thread that does nothing and ends: whether it is granted, only trying tells."""
+    rises: list[Rise] = []
+    thread = threading.Thread(
+        target=lambda: rises.append(raise_threads([threading.get_native_id()]))
+    )
+    thread.start()
+    thread.join()
+    return rises[0]
+
+
+def _is_of_this_system(requirement: str) -> bool:
+    system = _SYSTEM.search(requirement)
+    return system is None or system.group(1) == sys.platform
 
 
 def _requirements() -> list[str]:
