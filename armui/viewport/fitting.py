@@ -5,7 +5,6 @@ from __future__ import annotations
 import itertools
 import math
 from collections.abc import Iterable, Sequence
-from dataclasses import replace
 from typing import Final, NamedTuple
 
 from armui.viewport.camera import OrbitCamera, Vector
@@ -140,13 +139,13 @@ def fitted(camera: OrbitCamera, groups: Groups, room: Room, grown: float = 1.0) 
     if not any(groups):
         return camera
     # turned about by the operator, it turns about the middle of the arm
-    camera = replace(camera, focus_m=_middle(groups))
+    camera = camera._replace(focus_m=_middle(groups))
     seen = _seen(camera, groups, room)
     roomy = room.with_air()
     cameras = [_within(camera, seen, box, room) for box in _free_boxes(roomy)]
     cameras.sort(key=lambda each: each.distance_m)
     best = next((each for each in cameras if is_clear(each, groups, roomy, 1.0)), cameras[-1])
-    return replace(best, distance_m=best.distance_m * grown)
+    return best._replace(distance_m=best.distance_m * grown)
 
 
 def outermost(camera: OrbitCamera, groups: Groups) -> list[Sequence[Vector]]:
@@ -199,7 +198,7 @@ def _within(camera: OrbitCamera, seen: Sequence[Vector], box: Box, room: Room) -
     What is seen at the edge of the rectangle is a plane through the eye; each of the four gives a
     condition that is linear in the place and the distance of the camera.
     """
-    unit = Projection(replace(camera, distance_m=1.0), room.width_px, room.height_px)
+    unit = Projection(camera._replace(distance_m=1.0), room.width_px, room.height_px)
     size_px = unit.pixels_a_metre(camera.focus_m)
     middle_x, middle_y = room.width_px / 2.0, room.height_px / 2.0
     left, right = (box.left - middle_x) / size_px, (box.right - middle_x) / size_px
@@ -221,7 +220,7 @@ def _within(camera: OrbitCamera, seen: Sequence[Vector], box: Box, room: Room) -
         focus + across * r + up * u
         for focus, r, u in zip(camera.focus_m, right_axis, up_axis, strict=True)
     )
-    return replace(camera, focus_m=(x, y, z), distance_m=distance)
+    return camera._replace(focus_m=(x, y, z), distance_m=distance)
 
 
 def _box(projection: Projection, group: Sequence[Vector]) -> Box | None:
