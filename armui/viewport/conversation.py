@@ -20,15 +20,17 @@ from armui.viewport.messages import (
     RobotRead,
 )
 from armui.viewport.news import PictureFrame, UpToDate, Wanted
-from armui.viewport.watch import LIMITS, is_stuck
+from armui.viewport.watch import LIMITS, LOOK_S, is_starved, is_stuck, silent_too_long
 
 if TYPE_CHECKING:
     from collections.abc import Callable
 
     from armui.viewport.child_process import ChildProcess
     from armui.viewport.mailbox import Mailbox
+    from armui.viewport.messages import Answer
     from armui.viewport.path_picture import PathPicture
     from armui.viewport.view_state import PickRequest, RobotChoice, ViewState
+    from armui.viewport.watch import ThreadTurns
 
 _LOG = logging.getLogger(__name__)
 
@@ -73,6 +75,7 @@ class Conversation:
         self._sequence = 0
         self._image_bytes = 0
         self._answered_serial = asked_serial
+        self._heartbeat_thread: int | None = None
         self.asked_serial = asked_serial
         self.is_new = True
         self.is_rough = False
@@ -180,13 +183,36 @@ class Conversation:
 
         return state._replace(pick=fresh(state.pick), mark_pick=fresh(state.mark_pick))
 
+    def _hear(self) -> Answer | None:
+        """The next message; None: it hangs, for it is silent though it had its turns."""
+        message = self._child.receive(LIMITS[self.phase].silent_s)
+        if message is not None:
+            return message
+        since_s = time.monotonic() - LIMITS[self.phase].silent_s
+        first = before = self._turns()
+        while (message := self._child.receive(LOOK_S)) is None:
+            now = self._turns()
+            ran_s = sum(now[each].ran_s - first[each].ran_s for each in now.keys() & first.keys())
+            silent_s = time.monotonic() - since_s
+            if not is_starved(before, now, LOOK_S) or silent_too_long(self.phase, silent_s, ran_s):
+                return None
+            before = now
+        return message
+
+    def _turns(self) -> dict[int, ThreadTurns]:
+        """Of the threads that do something: whoever waits for Python's lock stands in line, too."""
+        turns = self._child.turns()
+        return {each: had for each, had in turns.items() if each != self._heartbeat_thread}
+
     def _await(self, kind: type[A]) -> A:
         """The next answer of a kind; what comes before it is told, or noted."""
         since_s = time.monotonic()
         while True:
-            message = self._child.receive(LIMITS[self.phase].silent_s)
+            message = self._hear()
             if message is None:
                 raise ProcessLostError(Refusal(RefusalCode.PICTURE_PROCESS_HUNG))
+            if isinstance(message, Ready):
+                self._heartbeat_thread = message.heartbeat_thread
             if isinstance(message, kind):
                 return message
             if isinstance(message, PictureBusy):

@@ -67,7 +67,13 @@ class Draw:
 
 @dataclass(frozen=True, slots=True)
 class Ready:
-    """The process has imported its libraries and takes requests."""
+    """The process has imported its libraries and takes requests.
+
+    Attributes:
+        heartbeat_thread: The thread that only gives signs of life, as the system numbers it.
+    """
+
+    heartbeat_thread: int | None = None
 
 
 @dataclass(frozen=True, slots=True)

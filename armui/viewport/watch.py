@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections import deque
+from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Final
+from typing import Final, NamedTuple
 
 from armui.viewport.messages import PictureBusy, PicturePhase
 
@@ -27,8 +28,11 @@ LIMITS: Final = {
     PicturePhase.OPENING: Limits(5.0, 5.0),  # a graphics card that wakes up
     PicturePhase.LOADING: Limits(5.0, 20.0),  # large meshes
     PicturePhase.FIRST_DRAWING: Limits(5.0, 5.0),  # a driver compiles its shaders
-    PicturePhase.DRAWING: Limits(1.0, 1.0),
+    PicturePhase.DRAWING: Limits(0.8, 1.0),
 }
+LOOK_S: Final = 0.2
+"""So long a silent process is watched, to tell one that hangs from one that gets no turn."""
+
 _WAITS_SHARE: Final = 0.05
 """A process that takes less of a free processor waits for something that does not come."""
 
@@ -38,6 +42,9 @@ _LATE_S: Final = 0.03
 _STARVED_SHARE: Final = 0.005
 _STARVED_FACTOR: Final = 3.0
 """Even a starved process takes more than that, in so much more time."""
+
+_QUEUED_SHARE: Final = 0.3
+"""A silent process of which a thread stood in line for a processor so long is starved."""
 
 _SPINS_FACTOR: Final = 2.0
 _LONGEST_FACTOR: Final = 20.0
@@ -60,6 +67,53 @@ def is_stuck(busy: PictureBusy, busy_for_s: float) -> bool:
         too_long = busy_for_s >= _STARVED_FACTOR * limit_s
         return too_long and busy.cpu_s < _STARVED_SHARE * busy_for_s
     return busy_for_s >= limit_s and busy.cpu_s < _WAITS_SHARE * busy_for_s
+
+
+class ThreadTurns(NamedTuple):
+    """What a thread has had of the processors so far; seconds.
+
+    Attributes:
+        ran_s: It ran.
+        queued_s: It could have run, and stood in line; counted when its turn comes.
+        wants_to_run: It runs, or stands in line now.
+    """
+
+    ran_s: float
+    queued_s: float
+    wants_to_run: bool
+
+
+def is_starved(
+    before: Mapping[int, ThreadTurns], after: Mapping[int, ThreadTurns], over_s: float
+) -> bool:
+    """Whether a process that is silent stood in line for a processor, rather than hung.
+
+    Args:
+        before: By thread; nothing where the system does not tell.
+        after: The same, later.
+        over_s: How much later.
+    """
+    return any(
+        _stood_in_line(before[each], now, over_s) for each, now in after.items() if each in before
+    )
+
+
+def _stood_in_line(before: ThreadTurns, now: ThreadTurns, over_s: float) -> bool:
+    if before.wants_to_run and now.wants_to_run and now.ran_s == before.ran_s:
+        return True
+    return now.queued_s - before.queued_s >= _QUEUED_SHARE * over_s
+
+
+def silent_too_long(phase: PicturePhase, silent_s: float, ran_s: float) -> bool:
+    """Whether even a starved process would have said something.
+
+    Args:
+        phase: What it is at.
+        silent_s: For how long it has said nothing.
+        ran_s: How much processor time all its threads took meanwhile.
+    """
+    limit_s = LIMITS[phase].silent_s
+    return silent_s >= _LONGEST_FACTOR * limit_s or ran_s >= _SPINS_FACTOR * limit_s
 
 
 class Restarts:

@@ -25,3 +25,8 @@ def endless_loading(connection) -> None:
 
     urdf_file.load_robot = load_robot
     main.run(connection)
+
+
+def sleeping(_connection) -> None:
+    """Says nothing, and does nothing."""
+    threading.Event().wait()

@@ -32,7 +32,13 @@ class Heartbeat:
         self._phase: PicturePhase | None = None
         self._cpu_began_s = 0.0
         self._late_s = 0.0
-        threading.Thread(target=self._beat, name="heartbeat", daemon=True).start()
+        self._thread = threading.Thread(target=self._beat, name="heartbeat", daemon=True)
+        self._thread.start()
+
+    @property
+    def thread_id(self) -> int | None:
+        """Its own thread, as the system numbers it."""
+        return self._thread.native_id
 
     def send(self, message: Answer) -> None:
         """Tell the program something.

@@ -73,7 +73,7 @@ class _Drawing:
     def serve(self, connection: Connection) -> None:
         with self._heart.beating(PicturePhase.STARTING):
             self._painter.open()
-        self._say(Ready())
+        self._say(Ready(self._heart.thread_id))
         stands_back = False
         while True:
             request: Draw = connection.recv()
