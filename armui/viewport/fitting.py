@@ -140,7 +140,7 @@ def fitted(camera: OrbitCamera, groups: Groups, room: Room, grown: float = 1.0) 
         return camera
     # turned about by the operator, it turns about the middle of the arm
     camera = camera._replace(focus_m=_middle(groups))
-    seen = _seen(camera, groups, room)
+    seen = _deciding(_seen(camera, groups, room), camera, room)
     roomy = room.with_air()
     cameras = [_within(camera, seen, box, room) for box in _free_boxes(roomy)]
     cameras.sort(key=lambda each: each.distance_m)
@@ -152,13 +152,14 @@ def outermost(camera: OrbitCamera, groups: Groups) -> list[Sequence[Vector]]:
     """Of many places those that decide where the camera must stand, each by itself."""
     _, right, up = camera.axes()
     places = [place for group in groups for place in group]
+    seen = [(dot(place, right), dot(place, up), place) for place in places]
     ways = [
         (across, upwards)
         for across, upwards in itertools.product((-1.0, 0.0, 1.0), repeat=2)
         if across or upwards
     ]
     chosen = {
-        max(places, key=lambda each: across * dot(each, right) + upwards * dot(each, up))
+        max(seen, key=lambda each: across * each[0] + upwards * each[1])[2]
         for across, upwards in ways
         if places
     }
@@ -190,6 +191,26 @@ def _seen(camera: OrbitCamera, groups: Groups, room: Room) -> list[Vector]:
     projection = Projection(camera, room.width_px, room.height_px)
     seen = [projection.relative(place) for group in groups for place in group]
     return [(across, up, 0.0) for across, up, _ in seen] if camera.orthographic else seen
+
+
+def _deciding(seen: Sequence[Vector], camera: OrbitCamera, room: Room) -> list[Vector]:
+    """Those of many places that can be the outermost in some rectangle of the picture.
+
+    What counts at an edge is how far aside a place is, and a share of how near; the share lies
+    between those of the picture's own edges, and whatever two places differ by is linear in it.
+    """
+    unit = Projection(camera._replace(distance_m=1.0), room.width_px, room.height_px)
+    most = max(room.width_px, room.height_px) / unit.pixels_a_metre(camera.focus_m)
+    chosen = {max(seen, key=lambda each: each[2])}
+    for axis, way in itertools.product((0, 1), (-1.0, 1.0)):
+        best = -math.inf
+        ends = ((way * each[axis] - most * each[2], each) for each in seen)
+        for end, each in sorted(ends, reverse=True):
+            other_end = end + 2.0 * most * each[2]
+            if other_end > best:
+                best = other_end
+                chosen.add(each)
+    return list(chosen)
 
 
 def _within(camera: OrbitCamera, seen: Sequence[Vector], box: Box, room: Room) -> OrbitCamera:
