@@ -206,7 +206,8 @@ class Conversation:
 
     def _await(self, kind: type[A]) -> A:
         """The next answer of a kind; what comes before it is told, or noted."""
-        since_s = time.monotonic()
+        since_s = looked_s = time.monotonic()
+        turns: dict[int, ThreadTurns] = {}
         while True:
             message = self._hear()
             if message is None:
@@ -218,7 +219,10 @@ class Conversation:
             if isinstance(message, PictureBusy):
                 if message.phase is not self.phase:
                     self.phase, since_s = message.phase, time.monotonic()
-                if is_stuck(message, time.monotonic() - since_s):
+                before, before_s = turns, looked_s
+                turns, looked_s = self._turns(), time.monotonic()
+                starved = is_starved(before, turns, looked_s - before_s)
+                if is_stuck(message, looked_s - since_s, starved=starved):
                     raise ProcessLostError(Refusal(RefusalCode.PICTURE_PROCESS_HUNG))
             elif isinstance(message, RobotRead):
                 self._keep(message.content)

@@ -43,14 +43,17 @@ _STARVED_SHARE: Final = 0.005
 _STARVED_FACTOR: Final = 3.0
 """Even a starved process takes more than that, in so much more time."""
 
-_QUEUED_SHARE: Final = 0.3
-"""A silent process of which a thread stood in line for a processor so long is starved."""
+_QUEUED_SHARE: Final = 0.1
+"""A process of which a thread stood in line for a processor so long is starved; one that waits for
+what does not come stands in no line."""
+_STOOD_SHARE: Final = 0.7
+"""A thread that wants to run twice and ran for less of the time between stood in line, too."""
 
 _SPINS_FACTOR: Final = 2.0
 _LONGEST_FACTOR: Final = 20.0
 
 
-def is_stuck(busy: PictureBusy, busy_for_s: float) -> bool:
+def is_stuck(busy: PictureBusy, busy_for_s: float, *, starved: bool = False) -> bool:
     """Whether a process that gives signs of life gets nowhere.
 
     One that is starved by others takes long, too; it wants the processor and does not get it. One
@@ -59,10 +62,13 @@ def is_stuck(busy: PictureBusy, busy_for_s: float) -> bool:
     Args:
         busy: Its last sign of life.
         busy_for_s: How long it has been at it.
+        starved: Whether it was seen standing in line for a processor just now.
     """
     limit_s = LIMITS[busy.phase].stuck_s
     if busy.cpu_s >= _SPINS_FACTOR * limit_s or busy_for_s >= _LONGEST_FACTOR * limit_s:
         return True
+    if starved:
+        return False
     if busy.late_s >= _LATE_S:
         too_long = busy_for_s >= _STARVED_FACTOR * limit_s
         return too_long and busy.cpu_s < _STARVED_SHARE * busy_for_s
@@ -99,8 +105,8 @@ def is_starved(
 
 
 def _stood_in_line(before: ThreadTurns, now: ThreadTurns, over_s: float) -> bool:
-    if before.wants_to_run and now.wants_to_run and now.ran_s == before.ran_s:
-        return True
+    if before.wants_to_run and now.wants_to_run:
+        return now.ran_s - before.ran_s < _STOOD_SHARE * over_s
     return now.queued_s - before.queued_s >= _QUEUED_SHARE * over_s
 
 

@@ -30,6 +30,14 @@ def test_drawing(cpu_s, late_s, busy_for_s, stuck):
     assert is_stuck(PictureBusy(PicturePhase.DRAWING, cpu_s, late_s), busy_for_s) is stuck
 
 
+def test_one_that_was_seen_standing_in_line_is_waited_for_but_not_without_end():
+    slow = PictureBusy(PicturePhase.DRAWING, 0.02, 0.0)
+    assert is_stuck(slow, 2.0)
+    assert not is_stuck(slow, 2.0, starved=True)
+    assert is_stuck(slow, 20.0, starved=True)
+    assert is_stuck(PictureBusy(PicturePhase.DRAWING, 2.0, 0.0), 2.0, starved=True)
+
+
 def test_loading_may_take_longer():
     assert not is_stuck(PictureBusy(PicturePhase.LOADING, 10.0, 0.0), 12.0)
     assert is_stuck(PictureBusy(PicturePhase.LOADING, 0.0, 0.0), 20.0)
@@ -43,7 +51,8 @@ SLEEPS = ThreadTurns(1.0, 1.0, False)
     [
         ({1: SLEEPS}, {1: SLEEPS}, False),  # stopped, or waits for what does not come
         ({1: SLEEPS, 2: SLEEPS}, {1: SLEEPS, 2: ThreadTurns(1.01, 1.06, False)}, True),
-        ({1: SLEEPS}, {1: ThreadTurns(1.01, 1.05, True)}, False),  # had most of its turns
+        ({1: SLEEPS}, {1: ThreadTurns(1.01, 1.01, True)}, False),  # had most of its turns
+        ({1: ThreadTurns(1, 1, True)}, {1: ThreadTurns(1.05, 1, True)}, True),  # shares
         ({1: ThreadTurns(1, 1, True)}, {1: ThreadTurns(1, 1, True)}, True),  # in line all the time
         ({1: ThreadTurns(1, 1, True)}, {1: ThreadTurns(1.2, 1, True)}, False),  # spins
         ({}, {1: ThreadTurns(1, 1, True)}, False),  # begun meanwhile
