@@ -37,7 +37,7 @@ def compiled(monkeypatch):
 def told(source=SOURCE, filename="a.py", *more):
     with compiled_once():
         code = builtins.compile(source, filename, "exec", *more)
-    space = {}
+    space: dict[str, int] = {}
     exec(code, space)
     return space["told"]
 
