@@ -33,7 +33,7 @@ from armui.system.quick_start import begun
 from armui.system.thread_priority import raise_in_background
 from armui.ui.dialogs.kept_models import KeptModels, NodeKeeper, last_model
 from armui.ui.main_window import MainWindow
-from armui.ui.theme import Theme, apply_theme
+from armui.ui.theme import Theme, apply_theme, make_application
 from armui.ui.translation import Translator
 from armui.ui.widgets.stop_shortcut import StopShortcut
 from armui.viewport.view import ArmView
@@ -111,7 +111,7 @@ class Program:
             self.controller, self.view, store, workers, trajectories, files=files
         )
         apply_theme(app, Theme(settings.theme))
-        self._stop_shortcut = StopShortcut(app, self.controller)
+        self._stop_shortcut = StopShortcut(app, self.controller, self.window)
         controller.stop_again_when_undone(settings.stop_again)
         controller.model_watch.assume(last_model(settings.models))
         self._node_keeper = NodeKeeper(controller, KeptModels(store))
@@ -211,7 +211,7 @@ def _run(options: StartOptions) -> int:
     sys.setswitchinterval(_SWITCH_INTERVAL_S)
     QCoreApplication.setApplicationName("armui")
     QApplication.setDesktopFileName("armui")
-    app = QApplication(sys.argv[:1])
+    app = make_application(sys.argv[:1])
     chosen: Choices = {} if options.language is None else {"language": options.language}
     store = SettingsStore(default_path(), for_this_run=chosen)
     opener = partial(open_device, sim_firmware=options.sim_firmware)

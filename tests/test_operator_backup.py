@@ -2,7 +2,6 @@
 
 import errno
 import json
-from dataclasses import replace
 
 import can
 import pytest
@@ -200,7 +199,7 @@ def test_an_arm_without_drag_assistance_keeps_none_and_is_given_none(app_driver,
 def test_what_differs_is_found_chosen_and_restored(arm, tmp_path):
     save(arm, tmp_path / "mine.json")
     limits = arm.firmware.settings.limits
-    limits[1] = replace(limits[1], max_deg=170.0)
+    limits[1] = limits[1]._replace(max_deg=170.0)
     arm.firmware.settings.collision_levels = (1, 1, 5, 1, 1, 1)
     arm.click(arm.box.read_button)
     settled(arm)

@@ -32,7 +32,7 @@ def test_nothing_is_read_and_everything_works():
 def test_without_the_name_inside_pyside_nothing_happens(monkeypatch):
     from armui.system import quick_start  # noqa: PLC0415 - only here
 
-    monkeypatch.setattr(quick_start, "_READS", "no such name")
+    monkeypatch.setattr(quick_start, "_PYTHONS_OWN", "no such name")
     try:
         quick_start.begin_quickly()
     finally:

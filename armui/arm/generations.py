@@ -6,7 +6,7 @@ the other would read differently is not known at all.
 
 from __future__ import annotations
 
-from dataclasses import fields, replace
+from dataclasses import replace
 from typing import Final
 
 from armui.arm.state import ArmState
@@ -33,9 +33,7 @@ _ALIKE: Final = frozenset(
 
 _NOTHING_HEARD: Final = ArmState()
 _UNKNOWN: Final = {
-    field.name: getattr(_NOTHING_HEARD, field.name)
-    for field in fields(ArmState)
-    if field.name not in _ALIKE
+    name: value for name, value in _NOTHING_HEARD._asdict().items() if name not in _ALIKE
 }
 
 
@@ -46,8 +44,8 @@ def common_to_generations(state: ArmState) -> ArmState:
     """
     status = state.status
     if status is not None:
-        neutral = replace(
-            status.value, speed_percent=None, trajectory_point=None, limit_exceeded=(False,) * 6
+        neutral = status.value._replace(
+            speed_percent=None, trajectory_point=None, limit_exceeded=(False,) * 6
         )
         status = replace(status, value=neutral)
-    return replace(state, status=status, **_UNKNOWN)
+    return state._replace(status=status, **_UNKNOWN)

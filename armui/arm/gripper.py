@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import enum
 from collections.abc import Mapping
-from dataclasses import dataclass
+from typing import NamedTuple
 
 
 class GripperFault(enum.Enum):
@@ -18,8 +18,7 @@ class GripperFault(enum.Enum):
     DRIVER = "DriverFault"
 
 
-@dataclass(frozen=True, slots=True)
-class GripperState:
+class GripperState(NamedTuple):
     """What 0x2A8 says.
 
     Attributes:

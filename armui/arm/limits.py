@@ -8,8 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
-from typing import Final
+from typing import Final, NamedTuple
 
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
@@ -21,8 +20,7 @@ ANGLE_STEP_DEG: Final = 0.001
 """The resolution of an angle on the bus."""
 
 
-@dataclass(frozen=True, slots=True)
-class JointLimits:
+class JointLimits(NamedTuple):
     """What one joint may do.
 
     Attributes:

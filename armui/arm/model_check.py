@@ -7,7 +7,6 @@ and the models lie apart by more than 8 mm, or by 60° of the hand (PiPER X), in
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, Final, NamedTuple
 
 from armui.arm.models import ModelData, all_models, model_data
@@ -37,8 +36,7 @@ class FittingArm(NamedTuple):
     older_zeros: bool
 
 
-@dataclass(frozen=True, slots=True)
-class ModelFit:
+class ModelFit(NamedTuple):
     """What the comparison says of the model that was chosen.
 
     Attributes:

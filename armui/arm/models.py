@@ -10,11 +10,10 @@ from __future__ import annotations
 import json
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
 from types import MappingProxyType
-from typing import Final
+from typing import Final, NamedTuple
 
 from armui.arm.json_fields import FieldError, Fields
 from armui.arm.limits import JointLimits
@@ -33,8 +32,7 @@ class ModelFileError(Exception):
     """A model's data file that is missing or wrong; names the file and the field."""
 
 
-@dataclass(frozen=True, slots=True)
-class LinkMass:
+class LinkMass(NamedTuple):
     """The mass of a link.
 
     Attributes:
@@ -49,8 +47,7 @@ class LinkMass:
     centre_mm: tuple[float, float, float]
 
 
-@dataclass(frozen=True, slots=True)
-class TorqueCoefficients:
+class TorqueCoefficients(NamedTuple):
     """How a motor's current becomes a torque at the output, joint 1 first.
 
     Attributes:
@@ -64,8 +61,7 @@ class TorqueCoefficients:
     c: tuple[float, ...] | None
 
 
-@dataclass(frozen=True, slots=True)
-class GripperMounting:
+class GripperMounting(NamedTuple):
     """The maker's gripper on the flange.
 
     Attributes:
@@ -82,8 +78,7 @@ class GripperMounting:
     strokes_mm: tuple[float, ...]
 
 
-@dataclass(frozen=True, slots=True)
-class ModelData:
+class ModelData(NamedTuple):
     """One arm of the family.
 
     Attributes:

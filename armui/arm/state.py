@@ -7,9 +7,9 @@ Nothing here is assumed: what has not been heard is ``None``. Times are those of
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from types import MappingProxyType
-from typing import Annotated, Final, Generic, TypeVar
+from typing import Annotated, Final, Generic, NamedTuple, TypeVar
 
 from armui.arm.gripper import GripperState
 from armui.arm.limits import JOINTS, JointLimits
@@ -44,8 +44,7 @@ class Reading(Generic[T]):
         return is_fresh(self.at_s, now_s)
 
 
-@dataclass(frozen=True, slots=True)
-class Status:
+class Status(NamedTuple):
     """What 0x2A1 says; codes are those of the protocol table.
 
     Attributes:
@@ -68,8 +67,7 @@ class Status:
     communication_fault: Six[bool]
 
 
-@dataclass(frozen=True, slots=True)
-class DriverFast:
+class DriverFast(NamedTuple):
     """What 0x251–0x256 say of one motor.
 
     Attributes:
@@ -83,8 +81,7 @@ class DriverFast:
     position_deg: float | None
 
 
-@dataclass(frozen=True, slots=True)
-class DriverSlow:
+class DriverSlow(NamedTuple):
     """What 0x261–0x266 say of one driver; a fault the generation has no bit for is ``None``."""
 
     voltage_v: float
@@ -118,8 +115,7 @@ class DriverSlow:
         return sum(1 << bit for bit, flag in enumerate(flags) if flag)
 
 
-@dataclass(frozen=True, slots=True)
-class EndLimits:
+class EndLimits(NamedTuple):
     """What the end of the arm may do, 0x478."""
 
     max_linear_speed_m_s: Annotated[float, "MaxLinearSpeed"]
@@ -128,8 +124,7 @@ class EndLimits:
     max_angular_acceleration_rad_s2: Annotated[float, "MaxAngularAcceleration"]
 
 
-@dataclass(frozen=True, slots=True)
-class TeachingHandleSettings:
+class TeachingHandleSettings(NamedTuple):
     """What generation 2 keeps for the teaching handle and the gripper, 0x47E.
 
     Attributes:
@@ -143,8 +138,7 @@ class TeachingHandleSettings:
     friction: Annotated[float, "Friction"]
 
 
-@dataclass(frozen=True, slots=True)
-class EndMotion:
+class EndMotion(NamedTuple):
     """A joint's part in the motion of the end, 0x481–0x486; sent only while switched on."""
 
     linear_speed_m_s: Annotated[float, "LinearSpeed"]
@@ -164,8 +158,7 @@ _NOTHING: Final = (None, None, None, None, None, None)
 _NO_INVALID_FRAMES: Final[Mapping[str, int]] = MappingProxyType({})
 
 
-@dataclass(frozen=True, slots=True)
-class ArmState:
+class ArmState(NamedTuple):
     """Everything last heard from one arm.
 
     Attributes:
@@ -218,7 +211,7 @@ class ArmState:
     status_heard_s: tuple[float | None, ...] = (None, None, None)
     foreign_targets_s: float | None = None
     frames: int = 0
-    invalid_frames: Mapping[str, int] = field(default_factory=lambda: _NO_INVALID_FRAMES)
+    invalid_frames: Mapping[str, int] = _NO_INVALID_FRAMES
 
     def online(self, now_s: float) -> bool:
         """Whether the arm has been heard within the last half second."""

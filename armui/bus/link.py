@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import enum
-from dataclasses import dataclass
+from typing import NamedTuple
 
 from armui.arm.device import Device
 from armui.arm.refusal import Refusal
@@ -23,8 +23,7 @@ class BusState(enum.Enum):
     CLOSED = enum.auto()
 
 
-@dataclass(frozen=True, slots=True)
-class BusReport:
+class BusReport(NamedTuple):
     """What the bus thread says of its device.
 
     Attributes:

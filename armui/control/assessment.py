@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, field
+from typing import NamedTuple
 
 from armui.arm.device import Device
 from armui.arm.limits import plausible
@@ -26,8 +27,7 @@ from armui.control.safety import interlocks
 from armui.protocol.generation import Generation
 
 
-@dataclass(frozen=True, slots=True)
-class ActiveTasks:
+class ActiveTasks(NamedTuple):
     """What the program itself is doing to the arm; see :class:`OperatingState` for the fields."""
 
     running: bool = False
@@ -57,7 +57,7 @@ class AssessmentInputs:
     generation: Generation | None
     authority: Authority
     other_host: OtherHostReport | None = None
-    tasks: ActiveTasks = ActiveTasks()
+    tasks: ActiveTasks = field(default_factory=ActiveTasks)
     stop_lapsed: bool = False
     model_fit: ModelFit = field(default_factory=ModelFit)
     offsets: OffsetFollower = field(default_factory=OffsetFollower)

@@ -7,7 +7,6 @@ the place the next step starts from while it is the last one the arm got; `End` 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
 from typing import TYPE_CHECKING, Final
 
 from armui.arm.refusal import Refusal
@@ -95,7 +94,7 @@ class Authority:
         if end is not None:
             self._end(end)
         if seen.waiting and self.command is not None:
-            self.command = replace(self.command, sent_s=now_s)
+            self.command = self.command._replace(sent_s=now_s)
         self._follow_hold(seen)
         self._follow_cancel(now_s)
         self.overspeed = self._overspeed.observe(state, self._percent_shown, seen.factory_limits)
@@ -250,7 +249,7 @@ class Authority:
         """The next setpoint of a stream; ``None`` if the command is not ours to go on with."""
         if not self.is_current(command):
             return None
-        self.command = replace(command, joints_deg=tuple(joints_deg), sent_s=now_s)
+        self.command = command._replace(joints_deg=tuple(joints_deg), sent_s=now_s)
         return self.command
 
     def told_percent(self, percent: int) -> None:
@@ -259,7 +258,7 @@ class Authority:
         seen = self._seen
         if percent > 0:
             if self.command is not None:
-                self.command = replace(self.command, speed_percent=percent)
+                self.command = self.command._replace(speed_percent=percent)
                 self._overspeed.restart()
         elif seen is not None and (self.under_way or self._moves):
             self.holds |= {Hold.SPEED_ZERO}
@@ -273,7 +272,7 @@ class Authority:
         """Note that the arm was told to continue a motion that was held back."""
         self.holds = frozenset()
         if self.command is not None:
-            self.command = replace(self.command, sent_s=now_s)
+            self.command = self.command._replace(sent_s=now_s)
 
     def cancelled(self, now_s: float) -> None:
         """The arm was told to end its motion: what was asked for before never comes back."""
@@ -358,7 +357,7 @@ class Authority:
         if taught(state):
             return End.TAUGHT
         if status.value.arm_status not in MOVABLE_STATUSES:  # it may move on, but not to there
-            self.command = replace(command, joints_deg=None, tool=None)
+            self.command = command._replace(joints_deg=None, tool=None)
         late = status.at_s - command.sent_s > _TAKEN_IN_S
         if late and status.value.control_mode != ControlMode.CAN_CONTROL:
             return End.OTHER_MODE
@@ -370,7 +369,7 @@ class Authority:
             return None
         if command.joints_deg is None:
             # a pose: which angles the arm takes there is its own choice
-            self.command = replace(command, joints_deg=measured_deg)
+            self.command = command._replace(joints_deg=measured_deg)
             return None
         away_deg = max(
             abs(asked - measured)

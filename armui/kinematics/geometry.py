@@ -9,7 +9,6 @@ from __future__ import annotations
 import enum
 import math
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
 from typing import Final, NamedTuple
 
 MIDDLES_DEG: Final = (0.0, 90.0, -85.0, 0.0, 0.0, 0.0)
@@ -52,8 +51,7 @@ class GeometryError(ValueError):
     """A DH table of an arm that no closed form here is for."""
 
 
-@dataclass(frozen=True, slots=True)
-class Geometry:
+class Geometry(NamedTuple):
     """An arm's dimensions. Made by `from_dh`.
 
     Attributes:

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import enum
 import re
-from dataclasses import dataclass, replace
 from functools import cache
 from typing import Any, Final, NamedTuple
 
@@ -78,8 +77,7 @@ SixFactors = tuple[float, float, float, float, float, float]
 _AS_MOVE_J: Final[SixSigns] = (1, 1, 1, 1, 1, 1)
 
 
-@dataclass(frozen=True, slots=True)
-class FirmwareQuirks:
+class FirmwareQuirks(NamedTuple):
     """What an arm with one firmware version does, and which frames it has.
 
     Attributes:
@@ -215,5 +213,5 @@ def quirks_of(version: FirmwareVersion, model: PiperModel = PiperModel.PIPER) ->
     quirks = FirmwareQuirks(version, model, bugs=_BUGS.get(version, frozenset()))
     for change in _CHANGES:
         if model in change.models and max(version, FIRST) >= change.since:
-            quirks = replace(quirks, **change.fields)
+            quirks = quirks._replace(**change.fields)
     return quirks

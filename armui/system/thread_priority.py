@@ -11,7 +11,6 @@ Source: setpriority(2), sched(7), rtkit's README, SetPriorityClass.
 from __future__ import annotations
 
 import contextlib
-import ctypes
 import enum
 import logging
 import os
@@ -20,6 +19,9 @@ import threading
 from collections.abc import Iterable
 from pathlib import Path
 from typing import Final, NamedTuple
+
+if sys.platform == "win32":
+    import ctypes
 
 _LOG: Final = logging.getLogger(__name__)
 

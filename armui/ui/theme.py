@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import enum
 import string
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Final, NamedTuple
 
@@ -126,6 +127,10 @@ _CJK_FAMILIES: Final = (
 )
 
 _SMALLEST_FONT_PT: Final = 10.0
+_STYLE: Final = "Fusion"
+_IN_STYLE: Final = "in_style"
+"""The application's property that says it was made in the style."""
+
 _FOLLOWER: Final = "scheme_follower"
 """The application's property that holds who follows the system's colours."""
 
@@ -152,6 +157,16 @@ def scaled_font(widget: QWidget, scale: float, *, bold: bool = False) -> QFont:
     return font
 
 
+def make_application(arguments: Sequence[str]) -> QApplication:
+    """Qt's application in the program's style.
+
+    To set the style later has PySide make the class of styles, with its 566 names, at the start.
+    """
+    app = QApplication([*arguments, "-style", _STYLE])
+    app.setProperty(_IN_STYLE, True)
+    return app
+
+
 def apply_theme(app: QApplication, theme: Theme, *, before_windows: bool = False) -> None:
     """Show the whole program in a theme, now.
 
@@ -163,7 +178,8 @@ def apply_theme(app: QApplication, theme: Theme, *, before_windows: bool = False
     """
     follower = app.property(_FOLLOWER)  # to look for a child has PySide load every class there is
     if follower is None:
-        app.setStyle("Fusion")
+        if not app.property(_IN_STYLE):
+            app.setStyle(_STYLE)
         app.setFont(ui_font())
         follower = _SchemeFollower(app)
         app.setProperty(_FOLLOWER, follower)

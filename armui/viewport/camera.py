@@ -4,8 +4,7 @@ from __future__ import annotations
 
 import enum
 import math
-from dataclasses import dataclass, replace
-from typing import Final
+from typing import Final, NamedTuple
 
 VIEW_ANGLE_DEG: Final = 30.0
 """Opening angle of the shorter side of the picture."""
@@ -27,8 +26,7 @@ class ViewDirection(enum.Enum):
     ISO = "iso"
 
 
-@dataclass(frozen=True)
-class OrbitCamera:
+class OrbitCamera(NamedTuple):
     """Looks at a point from a direction; Z stays up, so the arm never tips over on the screen.
 
     Attributes:
@@ -49,8 +47,7 @@ class OrbitCamera:
     def orbit(self, dx_px: float, dy_px: float) -> OrbitCamera:
         """The camera after a drag that turns: the scene follows the pointer."""
         elevation_deg = self.elevation_deg + dy_px * _DEG_PER_PIXEL
-        return replace(
-            self,
+        return self._replace(
             azimuth_deg=(self.azimuth_deg - dx_px * _DEG_PER_PIXEL) % 360.0,
             elevation_deg=min(_STEEPEST_DEG, max(-_STEEPEST_DEG, elevation_deg)),
         )
@@ -60,8 +57,7 @@ class OrbitCamera:
         visible_m = 2.0 * self.distance_m * math.tan(math.radians(VIEW_ANGLE_DEG / 2.0))
         metres_per_px = visible_m / max(shorter_side_px, 1.0)
         _, right, up = self.axes()
-        return replace(
-            self,
+        return self._replace(
             focus_m=_along(
                 _along(self.focus_m, right, -dx_px * metres_per_px), up, dy_px * metres_per_px
             ),
@@ -70,12 +66,12 @@ class OrbitCamera:
     def zoom(self, steps: float) -> OrbitCamera:
         """The camera nearer (steps above zero) or farther, within sensible distances."""
         distance_m = self.distance_m * _ZOOM_PER_STEP**steps
-        return replace(self, distance_m=min(_FARTHEST_M, max(_NEAREST_M, distance_m)))
+        return self._replace(distance_m=min(_FARTHEST_M, max(_NEAREST_M, distance_m)))
 
     def turned_to(self, direction: ViewDirection) -> OrbitCamera:
         """The camera with its eye in another direction from the same point."""
         azimuth_deg, elevation_deg = _DIRECTIONS_DEG[direction]
-        return replace(self, azimuth_deg=azimuth_deg, elevation_deg=elevation_deg)
+        return self._replace(azimuth_deg=azimuth_deg, elevation_deg=elevation_deg)
 
     @property
     def eye_m(self) -> Vector:

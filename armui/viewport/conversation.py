@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import logging
 import time
-from dataclasses import replace
 from typing import TYPE_CHECKING, TypeVar
 
 from armui.arm.refusal import Refusal
@@ -157,7 +156,7 @@ class Conversation:
         is_new_path = path is not None and path is not self._path
         message = Draw(
             wanted.sequence,
-            replace(state, preview=replace(state.preview, path=None)),
+            state._replace(preview=state.preview._replace(path=None)),
             self._slot,
             memory=None if memory is self._memory else memory.name,
             path=path if is_new_path else None,
@@ -182,7 +181,7 @@ class Conversation:
             self.asked_serial = max(self.asked_serial, question.serial)
             return question
 
-        return replace(state, pick=fresh(state.pick), mark_pick=fresh(state.mark_pick))
+        return state._replace(pick=fresh(state.pick), mark_pick=fresh(state.mark_pick))
 
     def _hear(self) -> Answer | None:
         """The next message; None: it hangs, for it is silent though it had its turns."""

@@ -5,7 +5,6 @@ from __future__ import annotations
 import itertools
 import math
 from collections.abc import Iterable, Sequence
-from dataclasses import replace
 from typing import Final, NamedTuple
 
 from armui.viewport.camera import OrbitCamera, Vector
@@ -140,26 +139,27 @@ def fitted(camera: OrbitCamera, groups: Groups, room: Room, grown: float = 1.0) 
     if not any(groups):
         return camera
     # turned about by the operator, it turns about the middle of the arm
-    camera = replace(camera, focus_m=_middle(groups))
-    seen = _seen(camera, groups, room)
+    camera = camera._replace(focus_m=_middle(groups))
+    seen = _deciding(_seen(camera, groups, room), camera, room)
     roomy = room.with_air()
     cameras = [_within(camera, seen, box, room) for box in _free_boxes(roomy)]
     cameras.sort(key=lambda each: each.distance_m)
     best = next((each for each in cameras if is_clear(each, groups, roomy, 1.0)), cameras[-1])
-    return replace(best, distance_m=best.distance_m * grown)
+    return best._replace(distance_m=best.distance_m * grown)
 
 
 def outermost(camera: OrbitCamera, groups: Groups) -> list[Sequence[Vector]]:
     """Of many places those that decide where the camera must stand, each by itself."""
     _, right, up = camera.axes()
     places = [place for group in groups for place in group]
+    seen = [(dot(place, right), dot(place, up), place) for place in places]
     ways = [
         (across, upwards)
         for across, upwards in itertools.product((-1.0, 0.0, 1.0), repeat=2)
         if across or upwards
     ]
     chosen = {
-        max(places, key=lambda each: across * dot(each, right) + upwards * dot(each, up))
+        max(seen, key=lambda each: across * each[0] + upwards * each[1])[2]
         for across, upwards in ways
         if places
     }
@@ -193,13 +193,33 @@ def _seen(camera: OrbitCamera, groups: Groups, room: Room) -> list[Vector]:
     return [(across, up, 0.0) for across, up, _ in seen] if camera.orthographic else seen
 
 
+def _deciding(seen: Sequence[Vector], camera: OrbitCamera, room: Room) -> list[Vector]:
+    """Those of many places that can be the outermost in some rectangle of the picture.
+
+    What counts at an edge is how far aside a place is, and a share of how near; the share lies
+    between those of the picture's own edges, and whatever two places differ by is linear in it.
+    """
+    unit = Projection(camera._replace(distance_m=1.0), room.width_px, room.height_px)
+    most = max(room.width_px, room.height_px) / unit.pixels_a_metre(camera.focus_m)
+    chosen = {max(seen, key=lambda each: each[2])}
+    for axis, way in itertools.product((0, 1), (-1.0, 1.0)):
+        best = -math.inf
+        ends = ((way * each[axis] - most * each[2], each) for each in seen)
+        for end, each in sorted(ends, reverse=True):
+            other_end = end + 2.0 * most * each[2]
+            if other_end > best:
+                best = other_end
+                chosen.add(each)
+    return list(chosen)
+
+
 def _within(camera: OrbitCamera, seen: Sequence[Vector], box: Box, room: Room) -> OrbitCamera:
     """The nearest camera that shows everything in a rectangle.
 
     What is seen at the edge of the rectangle is a plane through the eye; each of the four gives a
     condition that is linear in the place and the distance of the camera.
     """
-    unit = Projection(replace(camera, distance_m=1.0), room.width_px, room.height_px)
+    unit = Projection(camera._replace(distance_m=1.0), room.width_px, room.height_px)
     size_px = unit.pixels_a_metre(camera.focus_m)
     middle_x, middle_y = room.width_px / 2.0, room.height_px / 2.0
     left, right = (box.left - middle_x) / size_px, (box.right - middle_x) / size_px
@@ -221,7 +241,7 @@ def _within(camera: OrbitCamera, seen: Sequence[Vector], box: Box, room: Room) -
         focus + across * r + up * u
         for focus, r, u in zip(camera.focus_m, right_axis, up_axis, strict=True)
     )
-    return replace(camera, focus_m=(x, y, z), distance_m=distance)
+    return camera._replace(focus_m=(x, y, z), distance_m=distance)
 
 
 def _box(projection: Projection, group: Sequence[Vector]) -> Box | None:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import enum
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, NamedTuple
 
 from armui.viewport.grip_drag import GripDrag
@@ -30,8 +29,7 @@ class HandleKind(enum.Enum):
     """Each joint."""
 
 
-@dataclass(frozen=True)
-class HandlePlace:
+class HandlePlace(NamedTuple):
     """Where handles are wanted.
 
     Attributes:

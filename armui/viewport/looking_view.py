@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QTimer, Signal
@@ -140,7 +139,7 @@ class LookingView(PictureView):
             corner = Box(width - self._corner_px[0], height - self._corner_px[1], width, height)
         room = Room(width, height, figures, corner, self._strip_px)
         self._viewpoint.take_room(room)
-        self._state = replace(self._state, camera=self._viewpoint.camera)
+        self._state = self._state._replace(camera=self._viewpoint.camera)
 
     def _on_robot_shown(self, shape: RobotShape) -> None:
         self._shape = shape
@@ -161,7 +160,7 @@ class LookingView(PictureView):
             if self.mode is ViewMode.FOLLOW or not self._glance.isActive():
                 self._glance.start()
                 self._take_arm(state)
-                state = replace(state, camera=self._viewpoint.camera)
+                state = state._replace(camera=self._viewpoint.camera)
         self._show(state)
 
     def _take_arm(self, state: ViewState) -> None:
@@ -171,10 +170,10 @@ class LookingView(PictureView):
     def _on_glance(self) -> None:
         if self.isVisible():
             self._take_arm(self._state)
-            self._show(replace(self._state, camera=self._viewpoint.camera))
+            self._show(self._state._replace(camera=self._viewpoint.camera))
 
     def _take_camera(self) -> None:
-        self._show(replace(self._state, camera=self._viewpoint.camera))
+        self._show(self._state._replace(camera=self._viewpoint.camera))
         self.view_changed.emit()
 
     def _is_worth_showing(self, shown: ViewState) -> bool:

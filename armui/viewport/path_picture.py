@@ -6,7 +6,7 @@ No numpy at run time: the view knows these, and the view is made before the libr
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 if TYPE_CHECKING:
     import numpy as np
@@ -15,8 +15,7 @@ if TYPE_CHECKING:
     Array = NDArray[np.float64]
 
 
-@dataclass(frozen=True)
-class FindingMark:
+class FindingMark(NamedTuple):
     """Something that a check has found, where it would happen.
 
     Attributes:
@@ -69,8 +68,7 @@ class PathPicture:
         return tuple((x / 1e3, y / 1e3, z / 1e3) for x, y, z in outermost)
 
 
-@dataclass(frozen=True)
-class Preview:
+class Preview(NamedTuple):
     """Everything shown beside the arm itself.
 
     Attributes:
@@ -86,8 +84,7 @@ class Preview:
     current_row: int | None = None
 
 
-@dataclass(frozen=True)
-class Trail:
+class Trail(NamedTuple):
     """Where the tool has been, and where it was asked to be; the newest place last.
 
     Attributes:
@@ -99,8 +96,7 @@ class Trail:
     commanded: bytes = b""
 
 
-@dataclass(frozen=True)
-class Reach:
+class Reach(NamedTuple):
     """What the tool's reach is worked out from.
 
     Attributes:

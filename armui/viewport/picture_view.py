@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import itertools
 import math
-from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import (
@@ -177,8 +176,7 @@ class PictureView(QWidget):
     def _fit_size(self) -> None:
         """Ask for a picture as large as the widget, in device pixels."""
         ratio = self.devicePixelRatioF()
-        self._state = replace(
-            self._state,
+        self._state = self._state._replace(
             width_px=max(1, round(self.width() * ratio)),
             height_px=max(1, round(self.height() * ratio)),
             pixel_ratio=ratio,

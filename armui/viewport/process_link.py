@@ -10,7 +10,6 @@ from __future__ import annotations
 import logging
 import threading
 import time
-from dataclasses import replace
 from typing import TYPE_CHECKING, Final
 
 from armui.arm.refusal import Refusal
@@ -165,7 +164,7 @@ class ProcessLink:
 
     def _without_bad_robot(self, state: ViewState) -> ViewState:
         bad = state.robot == self._put_aside
-        return replace(state, robot=self._proven) if bad else state
+        return state._replace(robot=self._proven) if bad else state
 
     def _blames_robot(self, conversation: Conversation, reason: Refusal) -> bool:
         """Put a robot aside whose loading or first picture was the end of the process."""

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QEvent, QPointF, Qt, Signal
@@ -113,12 +112,12 @@ class ArmView(LookingView):
             raise ValueError(f"{len(angles_deg)} joint angles instead of {len(JOINTS)}")
         angles = None if angles_deg is None else tuple(angles_deg)
         shown = self._state.angles_deg if look_alike(angles, self._state.angles_deg) else angles
-        self._look_at(replace(self._state, angles_deg=shown, gripper_mm=gripper_mm, stale=stale))
+        self._look_at(self._state._replace(angles_deg=shown, gripper_mm=gripper_mm, stale=stale))
         self._set_hud(self._hud._replace(angles_deg=angles, angles_stale=stale))
 
     def forget_joints(self) -> None:
         """Nothing is known of the angles any more: the arm stays where it was seen last, faded."""
-        self._look_at(replace(self._state, stale=True))
+        self._look_at(self._state._replace(stale=True))
         self._set_hud(self._hud._replace(angles_deg=None, angles_stale=True))
 
     def set_pose(self, pose: Sequence[float] | None, stale: bool = False) -> None:
@@ -129,7 +128,7 @@ class ArmView(LookingView):
 
     def set_theme(self, palette: ScenePalette) -> None:
         """Take the colours of another theme."""
-        self._show(replace(self._state, palette=palette))
+        self._show(self._state._replace(palette=palette))
         self.update()
 
     def set_robot(self, path: Path | None) -> None:
@@ -139,27 +138,27 @@ class ArmView(LookingView):
             path: the URDF file; None: the project's own arm.
         """
         choice = RobotChoice(path or BUILT_IN_ROBOT.path, self._state.robot.serial + 1)
-        self._show(replace(self._state, robot=choice))
+        self._show(self._state._replace(robot=choice))
 
     def highlight_joint(self, number: int | None) -> None:
         """Give the links moved by joint 1–6 the accent colour; None takes it away."""
-        self._show(replace(self._state, highlighted_joint=number))
+        self._show(self._state._replace(highlighted_joint=number))
 
     def set_preview(self, preview: Preview) -> None:
         """Show a path, its marks and a ghost beside the arm; `NOTHING` takes them away."""
         path = preview.path
         if path is not self._state.preview.path:
             self._viewpoint.take_places(() if path is None else path.outermost_m())
-        self._look_at(replace(self._state, preview=preview))
+        self._look_at(self._state._replace(preview=preview))
 
     def set_trail(self, trail: Trail | None) -> None:
         """Show where the tool has been."""
-        self._show(replace(self._state, trail=trail))
+        self._show(self._state._replace(trail=trail))
 
     def set_reach(self, reach: Reach | None) -> None:
         """Show how far the tool could reach, or no longer."""
         self._viewpoint.take_reach(reach)
-        self._show(replace(self._state, reach=reach, camera=self._viewpoint.camera))
+        self._show(self._state._replace(reach=reach, camera=self._viewpoint.camera))
 
     def set_tool(self, tool: Sequence[float]) -> None:
         """The tool centre point in the flange: X, Y, Z in mm, RX, RY, RZ in degrees."""
@@ -306,7 +305,7 @@ class ArmView(LookingView):
         if finding is not None:
             self.finding_picked.emit(finding)
         else:
-            self._show(replace(self._state, mark_pick=self._question(clicked)))
+            self._show(self._state._replace(mark_pick=self._question(clicked)))
 
     def _hover(self, at: QPointF) -> None:
         projection = self.projection
@@ -318,7 +317,7 @@ class ArmView(LookingView):
     def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
         """Ask which link is there."""
         if event.button() == Qt.MouseButton.LeftButton:
-            self._show(replace(self._state, pick=self._question(event.position())))
+            self._show(self._state._replace(pick=self._question(event.position())))
 
     def _question(self, at: QPointF) -> PickRequest:
         """What is seen there?"""

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from pathlib import Path
 from typing import Final, NamedTuple
 
@@ -32,8 +31,7 @@ BUILT_IN_ROBOT: Final = RobotChoice(robot_description(PiperModel.PIPER))
 """The project's own PiPER."""
 
 
-@dataclass(frozen=True)
-class ViewState:
+class ViewState(NamedTuple):
     """Everything the picture depends on.
 
     Attributes:

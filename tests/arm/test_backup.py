@@ -183,7 +183,7 @@ def test_an_empty_list_and_a_pit_of_brackets():
 
 # Comparison ---------------------------------------------------------------------------------------
 
-STATE = replace(ArmState(), limits=(Reading(JointLimits(-150.0, 140.0, 170.0), 1.0), *(None,) * 5))
+STATE = ArmState()._replace(limits=(Reading(JointLimits(-150.0, 140.0, 170.0), 1.0), *(None,) * 5))
 
 
 def verdicts(filed, known, same=lambda _parameter, value: value == -150.0):

@@ -1,7 +1,5 @@
 """Before the generation is known, only what both mean alike is known of an arm."""
 
-from dataclasses import replace
-
 from armui.arm.generations import common_to_generations
 from armui.arm.tracker import Tracker
 from armui.protocol.codec import Codec
@@ -28,7 +26,7 @@ def heard(generation):
 
 def test_both_generations_give_the_same():
     one, two = (
-        replace(common_to_generations(heard(generation)), invalid_frames={})
+        common_to_generations(heard(generation))._replace(invalid_frames={})
         for generation in Generation
     )
     assert one == two

@@ -43,14 +43,14 @@ def main():
     from armui.system.quick_start import begin_quickly, begun
     begin_quickly()  # as the command does
     from PySide6.QtCore import QTimer
-    from PySide6.QtWidgets import QApplication
     from armui.app import Program, SIMULATED, open_device
     from armui.control.arm_controller import ArmController
     from armui.control.operating_state import LinkState
     from armui.system.helper_process import HelperProcess
     from armui.settings import SettingsStore
+    from armui.ui.theme import make_application
 
-    app = QApplication([])
+    app = make_application([])
     controller = ArmController(open_device, SIMULATED)
     program = Program(app, SettingsStore(Path(sys.argv[1])), controller, HelperProcess())
     program.window.resize(1280, 800)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import enum
-from dataclasses import replace
 from typing import Any
 
 from armui.arm.limits import JointLimits
@@ -39,7 +38,7 @@ def status(**changes) -> Status:
         name: int(each) if isinstance(each, enum.IntEnum) else each
         for name, each in changes.items()
     }
-    return replace(NORMAL, **plain)
+    return NORMAL._replace(**plain)
 
 
 DRIVER = DriverSlow(24.0, 30.0, 30.0, 0.0, *(False,) * 5, True, None, None, False, False)
@@ -76,7 +75,7 @@ class Arm:
             self._status = Reading(self.status, now_s)
         if "joints" not in self.silent:
             self._joints = heard_six(self.joints_deg, now_s)
-        driver = Reading(replace(DRIVER, enabled=self.enabled), now_s)
+        driver = Reading(DRIVER._replace(enabled=self.enabled), now_s)
         limits = None if self.limits is None else Reading(self.limits, now_s)
         state = ArmState(
             last_feedback_s=now_s,

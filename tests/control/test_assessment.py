@@ -23,7 +23,7 @@ from tests.control.heard_arm import DRIVER, HERE, NORMAL, THERE, Arm, status
 from tests.family import FACTORY_LIMITS
 
 DEVICE = Device("virtual", "one")
-OFF = replace(DRIVER, enabled=False)
+OFF = DRIVER._replace(enabled=False)
 LIMITS = JointLimits(-90.0, 90.0, 100.0)
 
 
@@ -62,7 +62,7 @@ class Console:
 
     def does(self, **fields) -> None:
         """What the program does to the arm."""
-        self.given(tasks=replace(self.inputs.tasks, **fields))
+        self.given(tasks=self.inputs.tasks._replace(**fields))
 
     def assess(self):
         """What the operator can do."""

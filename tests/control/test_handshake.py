@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 import pytest
 
 from armui.arm.state import ArmState, Reading, Status
@@ -21,8 +19,7 @@ BEGIN_S = 0.25
 STEP_S = 0.015625
 VERSION = Frame(0x4AF, bytes.fromhex("01 00 00 00 00 00 00 00"))
 NOTHING = ArmState()
-ALL_LIMITS = replace(
-    NOTHING,
+ALL_LIMITS = NOTHING._replace(
     limits=heard_six(FACTORY_LIMITS, BEGIN_S),
     accelerations_deg_s2=(Reading(286.5, BEGIN_S),) * 6,
 )
@@ -74,7 +71,7 @@ class Talk:
 
     def settle(self) -> None:
         """The arm names its version."""
-        self.wait(STEP_S, replace(NOTHING, firmware="S-V1.8-8"))
+        self.wait(STEP_S, NOTHING._replace(firmware="S-V1.8-8"))
         self.wire.take()
 
 
@@ -98,7 +95,7 @@ def test_it_begins_with_nothing_heard_in_the_newer_generation(talk):
 def test_a_version_settles_generation_2(talk):
     talk.wait(STEP_S)
     assert talk.wire.take() == [VERSION]
-    talk.wait(STEP_S, replace(NOTHING, firmware="S-V1.8-8"))
+    talk.wait(STEP_S, NOTHING._replace(firmware="S-V1.8-8"))
     assert talk.handshake.generation is Generation.TWO
     assert talk.handshake.firmware == "S-V1.8-8"
     assert talk.handshake.phase is HandshakePhase.LIMITS
@@ -122,7 +119,7 @@ def test_an_arm_that_is_asked_and_does_not_answer_is_of_generation_1(talk):
     talk = Talk(offsets)
     talk.wait(1.0)
     assert now(talk.handshake.generation) is None
-    talk.wait(STEP_S, replace(NOTHING, frames=10_000))  # its pace says nothing
+    talk.wait(STEP_S, NOTHING._replace(frames=10_000))  # its pace says nothing
     assert talk.handshake.generation is Generation.ONE
     assert talk.handshake.firmware is None
     assert talk.handshake.phase is HandshakePhase.LIMITS
@@ -133,10 +130,10 @@ def test_an_arm_that_is_asked_and_does_not_answer_is_of_generation_1(talk):
 
 
 def test_an_answer_that_cannot_be_read_is_of_generation_2_all_the_same(talk):
-    talk.wait(2.0, replace(NOTHING, version_heard_s=BEGIN_S + 0.1))
+    talk.wait(2.0, NOTHING._replace(version_heard_s=BEGIN_S + 0.1))
     assert talk.wire.take() == [VERSION] * 4  # frames of an answer get lost
     assert now(talk.handshake.generation) is None
-    talk.wait(STEP_S, replace(NOTHING, version_heard_s=BEGIN_S + 0.1))
+    talk.wait(STEP_S, NOTHING._replace(version_heard_s=BEGIN_S + 0.1))
     assert talk.handshake.generation is Generation.TWO
     assert talk.handshake.firmware is None
     assert len(talk.wire.codecs) == 1
@@ -147,17 +144,17 @@ def test_an_answer_that_cannot_be_read_is_of_generation_2_all_the_same(talk):
     [("S-V1.8-7", [MitLayout.A]), ("S-V1.8-8", []), ("S-V1.9-0", []), ("S-V1.5-2", [MitLayout.A])],
 )
 def test_the_version_says_how_mit_frames_are_read_and_nothing_is_forgotten(talk, version, layouts):
-    talk.wait(STEP_S, replace(NOTHING, firmware=version))
+    talk.wait(STEP_S, NOTHING._replace(firmware=version))
     assert str(talk.handshake.codec.firmware) == version
     assert [codec.quirks.mit_layout for codec in talk.wire.refined] == layouts
     assert len(talk.wire.codecs) == 1
 
 
 def test_a_version_that_is_named_late_counts_as_well(talk):
-    torn = replace(NOTHING, version_heard_s=BEGIN_S + 0.1)
+    torn = NOTHING._replace(version_heard_s=BEGIN_S + 0.1)
     talk.wait(2.0 + STEP_S, torn)
     assert talk.handshake.generation is Generation.TWO
-    talk.wait(STEP_S, replace(torn, firmware="S-V1.7-3"))
+    talk.wait(STEP_S, torn._replace(firmware="S-V1.7-3"))
     assert talk.handshake.firmware == "S-V1.7-3"
     assert talk.wire.refined == [talk.handshake.codec]
 
@@ -165,17 +162,17 @@ def test_a_version_that_is_named_late_counts_as_well(talk):
 def test_a_teaching_input_that_answers_nothing_is_not_taken_for_generation_1(talk):
     """S-V1.7-3: it leads, its drivers may tell, and 0x2A1 and 0x4AF stay silent."""
     for _ in range(64 * 6):
-        talk.wait(STEP_S, replace(NOTHING, foreign_targets_s=talk.now_s))
+        talk.wait(STEP_S, NOTHING._replace(foreign_targets_s=talk.now_s))
     assert now(talk.handshake.generation) is None
     assert talk.wire.take() == [VERSION] * 5  # at 0, 0.5, 1, 3 and 5 s
-    talk.wait(2.0, replace(NOTHING, firmware="S-V1.7-3"))  # it follows again
+    talk.wait(2.0, NOTHING._replace(firmware="S-V1.7-3"))  # it follows again
     assert talk.handshake.generation is Generation.TWO
 
 
 def test_a_leader_beside_an_arm_that_tells_its_status_says_nothing_of_it(talk):
     status = Reading(Status(1, 0, 1, 0, True, None, None, (False,) * 6, (False,) * 6), BEGIN_S)
     for _ in range(70):
-        talk.wait(STEP_S, replace(NOTHING, foreign_targets_s=talk.now_s, status=status))
+        talk.wait(STEP_S, NOTHING._replace(foreign_targets_s=talk.now_s, status=status))
     assert talk.handshake.generation is Generation.ONE
 
 
@@ -183,7 +180,7 @@ def test_a_log_may_have_told_the_version_elsewhere():
     wire = Wire()
     handshake = Handshake(wire, 0.0, Addressing(), Generation.TWO, "S-V1.8-5")
     assert handshake.codec.quirks.mit_layout is MitLayout.A
-    handshake.advance(replace(NOTHING, firmware="S-V1.8-5"), 0.1)
+    handshake.advance(NOTHING._replace(firmware="S-V1.8-5"), 0.1)
     assert wire.refined == []
 
 
@@ -195,7 +192,7 @@ def test_an_arm_that_may_not_be_asked_is_told_by_its_pace(talk, per_s, generatio
     talk.wait(1.0)
     talk.now_s += 3.0
     heard = round(per_s * (talk.now_s + STEP_S - BEGIN_S))
-    talk.wait(STEP_S, replace(NOTHING, frames=heard))
+    talk.wait(STEP_S, NOTHING._replace(frames=heard))
     assert talk.handshake.generation is generation
 
 
@@ -204,7 +201,7 @@ def test_an_arm_that_was_asked_once_is_not_told_by_its_pace(talk, asked):
     talk.wire.may_send = asked[0]
     talk.wait(0.25)
     talk.wire.may_send = asked[1]
-    talk.wait(1.0, replace(NOTHING, frames=10_000))
+    talk.wait(1.0, NOTHING._replace(frames=10_000))
     assert talk.handshake.generation is Generation.ONE
 
 
@@ -227,7 +224,7 @@ def test_they_are_asked_for_as_soon_as_the_version_is_known(talk):
 
 def test_what_is_missing_is_asked_for_again_after_a_fifth_of_a_second(talk):
     talk.settle()
-    some = replace(ALL_LIMITS, limits=(*ALL_LIMITS.limits[:4], None, ALL_LIMITS.limits[5]))
+    some = ALL_LIMITS._replace(limits=(*ALL_LIMITS.limits[:4], None, ALL_LIMITS.limits[5]))
     talk.wait(STEP_S, some)
     assert talk.wire.take() == questions(5)
     talk.wait(0.1875, some)
@@ -239,7 +236,7 @@ def test_what_is_missing_is_asked_for_again_after_a_fifth_of_a_second(talk):
 def test_a_further_question_after_exactly_a_fifth_of_a_second():
     talk = Talk()
     talk.handshake = Handshake(talk.wire, 0.0)
-    talk.handshake.advance(replace(NOTHING, firmware="S-V1.8-8"), 0.0)
+    talk.handshake.advance(NOTHING._replace(firmware="S-V1.8-8"), 0.0)
     talk.handshake.advance(NOTHING, 0.0)
     talk.wire.take()
     talk.handshake.advance(NOTHING, 0.2)
@@ -268,7 +265,7 @@ def test_limits_that_are_known_already_are_not_asked_for(talk):
     ("version", "after_s"), [(None, 1.0 + STEP_S), ("S-V1.8-8", STEP_S)], ids=["gen1", "gen2"]
 )
 def test_after_five_questions_it_is_done_with_what_was_read(talk, version, after_s):
-    talk.wait(after_s, replace(NOTHING, firmware=version))
+    talk.wait(after_s, NOTHING._replace(firmware=version))
     talk.wire.take()
     talk.wait(0.25 * 4)
     asked = len(talk.wire.sent) // 12

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 import pytest
 
 from armui.arm.refusal_codes import RefusalCode
@@ -32,7 +30,7 @@ def test_all_of_it_heard_within_half_a_second_is_no_silence():
 
 @pytest.mark.parametrize("status_heard", [None, Reading(status(), STALE_S)])
 def test_a_silent_status_is_named(status_heard):
-    silent = replace(HEARD, status=status_heard)
+    silent = HEARD._replace(status=status_heard)
     assert why_silent(silent, NOW_S).code == RefusalCode.FEEDBACK_SILENT
     assert why_silent(silent, NOW_S).params == {"frames": "0x2A1", "seconds": 0.5}
 
@@ -43,7 +41,7 @@ def test_a_silent_status_is_named(status_heard):
     [(0, "0x2A5"), (1, "0x2A5"), (2, "0x2A6"), (3, "0x2A6"), (4, "0x2A7"), (5, "0x2A7")],
 )
 def test_a_silent_angle_is_named_by_its_frame(index, frame, angle):
-    silent = replace(HEARD, joints_deg=changed(HEARD.joints_deg, index, angle))
+    silent = HEARD._replace(joints_deg=changed(HEARD.joints_deg, index, angle))
     assert why_silent(silent, NOW_S).params["frames"] == frame
 
 
@@ -52,7 +50,7 @@ def test_all_that_is_silent_is_named():
     assert frames == "0x2A1, 0x2A5, 0x2A6, 0x2A7"
 
 
-OFF = replace(DRIVER, enabled=False)
+OFF = DRIVER._replace(enabled=False)
 
 
 @pytest.mark.parametrize(
@@ -70,12 +68,12 @@ OFF = replace(DRIVER, enabled=False)
 def test_one_motor_without_power_makes_it_limp_and_one_not_heard_leaves_it_open(
     index, one, is_limp
 ):
-    state = replace(HEARD, drivers_slow=changed(HEARD.drivers_slow, index, one))
+    state = HEARD._replace(drivers_slow=changed(HEARD.drivers_slow, index, one))
     assert limp(state, NOW_S) is is_limp
 
 
 def test_a_motor_without_power_tells_more_than_one_not_heard():
-    state = replace(HEARD, drivers_slow=(None, *(Reading(OFF, FRESH_S),) * 5))
+    state = HEARD._replace(drivers_slow=(None, *(Reading(OFF, FRESH_S),) * 5))
     assert limp(state, NOW_S) is True
 
 
@@ -91,7 +89,7 @@ def test_a_motor_without_power_tells_more_than_one_not_heard():
     ],
 )
 def test_when_a_hand_leads_it(changes, led):
-    assert taught(replace(HEARD, status=Reading(status(**changes), FRESH_S))) is led
+    assert taught(HEARD._replace(status=Reading(status(**changes), FRESH_S))) is led
 
 
 def test_nothing_is_known_of_a_hand_before_the_status_is_heard():

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 import pytest
 
 from armui.arm.refusal import Refusal
@@ -84,7 +82,7 @@ MOVABLE = {
 @pytest.mark.parametrize("mode", ControlMode)
 def test_who_controls_the_arm(mode):
     refusal = interlocks.why_not_ready(
-        replace(READY, status=Reading(status(control_mode=mode), 0.0))
+        READY._replace(status=Reading(status(control_mode=mode), 0.0))
     )
     expected = None if mode in MOVABLE_MODES else Refusal(RefusalCode.OTHER_CONTROL, {"mode": mode})
     assert refusal == expected
@@ -92,7 +90,7 @@ def test_who_controls_the_arm(mode):
 
 @pytest.mark.parametrize("code", ArmStatusCode)
 def test_a_fault_of_the_arm(code):
-    refusal = interlocks.why_not_ready(replace(READY, status=Reading(status(arm_status=code), 0.0)))
+    refusal = interlocks.why_not_ready(READY._replace(status=Reading(status(arm_status=code), 0.0)))
     assert refusal == (
         None if code in MOVABLE else Refusal(RefusalCode.ARM_FAULT, {"status": code})
     )
@@ -102,6 +100,6 @@ def test_a_fault_of_the_arm(code):
     "changes", [{"status": None}, {"joints_deg": (*READY.joints_deg[:5], None)}]
 )
 def test_an_arm_that_has_not_been_heard_in_full(changes):
-    assert interlocks.why_not_ready(replace(READY, **changes)) == Refusal(
+    assert interlocks.why_not_ready(READY._replace(**changes)) == Refusal(
         RefusalCode.JOINTS_UNKNOWN
     )

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 import pytest
 
 from armui.arm.limits import JointLimits
@@ -144,7 +142,7 @@ def test_angles_that_are_not_all_known_are_none(motion, index):
     motion.turn(100.0, 7)
     state = motion.state()
     some = (*state.joints_deg[:index], None, *state.joints_deg[index + 1 :])
-    assert motion.watch.observe(replace(state, joints_deg=some), PERCENT, FACTORY_LIMITS) is None
+    assert motion.watch.observe(state._replace(joints_deg=some), PERCENT, FACTORY_LIMITS) is None
     assert motion.watch.observe(state, PERCENT, FACTORY_LIMITS) is None
     assert motion.turn(100.0, 7) is None
 
@@ -164,7 +162,7 @@ def test_a_measurement_is_complete_with_its_last_frame(motion):
     newer = motion.now_s
     last = Reading(0.0, float(str(newer - STEP_S)))
     early = (Reading(motion.angles_deg[0] + 2.0, newer), *(Reading(0.0, newer),) * 3, last, last)
-    state = replace(motion.state(), joints_deg=early)
+    state = motion.state()._replace(joints_deg=early)
     assert [motion.watch.observe(state, PERCENT, FACTORY_LIMITS) for _ in range(3)] == [None] * 3
 
 

@@ -98,16 +98,16 @@ def status(**changes) -> Status:
         limit_exceeded=FALSE,
         communication_fault=FALSE,
     )
-    return replace(normal, **changes)
+    return normal._replace(**changes)
 
 
 def arm(heard: Status, enabled=ENABLED[0], protection=None, pose_deg=POSES_DEG[0]) -> ArmState:
     """An arm heard just now; joint 2 has the protection, ``None`` in enabled says nothing."""
     one, two, *others = (
-        None if on is None else Reading(replace(HEALTHY, enabled=on), NOW_S) for on in enabled
+        None if on is None else Reading(HEALTHY._replace(enabled=on), NOW_S) for on in enabled
     )
     if protection and two is not None:
-        two = Reading(replace(two.value, **protection), NOW_S)
+        two = Reading(two.value._replace(**protection), NOW_S)
     three, four, five, six = others
     return ArmState(
         sequence=1,
@@ -147,7 +147,7 @@ def step_of(state: ArmState, **changes) -> Step:
 
 
 def without_link() -> Iterator[tuple[ArmState, OperatingState]]:
-    led = replace(ArmState(), foreign_targets_s=NOW_S)
+    led = ArmState()._replace(foreign_targets_s=NOW_S)
     # a picture from before, as old as it may be
     states = (ArmState(), led, arm(status()), arm(status(arm_status=ArmStatusCode.EMERGENCY_STOP)))
     for link, state, unconfirmed in itertools.product(LinkState, states, (False, True)):
@@ -313,7 +313,7 @@ def test_what_was_tried_in_vain_leads_to_the_next_stronger_means():
 
 
 def test_an_old_status_is_no_status():
-    state = replace(arm(status()), status=Reading(status(), NOW_S - 1.0))
+    state = arm(status())._replace(status=Reading(status(), NOW_S - 1.0))
     assert step_of(state).kind is StepKind.STATUS_UNKNOWN
 
 

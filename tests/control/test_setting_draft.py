@@ -1,7 +1,5 @@
 """What was entered beside what the arm holds: pure, no Qt and no arm."""
 
-from dataclasses import replace
-
 import pytest
 
 from armui.arm.limits import JointLimits
@@ -19,7 +17,7 @@ READ = SettingCellState(CellState.READ)
 
 
 def arm(limits):
-    return replace(ArmState(), limits=(Reading(limits, 1.0), *(None,) * 5))
+    return ArmState()._replace(limits=(Reading(limits, 1.0), *(None,) * 5))
 
 
 HELD = arm(JointLimits(-150.0, 150.0, 171.887))

@@ -1,7 +1,5 @@
 """A saving followed to its end: pure, no Qt and no arm."""
 
-from dataclasses import replace
-
 import pytest
 
 from armui.arm.limits import JointLimits
@@ -15,7 +13,7 @@ from armui.control.parameters.setting_saving import SettingSaving
 
 MAX_J1 = Parameter("max_angle_deg", 1)
 SPEED_J1 = Parameter("max_speed_deg_s", 1)
-HELD = replace(ArmState(), limits=(Reading(JointLimits(-150.0, 150.0, 171.887), 1.0), *(None,) * 5))
+HELD = ArmState()._replace(limits=(Reading(JointLimits(-150.0, 150.0, 171.887), 1.0), *(None,) * 5))
 SILENT = Refusal(RefusalCode.SETTING_UNANSWERED)
 
 

@@ -56,7 +56,7 @@ def test_a_target_beyond_a_limit_names_joint_value_and_limits() -> None:
 
 def test_the_limits_are_those_read_from_the_arm() -> None:
     limits = list(ARM.limits)
-    limits[1] = replace(limits[1], max_deg=60.0)
+    limits[1] = limits[1]._replace(max_deg=60.0)
 
     report = check(run(joint(*HERE)), replace(ARM, limits=tuple(limits)), HERE)
 
@@ -78,7 +78,7 @@ def test_a_line_that_leaves_the_limits_between_its_ends_is_found() -> None:
     ends_deg = max(path[0], path[-1])
     assert path.max() > ends_deg + 3.0
     limits = list(ARM.limits)
-    limits[2] = replace(limits[2], max_deg=float(ends_deg) + 1.0)
+    limits[2] = limits[2]._replace(max_deg=float(ends_deg) + 1.0)
 
     report = check(run(chord), replace(ARM, limits=tuple(limits)), HERE)
 

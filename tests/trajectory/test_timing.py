@@ -234,7 +234,7 @@ def test_many_lines_after_one_another_that_cannot_be_reached_come_to_an_end() ->
 
 def test_the_nearest_way_within_the_limits_is_taken() -> None:
     narrow = list(ARM.limits)
-    narrow[3] = replace(narrow[3], min_deg=-5.0)
+    narrow[3] = narrow[3]._replace(min_deg=-5.0)
     near, flipped = (10.0, 70.0, -60.0, -90.0, 25.0, 100.0), (10.0, 70.0, -60.0, 90.0, -25.0, -80.0)
     points = run(pose(KINEMATICS.forward(near)))
 

@@ -29,7 +29,7 @@ def status(**changes: Any) -> Status:
         limit_exceeded=SIX_FALSE,
         communication_fault=SIX_FALSE,
     )
-    return replace(normal, **changes)
+    return normal._replace(**changes)
 
 
 def heard_six(values: Iterable[T], at_s: float = NOW_S) -> Six[Reading[T] | None]:

@@ -52,8 +52,7 @@ def value(dialog: AboutArmDialog, key: str) -> str:
 
 def connect(controller: FakeController, at_s: float = NOW_S, **changes) -> None:
     one, two, three, four, five, six = (Reading(each, at_s) for each in FACTORY_LIMITS)
-    state = replace(
-        arm_state(at_s=at_s),
+    state = arm_state(at_s=at_s)._replace(
         firmware="S-V1.8-9",
         frames=0,
         limits=(one, two, three, four, five, six),
@@ -124,7 +123,7 @@ def test_the_bit_rate_that_the_program_set(qtbot, controller, dialog):
     connect(controller)
     device = Device("slcan", "COM5", 500_000, serial="206E3599")
     controller.be(operating_state(device=device, generation=Generation.ONE))
-    controller.hear(replace(controller.state, firmware=None))
+    controller.hear(controller.state._replace(firmware=None))
     shown(qtbot, dialog)
     assert value(dialog, "bitrate") == "500000 bit/s, set by this program"
     assert value(dialog, "serial") == "206E3599"
@@ -134,7 +133,7 @@ def test_the_bit_rate_that_the_program_set(qtbot, controller, dialog):
 def test_how_long_and_how_often_the_arm_is_heard(qtbot, controller, dialog):
     connect(controller)
     shown(qtbot, dialog)
-    controller.hear(replace(controller.state, last_feedback_s=NOW_S + 3_725, frames=7_450_000))
+    controller.hear(controller.state._replace(last_feedback_s=NOW_S + 3_725, frames=7_450_000))
     dialog._timer.timeout.emit()
     assert value(dialog, "online") == "1:02:05"
     assert value(dialog, "rate") == "2000 a second"

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from datetime import datetime, timedelta
 
 import pytest
@@ -55,8 +54,7 @@ def arm(at_s: float = NOW_S, slow: dict[int, DriverSlow] | None = None) -> ArmSt
     """An arm of generation 1 whose drivers have been heard."""
     given = slow or {}
     fast = Reading(DriverFast(speed_deg_s=-0.04, current_a=1.236, position_deg=None), at_s)
-    return replace(
-        arm_state(at_s=at_s),
+    return arm_state(at_s=at_s)._replace(
         drivers_slow=heard_six((given.get(joint, WELL) for joint in range(1, 7)), at_s),
         drivers_fast=(fast,) * 6,
     )
@@ -136,8 +134,8 @@ def test_figures_have_a_fixed_number_of_decimals_and_their_unit(
 def test_the_status_code_is_written_as_the_manual_does(
     controller: FakeController, model: JointStatusModel, code: int
 ) -> None:
-    driver = replace(
-        WELL, undervoltage=bool(code & 1), enabled=bool(code & 0x40), homed=bool(code & 0x80)
+    driver = WELL._replace(
+        undervoltage=bool(code & 1), enabled=bool(code & 0x40), homed=bool(code & 0x80)
     )
     controller.hear(arm(slow={4: driver}))
     assert view(model, 0, 4).text == {0: "0x0", 1: "0x1", 0x40: "0x40", 0xC0: "0xC0"}[code]
@@ -149,9 +147,9 @@ def test_a_fault_shows_its_figure_and_since_when_until_it_ends(
 ) -> None:
     controller.hear(arm())
     clock.now = NOON + timedelta(seconds=65)
-    controller.hear(arm(slow={2: replace(WELL, undervoltage=True, voltage_v=18.3)}))
+    controller.hear(arm(slow={2: WELL._replace(undervoltage=True, voltage_v=18.3)}))
     clock.now = NOON + timedelta(seconds=70)
-    controller.hear(arm(slow={2: replace(WELL, undervoltage=True, voltage_v=18.1)}))
+    controller.hear(arm(slow={2: WELL._replace(undervoltage=True, voltage_v=18.1)}))
     assert view(model, VOLTAGE, 2) == CellView("Too low", "18.1 V · 12:01:05", Mark.FAULT, False)
     tip = model.index(VOLTAGE, 1).data(Qt.ItemDataRole.ToolTipRole)
     assert tip == "J2  Supply voltage: Too low · 18.1 V · since 2026-01-02 12:01:05"
@@ -162,7 +160,7 @@ def test_a_fault_shows_its_figure_and_since_when_until_it_ends(
 
 
 def test_off_is_no_fault(controller: FakeController, model: JointStatusModel) -> None:
-    controller.hear(arm(slow={1: replace(WELL, enabled=False)}))
+    controller.hear(arm(slow={1: WELL._replace(enabled=False)}))
     assert view(model, ENABLED, 1).mark is Mark.OFF
     assert view(model, HOMED, 1) == CellView("Not homed", "", Mark.OFF, False)
 
@@ -192,7 +190,7 @@ def test_only_cells_that_changed_are_drawn_again(
     model.dataChanged.connect(lambda first, _last: changed.append((first.row(), first.column())))
     controller.hear(arm())
     assert changed == []
-    controller.hear(arm(slow={5: replace(WELL, motor_temperature_c=80.0)}))
+    controller.hear(arm(slow={5: WELL._replace(motor_temperature_c=80.0)}))
     assert changed == [(MOTOR_TEMPERATURE, 4)]
 
 
@@ -240,10 +238,10 @@ def test_the_table_needs_no_scrolling(
     ("slow", "text", "mark"),
     [
         ({}, "Normal", Mark.GOOD),
-        ({3: replace(WELL, enabled=False)}, "Disabled J3", Mark.OFF),
-        (dict.fromkeys(range(1, 7), replace(WELL, enabled=False)), "Disabled", Mark.OFF),
-        ({2: replace(WELL, overcurrent=True)}, "Fault J2", Mark.FAULT),
-        (dict.fromkeys(range(1, 7), replace(WELL, overcurrent=True)), "Fault J1–J6", Mark.FAULT),
+        ({3: WELL._replace(enabled=False)}, "Disabled J3", Mark.OFF),
+        (dict.fromkeys(range(1, 7), WELL._replace(enabled=False)), "Disabled", Mark.OFF),
+        ({2: WELL._replace(overcurrent=True)}, "Fault J2", Mark.FAULT),
+        (dict.fromkeys(range(1, 7), WELL._replace(overcurrent=True)), "Fault J1–J6", Mark.FAULT),
     ],
 )
 def test_the_button_says_the_worst_in_words_and_shape(
@@ -281,7 +279,7 @@ def test_the_button_is_drawn_again_only_when_the_worst_changes(
     monitor.worst_changed.connect(lambda: told.append(monitor.worst.verdict))
     controller.hear(arm())
     controller.hear(arm(at_s=NOW_S + 0.1))
-    controller.hear(arm(slow={1: replace(WELL, voltage_v=20.0)}))
+    controller.hear(arm(slow={1: WELL._replace(voltage_v=20.0)}))
     assert told == [StatusVerdict.NORMAL]
 
 

@@ -336,12 +336,8 @@ def test_one_joint_not_heard_any_more_is_stale_alone(panel, controller):
     controller.be_ready(ANGLES)
     old, new = arm_state(ANGLES), arm_state(ANGLES, at_s=NOW_S + 1.0, sequence=2)
     mixed = (*new.joints_deg[:5], old.joints_deg[5])
-    controller.hear(type(new)(**{**_fields(new), "joints_deg": mixed}))
+    controller.hear(new._replace(joints_deg=mixed))
     assert [measured(panel, joint).is_stale() for joint in range(1, 7)] == [False] * 5 + [True]
-
-
-def _fields(state):
-    return {name: getattr(state, name) for name in state.__dataclass_fields__}
 
 
 def test_another_arm_gets_fields_of_its_own(panel, controller):

@@ -97,8 +97,7 @@ def test_status_frame_lost_while_others_arrive(bar, controller):
     controller.be(operating_state())
     old = arm_state(at_s=NOW_S)
     new = arm_state(at_s=NOW_S + 0.6, sequence=2)
-    fields = {name: getattr(new, name) for name in new.__dataclass_fields__}
-    controller.hear(type(new)(**{**fields, "status": old.status}))
+    controller.hear(new._replace(status=old.status))
     assert ink(bar, "status_control") == LIGHT.muted
 
 

@@ -229,3 +229,32 @@ def test_other_keys_pass(host, controller, qtbot):
     qtbot.keyClicks(field, "12.5")
     assert field.text() == "12.5"
     assert controller.calls == []
+
+
+@pytest.fixture
+def late_shortcut(qapp, controller, host):
+    """As the program has it: it listens from the first window's first picture on."""
+    shortcut = StopShortcut(qapp, controller, host)
+    yield shortcut
+    qapp.removeEventFilter(shortcut)
+    shortcut.deleteLater()
+
+
+@pytest.mark.usefixtures("late_shortcut")
+@pytest.mark.parametrize("shown", [True, False])
+def test_keys_stop_once_the_first_window_was_painted_or_might_have_been(
+    host, controller, qtbot, shown
+):
+    """A window that is never painted, a minimised one, keeps no key from stopping the arm."""
+    field = QLineEdit()
+    qtbot.addWidget(field)
+    host.setVisible(shown)
+
+    def stopped():
+        qtbot.keyClick(field, Qt.Key.Key_F12)
+        return ("emergency_stop",) in controller.calls
+
+    qtbot.waitUntil(stopped)
+    controller.calls.clear()
+    qtbot.keyClick(field, Qt.Key.Key_F12)
+    assert controller.calls == [("emergency_stop",)]

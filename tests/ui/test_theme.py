@@ -1,4 +1,7 @@
+import os
 import re
+import subprocess
+import sys
 from pathlib import Path
 
 import pytest
@@ -115,3 +118,25 @@ def test_system_theme_follows_the_system(qapp, qtbot):
 def test_figures_are_of_one_width(qapp):
     metrics = QFontMetricsF(ui_font())
     assert len({metrics.horizontalAdvance(digit * 10) for digit in "0123456789"}) == 1
+
+
+APPLICATION = """
+import sys
+from PySide6 import QtWidgets
+from armui.ui.theme import Theme, apply_theme, make_application
+app = make_application(sys.argv[:1])
+apply_theme(app, Theme.LIGHT, before_windows=True)
+assert app.arguments() == sys.argv[:1], app.arguments()
+print(app.style().name())
+"""
+
+
+def test_the_application_has_the_programs_style_whatever_the_system_wants():
+    done = subprocess.run(
+        [sys.executable, "-c", APPLICATION],
+        env=os.environ | {"QT_STYLE_OVERRIDE": "windows", "QT_QPA_PLATFORM": "offscreen"},
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert done.stdout.strip() == "fusion", done.stderr

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import enum
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, NamedTuple
 
 from armui.arm.models import model_data
@@ -72,8 +71,7 @@ class Hold(enum.Enum):
     SPEED_ZERO = "speed_zero"
 
 
-@dataclass(frozen=True, slots=True)
-class MotionCommand:
+class MotionCommand(NamedTuple):
     """A command of ours that moves the joints.
 
     Attributes:

@@ -6,7 +6,6 @@ The reports say what was seen, seldom what brings it about; when each bug shows 
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import replace
 from typing import TYPE_CHECKING, Final
 
 from armui.arm.limits import JOINTS
@@ -141,4 +140,4 @@ class FirmwareBugs:
         for joint in JOINTS:
             self._arm.corrupt_limits(joint)
         limits = self._arm.settings.limits
-        limits[:] = [replace(each, min_deg=_BAD_DEG, max_deg=_BAD_DEG) for each in limits]
+        limits[:] = [each._replace(min_deg=_BAD_DEG, max_deg=_BAD_DEG) for each in limits]

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import replace
 from typing import TYPE_CHECKING, Final
 
 from armui.arm.limits import JOINTS, JointLimits
@@ -133,14 +132,14 @@ class ParameterServer:
         name, index = "LimitSetting", int(signals["Joint"]) - 1
         limits = self.settings.limits[index]
         if not self._unchanged(name, "MaxAngle", signals):
-            limits = replace(limits, max_deg=signals["MaxAngle"])
+            limits = limits._replace(max_deg=signals["MaxAngle"])
         if not self._unchanged(name, "MinAngle", signals):
-            limits = replace(limits, min_deg=signals["MinAngle"])
+            limits = limits._replace(min_deg=signals["MinAngle"])
         if not self._unchanged(name, "MaxSpeed", signals):
             speed = self._inward(
                 name, "MaxSpeed", signals, most=self._arm.model.limits[index].max_speed_deg_s
             )
-            limits = replace(limits, max_speed_deg_s=speed)
+            limits = limits._replace(max_speed_deg_s=speed)
         if limits.min_deg < limits.max_deg and limits.max_speed_deg_s > 0.0:
             self.settings.limits[index] = limits
         return [self.answer(SettingIndex.LIMIT_SETTING)]

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
-from dataclasses import replace
 
 from armui.arm.limits import JointLimits
 from armui.protocol.addressing import Addressing
@@ -153,6 +152,6 @@ class SettingsApplier:
         weight.told_kg = told_kg
         weight.payload_kg = told_kg if self._hanging_kg is None else self._hanging_kg
         self.stops = tuple(
-            replace(each, min_deg=each.min_deg - zero, max_deg=each.max_deg - zero)
+            each._replace(min_deg=each.min_deg - zero, max_deg=each.max_deg - zero)
             for each, zero in zip(self.model.limits, zeros_deg, strict=True)
         )

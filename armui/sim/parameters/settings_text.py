@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 from collections.abc import Sequence
-from dataclasses import asdict
 from typing import Final
 
 from armui.arm.json_fields import FieldError, Fields
@@ -30,7 +29,7 @@ def to_text(settings: ArmSettingsRecord) -> str:
     """The settings that outlive a power cut, as JSON."""
     record = {
         "format": _FORMAT,
-        "limits": [asdict(each) for each in settings.limits],
+        "limits": [each._asdict() for each in settings.limits],
         "accelerations_deg_s2": settings.accelerations_deg_s2,
         "end_limits": settings.end_limits,
         "collision_levels": settings.collision_levels,

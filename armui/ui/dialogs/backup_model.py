@@ -43,6 +43,7 @@ class BackupModel(TableModel):
         self._rows: list[ComparisonRow] = []
         self._chosen: set[Parameter] = set()
         self._restored: set[Parameter] = set()
+        self._cells: list[SettingCellState] = []
 
     # What the dialog does ---------------------------------------------------------------------
 
@@ -62,14 +63,16 @@ class BackupModel(TableModel):
 
     def show_rows(self, rows: Sequence[ComparisonRow]) -> None:
         """Show another comparison; ticks stay where the parameters do."""
-        same = [row.parameter for row in rows] == [row.parameter for row in self._rows]
+        before, cells_before = self._rows, self._cells
+        same = [row.parameter for row in rows] == [row.parameter for row in before]
         if not same:
             self.beginResetModel()
         self._rows = list(rows)
-        if same:
-            self.redraw()
-        else:
+        self._cells = [self._cell(row.parameter) for row in rows]
+        if not same:
             self.endResetModel()
+        elif (self._rows, self._cells) != (before, cells_before):
+            self.redraw()  # which has every cell measured: only where one differs
         self.ticked.emit()
 
     def choose(self, wanted: Callable[[ComparisonRow], bool]) -> None:
@@ -80,8 +83,9 @@ class BackupModel(TableModel):
 
     def follow(self, restored: Sequence[Parameter]) -> None:
         """Show how saving these ends; an empty list ends it."""
-        self._restored = set(restored)
-        self.redraw()
+        if set(restored) != self._restored:
+            self._restored = set(restored)
+            self.redraw()
 
     # What Qt asks -----------------------------------------------------------------------------
 

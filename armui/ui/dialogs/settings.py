@@ -31,6 +31,7 @@ from armui.ui.widgets.buttons import caption, named, push_button
 from armui.ui.widgets.elided_label import ElidedLabel
 from armui.ui.widgets.layouts import STRETCH, empty_grid, fill, in_row
 from armui.ui.widgets.message_line import MessageLine
+from armui.ui.widgets.repolish import repolish
 
 if TYPE_CHECKING:
     from armui.ui.gamepad.gamepad_dialog import GamepadDialog
@@ -226,9 +227,7 @@ class SettingsDialog(ArmDialog):
     def _mark_jog_step(self, *, wrong: bool) -> None:
         self._jog_step_wrong = wrong
         self.jog_step_edit.setProperty("attention", wrong)
-        style = self.jog_step_edit.style()
-        style.unpolish(self.jog_step_edit)
-        style.polish(self.jog_step_edit)
+        repolish(self.jog_step_edit)
 
     def _on_browse(self) -> None:
         now = self._store.settings.urdf_path

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import replace
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Final
@@ -99,7 +98,7 @@ class LayoutKeeper(QObject):
             header.sortIndicatorOrder() == Qt.SortOrder.AscendingOrder,
         )
         if kept != columns:
-            self.layout = replace(self.layout, columns={**self.layout.columns, name: columns})
+            self.layout = self.layout._replace(columns={**self.layout.columns, name: columns})
             self.note()
 
 

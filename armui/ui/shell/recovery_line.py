@@ -18,6 +18,7 @@ from armui.ui.theme import Colors, colors_of
 from armui.ui.widgets import icons, painting
 from armui.ui.widgets.buttons import named, show_primary
 from armui.ui.widgets.hold_button import HoldButton
+from armui.ui.widgets.repolish import repolish
 from armui.ui.widgets.text_label import text_label
 from armui.ui.widgets.translated import Translated
 
@@ -142,11 +143,10 @@ class RecoveryLine(Translated, QWidget):
         text = self.tr("A trajectory is running") if self._says_running else words.step(step)
         self._text.setText(text)
         self._text.setProperty("rank", "muted" if calm else None)
-        self._text.style().unpolish(self._text)
-        self._text.style().polish(self._text)
+        repolish(self._text)
         self.setAccessibleName(text)
-        self._show_button()
         show_primary(self._button, wanted=step.level is Level.INFO)
+        self._show_button()
         self._recolor()
         self.update()
 

@@ -95,7 +95,8 @@ class ViewRegion(Translated, QWidget):
             button.setAccessibleName(text)
             keys = shortcut.toString(shortcut.SequenceFormat.NativeText)
             button.setToolTip(f"{tip} ({keys})" if keys else tip)
-        self._tell_covered()
+        if self.testAttribute(Qt.WidgetAttribute.WA_WState_Polished):  # else its size comes yet
+            self._tell_covered()
 
     def _recolor(self) -> None:
         for name, button in self._buttons.items():

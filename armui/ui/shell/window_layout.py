@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QEvent, QObject, QSize, Qt
@@ -60,8 +59,7 @@ class WindowLayout(QObject):
 
     def _collect(self, layout: WorkspaceLayout) -> WorkspaceLayout:
         window, area = self._window, self._column.area
-        return replace(
-            layout,
+        return layout._replace(
             window=place_of(window.normalGeometry()),
             maximized=window.isMaximized(),
             panel_px=area.panel_px,

@@ -7,8 +7,8 @@ from __future__ import annotations
 
 import json
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field, replace
-from typing import Any, Final
+from types import MappingProxyType
+from typing import Any, Final, NamedTuple
 
 from armui.arm.json_fields import finite
 
@@ -21,8 +21,7 @@ _WIDEST_COLUMN_PX: Final = 4000
 _LEAST_COLUMN_PX: Final = 20
 
 
-@dataclass(frozen=True, slots=True)
-class Place:
+class Place(NamedTuple):
     """Where a window stands, in pixels of the desktop."""
 
     x: int
@@ -31,8 +30,7 @@ class Place:
     height: int
 
 
-@dataclass(frozen=True, slots=True)
-class ColumnLayout:
+class ColumnLayout(NamedTuple):
     """The columns of a table.
 
     Attributes:
@@ -46,8 +44,7 @@ class ColumnLayout:
     ascending: bool = True
 
 
-@dataclass(frozen=True, slots=True)
-class OpenWindow:
+class OpenWindow(NamedTuple):
     """A page that stands in a window of its own.
 
     Attributes:
@@ -59,8 +56,7 @@ class OpenWindow:
     subject: str = ""
 
 
-@dataclass(frozen=True, slots=True)
-class WorkspaceLayout:
+class WorkspaceLayout(NamedTuple):
     """The arrangement of the window.
 
     Attributes:
@@ -79,8 +75,8 @@ class WorkspaceLayout:
     panel_px: int = 0
     page_share: float = 0.0
     drawer_px: int = 0
-    taken_out: Mapping[str, Place] = field(default_factory=dict)
-    columns: Mapping[str, ColumnLayout] = field(default_factory=dict)
+    taken_out: Mapping[str, Place] = MappingProxyType({})
+    columns: Mapping[str, ColumnLayout] = MappingProxyType({})
     open_windows: tuple[OpenWindow, ...] = ()
 
 
@@ -146,7 +142,7 @@ def fitted(place: Place, screens: Sequence[Place]) -> Place:
     width, height = min(place.width, screen.width), min(place.height, screen.height)
     x = min(max(place.x, screen.x), screen.x + screen.width - width)
     y = min(max(place.y, screen.y), screen.y + screen.height - height)
-    return replace(place, x=x, y=y, width=width, height=height)
+    return place._replace(x=x, y=y, width=width, height=height)
 
 
 def _overlap(one: Place, other: Place) -> int:

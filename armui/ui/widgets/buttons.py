@@ -8,6 +8,8 @@ from PySide6.QtCore import QObject
 from PySide6.QtGui import QKeySequence
 from PySide6.QtWidgets import QAbstractButton, QPushButton, QToolButton, QWidget
 
+from armui.ui.widgets.repolish import repolish
+
 Named = TypeVar("Named", bound=QObject)
 
 
@@ -41,8 +43,7 @@ def show_primary(button: QPushButton, *, wanted: bool) -> None:
     """Light a button, or let it stand back: it has something to do, or not just now."""
     if bool(button.property("primary")) != wanted:
         button.setProperty("primary", wanted)
-        button.style().unpolish(button)
-        button.style().polish(button)
+        repolish(button)
 
 
 def caption(

@@ -8,6 +8,7 @@ from PySide6.QtWidgets import QLineEdit
 
 from armui.ui import format as fmt
 from armui.ui.theme import colors_of
+from armui.ui.widgets.repolish import repolish
 
 
 class FigureField(QLineEdit):
@@ -73,8 +74,7 @@ class FigureField(QLineEdit):
         """Mark the field, or take the mark away."""
         if bool(self.property("attention")) != wanted:
             self.setProperty("attention", wanted)
-            self.style().unpolish(self)
-            self.style().polish(self)
+            repolish(self)
 
     def _unit_px(self) -> int:
         """Room for the unit: a degree sign stands close to its figure, others apart."""

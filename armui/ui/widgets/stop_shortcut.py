@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from typing import Final
 
-from PySide6.QtCore import QCoreApplication, QEvent, QObject, QPoint, Qt, QTimer
-from PySide6.QtGui import QDragEnterEvent, QKeyEvent, QMouseEvent
-from PySide6.QtWidgets import QApplication
+from PySide6.QtCore import QCoreApplication, QEvent, QObject, QPoint, Qt, QTimer, Signal
+from PySide6.QtGui import QDragEnterEvent, QKeyEvent, QMouseEvent, QPaintEvent
+from PySide6.QtWidgets import QApplication, QWidget
 
 from armui.control.arm_controller import ArmController
 from armui.ui.widgets.press_button import PressButton
@@ -18,6 +18,7 @@ HALT_KEY: Final = Qt.Key.Key_F9
 HALT_KEY_NAME: Final = "F9"
 
 _LISTENED_TO: Final = (QKeyEvent, QMouseEvent, QDragEnterEvent)
+_PAINTED_WITHIN_MS: Final = 250
 _PRESSES: Final = frozenset({QEvent.Type.MouseButtonPress, QEvent.Type.MouseButtonDblClick})
 
 
@@ -30,13 +31,20 @@ class StopShortcut(QObject):
     Args:
         app: The application to listen to; the listener lives and dies with it.
         controller: Whom to tell.
+        first_window: Listens once this window was painted; by default at once. Its show and first
+            picture are two thousand events, and each takes Python a while to let pass.
     """
 
-    def __init__(self, app: QCoreApplication, controller: ArmController) -> None:
+    def __init__(
+        self, app: QCoreApplication, controller: ArmController, first_window: QWidget | None = None
+    ) -> None:
         super().__init__(app)
         self._app = app
         self._controller = controller
-        app.installEventFilter(self)
+        if first_window is None:
+            app.installEventFilter(self)
+        else:
+            _FirstPicture(self, first_window).seen.connect(self._go_first)
 
     def eventFilter(self, _watched: QObject, event: QEvent) -> bool:
         """Take the keys, whichever window they were meant for, and presses behind a popup."""
@@ -68,6 +76,27 @@ class StopShortcut(QObject):
     def _go_first(self) -> None:
         self._app.removeEventFilter(self)
         self._app.installEventFilter(self)
+
+
+class _FirstPicture(QObject):
+    """Tells when a window was painted for the first time, or might have been."""
+
+    seen = Signal()
+
+    def __init__(self, parent: QObject, window: QWidget) -> None:
+        super().__init__(parent)
+        window.installEventFilter(self)
+        QTimer.singleShot(_PAINTED_WITHIN_MS, self, self._tell)
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        """Look at what the window itself gets."""
+        if isinstance(event, QPaintEvent):
+            watched.removeEventFilter(self)
+            QTimer.singleShot(0, self, self._tell)
+        return False
+
+    def _tell(self) -> None:
+        self.seen.emit()
 
 
 def _press_behind_popup(event: QMouseEvent) -> bool:

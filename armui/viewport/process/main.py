@@ -7,7 +7,6 @@ import os
 import pickle
 import time
 import traceback
-from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from armui.arm.refusal import Refusal
@@ -98,10 +97,10 @@ class _Drawing:
         else:
             if not request.keeps_path:
                 self._path = request.path
-            preview = replace(request.state.preview, path=self._path)
+            preview = request.state.preview._replace(path=self._path)
             before = painter.robot
             known = None if request.robot is None else pickle.loads(request.robot)  # noqa: S301 - our own
-            pixels = painter.paint(replace(request.state, preview=preview), known)
+            pixels = painter.paint(request.state._replace(preview=preview), known)
             if painter.robot is not before and painter.robot is not known:
                 self._say(RobotRead(pickle.dumps(painter.robot)))
             if painter.robot is not before and painter.robot is not None:

@@ -28,6 +28,7 @@ from armui.ui.trajectory.editor.cell_editors import (
     TextEditor,
 )
 from armui.ui.trajectory.editor.points_model import PointsModel
+from armui.ui.widgets.repolish import repolish
 from armui.ui.widgets.table_model import Index
 
 _LEAVING: Final = frozenset(
@@ -121,6 +122,5 @@ class PointDelegate(QStyledItemDelegate):
         self.refused.emit(model.index(self._index.row(), self._index.column()), reason)
         if isinstance(editor, QLineEdit):
             editor.setProperty("attention", True)
-            editor.style().unpolish(editor)
-            editor.style().polish(editor)
+            repolish(editor)
         return True

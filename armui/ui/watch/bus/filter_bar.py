@@ -20,6 +20,7 @@ from armui.ui.actions.keys import keys_of
 from armui.ui.watch.bus.frame_filter import FrameFilter, IdFilter, parse_ids
 from armui.ui.widgets.buttons import bar_button, named
 from armui.ui.widgets.layouts import STRETCH, in_column, in_row
+from armui.ui.widgets.repolish import repolish
 from armui.ui.widgets.translated import Translated
 from armui.ui.words import frames
 
@@ -106,8 +107,7 @@ class FilterBar(Translated, QWidget):
         found = parse_ids(text)
         bad = found if isinstance(found, str) else ""
         self.ids.setProperty("attention", bool(bad))
-        self.ids.style().unpolish(self.ids)
-        self.ids.style().polish(self.ids)
+        repolish(self.ids)
         self._tip_ids(bad)
         if isinstance(found, IdFilter):
             self._ids = found
