@@ -41,6 +41,7 @@ class BackupModel(TableModel):
         super().__init__()
         self._cell = cell
         self._rows: list[ComparisonRow] = []
+        self._told: list[tuple[ComparisonRow, CellState]] = []
         self._chosen: set[Parameter] = set()
         self._restored: set[Parameter] = set()
 
@@ -65,11 +66,13 @@ class BackupModel(TableModel):
         same = [row.parameter for row in rows] == [row.parameter for row in self._rows]
         if not same:
             self.beginResetModel()
+        told, self._told = self._told, [(row, self._cell(row.parameter).state) for row in rows]
         self._rows = list(rows)
-        if same:
-            self.redraw()
-        else:
+        if not same:
             self.endResetModel()
+        elif other := [at for at, what in enumerate(self._told) if what != told[at]]:
+            end = self._columns - 1  # the view measures every cell that it is told of
+            self.dataChanged.emit(self.index(other[0], 0), self.index(other[-1], end))
         self.ticked.emit()
 
     def choose(self, wanted: Callable[[ComparisonRow], bool]) -> None:
