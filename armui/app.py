@@ -32,6 +32,7 @@ from armui.system.log_file import log_to
 from armui.system.quick_start import begun
 from armui.system.thread_priority import raise_in_background
 from armui.ui.dialogs.kept_models import KeptModels, NodeKeeper, last_model
+from armui.ui.garbage import GarbageSearch
 from armui.ui.main_window import MainWindow
 from armui.ui.theme import Theme, apply_theme, make_application
 from armui.ui.translation import Translator
@@ -273,9 +274,12 @@ def keep_from_collector() -> None:
     """What the program was built from is no garbage: do not search it over and over.
 
     That would stop every thread, the stop's too, for tens of milliseconds at a time. The libraries
-    of a first connection follow within seconds.
+    of a first connection follow within seconds. What comes later is searched in this thread alone.
     """
     begun()
+    app = QApplication.instance()
+    if app is not None:
+        GarbageSearch(app)
     QTimer.singleShot(_CONNECTED_MS, gc.freeze)
 
 

@@ -1,8 +1,10 @@
 """The whole program on the rig, in the hands of an operator who clicks and reads."""
 
 from concurrent.futures import Executor, Future
+from contextlib import nullcontext
 from pathlib import Path
 from typing import Any, TypeVar
+from unittest.mock import patch
 
 from PySide6.QtCore import QEventLoop, QPoint, Qt, QTimer
 from PySide6.QtTest import QTest
@@ -11,6 +13,7 @@ from PySide6.QtWidgets import QApplication, QDialog, QTableView, QWidget
 from armui.app import Program
 from armui.protocol.generation import Generation
 from armui.settings import SettingsStore
+from armui.ui import theme
 from armui.ui.dialogs.confirm_dialog import ConfirmDialog
 from armui.ui.dialogs.connect import ConnectDialog
 from armui.ui.widgets.hold_button import HoldButton
@@ -69,6 +72,7 @@ class AppDriver(ArmRig):
         files: Who does what waits for a disk; whoever asks does it by default.
         draws: Whether the 3D view is seen: drawing it costs more than most tests.
         pictures: Has the 3D picture drawn; several programs one after another may share one.
+        styled: Whether it has the style sheet: half of what a window costs is to ask it.
 
     Attributes:
         program: The program, wired as it is for the operator.
@@ -88,20 +92,25 @@ class AppDriver(ArmRig):
         files: Executor | None = None,
         draws: bool = False,
         pictures: PictureClient | None = None,
+        styled: bool = True,
     ) -> None:
         super().__init__(channel, generation)
         self.store = SettingsStore(settings, for_this_run={"language": "en"})
         self.library_folder = settings.parent / "trajectories"
         self.workers = workers or AtOnce()
-        self.program = Program(
-            app,
-            self.store,
-            self.controller,
-            self.workers,
-            self.library_folder,
-            files=files or AtOnce(),
-            pictures=pictures,
-        )
+        if bool(app.styleSheet()) is not styled:
+            _ask_style_sheet_anew(app)
+        self._styled = styled
+        with nullcontext() if styled else patch.object(theme, "style_sheet", return_value=""):
+            self.program = Program(
+                app,
+                self.store,
+                self.controller,
+                self.workers,
+                self.library_folder,
+                files=files or AtOnce(),
+                pictures=pictures,
+            )
         self.window = self.program.window
         self.window.resize(1280, 800)
         self.program.view.setVisible(draws)
@@ -225,10 +234,20 @@ class AppDriver(ArmRig):
         for widget in QApplication.topLevelWidgets():
             if isinstance(widget, QDialog):
                 widget.close()
-        self.store.change(language="en")  # the next test reads English
+        if self.store.settings.language != "en":
+            self.store.change(language="en")  # the next test reads English
         self.program.shutdown()
         self.window.deleteLater()
+        if not self._styled:
+            _ask_style_sheet_anew(self.program._app)
         super().close()
+
+
+def _ask_style_sheet_anew(app: QApplication) -> None:
+    """Have the program not count on the style sheet that is there."""
+    follower = app.property(theme._FOLLOWER)
+    if follower is not None:
+        follower._sheet = None
 
 
 def _middle(widget: QWidget) -> QPoint:

@@ -146,7 +146,7 @@ class ArmRig:
 
     def step(self, dt_s: float = STEP_S) -> None:
         """Let time pass on both sides until each has heard what the other said."""
-        self._settle()
+        self._settle_what_was_said()
         self.time_s += dt_s
         for each in self.company:
             each.step(dt_s)
@@ -155,7 +155,36 @@ class ArmRig:
                 self.node.poll(dt_s)
         self._settle()
         self.controller.tick()
+        self._settle_what_was_said()
+
+    def _settle_what_was_said(self) -> None:
+        """As below, where no time has passed: nothing to wait for if nobody spoke since."""
+        if self._is_quiet:
+            QCoreApplication.processEvents()
+            if self._is_quiet:
+                return
         self._settle()
+
+    @property
+    def _is_quiet(self) -> bool:
+        """Whether the bus thread has seen all there is; time that passes is left to it to see."""
+        bus = self._host_bus
+        if bus is None or not bus.is_quiet or not self._sends_nothing or self._adrift:
+            return False
+        return not self.controller._connection._worker._intake._next_codecs
+
+    @property
+    def _sends_nothing(self) -> bool:
+        """Whether nothing is to be sent, and the sending thread has let go of the driver.
+
+        On a busy computer it may hold it for longer than a stop would wait.
+        """
+        connection = self.controller._connection
+        worker = connection._worker
+        if worker is None or not connection.idle:
+            return connection.idle
+        outbox = worker._outbox
+        return outbox._port is None or bool(outbox._changed._waiters)
 
     def _settle(self) -> None:
         """Until nothing is on its way any more, in either direction."""
@@ -166,10 +195,10 @@ class ArmRig:
             if self._adrift:
                 self._until_the_loss_is_told()
                 return
-            at_rest = self._bus_rests() and self.controller._connection.idle
+            at_rest = self._bus_rests() and self._sends_nothing
             QCoreApplication.processEvents()
             # what was heard may have been answered at once
-            at_rest = at_rest and self.controller._connection.idle
+            at_rest = at_rest and self._sends_nothing
             assert not deadline.hasExpired(), "the bus thread does not come to rest"
 
     def _bus_rests(self) -> bool:

@@ -15,7 +15,7 @@ from can.interfaces.virtual import VirtualBus
 
 
 class ArmBus(VirtualBus):
-    """Where the arm is plugged in.
+    """Where the arm is plugged in, and whoever else is on the bus.
 
     python-can copies a message deeply for each of those on the bus, and most of the work of a test
     would be that: an arm says 3,000 frames a second. Nobody on the rig changes what was received.
@@ -25,7 +25,7 @@ class ArmBus(VirtualBus):
         deaf: The buses that don't want what the arm says.
     """
 
-    def __init__(self, channel: str, deaf: Collection[VirtualBus]) -> None:
+    def __init__(self, channel: str, deaf: Collection[VirtualBus] = ()) -> None:
         super().__init__(channel=channel)
         self._deaf = [bus.queue for bus in deaf]
         self._kept: list[can.Message] | None = None
@@ -79,6 +79,19 @@ class HostBus(VirtualBus):
         """Whether it was not shut down yet."""
         return self._open
 
+    @property
+    def is_quiet(self) -> bool:
+        """Whether nothing has arrived since the one who receives last found nothing."""
+        return self._open and self._inbox.is_quiet
+
+    def send(self, msg: can.Message, timeout: float | None = None) -> None:
+        """Hand a message to all others; the bus thread has to look what became of it."""
+        super().send(msg, timeout)
+        self._inbox.disturb()
+
+    # as prompt as the one above, by which the program knows whose thread may write a stop
+    send.__module__ = VirtualBus.send.__module__
+
     def recv(self, timeout: float | None = None) -> can.Message | None:
         """The next message; see python-can."""
         self._check_if_open()
@@ -109,6 +122,13 @@ class _Inbox:
         self._answered = 0
         self._rested = 0
         self._looked = True
+        self._arrivals = 0
+        self._arrivals_at_rest = -1
+
+    @property
+    def is_quiet(self) -> bool:
+        """See :attr:`HostBus.is_quiet`."""
+        return self._arrivals == self._arrivals_at_rest
 
     def put(self, msg: can.Message, block: bool = True, timeout: float | None = None) -> None:
         """Take a message in; there is always room."""
@@ -117,8 +137,14 @@ class _Inbox:
     def put_all(self, messages: Iterable[can.Message]) -> None:
         """Take some in; there is always room."""
         with self._changed:
+            self._arrivals += 1
             self._messages.extend(messages)
             self._changed.notify_all()
+
+    def disturb(self) -> None:
+        """Something else has happened that the bus thread has not seen yet."""
+        with self._changed:
+            self._arrivals += 1
 
     def get(self, timeout: float | None) -> can.Message | None:
         """The next message; ``None`` when there is none in time."""
@@ -135,6 +161,7 @@ class _Inbox:
                     self._looked = True
                     return None
                 self._rested = self._answered
+                self._arrivals_at_rest = self._arrivals
                 self._changed.notify_all()
                 self._changed.wait_for(self._is_wanted, timeout)
             if not self._messages:

@@ -14,6 +14,7 @@ from armui.sim.node import Node
 from armui.sim.parameters.flash import MemoryFlash
 from armui.sim.parameters.settings import ArmSettingsRecord, LinkageSettings
 from tests.arm_rig import ArmRig
+from tests.arm_rig_bus import ArmBus
 from tests.sim.talk import ENABLE, RESUME, STOP, frame, mode, pose_target, target
 
 _EPSILON_S = 1e-9
@@ -69,7 +70,7 @@ class OtherHost:
     def say(self, *lines: str) -> None:
         """Put frames on the bus, ID#DATA each."""
         # it is on the bus only while it speaks: what nobody takes would be copied and kept
-        with can.Bus(interface="virtual", channel=self._channel) as bus:
+        with ArmBus(self._channel) as bus, bus.together():
             for line in lines:
                 said = frame(line)
                 bus.send(
@@ -170,7 +171,7 @@ class OtherArm:
         self.firmware = Firmware(
             generation or rig.firmware.generation, joints_deg=tuple(joints_deg), flash=flash
         )
-        self._bus = can.Bus(interface="virtual", channel=rig.channel)
+        self._bus = ArmBus(rig.channel)
         self.node = Node(self.firmware, self._bus)
         rig.company.append(self)
 
@@ -181,7 +182,8 @@ class OtherArm:
 
     def step(self, dt_s: float) -> None:
         """Let time pass."""
-        self.node.poll(dt_s)
+        with self._bus.together():
+            self.node.poll(dt_s)
 
     def close(self) -> None:
         """Leave the bus."""

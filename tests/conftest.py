@@ -1,7 +1,10 @@
 """What every test may use; and what none may leave behind."""
 
+import gc
 import os
 import threading
+from functools import partial
+from itertools import count
 
 # Before Qt is loaded: tests need no display, and open no window on a desk that has one.
 os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
@@ -16,6 +19,9 @@ from tests.company import OtherHost
 from tests.examples import load_profile
 
 _ENDING_S = 2.0
+_MUCH_MADE = 20_000
+_YOUNG_SEARCHES = 10
+_SEARCHES = count(1)
 
 load_profile()
 
@@ -65,32 +71,52 @@ def other_host(rig):
 
 
 @pytest.fixture
-def app_driver(qapp, request, tmp_path, arm_repeats):
-    """The main window before a simulated arm of generation 2, not connected yet, in English."""
-    app_driver = AppDriver(qapp, request.node.nodeid, tmp_path / "settings.json", Generation.TWO)
-    yield _as_told(app_driver, arm_repeats)
-    app_driver.close()
-
-
-@pytest.fixture
-def slow_driver(qapp, request, tmp_path, arm_repeats):
-    """The same; what takes long is only done when `app_driver.workers` is told to work."""
+def make_driver(qapp, request, tmp_path):
+    """Starts the program; with the style sheet, which costs, if what it says is looked at."""
     settings = tmp_path / "settings.json"
-    app_driver = AppDriver(qapp, request.node.nodeid, settings, Generation.TWO, Slow())
+    styled = request.node.get_closest_marker("styled") is not None
+    return partial(AppDriver, qapp, request.node.nodeid, settings, styled=styled)
+
+
+@pytest.fixture
+def app_driver(make_driver, arm_repeats):
+    """The main window before a simulated arm of generation 2, not connected yet, in English."""
+    app_driver = make_driver(Generation.TWO)
     yield _as_told(app_driver, arm_repeats)
     app_driver.close()
 
 
 @pytest.fixture
-def any_driver(qapp, request, tmp_path, generation, arm_repeats):
-    """The same, in both generations."""
-    app_driver = AppDriver(qapp, request.node.nodeid, tmp_path / "settings.json", generation)
+def slow_driver(make_driver, arm_repeats):
+    """The same; what takes long is only done when `app_driver.workers` is told to work."""
+    app_driver = make_driver(Generation.TWO, Slow())
     yield _as_told(app_driver, arm_repeats)
     app_driver.close()
+
+
+@pytest.fixture
+def any_driver(make_driver, generation, arm_repeats):
+    """The same, in both generations."""
+    app_driver = make_driver(generation)
+    yield _as_told(app_driver, arm_repeats)
+    app_driver.close()
+
+
+def pytest_collection_finish():
+    """The tests themselves are no garbage; what they leave is searched between two of them.
+
+    A search that another thread makes, at any time, may end what is left of a window: Qt and
+    Python then wait for one another for ever.
+    """
+    gc.collect()
+    gc.freeze()
+    gc.disable()
 
 
 def pytest_runtest_setup():
     """Delete what the test before had closed: windows, and their timers, end with their test."""
+    if gc.get_count()[0] > _MUCH_MADE:
+        gc.collect(2 if next(_SEARCHES) % _YOUNG_SEARCHES == 0 else 1)
     if QCoreApplication.instance() is not None:
         QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete.value)
 

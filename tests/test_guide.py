@@ -19,6 +19,8 @@ from armui.ui.guide.text import FOLDER, parse, read_guide, search
 from armui.ui.widgets.message_line import MessageLine
 from tests.app_driver import AtOnce
 
+pytestmark = pytest.mark.styled
+
 LANGUAGES = ("zh", "en")
 MANUAL = [f"M{number}" for number in range(1, 27)]
 PROTOCOL = [f"P{number}" for number in range(1, 10)]

@@ -1,8 +1,8 @@
 """One answer all the way: what an arm says, what the window shows, what the program computes.
 
-1,000 random poses of each model, with today's zeros and those before S-V1.6-3: the simulated arm's
-end pose on the bus, the figures over the picture, the poses of the picture's links (by its own way
-and by yourdfpy), the check's places, the inverse kinematics.
+1,000 random poses of each model, half of them with today's zeros and half with those before
+S-V1.6-3: the simulated arm's end pose on the bus, the figures over the picture, the poses of the
+picture's links (by its own way and by yourdfpy), the check's places, the inverse kinematics.
 """
 
 import math
@@ -27,9 +27,10 @@ from armui.sim.firmware import Firmware
 from armui.trajectory.planning.planned_path import sampled_path
 from armui.viewport.hud import figures
 from armui.viewport.process.urdf_file import load_robot
+from tests.examples import examples
 from tests.family import FACTORY_ACCELERATION_DEG_S2, MODELS, ranges
 
-POSES = 1000
+POSES = examples(500)
 BUS_MM = 2e-3
 """Rounding: 0.001 mm of the pose, and 0.001° of each angle at the end of an arm of 0.8 m."""
 BUS_OF_ANGLES_MM = 0.06

@@ -324,6 +324,7 @@ def test_the_stop_key_works_while_a_foreign_modal_dialog_is_open(ready):
 # The window --------------------------------------------------------------------------------------
 
 
+@pytest.mark.styled
 def test_the_language_and_the_theme_change_while_the_arm_moves(ready):
     ready.type_into("target_field_1", "90")
     ready.click("send_button")

@@ -209,6 +209,7 @@ def test_a_double_click_takes_one_step_only(ready):
     reads(ready, "Ready")
 
 
+@pytest.mark.styled
 @ONE_IS_ENOUGH
 def test_nothing_moves_in_the_window_when_a_fault_comes_and_goes(ready):
     places = {

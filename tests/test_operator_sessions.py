@@ -56,6 +56,7 @@ class Sessions:
         return self.window._message.text()
 
 
+@pytest.mark.styled
 def test_a_session_is_recorded_and_listed(sessions):
     driver, window = sessions.driver, sessions.window
     assert driver.window.findChild(QWidget, "recording_mark") is None

@@ -33,7 +33,9 @@ def test_without_the_name_inside_pyside_nothing_happens(monkeypatch):
     from armui.system import quick_start  # noqa: PLC0415 - only here
 
     monkeypatch.setattr(quick_start, "_PYTHONS_OWN", "no such name")
+    searches = gc.isenabled()
     try:
         quick_start.begin_quickly()
+        assert not gc.isenabled()
     finally:
-        gc.enable()
+        (gc.enable if searches else gc.disable)()

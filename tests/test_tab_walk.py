@@ -22,6 +22,8 @@ from PySide6.QtWidgets import (
 from armui.ui.actions.places import PANELS
 from armui.ui.actions.window_actions import WindowActions
 
+pytestmark = pytest.mark.styled
+
 CONTROLS = (
     *(QAbstractButton, QAbstractItemView, QAbstractSlider, QAbstractSpinBox, QComboBox),
     *(QLineEdit, QTabBar),

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from typing import NamedTuple
 
 
-class GripperFault(enum.Enum):
+class GripperFault(enum.StrEnum):
     """What the gripper's driver complains of, by the signal that says so (generation 2)."""
 
     UNDERVOLTAGE = "Undervoltage"
@@ -60,5 +60,5 @@ def gripper_of(signals: Mapping[str, float]) -> GripperState:
         torque_nm=signals.get("Torque"),
         speed_rad_s=signals.get("Speed"),
         homed=None if homed is None else homed == 1,
-        faults=frozenset(fault for fault in GripperFault if signals.get(fault.value) == 1),
+        faults=frozenset(fault for fault in GripperFault if signals.get(fault) == 1),
     )

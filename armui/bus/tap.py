@@ -36,6 +36,7 @@ class TapLine:
 
     def __init__(self, taps: Sequence[Tap] = ()) -> None:
         self._wanted: tuple[Tap, ...] = tuple(taps)
+        self._followed: tuple[Tap, ...] = ()
         self._told: list[Tap] = []
         self._failed: list[Tap] = []
         self._opened: tuple[Codec, int | None] | None = None
@@ -58,8 +59,7 @@ class TapLine:
 
     def flush(self, codec: Codec, now_s: float) -> None:
         """Tell what has come together; it was decoded by this codec."""
-        wanted = self._wanted
-        if len(wanted) != len(self._told) + len(self._failed) or self._changed(wanted):
+        if self._wanted is not self._followed:
             self._follow()
         heard, self.heard = self.heard, []
         sent = self._decoded(codec) if self.sent else ()
@@ -84,12 +84,9 @@ class TapLine:
         """The adapter has reported an error on the bus."""
         self._tell(lambda tap: tap.on_error_frame())
 
-    def _changed(self, wanted: Sequence[Tap]) -> bool:
-        return any(each not in self._told and each not in self._failed for each in wanted)
-
     def _follow(self) -> None:
         """Begin to tell those who came, and tell those who left no more."""
-        wanted = self._wanted
+        wanted = self._followed = self._wanted
         self._failed = [each for each in self._failed if each in wanted]
         came = [each for each in wanted if each not in self._told and each not in self._failed]
         self._told = [each for each in self._told if each in wanted]

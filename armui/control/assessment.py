@@ -125,7 +125,7 @@ def assess(state: ArmState, around: AssessmentInputs, now_s: float) -> Operating
         addressing=around.offsets.addressing,
         control_certain=around.offsets.certain,
         model_fit=around.model_fit,
-        teaching_input=around.link in {LinkState.OFFLINE, LinkState.ONLINE}
+        teaching_input=around.link in (LinkState.OFFLINE, LinkState.ONLINE)
         and is_fresh(state.foreign_targets_s, now_s)
         and not _controller_heard(state, now_s),
     )
@@ -143,10 +143,10 @@ def _on_its_way(state: ArmState, authority: Authority) -> bool:
 
 
 def _fresh_enabled(state: ArmState, now_s: float) -> Six[bool | None]:
-    a, b, c, d, e, f = (
-        driver.value.enabled if driver is not None and driver.fresh(now_s) else None
+    a, b, c, d, e, f = [
+        driver.value.enabled if driver is not None and is_fresh(driver.at_s, now_s) else None
         for driver in state.drivers_slow
-    )
+    ]
     return (a, b, c, d, e, f)
 
 

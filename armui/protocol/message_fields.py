@@ -6,13 +6,15 @@ Such a record needs no code of its own to be read from a decoded frame, or to be
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from functools import cache
 from typing import Any, TypeVar, get_type_hints
 
 T = TypeVar("T")
 
 
+@cache
 def signal_names(record: type) -> Mapping[str, str]:
-    """The signal of every field of a record's class, by the field's name.
+    """The signal of every field of a record's class, by the field's name; read once.
 
     Raises:
         TypeError: A field names no signal.
@@ -31,7 +33,8 @@ def record_reader(record: type[T]) -> Callable[[Mapping[str, float]], T]:
 
     What it makes raises `KeyError` for a message without one of the signals.
     """
-    names = tuple(signal_names(record).items())
+    kind: type = record
+    names = tuple(signal_names(kind).items())
 
     def read(signals: Mapping[str, float]) -> T:
         values: dict[str, Any] = {field: signals[name] for field, name in names}

@@ -25,6 +25,7 @@ Channel: TypeAlias = int | str | None
 """A channel as the log names it: "can0", 1, or None where the format has no channels."""
 
 
+_REMOTE = int(FrameFlag.REMOTE)
 NOT_OF_THE_ARM = ~FrameFlag.TRANSMITTED & 0xFF
 """Flags that a frame of the arm's protocol does not have."""
 
@@ -76,7 +77,7 @@ class FrameBatch:
 
     def data(self, row: int) -> bytes:
         """Data of one frame; empty for a remote frame."""
-        if self.flags[row] & FrameFlag.REMOTE:
+        if self.flags[row] & _REMOTE:
             return b""
         whole = self.long_data.get(row)
         return self.payloads[row, : self.lengths[row]].tobytes() if whole is None else whole

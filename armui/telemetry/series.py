@@ -6,6 +6,7 @@ import struct
 from bisect import bisect_left
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import cache
 from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
@@ -94,13 +95,9 @@ class Series:
         self.shape = shape
         self._keep_s = keep_s
         self._capacity = max(_FOLD_EVERY * 2, round(shape.rate_hz * keep_s))
-        self._layout = struct.Struct(f"<d{len(shape.figures)}f{len(shape.codes)}B")
-        self._pack = self._layout.pack_into
-        self._size = self._layout.size
-        fields: list[tuple[str, str]] = [("time_s", "<f8")]
-        fields += [(name, "<f4") for name in shape.figures]
-        fields += [(name, "u1") for name in shape.codes]
-        self._type = np.dtype(fields)
+        layout, self._type = _layout(shape.figures, shape.codes)
+        self._pack = layout.pack_into
+        self._size = layout.size
         self.write: Callable[[float, Row], None]
         self.replaced = 0
         self.release()
@@ -359,3 +356,14 @@ class Series:
             copy = np.concatenate((samples[begin:], samples[:end]))
         lost = self._count + self._ahead - capacity + 1 - first
         return copy[lost:] if lost > 0 else copy
+
+
+@cache
+def _layout(
+    figures: tuple[str, ...], codes: tuple[str, ...]
+) -> tuple[struct.Struct, np.dtype[np.void]]:
+    """How a sample lies in memory, as it is written and as it is read."""
+    fields: list[tuple[str, str]] = [("time_s", "<f8")]
+    fields += [(name, "<f4") for name in figures]
+    fields += [(name, "u1") for name in codes]
+    return struct.Struct(f"<d{len(figures)}f{len(codes)}B"), np.dtype(fields)

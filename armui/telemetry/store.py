@@ -35,6 +35,7 @@ _PAUSE_S: Final = 1.0
 _FRAME_BITS: Final = 47
 """Of a classic frame without its payload, the gap behind it included; stuff bits not counted."""
 DEFAULT_BITRATE: Final = 1_000_000
+_SHAPES: Final = {record.name: record.shape for record in RECORDS}
 
 ENDS: Final = {
     "EmergencyStop": frozenset({StopCommand.EMERGENCY_STOP, StopCommand.RESUME}),
@@ -73,7 +74,7 @@ class Telemetry(Tap):
         self._keep_s = keep_s
         self.wall_time: Callable[[float], datetime] = self._wall_time
         self.series: Mapping[str, Series] = {
-            record.name: Series(record.shape, keep_s) for record in RECORDS
+            name: Series(shape, keep_s) for name, shape in _SHAPES.items()
         }
         self._choosing = threading.Lock()
         self._codec: Codec | None = None

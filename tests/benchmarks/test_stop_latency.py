@@ -124,6 +124,8 @@ def standing_picture(program):
     client = program.view._client
 
     def stop():
+        if client._link is None:
+            return  # it is being replaced
         client._link._restarts._lost_s.clear()
         if client.pid is not None and program.view._lost is None:
             os.kill(client.pid, signal.SIGSTOP)

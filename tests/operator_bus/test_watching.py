@@ -366,6 +366,7 @@ def test_a_codec_that_is_not_proven_is_said(monitor):
     assert monitor.read("bus_counted").startswith("Generation not known yet")
 
 
+@pytest.mark.styled
 def test_in_a_narrow_window_the_data_are_seen_whole(monitor):
     window = monitor.window.window()
     window.resize(1500, 700)

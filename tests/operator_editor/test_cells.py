@@ -11,6 +11,8 @@ from armui.trajectory.points.cells import PointColumn
 from armui.trajectory.points.program import GripperOpening, LightAction
 from tests.operator_editor.actions import BACK, UP
 
+pytestmark = pytest.mark.styled
+
 
 def test_an_angle_is_typed_undone_and_done_again(editor):
     editor.type_into(1, PointColumn.VALUE_2, "45,5")

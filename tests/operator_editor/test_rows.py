@@ -6,6 +6,8 @@ from PySide6.QtGui import QDropEvent, QGuiApplication
 
 from tests.operator_editor.actions import ALT, BACK, CTRL, OUT, SHIFT, UP, Editor, notes, to
 
+pytestmark = pytest.mark.styled
+
 
 def test_rows_are_inserted_duplicated_moved_and_deleted(editor):
     editor.choose(1)

@@ -1,5 +1,6 @@
 """The window: finding and replacing, saving and leaving, its language."""
 
+import pytest
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QComboBox, QWidget
@@ -12,6 +13,8 @@ from armui.ui.trajectory.library.library_work import LibraryWork
 from armui.ui.trajectory.running.preflight import Checks
 from tests.app_driver import AtOnce
 from tests.operator_editor.actions import CTRL, notes
+
+pytestmark = pytest.mark.styled
 
 # Find and replace ---------------------------------------------------------------------------------
 

@@ -17,6 +17,8 @@ from armui.ui.watch.round_figures import ticks
 from tests.app_driver import AppDriver
 from tests.operator_plots.actions import Plots
 
+pytestmark = pytest.mark.styled
+
 
 def save(plots, kind, path):
     plots.window.bar.saves[kind].trigger()

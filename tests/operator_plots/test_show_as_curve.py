@@ -14,6 +14,8 @@ from armui.ui.widgets.curve_menu import quantities_under
 from armui.viewport.hud import Hud
 from tests.operator_plots.actions import Plots, ask_for_menu, trigger
 
+pytestmark = pytest.mark.styled
+
 
 @pytest.fixture(autouse=True)
 def no_menu_is_left():

@@ -14,6 +14,8 @@ from tests.company import OtherHost
 from tests.operator_plots.actions import LEFT, trigger
 from tests.sim.talk import mode, target
 
+pytestmark = pytest.mark.styled
+
 FOLLOW = [[f"{source}.joint_angle.{joint}" for source in ("arm", "own", "other")]
           for joint in JOINTS]  # fmt: skip
 

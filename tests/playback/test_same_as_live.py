@@ -38,28 +38,35 @@ def what_it_says(state: ArmState) -> ArmState:
     return state._replace(epoch=0, sequence=0, frames=0, silences=0, invalid_frames={})
 
 
-@GENERATIONS
-@pytest.mark.parametrize("fault", EACH_FAULT)
-def test_frame_by_frame_every_state_is_that_of_live(tmp_path, fault, generation):
-    session = log_with(tmp_path, fault, generation)
+@pytest.fixture(
+    scope="module",
+    params=[(fault, generation) for generation in Generation for fault in EACH_FAULT],
+    ids=lambda given: f"{given[0]}-{given[1]}",
+)
+def log(request, tmp_path_factory):
+    """A log with a fault, the generation, and what a live program makes of its frames."""
+    fault, generation = request.param
+    session = log_with(tmp_path_factory.mktemp("log"), fault, generation)
+    yield session, generation, live(session, generation)
+    session.close()
+
+
+def test_frame_by_frame_every_state_is_that_of_live(log):
+    session, generation, known = log
     replayed = Player(session, generation)
     replayed.player._cursor.go_behind(-math.inf)
 
-    for at_s, frame, state in live(session, generation):
+    for at_s, frame, state in known:
         step = replayed.player.step()
         assert (step.frame, step.at_s) == (frame, at_s)
         assert replayed.state == state
     assert replayed.player.step() is None
-    session.close()
 
 
-@GENERATIONS
-@pytest.mark.parametrize("fault", EACH_FAULT)
-def test_played_fast_the_same_states_are_passed(tmp_path, fault, generation):
-    session = log_with(tmp_path, fault, generation)
+def test_played_fast_the_same_states_are_passed(log):
+    session, generation, known = log
     replayed = Player(session, generation)
     replayed.player._cursor.go_behind(-math.inf)
-    known = live(session, generation)
     told: set[tuple[object, ...]] = set()
     tracker = replayed.player.intake._tracker
     update = tracker.update
@@ -78,7 +85,6 @@ def test_played_fast_the_same_states_are_passed(tmp_path, fault, generation):
         assert replayed.clock() == at_s
 
     assert told >= {faults_of(state) for *_, state in known}
-    session.close()
 
 
 def faults_of(state: ArmState) -> tuple[object, ...]:

@@ -20,6 +20,8 @@ from armui.ui.widgets.halt_button import HaltButton
 from armui.ui.widgets.stop_button import StopButton
 from armui.ui.widgets.stop_shortcut import HALT_KEY
 
+pytestmark = pytest.mark.styled
+
 LEFT = Qt.MouseButton.LeftButton
 
 

@@ -11,6 +11,8 @@ from armui.ui.trajectory.library.library_page import LibraryPage
 from tests.operator_library.actions import POINT
 from tests.test_operator_palette import command
 
+pytestmark = pytest.mark.styled
+
 
 @pytest.fixture
 def driver(app_driver):

@@ -236,6 +236,7 @@ def test_the_button_and_the_key_act_on_the_press(app_driver):
     assert app_driver.firmware.stopped is False
 
 
+@pytest.mark.styled
 def test_it_is_smaller_than_the_stop_and_beside_it(app_driver):
     halt, stop = app_driver.find("halt_button"), app_driver.find("stop_button")
     assert halt.width() < 0.7 * stop.width()

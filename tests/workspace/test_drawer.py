@@ -10,6 +10,8 @@ from armui.ui.watch.events.event_page import EventPage
 from armui.ui.watch.plot_page import PlotPage
 from tests.workspace.actions import rect_in_window
 
+pytestmark = pytest.mark.styled
+
 KINDS = {"plots": PlotPage, "events": EventPage, "bus": BusPage}
 
 

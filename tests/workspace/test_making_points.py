@@ -9,6 +9,8 @@ from armui.ui.trajectory.editor.editor_page import EditorPage
 from tests.operator_library.actions import CTRL
 from tests.workspace.actions import rect_in_window
 
+pytestmark = pytest.mark.styled
+
 
 @pytest.fixture
 def making(pages):

@@ -7,6 +7,8 @@ from armui.trajectory.library.store import Library
 from armui.trajectory.points.program import Trajectory
 from tests.workspace.actions import rect_in_window
 
+pytestmark = pytest.mark.styled
+
 SIZES = [(1280, 800), (1440, 900)]
 
 

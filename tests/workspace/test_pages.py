@@ -13,6 +13,8 @@ from armui.ui.trajectory.library.library_page import LibraryPage
 from tests.operator_library.actions import CTRL
 from tests.workspace.actions import rect_in_window
 
+pytestmark = pytest.mark.styled
+
 ALWAYS = ("stop_button", "halt_button", "recovery_text", "status_bar", "menu_motion")
 
 

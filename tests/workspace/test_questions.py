@@ -8,6 +8,8 @@ from armui.ui.dialogs.base import ArmDialog
 from armui.ui.shell.page_window import PageWindow
 from armui.ui.trajectory.editor.leave_question import LeaveQuestion
 
+pytestmark = pytest.mark.styled
+
 
 def on_desktop(widget: QWidget) -> QRect:
     return QRect(widget.mapToGlobal(QPoint(0, 0)), widget.size())

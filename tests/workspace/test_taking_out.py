@@ -1,5 +1,6 @@
 """A page in a window of its own, and back; the stops go with it."""
 
+import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtTest import QTest
@@ -10,6 +11,8 @@ from armui.ui.shell.operation_area import OperationArea
 from armui.ui.trajectory.editor.editor_page import EditorPage
 from armui.ui.trajectory.editor.leave_question import LeaveQuestion
 from armui.ui.trajectory.library.library_page import LibraryPage
+
+pytestmark = pytest.mark.styled
 
 
 def test_a_page_is_taken_out_and_the_panel_is_seen_again(pages):

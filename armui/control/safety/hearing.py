@@ -29,10 +29,13 @@ def _fresh(heard: Reading[Any] | None, now_s: float) -> bool:
 
 def limp(state: ArmState, now_s: float) -> bool | None:
     """Whether a motor is without power; ``None`` if that is not heard of each."""
-    drivers = state.drivers_slow
-    if any(each is not None and each.fresh(now_s) and not each.value.enabled for each in drivers):
-        return True
-    return False if all(_fresh(each, now_s) for each in drivers) else None
+    known = True
+    for each in state.drivers_slow:
+        if each is None or not is_fresh(each.at_s, now_s):
+            known = False
+        elif not each.value.enabled:
+            return True
+    return False if known else None
 
 
 def taught(state: ArmState) -> bool:

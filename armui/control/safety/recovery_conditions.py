@@ -86,8 +86,9 @@ def joints_flagged(
     """Some joints are flagged, or the arm's status says so without naming one."""
 
     def applies(view: RecoveryView) -> Params | None:
-        numbers = [joint for joint, flag in zip(JOINTS, flagged(view), strict=True) if flag]
-        if numbers:
+        flags = flagged(view)
+        if True in flags:
+            numbers = [joint for joint, flag in zip(JOINTS, flags, strict=True) if flag]
             return {"joints": interlocks.joint_list(numbers), "numbers": tuple(numbers)}
         return _NONE if code is not None and view.code == code else None
 
@@ -196,16 +197,16 @@ def held_back(hold: Hold) -> Applies:
 
 def near_rest(view: RecoveryView) -> bool:
     """Led by hand, and near the rest pose."""
-    farthest = farthest_from_rest(view.state)
-    return view.in_drag_mode and farthest is not None and abs(farthest[1]) <= NEAR_REST_DEG
+    farthest = farthest_from_rest(view.state) if view.in_drag_mode else None
+    return farthest is not None and abs(farthest[1]) <= NEAR_REST_DEG
 
 
 def far_from_rest(condition: Callable[[RecoveryView], bool]) -> Applies:
     """Led by hand, away from the rest pose, and a condition holds."""
 
     def applies(view: RecoveryView) -> Params | None:
-        farthest = farthest_from_rest(view.state)
-        if farthest is None or not view.in_drag_mode or not condition(view):
+        farthest = farthest_from_rest(view.state) if view.in_drag_mode else None
+        if farthest is None or not condition(view):
             return None
         joint, angle_deg = farthest
         return {"joint": joint, "angle": angle_deg, "near": f"{NEAR_REST_DEG:g}"}

@@ -13,7 +13,7 @@ from typing import Final
 
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
-from armui.arm.state import ArmState
+from armui.arm.state import ArmState, is_fresh
 from armui.control.devices.teaching_phase import TeachingPhase
 from armui.control.events import Level
 from armui.control.motion.motion_command import Hold
@@ -83,8 +83,10 @@ def next_step(
         operating_state,
         heard.value if heard is not None and heard.fresh(now_s) else None,
         tuple(
-            each.value if each is not None and each.fresh(now_s) else None
-            for each in state.drivers_slow
+            [
+                each.value if each is not None and is_fresh(each.at_s, now_s) else None
+                for each in state.drivers_slow
+            ]
         ),
     )
     for rule in _RULES:

@@ -60,7 +60,8 @@ class IndexedLog:
         path = column_path(self._folder, name)
         if path.stat().st_size == 0:
             return np.empty((0, *kind.shape), kind.base)
-        flat: NDArray[Any] = np.memmap(path, kind.base, "r")
+        # seen as a plain array, of which one row costs a fraction
+        flat: NDArray[Any] = np.asarray(np.memmap(path, kind.base, "r"))
         return flat.reshape(-1, *kind.shape)
 
     def _remove_folder(self) -> None:

@@ -9,7 +9,7 @@ from typing import Final
 from armui.sim.mechanics.powered_joints import JOINT_COUNT
 
 
-class Alarm(enum.Enum):
+class Alarm(enum.StrEnum):
     """An alarm of a driver; the value is the name of its bit in 0x261–0x266.
 
     Not every generation has every bit. A sensor fault is told as a driver fault where its own bit

@@ -21,10 +21,12 @@ from armui.sim.mechanics.powered_joints import STANDSTILL, SixValues
 
 if TYPE_CHECKING:
     from armui.sim.firmware import Firmware
+    from armui.sim.mechanics.gripper import SimulatedGripper
 
 _DEGREES_PER: Final = {**DEGREES_PER, "pulse": 360.0 / 65536.0}
 """With the encoder's pulses; the protocol text gives no number of them a turn, this is assumed."""
-_NO_ALARM: Final[Mapping[str, float]] = dict.fromkeys((alarm.value for alarm in Alarm), False)
+_NO_ALARM: Final[Mapping[str, float]] = dict.fromkeys(Alarm, False)
+_NO_GRIPPER_FAULT: Final[Mapping[str, float]] = dict.fromkeys(GripperFault, False)
 
 
 class Feedback:
@@ -112,7 +114,7 @@ class Feedback:
             Torque=gripper.torque_nm,
             Enabled=gripper.enabled,
             Homed=1,
-            **{fault.value: fault in gripper.errors for fault in GripperFault},
+            **_gripper_bits(gripper),
         )
 
     def _driver_fast(self, joint: int) -> Frame:
@@ -143,9 +145,9 @@ class Feedback:
         alarms = self._arm.condition.alarms.of(index)
         if not alarms:
             return _NO_ALARM
-        bits: dict[str, float] = {alarm.value: alarm in alarms for alarm in Alarm}
+        bits: dict[str, float] = {alarm: alarm in alarms for alarm in Alarm}
         if Alarm.SENSOR in alarms and not self._first_generation:
-            bits[Alarm.DRIVER.value] = True
+            bits[Alarm.DRIVER] = True
         return bits
 
     def _end_motion(self, joint: int) -> Frame:
@@ -164,3 +166,9 @@ class Feedback:
             LinearAcceleration=part.linear_acceleration_m_s2,
             AngularAcceleration=part.angular_acceleration_rad_s2,
         )
+
+
+def _gripper_bits(gripper: SimulatedGripper) -> Mapping[str, float]:
+    if not gripper.errors:
+        return _NO_GRIPPER_FAULT
+    return {fault: fault in gripper.errors for fault in GripperFault}

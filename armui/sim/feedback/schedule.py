@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import cache
 from typing import Final
 
 from armui.protocol.database import load_database
@@ -52,27 +53,7 @@ class FeedbackSchedule:
 
     def __init__(self, generation: Generation) -> None:
         self.end_motion = self.ik_solution = False
-        database = load_database(generation)
-        groups: dict[tuple[int, int, str], list[str]] = {}
-
-        def add(name: str, cycle_time_ms: int, part: int = 1, parts: int = 1) -> None:
-            period_ns = cycle_time_ms * _NS_PER_MS
-            first_ns = -(-period_ns * part // (parts * TICK_NS)) * TICK_NS
-            groups.setdefault((first_ns, period_ns, _OPTIONS.get(name, "")), []).append(name)
-
-        periodic = {each.name: each.cycle_time for each in database.messages if each.cycle_time}
-        for name, cycle_time_ms in periodic.items():
-            if name not in _DRIVERS:
-                add(name, cycle_time_ms)
-        if any(each.name in _IK_SOLUTION for each in database.messages):
-            for name in _IK_SOLUTION:
-                add(name, _IK_SOLUTION_MS)
-        for name in _DRIVERS:
-            add(name, periodic[name], int(name[-1]), 6)
-        self._slots = [
-            _Slot(first_ns, period_ns, tuple(names), option)
-            for (first_ns, period_ns, option), names in groups.items()
-        ]
+        self._slots = [_Slot(*slot) for slot in _slots(generation)]
         self.next_ns = min(slot.due_ns for slot in self._slots)
         self.periods_ns: Mapping[str, int] = {
             name: slot.period_ns for slot in self._slots for name in slot.names
@@ -89,3 +70,29 @@ class FeedbackSchedule:
                 slot.due_ns += slot.period_ns
         self.next_ns = min(slot.due_ns for slot in self._slots)
         return names
+
+
+@cache
+def _slots(generation: Generation) -> tuple[tuple[int, int, tuple[str, ...], str], ...]:
+    """When each burst of a generation is first due, its period, its frames and their option."""
+    database = load_database(generation)
+    groups: dict[tuple[int, int, str], list[str]] = {}
+
+    def add(name: str, cycle_time_ms: int, part: int = 1, parts: int = 1) -> None:
+        period_ns = cycle_time_ms * _NS_PER_MS
+        first_ns = -(-period_ns * part // (parts * TICK_NS)) * TICK_NS
+        groups.setdefault((first_ns, period_ns, _OPTIONS.get(name, "")), []).append(name)
+
+    periodic = {each.name: each.cycle_time for each in database.messages if each.cycle_time}
+    for name, cycle_time_ms in periodic.items():
+        if name not in _DRIVERS:
+            add(name, cycle_time_ms)
+    if any(each.name in _IK_SOLUTION for each in database.messages):
+        for name in _IK_SOLUTION:
+            add(name, _IK_SOLUTION_MS)
+    for name in _DRIVERS:
+        add(name, periodic[name], int(name[-1]), 6)
+    return tuple(
+        (first_ns, period_ns, tuple(names), option)
+        for (first_ns, period_ns, option), names in groups.items()
+    )

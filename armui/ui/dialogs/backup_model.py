@@ -41,9 +41,9 @@ class BackupModel(TableModel):
         super().__init__()
         self._cell = cell
         self._rows: list[ComparisonRow] = []
+        self._told: list[tuple[ComparisonRow, SettingCellState]] = []
         self._chosen: set[Parameter] = set()
         self._restored: set[Parameter] = set()
-        self._cells: list[SettingCellState] = []
 
     # What the dialog does ---------------------------------------------------------------------
 
@@ -63,16 +63,16 @@ class BackupModel(TableModel):
 
     def show_rows(self, rows: Sequence[ComparisonRow]) -> None:
         """Show another comparison; ticks stay where the parameters do."""
-        before, cells_before = self._rows, self._cells
-        same = [row.parameter for row in rows] == [row.parameter for row in before]
+        same = [row.parameter for row in rows] == [row.parameter for row in self._rows]
         if not same:
             self.beginResetModel()
+        told, self._told = self._told, [(row, self._cell(row.parameter)) for row in rows]
         self._rows = list(rows)
-        self._cells = [self._cell(row.parameter) for row in rows]
         if not same:
             self.endResetModel()
-        elif (self._rows, self._cells) != (before, cells_before):
-            self.redraw()  # which has every cell measured: only where one differs
+        elif other := [at for at, what in enumerate(self._told) if what != told[at]]:
+            end = self._columns - 1  # the view measures every cell that it is told of
+            self.dataChanged.emit(self.index(other[0], 0), self.index(other[-1], end))
         self.ticked.emit()
 
     def choose(self, wanted: Callable[[ComparisonRow], bool]) -> None:

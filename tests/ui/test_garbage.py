@@ -1,0 +1,68 @@
+"""Garbage ends in the thread of the windows, whoever makes it."""
+
+import gc
+import threading
+
+import pytest
+from PySide6.QtCore import QObject
+
+from armui.ui import garbage
+from armui.ui.garbage import GarbageSearch
+
+
+class Remains:
+    """What lets go of itself only when somebody searches."""
+
+    def __init__(self, ended):
+        self.itself = self
+        self.ended = ended
+
+    def __del__(self):
+        self.ended.append(threading.current_thread())
+
+
+@pytest.fixture
+def search(qapp):
+    """The search, in a process that has searched by itself so far."""
+    before = gc.isenabled()
+    gc.enable()
+    parent = QObject()
+    yield GarbageSearch(parent)
+    parent.deleteLater()
+    (gc.enable if before else gc.disable)()
+
+
+def make_many(ended):
+    """More than Python, left to itself, would let pass without a search."""
+    for _ in range(1000):
+        Remains(ended)
+
+
+def test_no_other_thread_searches(search):
+    ended: list[threading.Thread] = []
+    other = threading.Thread(target=make_many, args=(ended,))
+    other.start()
+    other.join()
+    assert not ended
+    search.look()
+    assert ended == [threading.main_thread()] * 1000
+
+
+def test_what_has_become_old_is_found_within_a_minute(search, monkeypatch):
+    ended: list[threading.Thread] = []
+    remains = Remains(ended)
+    for _ in range(2):
+        gc.collect(1)  # they survive, and are old
+    del remains
+    search.look()
+    assert not ended
+    monkeypatch.setattr(garbage, "_LOOKS", 2)
+    search.look()
+    assert len(ended) == 1
+
+
+def test_it_looks_by_itself(search, qtbot):
+    ended: list[threading.Thread] = []
+    Remains(ended)
+    search._timer.setInterval(1)
+    qtbot.waitUntil(lambda: len(ended) == 1, timeout=5000)
