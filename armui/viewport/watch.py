@@ -28,7 +28,7 @@ LIMITS: Final = {
     PicturePhase.OPENING: Limits(5.0, 5.0),  # a graphics card that wakes up
     PicturePhase.LOADING: Limits(5.0, 20.0),  # large meshes
     PicturePhase.FIRST_DRAWING: Limits(5.0, 5.0),  # a driver compiles its shaders
-    PicturePhase.DRAWING: Limits(0.8, 1.0),
+    PicturePhase.DRAWING: Limits(1.0, 1.0),
 }
 LOOK_S: Final = 0.2
 """So long a silent process is watched, to tell one that hangs from one that gets no turn."""

@@ -149,7 +149,8 @@ def test_a_starved_process_is_waited_for(view, losses, moving):
 
     def turn():
         signal_number = next(turns)
-        starving.setInterval(90 if signal_number == signal.SIGSTOP else 20)
+        # so long that its picture looks old, however fast the computer is
+        starving.setInterval(280 if signal_number == signal.SIGSTOP else 40)
         os.kill(pid, signal_number)
 
     starving.timeout.connect(turn)
