@@ -84,7 +84,7 @@ def nice_of(pid, *beginnings):
     for task in Path(f"/proc/{pid}/task").iterdir():
         name = "first" if task.name == str(pid) else (task / "comm").read_text().strip()
         if name == "first" or name.startswith(beginnings):
-            found[name] = os.getpriority(os.PRIO_PROCESS, int(task.name))
+            found[f"{name} {task.name}"] = os.getpriority(os.PRIO_PROCESS, int(task.name))
     return found
 
 

@@ -31,6 +31,7 @@ from armui.protocol.generation import Generation
 from armui.setting_checks import Language, ThemeName
 from armui.ui.shell.operation_area import OperationArea
 from armui.viewport.client import PictureClient
+from armui.viewport.viewpoint import ViewMode
 from tests.app_driver import AppDriver
 from tests.gallery_scenes import DIALOG_SCENES, WINDOW_SCENES
 from tests.gallery_scenes.scene import DialogScene, Scene, close_dialogs
@@ -151,6 +152,8 @@ class _WindowPictures:
         self._driver.store.change(theme=theme)
         view, longest = self._driver.program.view, QDeadlineTimer(_LONGEST_MS)
         _let_work()
+        if view.mode is ViewMode.FIT:
+            view.fit()  # not as where the arm was seen on its way has it
         # a computer that can't draw shows why
         while not (view.is_settled or view.has_given_up or longest.hasExpired()):
             _let_work()
