@@ -11,6 +11,7 @@ from types import MappingProxyType
 from typing import Any, Final
 
 from armui.arm.gripper import GripperState, gripper_of
+from armui.arm.joints import EACH_JOINT, JointNumber, PerJoint
 from armui.arm.limits import JOINTS, JointLimits
 from armui.arm.state import (
     FRESH_FOR_S,
@@ -25,7 +26,7 @@ from armui.arm.state import (
 )
 from armui.arm.units import DEGREES_PER
 from armui.protocol.addressing import OFFSETS
-from armui.protocol.codec import Codec, InvalidFrame, Message
+from armui.protocol.codec import Codec, InvalidFrame, InvalidFrameKind, Message
 from armui.protocol.message_fields import record_reader
 from armui.protocol.version import AnswerCollector, is_question
 
@@ -64,13 +65,13 @@ class Tracker:
         self._gripper: Reading[GripperState] | None = None
         self._joints: list[Reading[float] | None] = [None] * 6
         self._pose: list[Reading[float] | None] = [None] * 6
-        self._drivers_fast: list[Reading[DriverFast] | None] = [None] * 6
-        self._drivers_slow: list[Reading[DriverSlow] | None] = [None] * 6
-        self._limits: list[Reading[JointLimits] | None] = [None] * 6
-        self._accelerations: list[Reading[float] | None] = [None] * 6
+        self._drivers_fast = PerJoint[Reading[DriverFast] | None](None)
+        self._drivers_slow = PerJoint[Reading[DriverSlow] | None](None)
+        self._limits = PerJoint[Reading[JointLimits] | None](None)
+        self._accelerations = PerJoint[Reading[float] | None](None)
         self._levels: dict[str, Reading[Six[int]]] = {}
         self._records: dict[str, Reading[Any]] = {}
-        self._end_motion: list[Reading[EndMotion] | None] = [None] * 6
+        self._end_motion = PerJoint[Reading[EndMotion] | None](None)
         self._answer = AnswerCollector()
         self._version_heard_s: float | None = None
         self._silences = 0
@@ -83,7 +84,7 @@ class Tracker:
         self._frames += 1
         self._sequence += 1
         if isinstance(heard, InvalidFrame):
-            self._invalid_frames[heard.kind.name] += 1
+            self.count_invalid(heard.kind)
             if heard.message is None:
                 self._note_status(heard.arbitration_id - _STATUS_ID, at_s)
                 self._note_foreign_target(_TARGET_PLACES.get(heard.arbitration_id), at_s)
@@ -97,6 +98,11 @@ class Tracker:
             self._last_feedback_s = at_s
         elif heard.name in _TARGET_MESSAGES:
             self._note_foreign_target(_TARGET_MESSAGES.index(heard.name), at_s)
+
+    def count_invalid(self, kind: InvalidFrameKind) -> None:
+        """Count a frame that was received as one that was not understood."""
+        self._invalid_frames[kind.name] += 1
+        self._sequence += 1
 
     def pardon_silences(self) -> None:
         """What was taken in so far comes from a log and was not heard one after another."""
@@ -120,13 +126,13 @@ class Tracker:
             joints_deg=_six(self._joints),
             pose=_six(self._pose),
             gripper=self._gripper,
-            drivers_fast=_six(self._drivers_fast),
-            drivers_slow=_six(self._drivers_slow),
-            limits=_six(self._limits),
-            accelerations_deg_s2=_six(self._accelerations),
+            drivers_fast=self._drivers_fast.six(),
+            drivers_slow=self._drivers_slow.six(),
+            limits=self._limits.six(),
+            accelerations_deg_s2=self._accelerations.six(),
             collision_levels=self._levels.get("CollisionFeedback"),
             drag_assistance=self._levels.get("DragAssistanceFeedback"),
-            end_motion=_six(self._end_motion),
+            end_motion=self._end_motion.six(),
             firmware=None if self._answer.identity is None else self._answer.identity.software,
             identity=self._answer.identity,
             version_heard_s=self._version_heard_s,
@@ -157,7 +163,7 @@ class Tracker:
         }
         for message, (field, record) in RECORDS.items():
             handlers[message] = self._record_handler(field, record)
-        for joint in JOINTS:
+        for joint in EACH_JOINT:
             handlers[f"DriverFast{joint}"] = self._driver_fast_handler(joint)
             handlers[f"DriverSlow{joint}"] = self._driver_slow_handler(joint)
             handlers[f"EndMotion{joint}"] = self._end_motion_handler(joint)
@@ -200,12 +206,12 @@ class Tracker:
             max_deg=signals["MaxAngle"],
             max_speed_deg_s=signals["MaxSpeed"] * self._degrees_per("LimitFeedback", "MaxSpeed"),
         )
-        self._limits[int(signals["Joint"]) - 1] = Reading(limits, at_s)
+        self._limits[JointNumber(signals["Joint"])] = Reading(limits, at_s)
 
     def _on_acceleration(self, signals: _Signals, at_s: float) -> None:
         factor = self._degrees_per("AccelerationFeedback", "MaxAcceleration")
         acceleration_deg_s2 = signals["MaxAcceleration"] * factor
-        self._accelerations[int(signals["Joint"]) - 1] = Reading(acceleration_deg_s2, at_s)
+        self._accelerations[JointNumber(signals["Joint"])] = Reading(acceleration_deg_s2, at_s)
 
     def _levels_handler(self, message: str) -> Callable[[_Signals, float], None]:
         def on_levels(signals: _Signals, at_s: float) -> None:
@@ -222,11 +228,11 @@ class Tracker:
 
         return on_record
 
-    def _end_motion_handler(self, joint: int) -> Callable[[_Signals, float], None]:
+    def _end_motion_handler(self, joint: JointNumber) -> Callable[[_Signals, float], None]:
         read = record_reader(EndMotion)
 
         def on_end_motion(signals: _Signals, at_s: float) -> None:
-            self._end_motion[joint - 1] = Reading(read(signals), at_s)
+            self._end_motion[joint] = Reading(read(signals), at_s)
 
         return on_end_motion
 
@@ -234,7 +240,7 @@ class Tracker:
         self._version_heard_s = at_s
         self._answer.take(_version_payload(signals), at_s)
 
-    def _driver_fast_handler(self, joint: int) -> Callable[[_Signals, float], None]:
+    def _driver_fast_handler(self, joint: JointNumber) -> Callable[[_Signals, float], None]:
         name = f"DriverFast{joint}"
         speed_factor = self._degrees_per(name, "Speed")
         position_factor = DEGREES_PER.get(self._codec.unit(name, "Position"))
@@ -245,11 +251,11 @@ class Tracker:
                 current_a=signals["Current"],
                 position_deg=position_factor and signals["Position"] * position_factor,
             )
-            self._drivers_fast[joint - 1] = Reading(driver, at_s)
+            self._drivers_fast[joint] = Reading(driver, at_s)
 
         return on_driver
 
-    def _driver_slow_handler(self, joint: int) -> Callable[[_Signals, float], None]:
+    def _driver_slow_handler(self, joint: JointNumber) -> Callable[[_Signals, float], None]:
         def on_driver(signals: _Signals, at_s: float) -> None:
             driver = DriverSlow(
                 voltage_v=signals["Voltage"],
@@ -267,7 +273,7 @@ class Tracker:
                 collision_protection=_flag(signals.get("CollisionProtection")),
                 stall_protection=_flag(signals.get("StallProtection")),
             )
-            self._drivers_slow[joint - 1] = Reading(driver, at_s)
+            self._drivers_slow[joint] = Reading(driver, at_s)
 
         return on_driver
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import logging
 from collections import deque
 from typing import TYPE_CHECKING, Final
 
@@ -19,6 +20,8 @@ if TYPE_CHECKING:
     from armui.protocol.codec import Codec
     from armui.protocol.frame import Frame
     from armui.telemetry.tap import Tap
+
+_LOG: Final = logging.getLogger(__name__)
 
 ANSWERS: Final = frozenset(
     {
@@ -64,6 +67,7 @@ class Intake:
         self._state = ArmState()
         self._others = OtherHosts()
         self._traffic = OtherTraffic()
+        self._failed_ids: set[int] = set()
 
     @property
     def state(self) -> ArmState:
@@ -100,13 +104,19 @@ class Intake:
                 self._tracker = Tracker(self.codec, epoch)
 
     def take(self, frame: Frame, at_s: float, flags: int) -> None:
-        """Take in a frame that this program did not send.
+        """Take in a frame that this program did not send; whatever it holds, it costs only itself.
 
         Args:
             frame: Identifier and payload.
             at_s: When it was heard, by the program's clock.
             flags: Its `FrameFlag` bits.
         """
+        try:
+            self._take(frame, at_s, flags)
+        except Exception:  # noqa: BLE001 - an error of ours must not take the bus, or the log, away
+            self._count_failed(frame)
+
+    def _take(self, frame: Frame, at_s: float, flags: int) -> None:
         # most have none: to combine a flag with an int costs as much as all else here
         if flags and flags & FrameFlag.ERROR:
             self.line.error_frame()
@@ -132,11 +142,26 @@ class Intake:
         for frame, at_s, flags in frames:
             if flags & FrameFlag.ERROR:
                 continue
-            self._others.note(frame.arbitration_id, frame.data, at_s)
-            heard = (invalid_frame(frame, flags) if flags else None) or self.codec.decode(frame)
-            self._tracker.update(heard, at_s)
+            try:
+                self._others.note(frame.arbitration_id, frame.data, at_s)
+                heard = (invalid_frame(frame, flags) if flags else None) or self.codec.decode(frame)
+                self._tracker.update(heard, at_s)
+            except Exception:  # noqa: BLE001 - as in `take`
+                self._count_failed(frame)
         self._tracker.pardon_silences()
         self.show()
+
+    def _count_failed(self, frame: Frame) -> None:
+        """Count a frame as invalid that could not be taken in; the first of an identifier is told.
+
+        There may be thousands a second: each that is logged takes a millisecond from the bus.
+        """
+        self._tracker.count_invalid(InvalidFrameKind.VALUE_OUTSIDE_TABLE)
+        if frame.arbitration_id not in self._failed_ids:
+            self._failed_ids.add(frame.arbitration_id)
+            _LOG.exception(
+                "a frame 0x%03X cannot be taken in; it is counted as invalid", frame.arbitration_id
+            )
 
     def forget_others(self) -> None:
         """Forget what other hosts were heard to send."""

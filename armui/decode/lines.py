@@ -175,18 +175,24 @@ class LineFormat:
                 templates.clear()
             templates[code] = self._template(plan, int(batch.ids[rows[0]]), code)
         try:
+            filled_in = zip(rows.tolist(), codes, zip(times, *columns, strict=True), strict=True)
             return [
-                templates[code] % values
-                for code, values in zip(codes, zip(times, *columns, strict=True), strict=True)
+                template % values if (template := templates[code]) else self._single(batch, row)
+                for row, code, values in filled_in
             ]
         except KeyError:  # more combinations than are kept: dropped again while they were made
             return [self._single(batch, row) for row in rows.tolist()]
 
     def _template(self, plan: _MessagePlan, arbitration_id: int, code: int) -> str:
-        """The line of every frame with these codes; a "%" is filled in by what differs."""
+        """The line of every frame with these codes; a "%" is filled in by what differs.
+
+        "" where these codes make a frame unreadable: then each has a line of its own.
+        """
         data = code.to_bytes(8, "big")[: plan.layout.length]
         decoded = self._codec.decode(Frame(arbitration_id, data))
         reading = _reading_of(decoded)
+        if reading.message is None:
+            return ""
         gaps = frozenset(signal.name for signal in plan.gaps)
         entry = _Entry(f"0x{arbitration_id:03X}", plan.channel, reading, b"", gaps)
         return self._line_of(entry)

@@ -30,6 +30,9 @@ if TYPE_CHECKING:
 
 __all__ = ["Codec", "EncodeError", "InvalidFrame", "InvalidFrameKind", "Message"]
 
+_JOINT = "Joint"
+"""The signal that tells which joint a message speaks of."""
+
 _UPGRADE_RANGES = (
     range(0x0A0, 0x0B0),
     range(0x0B0, 0x0C0),
@@ -68,7 +71,8 @@ class InvalidFrame(NamedTuple):
         arbitration_id: The identifier as seen on the wire.
         detail: One sentence for the log.
         message: What the frame says nevertheless, where only a value is odd (a newer firmware may
-            know codes that the tables don't); None where it cannot be read.
+            know codes that the tables don't); None where it cannot be read, or speaks of a joint
+            that no arm has.
     """
 
     kind: InvalidFrameKind
@@ -309,5 +313,6 @@ def _outside_table(
         + ("in its table" if signal.exhaustive else f"within {allowed(signal)}")
         for signal in odd
     )
-    message = Message(layout.name, signals)
+    names_nothing = any(signal.name == _JOINT for signal in odd)
+    message = None if names_nothing else Message(layout.name, signals)
     return InvalidFrame(InvalidFrameKind.VALUE_OUTSIDE_TABLE, arbitration_id, detail, message)

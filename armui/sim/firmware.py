@@ -11,6 +11,7 @@ from collections import Counter
 from collections.abc import Callable, Sequence
 from typing import Final
 
+from armui.arm.joints import JointNumber
 from armui.kinematics.arm_kinematics import Kinematics
 from armui.protocol.addressing import Addressing
 from armui.protocol.codec import Codec, InvalidFrame, InvalidFrameKind
@@ -354,7 +355,7 @@ class Firmware(Readings):
 
     def _motor_enable(self, signals: Signals) -> list[Frame]:
         joint = int(signals["Joint"])
-        indices = _ALL_INDICES if joint == ALL_JOINTS else range(joint - 1, joint)
+        indices = _ALL_INDICES if joint == ALL_JOINTS else (JointNumber(joint) - 1,)
         if self.condition.stopped:
             pass  # the motors stay off and damped until the stop is resumed
         elif signals["Action"] == MotorAction.ENABLE:

@@ -3630,6 +3630,10 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
         <translation>{count} 字节，应为 {wanted} 字节</translation>
     </message>
     <message>
+        <source>it names a joint that no arm has</source>
+        <translation>所指的关节不存在（1–6 之外）</translation>
+    </message>
+    <message>
         <source>outside its table: {signals}</source>
         <translation>超出取值表：{signals}</translation>
     </message>

@@ -111,7 +111,6 @@ def test_wrong_length_names_message_and_lengths():
         (TWO, 0x159, "00 00 00 00 13 89 00 00", "Torque is 5.001 N.m, not within 0 to 5 N.m"),
         # 0x8000 is just above "leave unchanged"
         (TWO, 0x479, "80 00 00 00 00 00 00 00", "MaxLinearSpeed is 32.768 m/s"),
-        (TWO, 0x471, "08 02 00 00 00 00 00 00", "MotorEnable.Joint is 8"),
         # "zz" = 7A 7A = 31354
         (TWO, 0x181, "72 7A 7A 00 00 00 01", "CpvControl1.Kind is 31354, not in its table"),
         (TWO, 0x187, "77 70 6F 00 00 00 01", "CpvGripper.Kind is 28783"),
@@ -129,6 +128,17 @@ def test_values_outside_their_table_are_told_and_still_readable(
     assert invalid_frame.message is not None
     layout = codec.layout(arbitration_id).variant(bytes.fromhex(payload))
     assert invalid_frame.message.signals.keys() == layout.signals.keys()
+
+
+@pytest.mark.parametrize("codec", [ONE, TWO])
+@pytest.mark.parametrize("arbitration_id", [0x471, 0x472, 0x473, 0x474, 0x475, 0x47C])
+def test_a_frame_of_a_joint_that_no_arm_has_says_nothing(codec, arbitration_id):
+    invalid_frame = codec.decode(frame(arbitration_id, "08 01 00 00 00 00 00 00"))
+
+    assert isinstance(invalid_frame, InvalidFrame)
+    assert invalid_frame.kind is InvalidFrameKind.VALUE_OUTSIDE_TABLE
+    assert ".Joint is 8" in invalid_frame.detail
+    assert invalid_frame.message is None
 
 
 def test_the_message_beside_an_invalid_frame_is_in_physical_units():

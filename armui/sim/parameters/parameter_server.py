@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Final
 
+from armui.arm.joints import JointNumber
 from armui.arm.limits import JOINTS, JointLimits
 from armui.arm.units import DEGREES_PER
 from armui.protocol.codec import Codec, InvalidFrame
@@ -105,7 +106,7 @@ class ParameterServer:
         return message.signals
 
     def _limit_query(self, signals: Signals) -> list[Frame]:
-        joint = int(signals["Joint"])
+        joint = JointNumber(signals["Joint"])
         if signals["Query"] == LimitQuery.ACCELERATION_LIMIT:
             acceleration = self._outward(
                 "AccelerationFeedback",
@@ -129,7 +130,7 @@ class ParameterServer:
         ]
 
     def _limit_setting(self, signals: Signals) -> list[Frame]:
-        name, index = "LimitSetting", int(signals["Joint"]) - 1
+        name, index = "LimitSetting", JointNumber(signals["Joint"]) - 1
         limits = self.settings.limits[index]
         if not self._unchanged(name, "MaxAngle", signals):
             limits = limits._replace(max_deg=signals["MaxAngle"])
@@ -146,7 +147,7 @@ class ParameterServer:
 
     def _joint_setting(self, signals: Signals) -> list[Frame]:
         name, joint = "JointSetting", int(signals["Joint"])
-        indices = range(len(JOINTS)) if joint == ALL_JOINTS else range(joint - 1, joint)
+        indices = range(len(JOINTS)) if joint == ALL_JOINTS else (JointNumber(joint) - 1,)
         if signals["ClearError"] == VALID:
             self._arm.clear_joint_errors(indices)
         zero_set = signals["SetZero"] == VALID and self._arm.set_zero(indices)
@@ -224,7 +225,7 @@ class ParameterServer:
 
     def _light_control(self, signals: Signals) -> list[Frame]:
         if signals["Enable"]:
-            self.settings.lights[int(signals["Joint"])] = Light(
+            self.settings.lights[JointNumber(signals["Joint"])] = Light(
                 *(int(signals[name]) for name in ("Lamp", "Red", "Green", "Blue", "Counter"))
             )
         return []

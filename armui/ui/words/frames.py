@@ -108,10 +108,12 @@ def why_invalid(invalid: InvalidFrame, length: int, codec: Codec) -> str:
     layout = codec.layout(invalid.arbitration_id)
     if layout is None:
         return frame_kind(invalid.arbitration_id, 0, codec)
-    if invalid.kind is InvalidFrameKind.WRONG_LENGTH or invalid.message is None:
+    if invalid.kind is InvalidFrameKind.WRONG_LENGTH:
         source = QT_TRANSLATE_NOOP("InvalidFrame", "{count} bytes instead of {wanted}")
         wanted = " / ".join(str(each) for each in layout.lengths)
         return sentence("InvalidFrame", source, {"count": length, "wanted": wanted})
+    if invalid.message is None:
+        return QCoreApplication.translate("InvalidFrame", "it names a joint that no arm has")
     values = invalid.message.signals
     odd = [
         f"{signal_name(name)} = {values[name]:.10g}"
