@@ -15,6 +15,7 @@ from armui.bus.playback.log_player import FILLED_S
 from armui.bus.playback.log_worker import FASTEST, SLOWEST, LogWorker
 from armui.control.arm_controller import ArmController
 from armui.protocol.piper_model import PiperModel
+from armui.system.clock import local_time
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -255,7 +256,7 @@ def _end(worker: LogWorker) -> None:
 
 def _wall(at_s: float) -> datetime:
     """Log time counts from 1970, or from the beginning of the log where nobody noted more."""
-    return datetime.fromtimestamp(at_s).astimezone()
+    return local_time(at_s) or datetime.fromtimestamp(0).astimezone()
 
 
 def _no_device(_device: Device) -> AbstractContextManager[NoReturn]:

@@ -14,6 +14,8 @@ _CLEAR_LEAD = 20
 """So many frames of one generation more than of the other leave no doubt."""
 _CYCLIC_IDS = (0x2A1, 0x2A5, 0x251)
 _PERIOD_SAMPLES = 200
+_LONGEST_PERIOD_S = 1.0
+"""What lies further apart was a pause, or has times that mean nothing."""
 _PERIOD_BORDER_S = 0.012
 """Between the 5 ms of generation 2's feedback and the 20 ms of generation 1's."""
 
@@ -101,6 +103,6 @@ class GenerationDetector:
         if arbitration_id not in _CYCLIC_IDS or len(self._intervals_s) >= _PERIOD_SAMPLES:
             return
         before_s = self._last_seen_s.get(arbitration_id)
-        if before_s is not None and time_s > before_s:
+        if before_s is not None and 0.0 < time_s - before_s < _LONGEST_PERIOD_S:
             self._intervals_s.append(time_s - before_s)
         self._last_seen_s[arbitration_id] = time_s

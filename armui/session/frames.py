@@ -18,6 +18,8 @@ CLASSIC_BYTES = 8
 """Data bytes of a classic CAN frame at most."""
 MOST_BYTES = 64
 """Data bytes of a CAN FD frame at most."""
+LATEST_S = 1e10
+"""No time of a log lies further from 1970, or from its beginning: the year 2286."""
 MOST_DAMAGES = 1_000
 """So many damaged places are kept one by one; further ones are only counted."""
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 from operator import attrgetter
 from typing import TYPE_CHECKING, Any, Final
 
@@ -11,6 +12,7 @@ import numpy as np
 from armui.protocol.frame import FrameFlag
 from armui.session.frames import (
     CLASSIC_BYTES,
+    LATEST_S,
     MOST_BYTES,
     Channel,
     Damage,
@@ -28,6 +30,10 @@ _TOP_STANDARD_ID = 0x7FF
 _TOP_EXTENDED_ID = 0x1FFFFFFF
 _TOP_ID = 0xFFFFFFFF
 _MOST_CHANNELS = 255
+FURTHER_CHANNELS: Final = "further channels"
+"""What all channels beyond the 255th are called together."""
+_EARLIEST_DATE_S: Final = 5e8
+_SMALLER_UNITS: Final = {"ms": 1e3, "µs": 1e6, "ns": 1e9, "ps": 1e12}
 MESSAGE_FLAGS: Final = (
     ("is_extended_id", FrameFlag.EXTENDED),
     ("is_remote_frame", FrameFlag.REMOTE),
@@ -62,6 +68,8 @@ class Gatherer:
         self.header_seen = False
         self.damages = damages
         self._channels: dict[Channel, int] = {}
+        self._per_second: float | None = None
+        self._last_s = 0.0
 
     def batch(self, messages: list[can.Message], place: Callable[[int], str]) -> FrameBatch:
         """The batch of some messages; those that are no frame at all are left out and noted.
@@ -128,22 +136,60 @@ class Gatherer:
         return tuple(self._channels)
 
     def count(self, batch: FrameBatch) -> FrameBatch:
-        """Takes a batch made elsewhere into account, and passes it on."""
+        """Takes a batch made elsewhere into account, and passes it on with times that are some."""
+        if len(batch):
+            batch = self._with_times(batch)
+            self._last_s = float(batch.times_s[-1])
         self.frames += len(batch)
         return batch
 
-    def channel_column(self, channels: tuple[Channel, ...]) -> NDArray[np.uint8]:
-        """Indices of channels.
+    def _with_times(self, batch: FrameBatch) -> FrameBatch:
+        """The batch with times in seconds, none beyond `LATEST_S`.
 
-        Raises:
-            ValueError: The log names more of them than any recording has.
+        Times in ms, µs or ns since 1970 become seconds. Where there is still none that could be,
+        the frame is given that of the frame before it, and noted.
         """
+        if self._per_second is None:
+            self._per_second = self._unit(batch.times_s)
+        times_s = batch.times_s
+        if self._per_second != 1.0:
+            times_s = times_s / self._per_second
+        odd = ~(np.abs(times_s) <= LATEST_S)
+        if odd.any():
+            # the number of the last row up to each that has a time, -1: none in this batch has
+            last = np.maximum.accumulate(np.where(odd, -1, np.arange(len(batch))))
+            times_s = np.where(last < 0, self._last_s, times_s[last])
+            for row in np.flatnonzero(odd).tolist():
+                if self.damages.full:
+                    self.damages.count += 1
+                else:
+                    place = f"frame {self.frames + row + 1}"
+                    self.note(place, "its time is none that a log can have", row, frame_given=True)
+        return batch if times_s is batch.times_s else replace(batch, times_s=times_s)
+
+    def _unit(self, times_s: NDArray[np.float64]) -> float:
+        """How many of the log's units of time a second has; one it does not say is noted."""
+        middle = float(np.sort(times_s)[times_s.size // 2])
+        for unit, per_second in _SMALLER_UNITS.items() if middle > LATEST_S else ():
+            if _EARLIEST_DATE_S < middle / per_second <= LATEST_S:
+                self.note("all frames", f"their times are in {unit}, read as such", 0)
+                return per_second
+        return 1.0
+
+    def channel_column(self, channels: tuple[Channel, ...]) -> NDArray[np.uint8]:
+        """Indices of channels; those beyond the 255th share the last one, which is noted."""
+        known = self._channels
         for channel in dict.fromkeys(channels):
-            if channel not in self._channels:
-                if len(self._channels) > _MOST_CHANNELS:
-                    raise ValueError("more channels than can be told apart")
-                self._channels[channel] = len(self._channels)
-        return np.array([self._channels[channel] for channel in channels], np.uint8)
+            if channel in known:
+                continue
+            if len(known) < _MOST_CHANNELS:
+                known[channel] = len(known)
+            elif FURTHER_CHANNELS not in known:
+                known[FURTHER_CHANNELS] = _MOST_CHANNELS
+                reason = f"more than {_MOST_CHANNELS} channels; the others are read as one"
+                self.note(f"channel {channel}", reason, 0)
+        further = known.get(FURTHER_CHANNELS, 0)
+        return np.array([known.get(channel, further) for channel in channels], np.uint8)
 
     def _usable(self, message: can.Message, index: int, place: Callable[[int], str]) -> bool:
         """Whether a message has an identifier, data and a time at all."""

@@ -27,6 +27,8 @@ _STATUS_ID: Final = 0x2A1
 _LOOKED_BACK_S: Final = 3.0
 _FRAMES: Final = 6_000
 """So many frames of an arm, two seconds of it, tell the generation as well as all of them."""
+_ARMS: Final = 16
+"""In so many channels an arm is looked for: each costs a look at the whole log."""
 _ANSWER_FRAMES: Final = 2_000
 """So many frames with the version are looked at: an answer has eleven."""
 _ARM: Final = range(0x251, 0x2D0)
@@ -69,35 +71,49 @@ def survey(session: Session) -> tuple[ChannelSurvey, ...]:
         The channels, that with most of an arm first.
     """
     last = session.snapshot_at(math.inf)
-    found = [_channel(session, last, channel) for channel in session.channels]
-    return tuple(sorted(found, key=lambda each: -each.arm_ids))
+    ordinary = (last.flags & NOT_OF_THE_ARM) == 0
+    rows_of: dict[Channel, list[int]] = {}
+    arm_rows: dict[Channel, list[int]] = {}
+    for channel in session.channels:
+        own = last.channels == last.channel_names.index(channel)
+        rows = rows_of[channel] = np.flatnonzero(own & ordinary).tolist()
+        ids = [(int(last.ids[row]), row) for row in rows]
+        arm_rows[channel] = [row for each, row in ids if each in _ARM and _is_feedback(each)]
+    most_first = sorted(session.channels, key=lambda each: -len(arm_rows[each]))
+    return tuple(
+        _channel(session, last, each, rows_of[each], arm_rows[each], in_full=place < _ARMS)
+        for place, each in enumerate(most_first)
+    )
 
 
-def _channel(session: Session, last: FrameBatch, channel: Channel) -> ChannelSurvey:
-    own = last.channels == last.channel_names.index(channel)
-    rows = np.flatnonzero(own & ((last.flags & NOT_OF_THE_ARM) == 0))
-    known = [
-        row
-        for row in rows.tolist()
-        if int(last.ids[row]) in _ARM and _is_feedback(int(last.ids[row]))
-    ]
+def _channel(
+    session: Session,
+    last: FrameBatch,
+    channel: Channel,
+    rows: list[int],
+    known: list[int],
+    *,
+    in_full: bool,
+) -> ChannelSurvey:
     detector = GenerationDetector()
-    for row in rows.tolist():
+    for row in rows:
         detector.feed(Frame(int(last.ids[row]), last.data(row)), float(last.times_s[row]))
-    newest_s = max((float(last.times_s[row]) for row in known), default=session.start_s)
-    _look_at(session, channel, newest_s, detector)
+    if in_full:
+        newest_s = max((float(last.times_s[row]) for row in known), default=session.start_s)
+        _look_at(session, channel, newest_s, detector)
     verdict = detector.verdict()
-    offset = _offset(last, rows.tolist())
+    offset = _offset(last, rows)
+    spoken = channel, verdict.generation, offset
     return ChannelSurvey(
         channel=channel,
         arm_ids=len({int(last.ids[row]) for row in known}),
         generation=verdict.generation,
         reason=verdict.reason,
         is_certain=detector.has_evidence,
-        firmware=_firmware(session, channel),
+        firmware=_firmware(session, channel) if in_full else "",
         feedback_offset=offset,
-        model=model_of_log(session, channel, verdict.generation, offset) if known else None,
-        older_zeros=zeros_of_log(session, channel, verdict.generation, offset) if known else None,
+        model=model_of_log(session, *spoken) if known and in_full else None,
+        older_zeros=zeros_of_log(session, *spoken) if known and in_full else None,
     )
 
 

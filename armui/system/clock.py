@@ -27,6 +27,26 @@ steady_s: Callable[[], float] = _steady_clock()
 """Seconds since some moment in the past; only differences mean something."""
 
 
+_CALENDAR_S = 1e10
+"""Up to the year 2286; what Python and the system can tell of times far beyond differs."""
+
+
+def local_time(unix_s: float) -> datetime | None:
+    """Return a time since 1970 as local time; ``None`` where no calendar has it.
+
+    Args:
+        unix_s: Seconds, from anywhere: a file may hold any number, or none at all.
+    """
+    if in_calendar_s(unix_s) != unix_s:
+        return None
+    return datetime.fromtimestamp(unix_s).astimezone()
+
+
+def in_calendar_s(unix_s: float) -> float:
+    """Return the time nearest to one since 1970 that every calendar has; 0 for one that is none."""
+    return min(unix_s, _CALENDAR_S) if unix_s > 0.0 else 0.0
+
+
 def wall_clock(clock: Callable[[], float]) -> Callable[[float], datetime]:
     """What the clock on the wall showed at a moment of another clock, with its time zone.
 

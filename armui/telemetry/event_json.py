@@ -21,6 +21,10 @@ from armui.telemetry.events import Asker, EventEntry, EventKind, EventOutcome, L
 LONGEST: Final = 100_000
 """Characters of a line; a longer one is none of ours."""
 
+_YEARS: Final = 1970, 2300
+LATEST_S: Final = 1e10
+"""Times that lie further away overflow a calendar."""
+
 
 def to_json(entry: EventEntry) -> str:
     """One line without its end; times are seconds of the clock that does not go back."""
@@ -80,6 +84,8 @@ def _entry(read: Mapping[str, Any]) -> EventEntry:
     wall = datetime.fromisoformat(read["wall"])
     if wall.tzinfo is None:
         raise ValueError(f"the time {read['wall']!r} has no time zone")
+    if not _YEARS[0] <= wall.year <= _YEARS[1]:
+        raise ValueError(f"the time {read['wall']!r} is none of this program's")
     return EventEntry(
         number=_whole(read["number"]),
         at_s=_figure(read["at_s"]),
@@ -163,7 +169,7 @@ def _if_any(make: Callable[[Any], Any], read: object) -> Any:
 
 
 def _figure(read: object) -> float:
-    if isinstance(read, bool) or not isinstance(read, int | float) or not math.isfinite(read):
+    if isinstance(read, bool) or not isinstance(read, int | float) or not abs(read) <= LATEST_S:
         raise ValueError(f"{str(read)[:60]!r} is no figure")
     return float(read)
 

@@ -8637,6 +8637,10 @@ The other program must have ended.</source>
         <source>empty</source>
         <translation>空</translation>
     </message>
+    <message>
+        <source>what stands beside it cannot be read: {text}</source>
+        <translation>旁边的说明文件无法读取：{text}</translation>
+    </message>
 </context>
 <context>
     <name>SessionsModel</name>

@@ -19,7 +19,7 @@ from armui.protocol.codec import Codec
 from armui.protocol.codes import ArmStatusCode
 from armui.protocol.generation import Generation
 from armui.session.session import HasDataRows, MarkKind
-from armui.telemetry.event_json import from_record
+from armui.telemetry.event_json import LATEST_S, from_record
 from armui.telemetry.events import MOST_ENTRIES, Asker, EventEntry, EventKind, EventLog, Level
 
 if TYPE_CHECKING:
@@ -111,11 +111,18 @@ def _gathered(
 
 def entry_of(mark: SessionMark, wall: Wall) -> EventEntry:
     """A mark as an event: as it was written down, or in the words that it has live."""
-    if "number" in mark.entry:
-        try:
-            return from_record(mark.entry)
-        except ValueError:
-            return _unknown(mark, wall)
+    try:
+        return from_record(mark.entry) if "number" in mark.entry else _worded(mark, wall)
+    except (ValueError, TypeError):
+        return _unknown(mark, wall)
+
+
+def _worded(mark: SessionMark, wall: Wall) -> EventEntry:
+    """A mark in the words that it has live.
+
+    Raises:
+        ValueError, TypeError: It holds something else than this program writes.
+    """
     code = str(mark.entry.get("code", ""))
     if mark.entry.get("kind") == "lost":
         params = {"count": mark.entry.get("count", 0)}
@@ -172,6 +179,8 @@ def _entry(
     level: Level,
 ) -> EventEntry:
     ended_s = mark.entry.get("ended_s")
+    if not isinstance(ended_s, int | float) or not abs(ended_s) <= LATEST_S:
+        ended_s = None
     return EventEntry(
         number=0,
         at_s=mark.at_s,
@@ -182,7 +191,7 @@ def _entry(
         code=str(code),
         params=params,
         lasts="ended_s" in mark.entry,
-        ended_s=float(ended_s) if isinstance(ended_s, int | float) else None,
+        ended_s=ended_s,
     )
 
 

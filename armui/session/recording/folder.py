@@ -15,6 +15,7 @@ from armui.session.recording import index_file, sidecar
 from armui.session.recording.counted import counts_in
 from armui.session.recording.kinds import MF4_SUFFIX, RecordingFormat
 from armui.session.recording.names import file_name, is_name
+from armui.system.error_text import error_text
 
 BIN: Final = "deleted"
 """The folder inside that of the recordings where deleted ones wait to be brought back by hand."""
@@ -29,7 +30,7 @@ class RecordingEntry:
     Attributes:
         name: As it is called.
         path: Its first file; None while there is no frame in it.
-        begun_unix_s: When it was begun, in seconds since 1970.
+        begun_unix_s: When it was begun, in seconds since 1970; 0 where its sidecar does not tell.
         length_s: From its first frame to its last; None if its index does not tell.
         total_bytes: Of all its files.
         files: How many hold frames.
@@ -37,6 +38,7 @@ class RecordingEntry:
         ended: Whether it was ended in good order; one under way is not.
         failure: What ended it before its time, "" if nothing did.
         reason: Who or what asked for it: ``operator``, ``ring``, ``fault``, ``stop``, ``command``.
+        damage: Why its sidecar cannot be read, "" if it can.
     """
 
     name: str
@@ -50,10 +52,13 @@ class RecordingEntry:
     ended: bool
     failure: str = ""
     reason: str = "operator"
+    damage: str = ""
 
 
 def list_recordings(folder: Path) -> list[RecordingEntry]:
     """The recordings of a folder, the newest first; a folder that does not exist has none.
+
+    One whose sidecar cannot be read costs itself alone, and is among them with its damage.
 
     Raises:
         OSError: It cannot be read.
@@ -64,7 +69,7 @@ def list_recordings(folder: Path) -> list[RecordingEntry]:
         return []
     found = []
     for each in names:
-        with contextlib.suppress(OSError, ValueError):
+        with contextlib.suppress(OSError):  # gone, or no longer to be read, meanwhile
             found.append(_entry(folder, each.removesuffix(sidecar.SUFFIX)))
     return sorted(found, key=lambda entry: entry.begun_unix_s, reverse=True)
 
@@ -73,30 +78,35 @@ def _entry(folder: Path, name: str) -> RecordingEntry:
     """One of them.
 
     Raises:
-        OSError: It cannot be read.
-        ValueError: Its sidecar is none.
+        OSError: Its files cannot be looked at.
     """
-    with (folder / f"{name}{sidecar.SUFFIX}").open("rb") as stream:
-        lines = sidecar.read_lines(stream.read(sidecar.MOST_BYTES))
+    damage, lines = "", []
+    try:
+        with sidecar.path_of(folder, name).open("rb") as stream:
+            lines = sidecar.read_lines(stream.read(sidecar.MOST_BYTES))
+    except FileNotFoundError:
+        raise
+    except OSError as error:
+        damage = error_text(error)
     first: Mapping[str, Any] = lines[0] if lines else {}
-    if first.get("kind") != "session":
-        raise ValueError("no sidecar")
-    kind = RecordingFormat(first.get("format"))
-    paths = _parts(folder, name, kind)
+    if not damage and (first.get("kind") != "session" or sidecar.format_in(first) is None):
+        damage = f"{name}{sidecar.SUFFIX}"
+    paths = _parts(folder, name, sidecar.format_in(first))
     last = next((line for line in reversed(lines) if line["kind"] == "end"), None)
-    counts = counts_in(lines)
+    counts = None if damage else counts_in(lines)
     return RecordingEntry(
         name=name,
         path=paths[0] if paths else None,
-        begun_unix_s=float(first.get("unix_s", 0.0)),
+        begun_unix_s=sidecar.number_in(first, "unix_s") or 0.0,
         length_s=_length_s(folder / f"{name}{index_file.SUFFIX}"),
         total_bytes=sum(path.stat().st_size for path in paths),
         files=len(paths),
         faults=None if counts is None else counts.faults,
         stops=None if counts is None else counts.stops,
         ended=last is not None,
-        failure="" if last is None else str(last.get("failure", "")),
-        reason=str(first.get("reason", "operator")),
+        failure="" if last is None else sidecar.text_in(last, "failure"),
+        reason=sidecar.text_in(first, "reason", "operator"),
+        damage=damage,
     )
 
 
@@ -115,7 +125,11 @@ def _length_s(index: Path) -> float | None:
     return None if first is None or last is None else max(0.0, last.last_s - first.first_s)
 
 
-def _parts(folder: Path, name: str, kind: RecordingFormat) -> list[Path]:
+def _parts(folder: Path, name: str, kind: RecordingFormat | None) -> list[Path]:
+    """Return the files with frames; where nobody tells their format, of the first that is there."""
+    if kind is None:
+        found = (_parts(folder, name, each) for each in RecordingFormat)
+        return next((paths for paths in found if paths), [])
     paths = []
     for number in range(1, _MOST_PARTS):
         path = folder / file_name(name, number, kind.value)
@@ -130,14 +144,11 @@ def files_of(folder: Path, name: str) -> list[Path]:
 
     Raises:
         OSError: The folder cannot be read.
-        ValueError: It is no recording.
     """
-    side = folder / f"{name}{sidecar.SUFFIX}"
+    side = sidecar.path_of(folder, name)
     with side.open("rb") as stream:
         lines = sidecar.read_lines(stream.readline(_HEAD_BYTES))
-    if not lines or lines[0]["kind"] != "session":
-        raise ValueError("no recording")
-    paths = _parts(folder, name, RecordingFormat(lines[0].get("format")))
+    paths = _parts(folder, name, sidecar.format_in(lines[0]) if lines else None)
     beside = (folder / f"{name}{suffix}" for suffix in (MF4_SUFFIX, index_file.SUFFIX))
     return [*paths, *(path for path in beside if path.exists()), side]
 
@@ -168,7 +179,6 @@ def throw_away(folder: Path, name: str) -> Path:
 
     Raises:
         OSError: It cannot be moved; it is where it was.
-        ValueError: It is no recording.
     """
     paths = files_of(folder, name)
     room = folder / BIN / f"{time.strftime('%Y%m%d-%H%M%S')}-{secrets.token_hex(3)}"

@@ -19,6 +19,7 @@ from typing import TYPE_CHECKING, Any, Final
 import numpy as np
 
 from armui.protocol.frame import FrameFlag
+from armui.session.frames import LATEST_S
 from armui.session.recording.rows import ROW, FrameRows
 from armui.session.session import REMEMBERED, REMEMBERED_IDS
 
@@ -125,6 +126,8 @@ def read_blocks(data: bytes) -> Iterator[Block]:
         )
         end = at + _HEAD.size + rows * ROW.itemsize
         if sign != _SIGN or end > len(data) or zlib.crc32(data[at + _SUMMED_FROM : end]) != total:
+            return
+        if not (-LATEST_S <= first_s <= last_s <= LATEST_S and abs(start_s) <= LATEST_S):
             return
         standing = np.frombuffer(data, ROW, rows, at + _HEAD.size) if rows else None
         yield Block(file, byte, size, first, frames, first_s, last_s, start_s, standing)

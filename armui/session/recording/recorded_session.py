@@ -55,10 +55,10 @@ class RecordedSession:
 
     def __init__(self, path: Path) -> None:
         self._folder = path.parent
-        self.name, self.lines = _sidecar_of(path)
+        self.name, self.lines, kind = _sidecar_of(path)
         first = self.lines[0]
-        self._kind = RecordingFormat(first["format"])
-        self._channel = str(first.get("channel", "can"))
+        self._kind = kind
+        self._channel = sidecar.text_in(first, "channel", "can")
         self._damages = DamageList()
         self._turn = threading.Lock()
         self._cut_off: dict[int, list[FrameBatch]] = {}
@@ -207,10 +207,9 @@ class RecordedSession:
     def _start_of(self, number: int) -> float:
         """The log time from which a file counts that the index does not know of."""
         for line in self.lines:
-            start_s = line.get("start_s")
-            told = line["kind"] == "file" and line.get("number") == number
-            if told and isinstance(start_s, int | float):
-                return float(start_s)
+            start_s = sidecar.number_in(line, "start_s")
+            if start_s is not None and line["kind"] == "file" and line.get("number") == number:
+                return start_s
         return 0.0
 
     def _take_tail(self, data: bytes, number: int) -> None:
@@ -244,8 +243,8 @@ def _opening_size(beginning: bytes, kind: RecordingFormat) -> int:
     return 0
 
 
-def _sidecar_of(path: Path) -> tuple[str, list[dict[str, Any]]]:
-    """Name and lines of the recording that a file belongs to.
+def _sidecar_of(path: Path) -> tuple[str, list[dict[str, Any]], RecordingFormat]:
+    """Name, lines and format of the recording that a file belongs to.
 
     Raises:
         NotALogError: It belongs to none.
@@ -257,15 +256,15 @@ def _sidecar_of(path: Path) -> tuple[str, list[dict[str, Any]]]:
             break
     else:
         names = names_of(path)
-    known = {each.value for each in RecordingFormat}
     for each in names:
         try:
             data = (path.parent / f"{each}{sidecar.SUFFIX}").read_bytes()
         except OSError:
             continue
         lines = sidecar.read_lines(data)
-        if lines and lines[0]["kind"] == "session" and lines[0].get("format") in known:
-            return each, lines
+        kind = sidecar.format_in(lines[0]) if lines and lines[0]["kind"] == "session" else None
+        if kind is not None:
+            return each, lines, kind
     raise NotALogError("no recording of this program: there is no sidecar beside it")
 
 

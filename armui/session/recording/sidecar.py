@@ -14,11 +14,12 @@ stand beside them).
 from __future__ import annotations
 
 import json
-import math
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any, Final
 
+from armui.session.frames import LATEST_S
+from armui.session.recording.kinds import RecordingFormat
 from armui.session.session import MarkKind, SessionMark
 
 SUFFIX: Final = ".armui.jsonl"
@@ -26,6 +27,7 @@ VERSION: Final = 1
 Line = Mapping[str, object]
 MOST_BYTES: Final = 64_000_000
 """A larger file is something else, or holds events that nobody can look through."""
+_LONGEST_TEXT: Final = 1_000
 
 
 def path_of(folder: Path, name: str) -> Path:
@@ -73,6 +75,26 @@ def read_lines(data: bytes) -> list[dict[str, Any]]:
     return lines
 
 
+def number_in(line: Mapping[str, Any], name: str) -> float | None:
+    """Return a number of a line; ``None`` where there is none, or one that no time can be."""
+    value = line.get(name)
+    if isinstance(value, bool) or not isinstance(value, int | float):
+        return None
+    return float(value) if abs(value) <= LATEST_S else None
+
+
+def text_in(line: Mapping[str, Any], name: str, default: str = "") -> str:
+    """Return a text of a line, the default where there is none."""
+    value = line.get(name)
+    return value[:_LONGEST_TEXT] if isinstance(value, str) else default
+
+
+def format_in(line: Mapping[str, Any]) -> RecordingFormat | None:
+    """Return the format that a first line names; ``None`` where it names none that is known."""
+    named = text_in(line, "format")
+    return RecordingFormat(named) if named in {each.value for each in RecordingFormat} else None
+
+
 def events_of(lines: Sequence[Mapping[str, Any]]) -> list[Mapping[str, Any]]:
     """The lines with events; of one that was written again, as it ended, the last."""
     found: dict[object, Mapping[str, Any]] = {}
@@ -89,15 +111,15 @@ def marks_of(lines: Sequence[Mapping[str, Any]]) -> list[SessionMark]:
     marks = []
     shift_s = _shift_s(lines[0]) if lines else 0.0
     for line in events_of(lines):
-        at_s, name = line.get("time_s"), str(line.get("mark", "note")).upper()
+        at_s, name = number_in(line, "time_s"), text_in(line, "mark", "note").upper()
         kind = MarkKind[name] if name in MarkKind.__members__ else MarkKind.NOTE
-        if isinstance(at_s, int | float) and math.isfinite(at_s):
-            marks.append(SessionMark(float(at_s), kind, _shifted(line["entry"], shift_s)))
+        if at_s is not None:
+            marks.append(SessionMark(at_s, kind, _shifted(line["entry"], shift_s)))
     for line in lines:
-        at_s = line.get("time_s")
-        if line["kind"] == "lost" and isinstance(at_s, int | float) and math.isfinite(at_s):
+        at_s = number_in(line, "time_s")
+        if line["kind"] == "lost" and at_s is not None:
             entry = {key: value for key, value in line.items() if key != "time_s"}
-            marks.append(SessionMark(float(at_s), MarkKind.NOTE, entry))
+            marks.append(SessionMark(at_s, MarkKind.NOTE, entry))
     return sorted(marks, key=lambda mark: mark.at_s)
 
 
@@ -109,17 +131,15 @@ _OUTCOMES: Final = ("answer", "result")
 
 def _shift_s(first: Mapping[str, Any]) -> float:
     """From the program's clock to log time."""
-    unix_s, steady_s = first.get("unix_s"), first.get("steady_s")
-    if isinstance(unix_s, int | float) and isinstance(steady_s, int | float):
-        return float(unix_s - steady_s)
-    return 0.0
+    unix_s, steady_s = number_in(first, "unix_s"), number_in(first, "steady_s")
+    return 0.0 if unix_s is None or steady_s is None else unix_s - steady_s
 
 
 def _shifted(entry: Mapping[str, Any], by_s: float) -> dict[str, Any]:
     times = {
-        name: round(entry[name] + by_s, 6)
+        name: round(at_s + by_s, 6)
         for name in _TIMES
-        if isinstance(entry.get(name), int | float)
+        if (at_s := number_in(entry, name)) is not None
     }
     outcomes = {
         name: _shifted(entry[name], by_s)

@@ -13,6 +13,7 @@ from pathlib import Path
 from typing import Final
 
 from armui.system.atomic import sync_folder, write_whole
+from armui.system.clock import in_calendar_s
 from armui.trajectory.files import log_file
 from armui.trajectory.files.errors import TrajectoryFileError
 from armui.trajectory.library.calls import Call, call_directly, entry_by, load_by
@@ -70,7 +71,7 @@ class Drafts:
         return [entry for _, entry in self._known.values()]
 
     def _entry(self, name: str, path: Path, stamp: Stamp) -> IndexEntry:
-        changed = datetime.fromtimestamp(stamp.time_ns / 1e9, UTC)
+        changed = datetime.fromtimestamp(in_calendar_s(stamp.time_ns / 1e9), UTC)
         entry = IndexEntry(name, "draft", 0, None, changed)
         try:
             read = entry_by(self._call, path, stamp.size)

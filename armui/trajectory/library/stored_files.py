@@ -10,6 +10,7 @@ from datetime import UTC, datetime
 from pathlib import Path
 from typing import Final, NamedTuple
 
+from armui.system.clock import in_calendar_s
 from armui.trajectory import files
 from armui.trajectory.files import Content, TrajectoryFileError
 from armui.trajectory.library.calls import Call, call_directly, entry_by
@@ -92,7 +93,7 @@ class FileStore:
                     return None
                 kind: Final = "points" if path.suffix == ".log" else "recording"
                 name = self._index.last_name(path.name) or _name_of(path)
-                changed = datetime.fromtimestamp(stamp.time_ns / 1e9, UTC)
+                changed = datetime.fromtimestamp(in_calendar_s(stamp.time_ns / 1e9), UTC)
                 entry = IndexEntry(name, kind, 0, None, changed, damage=error)
             self._index.put(path.name, stamp, entry)
         return StoredFile(path, stamp, entry)

@@ -42,9 +42,15 @@ def test_a_recording_is_listed_with_what_is_known_of_it(tmp_path):
 
 def test_a_folder_that_is_not_there_has_no_recordings(tmp_path):
     assert list_recordings(tmp_path / "nowhere") == []
+
+
+def test_a_sidecar_that_says_nothing_is_named(tmp_path):
     (tmp_path / "other.armui.jsonl").write_text("no line of ours\n")
     (tmp_path / "odd.armui.jsonl").write_text('{"kind": "session", "format": ".exe"}\n')
-    assert list_recordings(tmp_path) == []
+    found = {entry.name: entry.damage for entry in list_recordings(tmp_path)}
+    assert found == {"other": "other.armui.jsonl", "odd": "odd.armui.jsonl"}
+    throw_away(tmp_path, "odd")
+    assert [entry.name for entry in list_recordings(tmp_path)] == ["other"]
 
 
 def test_a_recording_is_renamed_with_all_its_files(tmp_path):

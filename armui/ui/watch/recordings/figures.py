@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from datetime import datetime
 from typing import Final
 
+from armui.system.clock import local_time
 from armui.ui import format as fmt
 
 _HOUR_S: Final = 3600
@@ -34,8 +34,6 @@ def count(number: int) -> str:
 
 
 def moment(unix_s: float) -> str:
-    """A local time, to the second."""
-    try:
-        return f"{datetime.fromtimestamp(unix_s).astimezone():%Y-%m-%d %H:%M:%S}"
-    except (OverflowError, ValueError, OSError):
-        return fmt.NOTHING
+    """A local time, to the second; of 0, which stands for one that nobody knows, none."""
+    at = local_time(unix_s) if unix_s else None
+    return fmt.NOTHING if at is None else f"{at:%Y-%m-%d %H:%M:%S}"

@@ -39,6 +39,7 @@ _STATES: Final = Texts("SessionState") | {
     "cut off": "cut off: readable to its last second",
     "failed": "ended early: {text}",
     "empty": "empty",
+    "damaged": "what stands beside it cannot be read: {text}",
 }
 _TITLES: Final = (
     QT_TRANSLATE_NOOP("SessionsModel", "Name"),
@@ -180,6 +181,8 @@ class SessionsModel(TableModel):
     def _state(self, entry: RecordingEntry) -> str:
         if self.is_written(entry.name):
             key = "under way"
+        elif entry.damage:
+            return _STATES.text("damaged", {"text": entry.damage})
         elif entry.failure:
             key = "failed"
         elif not entry.ended:

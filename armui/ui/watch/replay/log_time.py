@@ -6,6 +6,8 @@ import contextlib
 from datetime import UTC, datetime, timedelta
 from typing import Final
 
+from armui.system.clock import local_time
+
 _SINCE_1970_S: Final = 500_000_000.0
 """A log whose times are smaller (1985) counts from its own beginning."""
 _BEGINNING: Final = datetime(1970, 1, 1, tzinfo=UTC)
@@ -21,9 +23,9 @@ def wall_time(at_s: float) -> datetime:
 
     Times that no calendar has are shown as its beginning: the log is damaged there.
     """
-    with contextlib.suppress(OverflowError, ValueError, OSError):
-        if has_date(at_s):
-            return datetime.fromtimestamp(at_s).astimezone()
+    if has_date(at_s):
+        return local_time(at_s) or _BEGINNING
+    with contextlib.suppress(OverflowError, ValueError):
         return _BEGINNING + timedelta(seconds=at_s)
     return _BEGINNING
 
