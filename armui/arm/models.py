@@ -20,6 +20,7 @@ from armui.arm.limits import JointLimits
 from armui.kinematics.geometry import Geometry, GeometryError
 from armui.protocol.firmware_version import FirmwareVersion, quirks_of
 from armui.protocol.piper_model import PiperModel
+from armui.system.files import read_file
 from armui.system.paths import URDF
 
 FORMAT: Final = 1
@@ -181,7 +182,7 @@ def read_model(folder: Path) -> ModelData:
     """
     path = folder / "model.json"
     try:
-        fields = Fields(json.loads(path.read_bytes()))
+        fields = Fields(json.loads(read_file(path)))
         return _model(fields)
     except (OSError, ValueError, RecursionError, FieldError) as error:
         raise ModelFileError(f"{path}: {error}") from error

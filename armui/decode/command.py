@@ -69,7 +69,7 @@ def run(options: argparse.Namespace) -> int:
     """
     path = Path(options.file)
     try:
-        with LogFile(path) as log:
+        with LogFile(path, pipes=True) as log:
             return _decode(log, options.generation, options.firmware, as_json=options.json)
     except NotALogError as error:
         _complain(path, str(error))

@@ -12,6 +12,7 @@ from typing import Final, Literal
 
 from armui import __version__
 from armui.doctor.finding import Diagnosis, DiagnosisLevel, Section
+from armui.system.files import read_file
 
 Language = Literal["zh", "en"]
 
@@ -68,7 +69,7 @@ def load_texts() -> Mapping[str, Mapping[str, Mapping[str, str]]]:
     """The words, by table, name and language; read once, by whoever may wait for the disk."""
     import tomllib  # noqa: PLC0415 - Python 3.10 lacks it, and is to be told so
 
-    return tomllib.loads((_resources() / _TEXTS).read_text("utf-8"))
+    return tomllib.loads(read_file(_resources() / _TEXTS).decode())
 
 
 def _resources() -> Path:
@@ -82,7 +83,7 @@ def language_of_system(settings_file: Path | None = None) -> Language:
     """The language chosen in the program, else Chinese if the system speaks it, else English."""
     if settings_file is not None:
         try:
-            chosen = json.loads(settings_file.read_text("utf-8")).get("language")
+            chosen = json.loads(read_file(settings_file)).get("language")
         except (OSError, ValueError, AttributeError):
             chosen = None
         if chosen == "zh":

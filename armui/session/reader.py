@@ -17,6 +17,7 @@ from armui.session.gather import Gatherer
 from armui.session.source import LogSource
 from armui.session.text_formats import TEXT_FORMATS
 from armui.session.text_logs import NonsenseError, read_text_log
+from armui.system.files import open_file
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -48,12 +49,16 @@ class LogFile:
         damages: Damaged places met so far.
     """
 
-    def __init__(self, path: Path) -> None:
+    def __init__(self, path: Path, *, pipes: bool = False) -> None:
         """Open a log and read its first frames.
 
         Formats: candump -L, or its screen output with times (.log, .txt), Vector (.asc, .blf), PEAK
         (.trc), python-can (.csv, .db), ASAM (.mf4, where asammdf is installed); compressed ones
         but .db and .mf4 with .gz behind. Memory stays bounded whatever the file holds.
+
+        Args:
+            path: The file.
+            pipes: See `LogSource`.
 
         Raises:
             NotALogError: The file cannot be opened, its suffix is of no known format, or nothing in
@@ -65,7 +70,7 @@ class LogFile:
         self.damages = DamageList()
         self._suffix = _log_suffix(path)
         self._gatherer = Gatherer(self.damages)
-        self._source = LogSource(path)
+        self._source = LogSource(path, pipes=pipes)
         try:
             self._batches = self._read()
             self._first = next(self._batches, None)
@@ -146,7 +151,7 @@ class LogFile:
 def _looks_like(path: Path) -> str:
     """The suffix that a file's beginning speaks for, "" if none."""
     try:
-        with path.open("rb") as stream:
+        with open_file(path) as stream:
             beginning = stream.read(_BEGINNING)
     except OSError:
         return ""

@@ -8,6 +8,7 @@ import zlib
 from typing import IO, TYPE_CHECKING, cast
 
 from armui.session.frames import NotALogError
+from armui.system.files import open_file, open_stream
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -28,11 +29,12 @@ class LogSource:
         broken: Why it could not be read to its end, "" if it could.
     """
 
-    def __init__(self, log: Path | bytes) -> None:
+    def __init__(self, log: Path | bytes, *, pipes: bool = False) -> None:
         """Open a file.
 
         Args:
             log: The file, or bytes that stand for one.
+            pipes: Whether a pipe will do; opening one waits for whoever feeds it.
 
         Raises:
             NotALogError: It cannot be opened.
@@ -43,7 +45,7 @@ class LogSource:
             self._raw, self.size = io.BytesIO(log), len(log)
         else:
             try:
-                self._raw = log.open("rb")
+                self._raw = open_stream(log) if pipes else open_file(log)
                 self.size = log.stat().st_size
             except OSError as error:
                 raise NotALogError(error.strerror or str(error)) from error

@@ -14,6 +14,8 @@ import time
 from pathlib import Path
 from typing import BinaryIO, Final, Self
 
+from armui.system.files import check_file, open_file
+
 UNFINISHED: Final = ".unfinished"
 """How the name of a file ends that is still being written, or was when the program was killed."""
 
@@ -54,9 +56,10 @@ class WholeFile:
         self._to_disk = to_disk
         if path.is_dir():
             raise _exists(path)
+        check_file(path)  # a device or a pipe is not replaced
         self._check()
         self.unfinished = unfinished or unfinished_name(path)
-        self.stream: BinaryIO = self.unfinished.open("xb")
+        self.stream: BinaryIO = open_file(self.unfinished, "xb")
 
     def _check(self) -> None:
         if not self._replace and self._path.exists():

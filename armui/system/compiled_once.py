@@ -17,6 +17,8 @@ from contextlib import contextmanager, suppress
 from types import CodeType
 from typing import Any
 
+from armui.system.files import open_file, read_file
+
 _Key = tuple[bytes, str, str]
 
 
@@ -48,8 +50,7 @@ def compiled_once() -> Iterator[None]:
 
 def _read(path: str) -> dict[_Key, CodeType]:
     with suppress(OSError, EOFError, ValueError, TypeError):
-        with open(path, "rb") as file:  # noqa: PTH123 - pathlib would be loaded for it
-            kept = marshal.loads(file.read())  # noqa: S302 - written by us, beside Python's own
+        kept = marshal.loads(read_file(path))  # noqa: S302 - written by us, beside Python's own
         if isinstance(kept, dict):
             return kept
     return {}
@@ -59,7 +60,7 @@ def _write(path: str, kept: dict[_Key, CodeType]) -> None:
     """Whole or not at all; where nothing may be written, nothing is."""
     own = f"{path}.{os.getpid()}"
     try:
-        with open(own, "wb") as file:  # noqa: PTH123 - as above
+        with open_file(own, "wb") as file:
             file.write(marshal.dumps(kept))
         os.replace(own, path)  # noqa: PTH105 - as above
     except OSError:

@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import Final
 
 from armui.system.failures import Repeats
+from armui.system.files import open_file
 
 NAME: Final = "armui.log"
 _MOST_WAITING: Final = 1000
@@ -79,7 +80,7 @@ def log_to(folder: Path) -> Iterator[Path | None]:
     path = folder / NAME
     try:
         folder.mkdir(parents=True, exist_ok=True)
-        path.open("a", encoding="utf-8").close()
+        open_file(path, "ab").close()
     except (OSError, ValueError):
         yield None
         return

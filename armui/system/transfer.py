@@ -14,6 +14,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Final
 
+from armui.system.files import open_file
+
 LARGE_BYTES: Final = 1 << 18
 """Arrays of this size and more go into the file."""
 
@@ -75,7 +77,7 @@ def unpack(packed: Packed) -> Any:
     """
     if packed.path is None:
         return pickle.loads(packed.data)  # noqa: S301 - from our own process
-    with packed.path.open("rb") as file:
+    with open_file(packed.path) as file:
         whole = memoryview(mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_COPY))
     # Windows removes no file that is mapped: there it goes with its folder
     with contextlib.suppress(OSError):

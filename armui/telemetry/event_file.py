@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import contextlib
-import errno
-import stat
 from itertools import pairwise
 from pathlib import Path
 from typing import Final
+
+from armui.system.files import open_file
 
 NAME: Final = "events.jsonl"
 _MOST_BYTES: Final = 2_000_000
@@ -30,10 +30,7 @@ def append(
     """
     path = folder / NAME
     folder.mkdir(parents=True, exist_ok=True)
-    with contextlib.suppress(FileNotFoundError):
-        if not stat.S_ISREG(path.stat().st_mode):  # a pipe would wait for ever
-            raise IsADirectoryError(errno.EISDIR, "it is not a file", str(path))
-    with path.open("a+b") as file:
+    with open_file(path, "a+b") as file:
         size = file.seek(0, 2)
         torn = False
         if size:

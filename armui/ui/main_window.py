@@ -283,7 +283,7 @@ class MainWindow(Translated, KeepsFocus, QWidget):
         def make() -> QDialog:
             from armui.ui.dialogs.backup import BackupDialog  # noqa: PLC0415 - faster start
 
-            return BackupDialog(self._controller, self)
+            return BackupDialog(self._controller, self._background, self)
 
         self._open("backup", make)
 

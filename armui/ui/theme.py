@@ -16,6 +16,8 @@ from PySide6.QtCore import QObject, Qt
 from PySide6.QtGui import QColor, QFont, QFontDatabase, QPalette
 from PySide6.QtWidgets import QApplication, QWidget
 
+from armui.system.files import read_file
+
 _HERE: Final = Path(__file__).parent
 
 
@@ -263,5 +265,5 @@ def palette(colors: Colors) -> QPalette:
 
 def style_sheet(colors: Colors) -> str:
     """The style sheet ``theme.qss`` with the colours of a theme in it."""
-    template = string.Template((_HERE / "theme.qss").read_text(encoding="utf-8"))
+    template = string.Template(read_file(_HERE / "theme.qss").decode())
     return template.substitute(colors._asdict(), icons=(_HERE / "icons").as_posix())

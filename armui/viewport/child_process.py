@@ -12,6 +12,7 @@ from multiprocessing.connection import wait
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Final
 
+from armui.system.files import read_file
 from armui.viewport.watch import ThreadTurns
 
 if TYPE_CHECKING:
@@ -106,8 +107,8 @@ class ChildProcess:
         turns = {}
         with contextlib.suppress(OSError, ValueError, IndexError):  # a thread may end meanwhile
             for task in Path(f"/proc/{self.pid}/task").iterdir():
-                ran_ns, queued_ns = (task / "schedstat").read_text("ascii").split()[:2]
-                state = (task / "stat").read_text("utf-8").rpartition(") ")[2][:1]
+                ran_ns, queued_ns = read_file(task / "schedstat").split()[:2]
+                state = read_file(task / "stat").decode().rpartition(") ")[2][:1]
                 turns[int(task.name)] = ThreadTurns(
                     1e-9 * int(ran_ns), 1e-9 * int(queued_ns), state == "R"
                 )

@@ -214,15 +214,13 @@ def test_a_folder_that_is_not_there(tmp_path, kind):
 @ALL
 def test_a_full_disk_leaves_nothing(tmp_path, kind, monkeypatch):
     log = candump(tmp_path / "a.log", session(1.0))
-    real = Path.open
 
-    def full(self: Path, *args: Any, **keywords: Any) -> Any:
-        if any(each.endswith(".unfinished") for each in (self.name, self.parent.name)):
-            real(self, "xb").close()
-            return real(Path("/dev/full"), "wb", buffering=0)
-        return real(self, *args, **keywords)
+    def full(path: Path, mode: str) -> Any:
+        path.open(mode).close()
+        return Path("/dev/full").open("wb", buffering=0)
 
-    monkeypatch.setattr(Path, "open", full)
+    monkeypatch.setattr("armui.system.atomic.open_file", full)
+    monkeypatch.setattr("armui.session.exports.csv_messages.open_file", full)
     assert problem(log, kind) is ExportProblem.CANNOT_WRITE
 
 

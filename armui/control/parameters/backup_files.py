@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 from collections.abc import Sequence
 from datetime import datetime
 from pathlib import Path
@@ -17,6 +18,7 @@ from armui.protocol.generation import Generation
 from armui.protocol.piper_model import PiperModel
 from armui.system.atomic import write_whole
 from armui.system.error_text import error_text
+from armui.system.files import read_file
 
 _LARGEST_BYTES: Final = 1_000_000
 """A backup has a few thousand; anything like this is another file."""
@@ -25,12 +27,12 @@ _LARGEST_BYTES: Final = 1_000_000
 def read_backup(path: Path) -> Backup | Refusal:
     """The backup in a file, or why it is none."""
     try:
-        if path.stat().st_size > _LARGEST_BYTES:
-            return Refusal(RefusalCode.BACKUP_FOREIGN)
-        return from_text(path.read_text(encoding="utf-8-sig"))
+        return from_text(read_file(path, _LARGEST_BYTES).decode("utf-8-sig"))
     except UnicodeDecodeError:
         return Refusal(RefusalCode.BACKUP_FOREIGN)
     except OSError as error:
+        if error.errno == errno.EFBIG:
+            return Refusal(RefusalCode.BACKUP_FOREIGN)
         figures = {"path": str(path), "text": error_text(error)}
         return Refusal(RefusalCode.BACKUP_UNREADABLE, figures)
 

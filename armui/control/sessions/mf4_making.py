@@ -16,6 +16,7 @@ from armui.arm.refusal_codes import RefusalCode
 from armui.session.recording.kinds import MF4_SUFFIX
 from armui.session.recording.problems import why_not_written
 from armui.system.atomic import unfinished_name
+from armui.system.files import read_file
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -132,7 +133,7 @@ class Mf4Making:
                 future = helper.submit(_make, order.folder, order.name, told, unfinished)
                 while not (wait_for([future], _LOOK_S).done or order.called_off.is_set()):
                     with contextlib.suppress(OSError, ValueError):
-                        order.share = float(told.read_text())
+                        order.share = float(read_file(told))
                 if not future.done():
                     helper.shutdown()
                     raise CancelledError

@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import Any, Final
 
 from armui.doctor.facts import CanFacts, DeviceFacts, LinkFacts, SerialPortFacts, UsbAdapterFacts
+from armui.system.files import read_file
 
 _PATIENCE_S: Final = 5.0
 _CAN_HARDWARE: Final = "280"
@@ -178,6 +179,6 @@ def _folders(path: Path) -> Iterable[Path]:
 
 def _text(path: Path) -> str:
     try:
-        return path.read_text("utf-8", "replace").strip()
+        return read_file(path).decode("utf-8", "replace").strip()
     except OSError:
         return ""

@@ -12,6 +12,7 @@ from typing import Final
 
 from armui import __version__
 from armui.doctor.facts import PackageFacts, ProgramFacts
+from armui.system.files import read_file
 from armui.system.thread_priority import RaisedBy, Rise, raise_threads
 
 _OLDEST_PYTHON: Final = (3, 11)
@@ -69,7 +70,7 @@ def _requirements_of_project(path: Path) -> list[str]:
     import tomllib  # noqa: PLC0415 - Python 3.10 lacks it, and is to be told so
 
     try:
-        project = tomllib.loads(path.read_text("utf-8"))["project"]
+        project = tomllib.loads(read_file(path).decode())["project"]
     except (OSError, ValueError, KeyError):
         return []
     extras = project.get("optional-dependencies", {}).get(_ADAPTERS, [])
@@ -127,7 +128,7 @@ def _same_length(
 
 def _families(path: Path) -> tuple[str, ...]:
     try:
-        lines = path.read_text("utf-8").splitlines()
+        lines = read_file(path).decode().splitlines()
     except OSError:
         return ()
     values = dict(line.split("=", 1) for line in lines if "=" in line)

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, BinaryIO
 import numpy as np
 
 from armui.session.exports.csv_table import BOM, TIME_TITLES
+from armui.system.files import open_file
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -58,7 +59,7 @@ class CsvMessages:
         file = self._files.get(layout.name)
         if file is None:
             path = self._folder / f"{layout.arbitration_id:03X}_{layout.name}.csv"
-            file = self._files[layout.name] = path.open("xb")
+            file = self._files[layout.name] = open_file(path, "xb")
             titles = (*TIME_TITLES, *map(_title, layout.signals.values()))
             file.write(BOM + ",".join(titles).encode() + b"\r\n")
         return file

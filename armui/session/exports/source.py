@@ -32,7 +32,7 @@ class FileSource:
     """What a recording of this program says of itself; nothing of other logs."""
 
     def __init__(self, path: Path) -> None:
-        self._log = LogFile(path)
+        self._log = LogFile(path, pipes=True)
 
     @property
     def frames(self) -> int:

@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+import mmap
+import os
 import struct
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
+
+from armui.system.files import open_file
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -41,6 +45,20 @@ SPARE_BYTES: Final = 256 << 20
 PROGRESS: Final = "progress"
 _PROGRESS: Final = struct.Struct("<qqq")
 PROGRESS_BYTES: Final = _PROGRESS.size
+
+
+def map_progress(folder: Path) -> mmap.mmap:
+    """Return the memory, shared by the processes that map it, where the progress stands.
+
+    Raises:
+        OSError: The disk does not allow it.
+    """
+    path = folder / PROGRESS
+    with open_file(path, "r+b" if path.exists() else "x+b") as file:
+        if not os.fstat(file.fileno()).st_size:
+            file.write(bytes(PROGRESS_BYTES))
+            file.flush()
+        return mmap.mmap(file.fileno(), PROGRESS_BYTES)
 
 
 @dataclass(frozen=True, slots=True)

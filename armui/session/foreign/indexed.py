@@ -21,6 +21,7 @@ from armui.session.foreign.columns import (
 )
 from armui.session.frames import CLASSIC_BYTES, FrameBatch
 from armui.session.session import REMEMBERED, REMEMBERED_IDS, DataRows
+from armui.system.files import open_file
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
@@ -61,7 +62,8 @@ class IndexedLog:
         if path.stat().st_size == 0:
             return np.empty((0, *kind.shape), kind.base)
         # seen as a plain array, of which one row costs a fraction
-        flat: NDArray[Any] = np.asarray(np.memmap(path, kind.base, "r"))
+        with open_file(path) as file:
+            flat: NDArray[Any] = np.asarray(np.memmap(file, kind.base, "r"))
         return flat.reshape(-1, *kind.shape)
 
     def _remove_folder(self) -> None:

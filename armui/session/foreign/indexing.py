@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import mmap
 import shutil
 from importlib.util import find_spec
 from typing import TYPE_CHECKING, Any, Final
@@ -20,13 +19,12 @@ from armui.session.foreign.columns import (
     LONG_ROWS,
     MOST_FRAMES,
     ORDER,
-    PROGRESS,
-    PROGRESS_BYTES,
     SPARE_BYTES,
     LogIndex,
     ReadingProgress,
     column_path,
     group_codes,
+    map_progress,
 )
 from armui.session.foreign.times import straightened
 from armui.session.frames import NOT_OF_THE_ARM, NotALogError
@@ -34,12 +32,13 @@ from armui.session.log_marks import LogFrames, marks_of
 from armui.session.reader import SUFFIXES, LogFile, is_known_kind
 from armui.session.recording.kinds import MF4_SUFFIX
 from armui.system.error_text import error_text
+from armui.system.files import open_file
 
 if TYPE_CHECKING:
     from pathlib import Path
     from typing import BinaryIO
 
-    from numpy.typing import NDArray
+    from numpy.typing import DTypeLike, NDArray
 
     from armui.protocol.generation import Generation
     from armui.session.frames import Channel, FrameBatch
@@ -118,7 +117,7 @@ def _why_not(path: Path, error: NotALogError) -> Refusal:
         known = ", ".join(SUFFIXES)
         return Refusal(RefusalCode.REPLAY_UNKNOWN_KIND, {**name, "known": known})
     try:
-        with path.open("rb") as file:
+        with open_file(path) as file:
             beginning = file.read(len(max(_ARCHIVES, key=len)))
     except OSError as gone:
         return Refusal(RefusalCode.REPLAY_UNREADABLE, {**name, "text": error_text(gone)})
@@ -150,7 +149,7 @@ class _Columns:
 
     def __enter__(self) -> _Columns:
         for name in (*COLUMNS, LONG_ROWS, LONG_DATA):
-            self._files[name] = column_path(self._folder, name).open("wb")
+            self._files[name] = open_file(column_path(self._folder, name), "wb")
         return self
 
     def __exit__(self, *_error: object) -> None:
@@ -174,13 +173,10 @@ class _told_progress:  # noqa: N801 - used as a function is
     """The memory where the progress stands, shared with the process that shows it."""
 
     def __init__(self, folder: Path) -> None:
-        self._path = folder / PROGRESS
+        self._folder = folder
 
     def __enter__(self) -> memoryview:
-        if not self._path.exists():
-            self._path.write_bytes(bytes(PROGRESS_BYTES))
-        with self._path.open("r+b") as file:
-            self._map = mmap.mmap(file.fileno(), PROGRESS_BYTES)
+        self._map = map_progress(self._folder)
         self._memory = memoryview(self._map)
         return self._memory
 
@@ -195,9 +191,17 @@ def _is_disk_full(folder: Path, frames: int) -> bool:
 
 
 def _read(folder: Path, name: str) -> NDArray[Any]:
-    return np.fromfile(column_path(folder, name), COLUMNS[name].base).reshape(
-        -1, *COLUMNS[name].shape
-    )
+    return _values(folder, name, COLUMNS[name].base).reshape(-1, *COLUMNS[name].shape)
+
+
+def _values(folder: Path, name: str, kind: DTypeLike) -> NDArray[Any]:
+    with open_file(column_path(folder, name)) as file:
+        return np.fromfile(file, kind)
+
+
+def _write(folder: Path, name: str, values: NDArray[Any]) -> None:
+    with open_file(column_path(folder, name), "wb") as file:
+        values.tofile(file)
 
 
 def _put_in_order(folder: Path) -> int:
@@ -206,22 +210,22 @@ def _put_in_order(folder: Path) -> int:
     times_s, backwards = straightened(raw_s, _read(folder, "channels"))
     if bool((np.diff(times_s) >= 0).all()):
         if backwards:
-            times_s.tofile(column_path(folder, "times_s"))
+            _write(folder, "times_s", times_s)
         return backwards
     order = np.argsort(times_s, kind="stable")
-    times_s[order].tofile(column_path(folder, "times_s"))
+    _write(folder, "times_s", times_s[order])
     for name in COLUMNS:
         if name != "times_s":
-            _read(folder, name)[order].tofile(column_path(folder, name))
-    rows = np.fromfile(column_path(folder, LONG_ROWS), np.uint32)
+            _write(folder, name, _read(folder, name)[order])
+    rows = _values(folder, LONG_ROWS, np.uint32)
     if rows.size:
         places = np.empty(order.size, np.uint32)
         places[order] = np.arange(order.size, dtype=np.uint32)
         moved = places[rows]
         sequence = np.argsort(moved)
-        data = np.fromfile(column_path(folder, LONG_DATA), np.uint8).reshape(-1, LONG_BYTES)
-        moved[sequence].tofile(column_path(folder, LONG_ROWS))
-        data[sequence].tofile(column_path(folder, LONG_DATA))
+        data = _values(folder, LONG_DATA, np.uint8).reshape(-1, LONG_BYTES)
+        _write(folder, LONG_ROWS, moved[sequence])
+        _write(folder, LONG_DATA, data[sequence])
     return backwards
 
 
@@ -234,7 +238,7 @@ def _order(
     known: NDArray[np.uint64] = np.unique(codes)[: _MOST_GROUPS - 1]
     numbers = np.searchsorted(known, codes).astype(np.uint16)
     order = np.argsort(numbers, kind="stable").astype(np.uint32)
-    order.tofile(column_path(folder, ORDER))
+    _write(folder, ORDER, order)
     starts = np.searchsorted(numbers, np.arange(len(known) + 2), sorter=order)
     times_s, payloads = _read(folder, "times_s"), _read(folder, "payloads")
 

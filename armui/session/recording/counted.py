@@ -18,6 +18,7 @@ from armui.session.log_marks import LogFrames, marked_ids, marks_of
 from armui.session.recording import index_file, sidecar
 from armui.session.session import MarkKind
 from armui.session.survey import survey
+from armui.system.files import open_file
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -84,7 +85,7 @@ def is_over(folder: Path, name: str, lines: Sequence[Mapping[str, Any]]) -> bool
 def keep(folder: Path, name: str, counts: Counts) -> None:
     """Add what was counted to a sidecar; one that cannot be written stays as it is."""
     line = sidecar.as_bytes([{"kind": KIND, **counts._asdict()}])
-    with contextlib.suppress(OSError), sidecar.path_of(folder, name).open("r+b") as file:
+    with contextlib.suppress(OSError), open_file(sidecar.path_of(folder, name), "r+b") as file:
         # a killed program may have left half a line
         file.seek(0, 2)
         if file.tell():

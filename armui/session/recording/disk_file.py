@@ -10,7 +10,8 @@ import time
 from pathlib import Path
 from typing import Final
 
-_FLAGS: Final = os.O_WRONLY | os.O_CREAT | os.O_EXCL | getattr(os, "O_BINARY", 0)
+from armui.system.files import open_file
+
 _TO_DISK_S: Final = 5.0
 """How often the system is asked to bring it to the disk: a power cut loses no more."""
 
@@ -33,7 +34,8 @@ class DiskFile:
     def __init__(self, path: Path) -> None:
         self.path = path
         self.size = 0
-        self._handle = os.open(path, _FLAGS, 0o666)
+        self._file = open_file(path, "xb")
+        self._handle = self._file.fileno()  # nothing waits in a buffer
         self._to_disk_s = time.monotonic()
         self._syncing: threading.Thread | None = None
         self._sync_error: OSError | None = None
@@ -107,10 +109,8 @@ class DiskFile:
 
     def close(self) -> None:
         """Close it; a disk that is gone changes nothing."""
-        if self._handle >= 0:
-            with contextlib.suppress(OSError):
-                os.close(self._handle)
-            self._handle = -1
+        with contextlib.suppress(OSError):
+            self._file.close()
 
     def discard(self) -> None:
         """Close it and remove it: it was begun in vain."""

@@ -16,6 +16,7 @@ from armui.session.recording.counted import counts_in
 from armui.session.recording.kinds import MF4_SUFFIX, RecordingFormat
 from armui.session.recording.names import file_name, is_name
 from armui.system.error_text import error_text
+from armui.system.files import open_file
 
 BIN: Final = "deleted"
 """The folder inside that of the recordings where deleted ones wait to be brought back by hand."""
@@ -82,7 +83,7 @@ def _entry(folder: Path, name: str) -> RecordingEntry:
     """
     damage, lines = "", []
     try:
-        with sidecar.path_of(folder, name).open("rb") as stream:
+        with open_file(sidecar.path_of(folder, name)) as stream:
             lines = sidecar.read_lines(stream.read(sidecar.MOST_BYTES))
     except FileNotFoundError:
         raise
@@ -113,7 +114,7 @@ def _entry(folder: Path, name: str) -> RecordingEntry:
 def _length_s(index: Path) -> float | None:
     """From the first block to the last, without reading all that is between."""
     try:
-        with index.open("rb") as stream:
+        with open_file(index) as stream:
             beginning = stream.read(_HEAD_BYTES)
             size = stream.seek(0, os.SEEK_END)
             stream.seek(max(0, size - _HEAD_BYTES))
@@ -146,7 +147,7 @@ def files_of(folder: Path, name: str) -> list[Path]:
         OSError: The folder cannot be read.
     """
     side = sidecar.path_of(folder, name)
-    with side.open("rb") as stream:
+    with open_file(side) as stream:
         lines = sidecar.read_lines(stream.readline(_HEAD_BYTES))
     paths = _parts(folder, name, sidecar.format_in(lines[0]) if lines else None)
     beside = (folder / f"{name}{suffix}" for suffix in (MF4_SUFFIX, index_file.SUFFIX))

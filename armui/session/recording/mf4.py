@@ -17,6 +17,7 @@ import can
 from armui.session.recording.folder import files_of
 from armui.session.recording.kinds import MF4_SUFFIX, RecordingFormat
 from armui.system.atomic import WholeFile, remove_abandoned
+from armui.system.files import open_file
 
 PACKAGE: Final = "asammdf"
 _TOLD_EVERY: Final = 2_000
@@ -32,11 +33,11 @@ def can_write() -> bool:
 @contextlib.contextmanager
 def told_in(path: Path) -> Iterator[Callable[[float], None]]:
     """Tells how much is done by a figure in a file, for another process."""
-    with path.open("w") as file:
+    with open_file(path, "wb") as file:
 
         def tell(share: float) -> None:
             file.seek(0)
-            file.write(f"{share:.4f}")
+            file.write(f"{share:.4f}".encode())
             file.flush()
 
         yield tell
@@ -100,7 +101,7 @@ def write_mf4(
         writer = can.MF4Writer(whole.unfinished)
         try:
             for place, path in enumerate(paths):
-                with can.BLFReader(path) as reader:
+                with open_file(path) as file, can.BLFReader(file) as reader:
                     for number, message in enumerate(reader):
                         writer.on_message_received(message)
                         if number % _TOLD_EVERY == 0:

@@ -28,6 +28,7 @@ from armui.session.recording.kinds import RecordingFormat
 from armui.session.recording.names import file_name, names_of
 from armui.session.recording.rows import ROW
 from armui.session.session import REMEMBERED, REMEMBERED_IDS, SessionMark
+from armui.system.files import open_file, read_file
 
 _LONGEST_TAIL: Final = 4_000_000
 """More bytes than a killed program leaves without index: the index is not this recording's."""
@@ -63,7 +64,7 @@ class RecordedSession:
         self._turn = threading.Lock()
         self._cut_off: dict[int, list[FrameBatch]] = {}
         try:
-            index = (self._folder / f"{self.name}{index_file.SUFFIX}").read_bytes()
+            index = read_file(self._folder / f"{self.name}{index_file.SUFFIX}")
             self._blocks = self._present(list(index_file.read_blocks(index)))
             self._read_tail()
         except OSError as error:
@@ -159,7 +160,7 @@ class RecordedSession:
         if tail is not None:
             return tail
         try:
-            with self._path(block.file).open("rb") as stream:
+            with open_file(self._path(block.file)) as stream:
                 stream.seek(block.byte)
                 data = stream.read(block.size)
         except OSError as error:
@@ -194,7 +195,7 @@ class RecordedSession:
         number = 1 if last is None else last.file
         byte = 0 if last is None else last.byte + last.size
         while (path := self._path(number)).exists():
-            with path.open("rb") as stream:
+            with open_file(path) as stream:
                 if byte == 0:
                     byte = _opening_size(stream.read(_LONGEST_OPENING), self._kind)
                 stream.seek(byte)
@@ -258,7 +259,7 @@ def _sidecar_of(path: Path) -> tuple[str, list[dict[str, Any]], RecordingFormat]
         names = names_of(path)
     for each in names:
         try:
-            data = (path.parent / f"{each}{sidecar.SUFFIX}").read_bytes()
+            data = read_file(path.parent / f"{each}{sidecar.SUFFIX}")
         except OSError:
             continue
         lines = sidecar.read_lines(data)

@@ -3,13 +3,17 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Protocol
+from typing import Final, Protocol
 
 from armui.protocol.piper_model import PiperModel
 from armui.sim.parameters.settings import ArmSettingsRecord, factory_settings
 from armui.sim.parameters.settings_text import SettingsTextError, from_text, to_text
 from armui.system.atomic import write_whole
 from armui.system.error_text import error_text
+from armui.system.files import read_file
+
+_MOST_BYTES: Final = 1 << 20
+"""The settings have some thousand; a file this large is another."""
 
 
 class Flash(Protocol):
@@ -76,7 +80,7 @@ class FileFlash:
     def load(self, model: PiperModel = PiperModel.PIPER) -> ArmSettingsRecord:
         """What the file says, or factory values."""
         try:
-            text = self.path.read_text(encoding="utf-8")
+            text = read_file(self.path, _MOST_BYTES).decode()
             settings = from_text(text)
         except FileNotFoundError:
             return factory_settings(model)

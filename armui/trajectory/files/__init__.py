@@ -3,15 +3,14 @@
 from __future__ import annotations
 
 import contextlib
-import errno
 import os
-import stat
 from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Final
 
 from armui.arm.refusal_codes import RefusalCode
 from armui.system.error_text import error_text
+from armui.system.files import open_file
 from armui.trajectory.files import csv_file, json_file, log_file, maker_csv, npz_file
 from armui.trajectory.files.errors import TrajectoryFileError, broken
 from armui.trajectory.files.model import LARGEST_BYTES, Content, UnwritableError
@@ -89,7 +88,7 @@ def name_in(path: Path) -> str | None:
     Raises:
         OSError: It cannot be read.
     """
-    with path.open("rb") as file:
+    with open_file(path) as file:
         head = file.read(_HEAD_BYTES)
         if head.startswith(npz_file.MAGIC):
             return npz_file.name_in(file)
@@ -102,14 +101,12 @@ def is_ours(text: str) -> bool:
 
 
 def _bytes_of(path: Path) -> bytes:
-    found = path.stat()
-    size = found.st_size
-    if not stat.S_ISREG(found.st_mode):  # opening a pipe would wait for ever
-        raise IsADirectoryError(errno.EISDIR, os.strerror(errno.EISDIR), str(path))
-    if size > LARGEST_BYTES:
-        mega = 1024 * 1024
-        raise broken(RefusalCode.FILE_TOO_LARGE, value=size // mega, maximum=LARGEST_BYTES // mega)
-    return path.read_bytes()
+    with open_file(path) as file:
+        size = os.fstat(file.fileno()).st_size
+        if size > LARGEST_BYTES:
+            mega, most = 1024 * 1024, LARGEST_BYTES
+            raise broken(RefusalCode.FILE_TOO_LARGE, value=size // mega, maximum=most // mega)
+        return file.read(LARGEST_BYTES)
 
 
 @contextlib.contextmanager

@@ -12,7 +12,8 @@ from datetime import UTC, datetime, timedelta
 from pathlib import Path
 from typing import Final
 
-from armui.system.atomic import sync_folder
+from armui.system.atomic import sync_folder, write_whole
+from armui.system.files import check_file, read_file
 from armui.trajectory.library.drafts import is_draft
 from armui.trajectory.library.file_names import folded, free_stem
 from armui.trajectory.library.index import IndexEntry
@@ -97,6 +98,7 @@ class Bin:
         """
         room = self._new_room(*divmod(time.time_ns(), 1_000_000_000))
         try:
+            check_file(path)
             shutil.copy2(path, room / path.name)
         except OSError:
             shutil.rmtree(room, ignore_errors=True)
@@ -187,10 +189,10 @@ def _due_since(room: Path, now: datetime) -> datetime:
     """
     mark = room / _DUE
     with contextlib.suppress(OSError, ValueError):
-        since = datetime.fromisoformat(mark.read_text("ascii"))
+        since = datetime.fromisoformat(read_file(mark, 100).decode("ascii"))
         if since <= now:
             return since
-    mark.write_text(now.isoformat(), "ascii")
+    write_whole(mark, now.isoformat().encode(), to_disk=False)
     return now
 
 

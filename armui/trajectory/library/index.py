@@ -19,6 +19,7 @@ from typing import Any, Final, Literal, NamedTuple, get_args
 
 from armui.arm.refusal import Refusal
 from armui.system.atomic import write_whole
+from armui.system.files import read_file
 from armui.trajectory.files import Content, TrajectoryFileError
 from armui.trajectory.samples.recording import Recording
 
@@ -124,7 +125,7 @@ class Index:
         if seen.size > _MOST_BYTES:
             return
         with contextlib.suppress(*_BROKEN):
-            theirs = _unpack(json.loads(self._path.read_bytes()))
+            theirs = _unpack(json.loads(read_file(self._path, _MOST_BYTES)))
             ours = self._entries if self._changed else {}  # what could not be written as yet
             self._entries = {**self._entries, **theirs, **ours}
 

@@ -11,6 +11,7 @@ from collections.abc import Iterable, Mapping
 from typing import Final
 
 from armui.system import paths
+from armui.system.files import read_file
 from armui.ui.actions.search import SearchText
 
 _FILE: Final = paths.RESOURCES / "i18n" / "names.json"
@@ -75,7 +76,7 @@ def read_names() -> Names:
     Raises:
         OSError: It cannot be read.
     """
-    known: Mapping[str, tuple[str, list[str]]] = json.loads(_FILE.read_text(encoding="utf-8"))
+    known: Mapping[str, tuple[str, list[str]]] = json.loads(read_file(_FILE))
     return Names(
         (chinese, english, pinyin)
         for chinese, (pinyin, sources) in known.items()

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from datetime import datetime
+from functools import partial
 from pathlib import Path
 from typing import Final
 
@@ -26,6 +27,7 @@ from armui.control.parameters.backup_files import backup_of, read_backup, write_
 from armui.control.parameters.parameter_reader import ParameterReader
 from armui.control.parameters.setting_cell import CellState
 from armui.ui import words
+from armui.ui.background import Background, Job
 from armui.ui.dialogs import backup_text
 from armui.ui.dialogs.backup_model import NAME, BackupModel, DifferencesOnly
 from armui.ui.dialogs.base import ArmDialog
@@ -47,9 +49,13 @@ _NARROWEST_COLUMN_PX: Final = 110
 class BackupDialog(ArmDialog):
     """Reads the arm when it opens; what a file says comes beside it."""
 
-    def __init__(self, controller: ArmController, parent: QWidget | None = None) -> None:
+    def __init__(
+        self, controller: ArmController, background: Background, parent: QWidget | None = None
+    ) -> None:
         super().__init__(controller, parent)
         self._controller = controller
+        self._background = background
+        self._reading_file: Job[Backup | Refusal] | None = None
         self._settings = controller.settings
         self._reader = ParameterReader(self._settings, self)
         self._backup: Backup | None = None
@@ -123,6 +129,7 @@ class BackupDialog(ArmDialog):
     def closeEvent(self, event: QCloseEvent) -> None:
         """Nobody looks any more: ask no more."""
         self._reader.stop()
+        self._drop_file()
         super().closeEvent(event)
 
     def _on_read(self) -> None:
@@ -158,7 +165,10 @@ class BackupDialog(ArmDialog):
         )
 
     def _write(self, path: Path, backup: Backup) -> None:
-        refusal = write_backup(path, backup)
+        job: Job[Refusal | None] = Job(partial(self._on_written, path, backup))
+        self._background.begin_here(job, write_backup, path, backup)
+
+    def _on_written(self, path: Path, backup: Backup, refusal: Refusal | None) -> None:
         if refusal is not None:
             self._refuse(refusal)
             return
@@ -178,7 +188,18 @@ class BackupDialog(ArmDialog):
 
     def open_file(self, path: Path) -> None:
         """Compare a file with the arm; one that cannot be read leaves everything as it was."""
-        backup = read_backup(path)
+        self._drop_file()
+        self._reading_file = Job(partial(self._on_file, path))
+        self._background.begin_here(self._reading_file, read_backup, path)
+
+    def _drop_file(self) -> None:
+        """Wait for the file being read no more: another one is wanted, or none."""
+        if self._reading_file is not None:
+            self._reading_file.wanted = False
+            self._reading_file = None
+
+    def _on_file(self, path: Path, backup: Backup | Refusal) -> None:
+        self._reading_file = None
         if isinstance(backup, Refusal):
             self._refuse(backup)
             return
@@ -206,6 +227,7 @@ class BackupDialog(ArmDialog):
         )
 
     def _restore_now(self) -> None:
+        self._drop_file()
         chosen = self._model.chosen
         self._restoring = chosen
         self._model.follow(list(chosen))

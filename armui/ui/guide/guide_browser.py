@@ -11,6 +11,7 @@ from PySide6.QtGui import QColor, QImage, QResizeEvent, QTextCursor
 from PySide6.QtWidgets import QTextBrowser, QTextEdit
 
 from armui.arm.refusal import Refusal
+from armui.system.files import read_file
 from armui.ui.background import Background, Job
 from armui.ui.guide.text import FOLDER, GuideSection
 from armui.ui.theme import colors_of
@@ -135,5 +136,5 @@ def read_pictures(folder: Path, names: Sequence[str]) -> dict[str, bytes]:
     for name in names:
         file = folder / name
         if file.is_file():
-            found[name] = file.read_bytes()
+            found[name] = read_file(file)
     return found

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from typing import Final
 
 from armui.system import paths
+from armui.system.files import read_file
 
 FOLDER: Final = paths.RESOURCES / "guide"
 
@@ -64,7 +65,7 @@ def read_guide(language: str) -> list[GuideSection]:
         OSError: It cannot be read.
         ValueError: It is not as it should be.
     """
-    return parse((FOLDER / f"{language}.md").read_text(encoding="utf-8"))
+    return parse(read_file(FOLDER / f"{language}.md").decode())
 
 
 def search(sections: Sequence[GuideSection], query: str) -> list[GuideSection]:

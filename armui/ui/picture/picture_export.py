@@ -5,9 +5,11 @@ from __future__ import annotations
 from functools import partial
 from typing import TYPE_CHECKING
 
+from PySide6.QtCore import QBuffer, QByteArray, QIODevice
 from PySide6.QtGui import QGuiApplication, QImage
 
 from armui.control.events import Level
+from armui.system.atomic import write_whole
 from armui.ui.dialogs.file_export import FileExport
 
 if TYPE_CHECKING:
@@ -62,12 +64,14 @@ class PictureExport(FileExport):
 
 
 def _write(image: QImage, path: Path) -> None:
-    """Write a PNG.
+    """Write a PNG; a file that was there is replaced when the new one is whole.
 
     Raises:
         OSError: It cannot be written.
     """
-    if not image.save(str(path), "PNG"):  # type: ignore[call-overload]
-        with path.open("ab"):
-            pass  # says why
+    data = QByteArray()
+    buffer = QBuffer(data)
+    buffer.open(QIODevice.OpenModeFlag.WriteOnly)
+    if not image.save(buffer, "PNG"):  # type: ignore[call-overload]
         raise OSError(str(path))
+    write_whole(path, bytes(data.data()))

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-import stat
 from pathlib import Path
 from typing import Final
 
 from armui.system.atomic import write_whole
+from armui.system.files import read_file
 
 _MOST_BYTES: Final = 1 << 16
 
@@ -19,10 +19,7 @@ def path_beside(settings: Path) -> Path:
 def read_text(path: Path) -> str:
     """What is in it; nothing where it is missing, too large, or no text. Waits for a disk."""
     try:
-        found = path.stat()
-        if not stat.S_ISREG(found.st_mode) or found.st_size > _MOST_BYTES:
-            return ""
-        return path.read_text(encoding="utf-8")
+        return read_file(path, _MOST_BYTES).decode()
     except (OSError, ValueError):
         return ""
 

@@ -10,6 +10,8 @@ from PySide6.QtCore import QByteArray, QRectF, QSize, Qt
 from PySide6.QtGui import QGuiApplication, QIcon, QPainter, QPixmap, QPixmapCache
 from PySide6.QtSvg import QSvgRenderer
 
+from armui.system.files import read_file
+
 _FOLDER: Final = Path(__file__).parent.parent / "icons"
 _DRAWN_IN: Final = "#000000"
 _FOR_OTHERS: Final = 2.0
@@ -46,7 +48,7 @@ def _draw(name: str, color: str, size: int, pixel_ratio: float) -> QPixmap:
 
 @cache
 def _drawing(name: str) -> str:
-    return (_FOLDER / f"{name}.svg").read_text(encoding="utf-8")
+    return read_file(_FOLDER / f"{name}.svg").decode()
 
 
 def load_all() -> None:

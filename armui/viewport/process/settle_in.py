@@ -13,10 +13,12 @@ from multiprocessing import parent_process
 from pathlib import Path
 from typing import Final
 
+from armui.system.files import open_file
+
 _NICER_BY: Final = 5
 """The window, the bus and the stop go first where there are too few cores for all."""
 
-_FIRST_TO_GO: Final = "800"
+_FIRST_TO_GO: Final = b"800"
 _PR_SET_PDEATHSIG: Final = 1
 
 
@@ -27,8 +29,9 @@ def settle_in() -> None:
         faulthandler.enable()
     if sys.platform == "linux":
         # where memory runs out, the system ends the picture and not the window
-        with contextlib.suppress(OSError):
-            Path("/proc/self/oom_score_adj").write_text(_FIRST_TO_GO, encoding="ascii")
+        adjusted = Path("/proc/self/oom_score_adj")
+        with contextlib.suppress(OSError), open_file(adjusted, "r+b") as file:
+            file.write(_FIRST_TO_GO)
         # also where a driver keeps Python's lock, so that the thread below gets no turn
         with contextlib.suppress(OSError):
             ctypes.CDLL(None).prctl(_PR_SET_PDEATHSIG, signal.SIGKILL)

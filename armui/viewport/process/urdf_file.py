@@ -6,11 +6,8 @@ which joints are the arm's. Slow to import.
 
 from __future__ import annotations
 
-import errno
 import io
 import math
-import os
-import stat
 import xml.etree.ElementTree as ET
 from collections import Counter
 from collections.abc import Sequence
@@ -19,9 +16,11 @@ from pathlib import Path
 import numpy as np
 import trimesh
 import yourdfpy
+from trimesh.resolvers import FilePathResolver
 
 from armui.arm.refusal_codes import RefusalCode
 from armui.system.error_text import error_text
+from armui.system.files import check_file, open_file, read_file
 from armui.viewport.errors import SceneError
 from armui.viewport.process.robot import (
     ARM_JOINT_COUNT,
@@ -79,12 +78,7 @@ def _description(path: Path) -> yourdfpy.Robot:
 def _content(path: Path) -> bytes:
     """The file, which is sound XML: yourdfpy would go on with what it can make out of other."""
     try:
-        found = path.stat()
-        if not stat.S_ISREG(found.st_mode) or found.st_size > _MOST_BYTES:
-            # opening a pipe would wait for ever; a description is some thousand lines
-            text = os.strerror(errno.EISDIR if stat.S_ISDIR(found.st_mode) else errno.EFBIG)
-            raise SceneError(RefusalCode.URDF_UNREADABLE, path=str(path), text=text)
-        content = path.read_bytes()
+        content = read_file(path, _MOST_BYTES)
         # URDF files are the operator's own, and expat in supported Pythons stops entity bombs.
         element = ET.fromstring(content)  # noqa: S314 - see above
     except FileNotFoundError as error:
@@ -204,9 +198,22 @@ def _surface(path: Path, geometry: yourdfpy.Geometry) -> trimesh.Trimesh:
     return surface
 
 
+class _FilesBeside(FilePathResolver):
+    """Finds what a mesh refers to: materials, pictures, binary parts."""
+
+    def get(self, name: str) -> bytes:
+        """Return what a file holds."""
+        check_file(self.absolute(name))
+        data: bytes = super().get(name)
+        return data
+
+
 def _mesh(path: Path) -> trimesh.Trimesh:
     try:
-        surface = trimesh.load(path, force="mesh")
+        with open_file(path) as file:
+            beside = _FilesBeside(str(path))
+            kind = path.suffix.removeprefix(".")
+            surface = trimesh.load(file, file_type=kind, resolver=beside, force="mesh")
     except Exception as error:
         raise SceneError(RefusalCode.MESH_UNREADABLE, mesh=str(path), text=str(error)) from error
     if not isinstance(surface, trimesh.Trimesh) or surface.is_empty:

@@ -33,7 +33,7 @@ class LibraryPresence:
             self._lock = lock if lock.tryLock(0) else None
         found = []
         for path in sorted(self._folder.glob(".program-*.lock")):
-            if path.name == self._name:
+            if path.name == self._name or not path.is_file():  # a pipe would be waited for
                 continue
             other = self._file(path)
             if other.tryLock(0):  # a killed program's

@@ -13,7 +13,7 @@ from PySide6.QtCore import QObject, QTimer, Signal
 
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
-from armui.session.foreign.columns import PROGRESS, PROGRESS_BYTES, LogIndex, ReadingProgress
+from armui.session.foreign.columns import PROGRESS_BYTES, LogIndex, ReadingProgress, map_progress
 from armui.session.foreign.indexed import IndexedLog
 from armui.session.foreign.indexing import index_or_reason
 from armui.session.frames import NotALogError
@@ -187,9 +187,7 @@ def _prepare() -> tuple[Path, mmap.mmap] | Refusal:
     try:
         remove_leftovers()
         folder = make_folder()
-        (folder / PROGRESS).write_bytes(bytes(PROGRESS_BYTES))
-        with (folder / PROGRESS).open("r+b") as file:
-            return folder, mmap.mmap(file.fileno(), PROGRESS_BYTES)
+        return folder, map_progress(folder)
     except OSError as error:
         return Refusal(RefusalCode.REPLAY_NO_DISK, {"text": error_text(error)})
 
