@@ -10,6 +10,7 @@ import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import replace
+from datetime import datetime
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Final
@@ -18,7 +19,9 @@ from PySide6.QtCore import QCoreApplication, QObject, QTimer, Signal
 from PySide6.QtWidgets import QApplication
 
 from armui.arm.device import DEFAULT_BITRATE, Device, bitrate_is_ours
+from armui.arm.refusal import Refusal
 from armui.control.arm_controller import ArmController
+from armui.control.events import Event, EventCode
 from armui.control.operating_state import LinkState, OperatingState
 from armui.control.part_failure import end_motion_of
 from armui.protocol.generation import Generation
@@ -55,12 +58,14 @@ the bus thread and once for the simulated arm's, is what a pressed stop would wa
 
 _CONNECTED_MS: Final = 5000
 _THREADS_BEGUN_MS: Final = 500
+_LOOK_AT_FILES_MS: Final = 1000
 
 
 class _FailureRelay(QObject):
-    """Carries failures from the threads where they happen to the window's."""
+    """Carries what fails from the threads where it happens to the window's."""
 
     failed = Signal(object)
+    unsaved = Signal(object)
 
 
 class Program:
@@ -120,6 +125,13 @@ class Program:
         self._unsubscribe = store.subscribe(self._on_settings_changed)
         self._relay = _FailureRelay()
         self._relay.failed.connect(self._on_failed)
+        self._relay.unsaved.connect(self._on_unsaved)
+        if files is not None:
+            store.write_by(files, self._relay.unsaved.emit)
+        if isinstance(files, FileThread):
+            look = QTimer(self._relay, interval=_LOOK_AT_FILES_MS)
+            look.timeout.connect(partial(self._replace_hung, files))
+            look.start()
         self._failure_handler = FailureHandler(self._relay.failed.emit)
         logging.getLogger("armui").addHandler(self._failure_handler)
         self._event_keeper: EventKeeper | None = None
@@ -169,6 +181,17 @@ class Program:
         """What the failed part moved ends first; then it is told."""
         end_motion_of(self.controller, failure.modules)
         self.window.show_failure(failure)
+
+    def _on_unsaved(self, reason: Refusal) -> None:
+        self._notice(EventCode.SETTINGS_UNSAVED, reason=reason)
+
+    def _replace_hung(self, files: FileThread) -> None:
+        if files.replace_hung():
+            self._notice(EventCode.FILES_HANG, count=files.hanging)
+
+    def _notice(self, code: EventCode, **params: object) -> None:
+        at = datetime.now().astimezone()
+        self.controller.noticed.emit(Event(at, code.level, code, params))
 
     def _on_settings_changed(self, settings: Settings) -> None:
         apply_theme(self._app, Theme(settings.theme))

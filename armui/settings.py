@@ -11,11 +11,12 @@ from __future__ import annotations
 import contextlib
 import errno
 import json
-import stat
-from collections.abc import Callable, Mapping
+import os
+import threading
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import asdict, dataclass, field, fields, replace
 from pathlib import Path
-from typing import Any, Final, TypedDict, Unpack
+from typing import TYPE_CHECKING, Any, Final, TypedDict, Unpack
 
 import platformdirs
 
@@ -35,6 +36,10 @@ from armui.setting_checks import (
 from armui.system import paths
 from armui.system.atomic import write_whole
 from armui.system.error_text import error_text
+from armui.system.files import open_file
+
+if TYPE_CHECKING:
+    from concurrent.futures import Executor, Future
 
 _MOST_BYTES: Final = 1_000_000
 """A thousand times what the settings need: a larger file is something else."""
@@ -143,6 +148,10 @@ class SettingsStore:
     def __init__(self, path: Path, for_this_run: Choices | None = None) -> None:
         self._path = path
         self._subscribers: list[Subscriber] = []
+        self._files: Executor | None = None
+        self._on_problem: Callable[[Refusal], object] = lambda _problem: None
+        self._unsaved: dict[str, Any] = {}
+        self._turn, self._writing = threading.Lock(), threading.Lock()
         self._kept, self.problems = _read(path)
         self._settings = replace(self._kept, **(for_this_run or {}))
 
@@ -156,7 +165,8 @@ class SettingsStore:
 
         Returns:
             ``None``, or why a setting is not possible (then nothing is changed), or why the file
-            could not be written (then the settings hold until the program ends).
+            could not be written (then the settings hold, and are written with the next change).
+            What comes only later is told to whom `write_by` names.
         """
         for name, value in choices.items():
             refusal = check(name, value)
@@ -165,11 +175,25 @@ class SettingsStore:
         kept, before = self._kept, self._settings
         self._kept = replace(kept, **choices)
         self._settings = replace(before, **choices)
-        problem = self._save(choices) if self._kept != kept else None
+        problem = None
+        if self._kept != kept:
+            values = asdict(self._kept)
+            with self._turn:
+                self._unsaved |= {name: values[name] for name in choices}
+            problem = self._save()
         if self._settings != before:
             for subscriber in list(self._subscribers):
                 subscriber(self._settings)
         return problem
+
+    def write_by(self, files: Executor, on_problem: Callable[[Refusal], object]) -> None:
+        """Have the file written by a thread from now on: nobody waits for the disk.
+
+        Args:
+            files: Whose thread; what it was given is written before it ends.
+            on_problem: Told, in that thread, why a change could not be written.
+        """
+        self._files, self._on_problem = files, on_problem
 
     def subscribe(self, subscriber: Subscriber) -> Callable[[], None]:
         """Have a function called with the settings after each change.
@@ -190,33 +214,94 @@ class SettingsStore:
         """The file."""
         return self._path
 
-    def _save(self, choices: Choices) -> Refusal | None:
-        """Write what was chosen; what another program has written meanwhile stays."""
-        from filelock import FileLock, Timeout  # noqa: PLC0415 - faster start
-
-        params = {"path": str(self._path)}
+    def _save(self) -> Refusal | None:
+        """Have what is unsaved written; why it was not, as far as that is known at once."""
+        if self._files is None:
+            return self._write()
         try:
-            with FileLock(_lock_path(self._path), timeout=_LOCK_S):
+            written = self._files.submit(self._write)
+        except RuntimeError:  # the thread has ended, and the program ends
+            return self._write()
+        if written.done():
+            return self._problem_of(written)
+        written.add_done_callback(self._on_written)
+        return None
+
+    def _on_written(self, written: Future[Refusal | None]) -> None:
+        problem = self._problem_of(written)
+        if problem is not None:
+            self._on_problem(problem)
+
+    def _problem_of(self, written: Future[Refusal | None]) -> Refusal | None:
+        error = written.exception()
+        return written.result() if error is None else self._not_saved(error)
+
+    def _write(self) -> Refusal | None:
+        """Write whatever is unsaved by now; waits for a disk."""
+        if not self._writing.acquire(blocking=False):
+            # a disk holds whoever writes it; he goes on with this once it lets go of him
+            return self._not_saved(TimeoutError(errno.ETIMEDOUT, os.strerror(errno.ETIMEDOUT)))
+        try:
+            while self._unsaved:
+                with self._turn:
+                    choices, self._unsaved = self._unsaved, {}
+                problem = self._write_choices(choices)
+                if problem is not None:
+                    with self._turn:
+                        self._unsaved = choices | self._unsaved
+                    return problem
+        finally:
+            self._writing.release()
+        return None
+
+    def _write_choices(self, choices: Mapping[str, Any]) -> Refusal | None:
+        """Write what was chosen; what another program has written meanwhile stays."""
+        from filelock import Timeout  # noqa: PLC0415 - faster start
+
+        try:
+            with _alone_with(self._path):
                 in_file = _entries(self._path)
-                kept = asdict(self._kept)
-                entries = kept | in_file | {name: kept[name] for name in choices}
+                entries = asdict(self._kept) | in_file | dict(choices)
                 self._path.parent.mkdir(parents=True, exist_ok=True)
                 write_whole(self._path, f"{json.dumps(entries, indent=2)}\n".encode())
         except Timeout:
-            return Refusal(RefusalCode.SETTINGS_IN_USE, params)
+            return Refusal(RefusalCode.SETTINGS_IN_USE, {"path": str(self._path)})
         except (OSError, ValueError, RecursionError) as error:
-            return Refusal(RefusalCode.SETTINGS_NOT_SAVED, params | {"text": error_text(error)})
+            return self._not_saved(error)
         return None
+
+    def _not_saved(self, error: BaseException) -> Refusal:
+        params = {"path": str(self._path), "text": error_text(error)}
+        return Refusal(RefusalCode.SETTINGS_NOT_SAVED, params)
+
+
+@contextlib.contextmanager
+def _alone_with(path: Path) -> Iterator[None]:
+    """Keep other programs of the user from writing a file; where no lock can be had, nobody is.
+
+    Raises:
+        Timeout: Another one is writing it.
+    """
+    from filelock import FileLock, Timeout  # noqa: PLC0415 - faster start
+
+    with contextlib.ExitStack() as locked:
+        try:
+            locked.enter_context(FileLock(_lock_path(path), timeout=_LOCK_S))
+        except Timeout:
+            raise
+        except (OSError, NotImplementedError):
+            pass  # that nobody can be met there is said by whoever looks for others
+        yield
 
 
 def _lock_path(path: Path) -> Path:
     """Where programs wait for each other to write a file; not beside it: that folder is not ours.
 
     Raises:
-        OSError: The folder cannot be made.
+        OSError: The folder cannot be made, or is another user's.
     """
     folder = paths.runtime()
-    folder.mkdir(parents=True, exist_ok=True)
+    paths.make_private(folder)
     import hashlib  # noqa: PLC0415 - brings OpenSSL, faster start
 
     name = hashlib.sha256(str(path.absolute()).encode("utf-8", "surrogatepass")).hexdigest()[:16]
@@ -240,12 +325,11 @@ def _parsed(path: Path) -> object:
         ValueError: It is no JSON, no UTF-8, or far too large.
         RecursionError: Its lists are nested too deep.
     """
-    found = path.stat()
-    if not stat.S_ISREG(found.st_mode):
-        raise IsADirectoryError(errno.EISDIR, "it is not a file", str(path))
-    if found.st_size > _MOST_BYTES:
+    with open_file(path) as file:
+        data = file.read(_MOST_BYTES + 1)
+    if len(data) > _MOST_BYTES:
         raise ValueError("it is too large")
-    return json.loads(path.read_bytes().decode("utf-8"))
+    return json.loads(data.decode("utf-8"))
 
 
 def _read(path: Path) -> tuple[Settings, tuple[Refusal, ...]]:

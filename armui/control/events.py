@@ -167,6 +167,9 @@ class EventCode(StrEnum):
     PART_FAILED = "part_failed", Level.FAULT  # part
     SETTINGS_SHARED = "settings_shared", Level.WARNING  # path, count
     CHANNEL_SHARED = "channel_shared", Level.WARNING  # device, count
+    NOBODY_MET = "nobody_met", Level.WARNING  # path, text
+    FILES_HANG = "files_hang", Level.WARNING  # count
+    SETTINGS_UNSAVED = "settings_unsaved", Level.WARNING  # reason
     REFUSED = "refused", Level.WARNING  # reason
 
 

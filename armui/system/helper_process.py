@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import contextlib
+import errno
 import logging
 import os
 import shutil
 import signal
 import tempfile
 import threading
+import time
 import traceback
 from collections.abc import Callable
 from concurrent.futures import (
@@ -19,8 +21,10 @@ from concurrent.futures import (
     ThreadPoolExecutor,
 )
 from concurrent.futures import wait as wait_for
+from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
+from queue import Empty, SimpleQueue
 from typing import TYPE_CHECKING, Any, Final
 
 if TYPE_CHECKING:
@@ -34,6 +38,13 @@ _LOG: Final = logging.getLogger(__name__)
 _NICER_BY: Final = 5
 """The window and the bus go before it where there are too few cores for all."""
 _END_S: Final = 10.0
+
+HANGS_S: Final = 10.0
+"""A disk that spins up takes some seconds; one that takes longer does not answer."""
+CALL_HANGS_S: Final = 120.0
+"""Two hours of samples are read in some seconds, on a slow computer in a minute."""
+_MOST_HANGING: Final = 8
+"""So many threads are left to themselves; each keeps what it was given."""
 
 
 class HelperProcess(Executor):
@@ -124,18 +135,137 @@ class HelperProcess(Executor):
             self._folder = None
 
 
-class FileThread(ThreadPoolExecutor):
-    """One thread for what waits for a disk, with a process for what would take it long."""
+@dataclass(slots=True)
+class _FileJob:
+    """Something to be done by the file thread, and who waits for it."""
+
+    answer: Future[Any]
+    work: Callable[[], Any]
+
+    def do(self) -> None:
+        if not self.answer.set_running_or_notify_cancel():
+            return
+        try:
+            _settle(self.answer, self.work())
+        except BaseException as error:  # noqa: BLE001 - whatever it is, it is in the answer
+            _settle(self.answer, error=error)
+
+
+class _Worker(threading.Thread):
+    """Does what lies in a queue until it is left to itself, or finds the end, ``None``.
+
+    Attributes:
+        since_s: When what it is doing was begun; ``None``: it waits for more.
+        calling: Whether it waits for the other process.
+        left: Nobody counts on it any more: it hangs.
+    """
+
+    def __init__(self, jobs: SimpleQueue[_FileJob | None]) -> None:
+        super().__init__(name="armui-files", daemon=True)
+        self._jobs = jobs
+        self.since_s: float | None = None
+        self.calling = self.left = False
+
+    def run(self) -> None:
+        while not self.left and (job := self._jobs.get()) is not None:
+            self.since_s = time.monotonic()
+            job.do()
+            del job  # what it holds is not kept until the next one
+            self.since_s = None
+
+
+def _taken_from(jobs: SimpleQueue[_FileJob | None]) -> list[_FileJob]:
+    """Take out what nobody has begun yet."""
+    found = []
+    with contextlib.suppress(Empty):
+        while True:
+            job = jobs.get_nowait()
+            if job is not None:
+                found.append(job)
+    return found
+
+
+class FileThread(Executor):
+    """One thread for what waits for a disk, with a process for what would take it long.
+
+    A disk or network share that does not answer holds whoever asked it, and no thread can be ended:
+    `replace_hung` leaves it to itself and goes on with another. What the first was doing may still
+    come to its end, and is told then. Only so many are left behind; after that everything is
+    refused until one of them comes back.
+    """
 
     def __init__(self) -> None:
-        super().__init__(1, "armui-files")
+        self._jobs: SimpleQueue[_FileJob | None] = SimpleQueue()
+        self._worker: _Worker | None = None
+        self._left: list[_Worker] = []
+        self._turn = threading.Lock()
         self._process = HelperProcess()
         self._last: Future[None] | None = None
 
     @property
     def ended(self) -> bool:
         """Whether, after `shutdown`, everything that was asked for is done."""
-        return self._last is not None and self._last.done()
+        return self._last is not None and self._last.done() and not self.hanging
+
+    @property
+    def hanging(self) -> int:
+        """How many threads wait for a disk that does not answer."""
+        self._left = [each for each in self._left if each.is_alive()]
+        return len(self._left)
+
+    def submit(self, fn: Callable[..., Any], /, *args: Any, **kwargs: Any) -> Future[Any]:
+        """Have something done, after what was asked for before.
+
+        Raises:
+            RuntimeError: After `shutdown`.
+        """
+        if self._last is not None:
+            raise RuntimeError("cannot schedule new futures after shutdown")
+        job = _FileJob(Future(), partial(fn, *args, **kwargs))
+        with self._turn:
+            self._add(job)
+        return job.answer
+
+    def _add(self, job: _FileJob) -> None:
+        if self._worker is None and self.hanging < _MOST_HANGING:
+            self._worker = _Worker(self._jobs)
+            self._worker.start()
+        if self._worker is None:
+            _settle(job.answer, error=OSError(errno.ETIMEDOUT, os.strerror(errno.ETIMEDOUT)))
+        else:
+            self._jobs.put(job)
+
+    def replace_hung(self, after_s: float = HANGS_S, call_s: float = CALL_HANGS_S) -> bool:
+        """Go on without the thread if it hangs; to be called once a second.
+
+        Args:
+            after_s: So long nothing takes that a disk answers.
+            call_s: So long nothing takes that the other process does for it.
+
+        Returns:
+            Whether it was found to hang.
+        """
+        worker = self._worker
+        if worker is None or (since_s := worker.since_s) is None:
+            return False
+        if time.monotonic() - since_s < (call_s if worker.calling else after_s):
+            return False
+        with self._turn:
+            self._leave(worker)
+        return True
+
+    def _leave(self, worker: _Worker) -> None:
+        worker.left = True
+        self._left.append(worker)
+        _LOG.warning("A disk does not answer; %d threads wait for one", self.hanging)
+        if worker.calling:
+            # it is the process that hangs; waiting for its end could hang, too
+            process, self._process = self._process, HelperProcess()
+            threading.Thread(target=process.shutdown, args=(False,), daemon=True).start()
+        waiting, self._jobs, self._worker = self._jobs, SimpleQueue(), None
+        for job in _taken_from(waiting):
+            self._add(job)
+        waiting.put(None)  # it may have come back in this moment, and look for more
 
     def call(self, function: Callable[..., Any], *args: Any) -> Any:
         """Call something in the process, and wait for it; only this thread may.
@@ -143,16 +273,27 @@ class FileThread(ThreadPoolExecutor):
         Raises:
             Exception: What it raises there.
         """
-        return self._process.submit(function, *args).result()
+        worker = threading.current_thread()
+        if not isinstance(worker, _Worker):
+            return self._process.submit(function, *args).result()
+        worker.calling = True
+        try:
+            return self._process.submit(function, *args).result()
+        finally:
+            worker.calling, worker.since_s = False, time.monotonic()
 
     def shutdown(self, wait: bool = True, *, cancel_futures: bool = False) -> None:
         """End it when what was asked for is done, or after ten seconds: a disk may hang."""
         if self._last is None:
+            if cancel_futures:
+                with self._turn:
+                    for job in _taken_from(self._jobs):
+                        job.answer.cancel()
             self._last = self.submit(lambda: None)
+            self._jobs.put(None)
         if wait:
             wait_for([self._last], _END_S)
         self._process.shutdown()
-        super().shutdown(wait and self.ended, cancel_futures=cancel_futures)
 
 
 def _answer(answer: Future[Any], sent: Future[Packed]) -> None:

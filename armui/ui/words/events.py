@@ -240,6 +240,15 @@ _NOTICES: Final[Texts[str]] = Texts("Notice") | {
         "Another armui on this computer is connected to {device}, too. Both can move the arm: "
         "close one of them."
     ),
+    EventCode.NOBODY_MET: (
+        "Whether another armui runs on this computer cannot be found out: {path} cannot be used "
+        "({text}). Do not start the program twice for one arm."
+    ),
+    EventCode.FILES_HANG: (
+        "A disk or network folder does not answer for 10 s. What was asked of it waits; other "
+        "files go on. Look at its cable or network. (Waiting: {count})"
+    ),
+    EventCode.SETTINGS_UNSAVED: "The change holds, but is not saved. {reason}",
     EventCode.REFUSED: "Not sent. {reason}",
     **MODEL_NOTICES,
 }

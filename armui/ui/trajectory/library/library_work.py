@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import errno
+import os
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import partial
@@ -11,6 +13,7 @@ from PySide6.QtCore import QObject
 from shiboken6 import isValid
 
 from armui.arm.refusal import Refusal
+from armui.arm.refusal_codes import RefusalCode
 from armui.trajectory.files import TrajectoryFileError
 from armui.trajectory.library.store import Library, LibraryError
 from armui.ui import words
@@ -54,7 +57,9 @@ class LibraryWork(QObject):
             then: Gets what comes of it.
             refused: Gets why it was not done, in the operator's language.
         """
-        self._background.begin_here(Job(partial(self._tell, then, refused)), _attempt, action)
+        self._background.begin_here(
+            Job(partial(self._tell, then, refused)), _attempt, self.library, action
+        )
 
     def _tell(
         self,
@@ -74,8 +79,14 @@ class LibraryWork(QObject):
             then(done.value)
 
 
-def _attempt(action: Callable[[], Result]) -> _Done[Result]:
+def _attempt(library: Library, action: Callable[[], Result]) -> _Done[Result]:
+    if not library.turn.acquire(blocking=False):
+        # whoever has it waits for a disk that does not answer, and was left behind
+        figures = {"name": str(library.folder), "text": os.strerror(errno.ETIMEDOUT)}
+        return _Done(error=LibraryError(Refusal(RefusalCode.LIBRARY_UNREADABLE, figures)))
     try:
         return _Done(action())
     except (LibraryError, TrajectoryFileError) as error:
         return _Done(error=error)
+    finally:
+        library.turn.release()
