@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import contextlib
+import errno
 import os
-import tempfile
+import stat
 from pathlib import Path
 
 import platformdirs
@@ -26,14 +28,48 @@ URDF = _data_folder("urdf")
 def runtime() -> Path:
     """Where running programs of one user meet: locks, which mean nothing after the program ends.
 
-    The system's folder for that where there is one, else one in the user's temporary files.
+    The system's folder for that where it is the user's own, also where the environment does not
+    name it; else one among the user's files, for this computer alone.
     """
-    folder = Path(os.environ.get("XDG_RUNTIME_DIR") or "")
-    if folder.is_absolute() and os.access(folder, os.W_OK):
-        return folder / "armui"
-    import getpass  # noqa: PLC0415 - faster start
+    named = [Path(os.environ.get("XDG_RUNTIME_DIR") or "")]
+    if hasattr(os, "getuid"):
+        named.append(Path(f"/run/user/{os.getuid()}"))
+    for folder in named:
+        if folder.is_absolute() and is_private(folder):
+            return folder / "armui"
+    import platform  # noqa: PLC0415 - faster start
 
-    return Path(tempfile.gettempdir()) / f"armui-{getpass.getuser()}"
+    state = platformdirs.user_state_path("armui", appauthor=False)
+    return state / f"running-{platform.node() or 'here'}"
+
+
+def is_private(folder: Path) -> bool:
+    """Return whether a folder is there, is no link, and only its user can change what is in it."""
+    try:
+        found = folder.lstat()
+    except OSError:
+        return False
+    if not hasattr(os, "getuid"):  # Windows: a user's folders are closed to others
+        return stat.S_ISDIR(found.st_mode)
+    others_write = stat.S_IWGRP | stat.S_IWOTH
+    own = found.st_uid == os.getuid() and not found.st_mode & others_write
+    return stat.S_ISDIR(found.st_mode) and own
+
+
+def make_private(folder: Path) -> None:
+    """Make a folder that is closed to other users, if it is not there.
+
+    Raises:
+        PermissionError: It is a link, or another user's.
+        OSError: It cannot be made.
+    """
+    folder.parent.mkdir(parents=True, exist_ok=True)
+    with contextlib.suppress(FileExistsError):
+        folder.mkdir(mode=0o700)
+    if hasattr(os, "getuid") and folder.lstat().st_uid == os.getuid() and not folder.is_symlink():
+        folder.chmod(0o700)
+    if not is_private(folder):
+        raise PermissionError(errno.EPERM, "it belongs to another user", str(folder))
 
 
 def logs() -> Path:

@@ -7,6 +7,7 @@ not. Everything here touches the disk: a thread of its own does it, nobody waits
 from __future__ import annotations
 
 import contextlib
+import errno
 import os
 import threading
 from collections.abc import Callable
@@ -14,6 +15,8 @@ from pathlib import Path
 from typing import Final
 
 from filelock import FileLock, Timeout
+
+from armui.system.paths import make_private
 
 _SUFFIX: Final = ".lock"
 _LOOK_S: Final = 1.0
@@ -37,8 +40,12 @@ class Presence:
         Raises:
             OSError: The folder cannot be used.
         """
-        self._folder.mkdir(parents=True, exist_ok=True)
-        self._lock.acquire(blocking=False)
+        make_private(self._folder.parent)
+        make_private(self._folder)
+        try:
+            self._lock.acquire(blocking=False)
+        except NotImplementedError as error:  # a file system without locks
+            raise OSError(errno.ENOLCK, os.strerror(errno.ENOLCK), str(self._path)) from error
 
     def others(self) -> int:
         """How many others are there; what killed programs left is removed.
@@ -75,11 +82,14 @@ class PresenceWatch:
 
     Args:
         folder: Of the thing; see :class:`Presence`.
-        tell: Called with their number whenever it changes, in a thread of its own.
+        tell: Called with their number whenever it changes, in a thread of its own; with what is
+            wrong where nobody can be met there.
         look_s: How often to look.
     """
 
-    def __init__(self, folder: Path, tell: Callable[[int], None], look_s: float = _LOOK_S) -> None:
+    def __init__(
+        self, folder: Path, tell: Callable[[int | OSError], None], look_s: float = _LOOK_S
+    ) -> None:
         self._presence = Presence(folder)
         self._tell = tell
         self._look_s = look_s
@@ -95,14 +105,15 @@ class PresenceWatch:
     def _run(self) -> None:
         before = 0
         try:
-            # a folder that cannot be used: nobody can be met there, and nothing else is wrong
-            with contextlib.suppress(OSError):
-                self._presence.enter()
-                while not self._closing.is_set():
-                    now = self._presence.others()
-                    if now != before and not self._closing.is_set():
-                        self._tell(now)
-                        before = now
-                    self._closing.wait(self._look_s)
+            self._presence.enter()
+            while not self._closing.is_set():
+                now = self._presence.others()
+                if now != before and not self._closing.is_set():
+                    self._tell(now)
+                    before = now
+                self._closing.wait(self._look_s)
+        except OSError as error:
+            if not self._closing.is_set():
+                self._tell(error)
         finally:
             self._presence.leave()

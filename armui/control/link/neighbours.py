@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import hashlib
+from collections.abc import Mapping
 from datetime import datetime
 from functools import partial
 from pathlib import Path
@@ -12,6 +13,7 @@ from PySide6.QtCore import QObject, Signal
 
 from armui.control.events import Event, EventCode
 from armui.control.operating_state import OperatingState
+from armui.system.error_text import error_text
 from armui.system.presence import PresenceWatch
 
 if TYPE_CHECKING:
@@ -35,7 +37,7 @@ class Neighbours(QObject):
         look_s: How often to look.
     """
 
-    _counted = Signal(object, object, int)
+    _counted = Signal(object, object, object)
 
     def __init__(
         self, controller: ArmController, settings: Path, folder: Path, look_s: float = 1.0
@@ -44,6 +46,7 @@ class Neighbours(QObject):
         self._controller = controller
         self._folder = folder
         self._look_s = look_s
+        self._alone = False
         self._device: Device | None = None
         self._channel: PresenceWatch | None = None
         self._counted.connect(self._on_counted)
@@ -78,12 +81,18 @@ class Neighbours(QObject):
         tell = partial(self._counted.emit, code, what)
         return PresenceWatch(self._folder / f"{code}-{name}", tell, self._look_s)
 
-    def _on_counted(self, code: EventCode, what: object, count: int) -> None:
+    def _on_counted(self, code: EventCode, what: object, count: int | OSError) -> None:
+        if isinstance(count, OSError):
+            if not self._alone:
+                params = {"path": str(self._folder), "text": error_text(count)}
+                self._tell(EventCode.NOBODY_MET, params)
+            self._alone = True
+            return
         late = code == EventCode.CHANNEL_SHARED and what != self._device
         if count and not late:
-            params = {
-                "device" if code == EventCode.CHANNEL_SHARED else "path": what,
-                "count": count,
-            }
-            at = datetime.now().astimezone()
-            self._controller.noticed.emit(Event(at, code.level, code, params))
+            name = "device" if code == EventCode.CHANNEL_SHARED else "path"
+            self._tell(code, {name: what, "count": count})
+
+    def _tell(self, code: EventCode, params: Mapping[str, object]) -> None:
+        at = datetime.now().astimezone()
+        self._controller.noticed.emit(Event(at, code.level, code, params))
