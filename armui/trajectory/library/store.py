@@ -8,6 +8,7 @@ else has damaged is listed with what is wrong with it, and never written over.
 from __future__ import annotations
 
 import contextlib
+import threading
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 from datetime import UTC, datetime
@@ -44,6 +45,9 @@ class Library:
         now: Tells the time that is kept as the last change.
         call: Calls a function with its arguments where it may take long: in another process. Used
             for large files; called directly by default.
+
+    Attributes:
+        turn: Held by whoever is at work on it, where there may be several.
     """
 
     def __init__(
@@ -52,6 +56,7 @@ class Library:
         now: Callable[[], datetime] = lambda: datetime.now(UTC),
         call: Call = call_directly,
     ) -> None:
+        self.turn = threading.Lock()
         self._folder = folder
         self._now = now
         self._call = call
@@ -60,6 +65,8 @@ class Library:
         self._drafts = Drafts(folder, call)
         self._met: dict[str, Stamp] = {}
         """The files as they were loaded to be edited, by the name of what they hold."""
+        self._bases: dict[str, datetime] = {}
+        """When what was loaded to be edited, or saved, had been changed: drafts are based on it."""
 
     def tidy(self) -> None:
         """Remove what killed programs left half written, and what was deleted long ago."""
@@ -110,6 +117,8 @@ class Library:
         if to_edit:
             self._met[name] = kept.stamp
         content: Content = load_by(self._call, kept.path, kept.stamp.size)
+        if to_edit:
+            self._bases[name] = content.modified
         return content if content.name == name else replace(content, name=name)
 
     def free_name(self, wanted: str) -> str:
@@ -312,7 +321,7 @@ class Library:
         Raises:
             LibraryError: It is not possible, or the disk refuses.
         """
-        content = replace(content, name=name, modified=self._now())
+        content = replace(content, name=name, modified=self._bases.get(name, content.modified))
         with on_disk(RefusalCode.LIBRARY_NOT_SAVED, name):
             try:
                 self._drafts.save(content, rest)
@@ -326,6 +335,32 @@ class Library:
             TrajectoryFileError: Somebody has damaged it.
         """
         return self._drafts.load(name)
+
+    def set_aside_draft(self, over: Trajectory) -> bool:
+        """Do away with a draft that is based on another state of a file than it has.
+
+        A program was killed after it had saved, or another one has saved since: such a draft would
+        undo what was saved. It is among what was deleted recently then, if it says anything else.
+
+        Args:
+            over: What the file holds.
+
+        Returns:
+            Whether there was one that says something else.
+
+        Raises:
+            TrajectoryFileError: Somebody has damaged the draft.
+            LibraryError: The disk refuses.
+        """
+        draft = self._drafts.load(over.name)
+        if draft is None or draft.modified == over.modified:
+            return False
+        if replace(draft, modified=over.modified) == over:
+            self.drop_draft(over.name)
+            return False
+        with on_disk(RefusalCode.LIBRARY_NOT_DELETED, over.name):
+            self._bin.take([self._drafts.paths()[over.name]])
+        return True
 
     def drop_draft(self, name: str) -> None:
         """Forget the unsaved state of a trajectory.
@@ -390,6 +425,7 @@ class Library:
                 path = path.rename(fitting)
         with on_disk(RefusalCode.LIBRARY_UNREADABLE, str(self._folder)):
             self._met[content.name] = self._file_store.note(path, entry_of(content))
+        self._bases[content.name] = content.modified
         return displaced
 
 

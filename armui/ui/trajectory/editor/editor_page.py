@@ -225,6 +225,14 @@ class EditorPage(Page):
             Level.WARNING,
         )
 
+    def say_aside(self) -> None:
+        """Say that unsaved changes of another state of the file were not put over it."""
+        text = self.tr(
+            "“{name}” has been saved since these unsaved changes were kept: they are not put over "
+            "it. They are in the library under “Recently deleted…”."
+        )
+        self._say(text.format(name=self.document.name), Level.WARNING)
+
     # Checking and running ---------------------------------------------------------------------
 
     def _on_points(self, change: Change) -> None:

@@ -117,19 +117,27 @@ class LibraryEditors(QObject):
             self.said.emit(text, Level.WARNING)
             self._show_editor(trajectory, None)
 
-        self._work.do(
-            lambda: self._library.draft(trajectory.name),
-            partial(self._show_editor, trajectory),
-            damaged,
-        )
+        def look() -> tuple[Trajectory | None, bool]:
+            aside = self._library.set_aside_draft(trajectory)
+            return self._library.draft(trajectory.name), aside
 
-    def _show_editor(self, trajectory: Trajectory, draft: Trajectory | None) -> None:
+        def show(found: tuple[Trajectory | None, bool]) -> None:
+            draft, aside = found
+            self._show_editor(trajectory, draft, aside=aside)
+
+        self._work.do(look, show, damaged)
+
+    def _show_editor(
+        self, trajectory: Trajectory, draft: Trajectory | None, *, aside: bool = False
+    ) -> None:
         name = trajectory.name
         if name in self._editors:  # it was opened twice before it was read
             self._editors[name].open()
             return
         work = LibraryWork(self._library, self._background, self)
         editor = EditorPage(self._controller, self._checks, work, trajectory, draft=draft)
+        if aside:
+            editor.say_aside()
         self._editors[name] = editor
         self.page_made.emit(editor)
         self.editor_opened.emit(editor)
