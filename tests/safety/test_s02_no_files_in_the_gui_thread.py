@@ -5,7 +5,16 @@ from concurrent.futures import Executor
 
 import pytest
 from PySide6.QtCore import QCoreApplication
-from PySide6.QtWidgets import QDialog, QTableView, QWidget
+from PySide6.QtGui import QAction, QDesktopServices
+from PySide6.QtWidgets import (
+    QAbstractButton,
+    QApplication,
+    QDialog,
+    QMenu,
+    QTableView,
+    QWidget,
+)
+from shiboken6 import isValid
 
 from armui.control.event_log.keeper import EventKeeper
 from armui.protocol.generation import Generation
@@ -17,8 +26,10 @@ from armui.trajectory.planning.preflight import warm_up
 from armui.trajectory.points.program import Trajectory
 from armui.ui.actions.palette import CommandPalette
 from armui.ui.actions.window_actions import WindowActions
+from armui.ui.dialogs.confirm_dialog import ConfirmDialog
 from armui.ui.dialogs.files import FileDialog
 from armui.ui.guide.guide_window import GuideWindow
+from armui.ui.main_window import MainWindow
 from armui.ui.trajectory.editor.editor_page import EditorPage
 from armui.ui.trajectory.library.bin_dialog import BinDialog
 from armui.ui.trajectory.library.library_page import LibraryPage
@@ -36,7 +47,10 @@ from tests.session.recordings import START_S, frames, greeting, write
 
 MOST_S = 200.0
 
-EXCEPTIONS: tuple[tuple[str, str], ...] = ()
+EXCEPTIONS: tuple[tuple[str, str], ...] = (
+    ("dialogs/files.py", "where a file chooser begins: Qt's looks at that folder anyway"),
+    ("read_devices", "modules of devices, imported when they are switched on"),
+)
 """What the GUI thread may do to files: a part of the frame that does it, and why it may."""
 
 
@@ -383,4 +397,74 @@ def test_the_bus_monitor(app_driver, monkeypatch):
         window.look()
         window.grab()
         window.close()
+    assert forbidden(seen) == []
+
+
+LEFT_ALONE = frozenset({"emergency_stop_button"})
+"""Buttons whose press ends what the others are pressed for."""
+MOST_PRESSED = 2_000
+
+
+def key_of(pressed):
+    """What tells buttons apart, whoever makes them anew."""
+    kinds, at = [], pressed
+    while at is not None:
+        kinds.append(type(at).__name__)
+        at = at.parent()
+    return pressed.objectName(), pressed.text(), *kinds
+
+
+def next_to_press(main, done):
+    """The next button or entry of a menu that nobody has pressed, those of open windows first."""
+    for window in [*open_windows(main), main]:
+        if isinstance(window, FileDialog | ConfirmDialog | QMenu):
+            continue
+        for each in (*window.findChildren(QAbstractButton), *window.findChildren(QAction)):
+            if getattr(each, "menu", bool)() or (isinstance(each, QAction) and each.isSeparator()):
+                continue  # what is in a menu is found by itself
+            if isinstance(each, QAction) and not isinstance(each.parent(), QWidget):
+                continue  # a library's own, which nobody is shown
+            possible = each.isEnabled() and each.isVisible()
+            if possible and each.objectName() not in LEFT_ALONE and key_of(each) not in done:
+                return each
+    return None
+
+
+def open_windows(main):
+    shown = [each for each in QApplication.topLevelWidgets() if isValid(each) and each.isVisible()]
+    return [each for each in shown if each is not main and each.isWindow()]
+
+
+def press_everything(app_driver, done):
+    """Press all there is, and all in what that opens; a question is answered by closing it."""
+    while (each := next_to_press(app_driver.window, done)) is not None:
+        done.add(key_of(each))
+        assert len(done) < MOST_PRESSED
+        each.trigger() if isinstance(each, QAction) else each.click()
+        app_driver.run(0.02)
+        for opened in open_windows(app_driver.window):
+            if isValid(opened) and isinstance(opened, FileDialog | ConfirmDialog | QMenu):
+                opened.close()
+    for opened in open_windows(app_driver.window):
+        if isValid(opened):
+            opened.close()
+
+
+def test_everything_that_can_be_pressed(live_driver, monkeypatch, tmp_path):
+    """Every panel, and the window's own buttons and menus, while an arm is open."""
+    app_driver = live_driver
+    app_driver.store.change(session_folder=str(tmp_path / "sessions"))
+    app_driver.ready()
+    monkeypatch.setattr(MainWindow, "close", lambda _window: False)
+    monkeypatch.setattr(QDesktopServices, "openUrl", lambda _url: True)
+    done: set[tuple[str, ...]] = set()
+    with watched(monkeypatch) as seen:
+        for place in range(app_driver.window._panels.count()):
+            app_driver.window._show_panel(place)
+            app_driver.run(0.06)
+            press_everything(app_driver, done)
+        idle(app_driver)
+        app_driver.controller.emergency_stop()
+        app_driver.run(0.2)
+    assert len(done) > 150
     assert forbidden(seen) == []
