@@ -5498,6 +5498,10 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <source>The change holds, but is not saved. {reason}</source>
         <translation>更改已生效，但未能保存。{reason}</translation>
     </message>
+    <message>
+        <source>A disk or network folder has taken more than 10 s over a file. Other files wait for it no longer. If it does not end, look at the cable or network. (Under way: {count})</source>
+        <translation>有磁盘或网络文件夹处理一个文件已超过 10 s，其他文件不再等它。若一直不结束，请检查线缆或网络。（进行中：{count}）</translation>
+    </message>
 </context>
 <context>
     <name>Observed</name>

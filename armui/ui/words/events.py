@@ -245,8 +245,8 @@ _NOTICES: Final[Texts[str]] = Texts("Notice") | {
         "({text}). Do not start the program twice for one arm."
     ),
     EventCode.FILES_HANG: (
-        "A disk or network folder does not answer for 10 s. What was asked of it waits; other "
-        "files go on. Look at its cable or network. (Waiting: {count})"
+        "A disk or network folder has taken more than 10 s over a file. Other files wait for it no "
+        "longer. If it does not end, look at the cable or network. (Under way: {count})"
     ),
     EventCode.SETTINGS_UNSAVED: "The change holds, but is not saved. {reason}",
     EventCode.REFUSED: "Not sent. {reason}",
