@@ -48,6 +48,7 @@ def test_a_draft_of_the_file_as_it_is_comes_back(tmp_path):
     assert opened(tmp_path) == (EDITED.points, False)
 
 
+@pytest.mark.skipif(not hasattr(os, "fork"), reason="kills in the manner of POSIX")
 def test_a_kill_between_save_and_removal_of_the_draft(tmp_path, monkeypatch):
     child = os.fork()
     if child == 0:
