@@ -240,7 +240,7 @@ class TestNoLog:
 
         log = tmp_path / f"secret{suffix}"
         log.touch()
-        monkeypatch.setattr("pathlib.Path.open", refuse)
+        monkeypatch.setattr("armui.session.source.open_stream", refuse)
         assert_one_line_and_exit_2(log, capsys, "Permission denied", *options)
 
     def test_empty(self, tmp_path, capsys, suffix, options):
