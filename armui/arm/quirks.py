@@ -19,10 +19,15 @@ def told_quirks(state: ArmState) -> FirmwareQuirks | None:
     return None if version is None else quirks_of(version)
 
 
+def leaves_by_mode_word(version: str) -> bool:
+    """Tell whether firmware of this version leaves MIT and its like by a mode word."""
+    parsed = FirmwareVersion.parse(version)
+    return parsed is not None and quirks_of(parsed).mode_exit is ModeExit.MODE_WORD
+
+
 def exits_by_mode_word(state: ArmState) -> bool:
     """Whether its firmware, as far as it is known, leaves MIT and its like by a mode word."""
-    quirks = told_quirks(state)
-    return quirks is not None and quirks.mode_exit is ModeExit.MODE_WORD
+    return state.firmware is not None and leaves_by_mode_word(state.firmware)
 
 
 def why_not_by_firmware(state: ArmState, field: str) -> Refusal | None:

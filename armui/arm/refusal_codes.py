@@ -116,6 +116,7 @@ class RefusalCode(StrEnum):
     LIBRARY_UNREADABLE = "library_unreadable"
     LIGHT_NOT_A_NUMBER = "light_not_a_number"  # light, value, minimum, maximum
     LIGHT_OUT_OF_RANGE = "light_out_of_range"  # light, value, minimum, maximum
+    CHANGED_SINCE_CHECK = "changed_since_check"  # what
     LIMITS_CHANGED_SINCE_CHECK = "limits_changed_since_check"
     LIMITS_CROSSED = "limits_crossed"  # joint, minimum, maximum
     LINE_UNKNOWN = "line_unknown"
@@ -254,6 +255,8 @@ class RefusalCode(StrEnum):
     URDF_NOT_XML = "urdf_not_xml"
     URDF_UNREADABLE = "urdf_unreadable"
     VALUES_COUNT = "values_count"
+    VERSION_NOT_FIT = "version_not_fit"  # versions
+    VERSION_UNANSWERED = "version_unanswered"
     WORK_FAILED = "work_failed"  # text
     ZERO_MOVED = "zero_moved"  # joints
     ZERO_NOT_SET = "zero_not_set"  # joints

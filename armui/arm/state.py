@@ -13,11 +13,13 @@ from typing import Annotated, Final, Generic, NamedTuple, TypeVar
 
 from armui.arm.gripper import GripperState
 from armui.arm.limits import JOINTS, JointLimits
-from armui.protocol.version import ArmIdentity
+from armui.protocol.version import ArmIdentity, NamedVersion
 
 T = TypeVar("T")
 Six = tuple[T, T, T, T, T, T]
 
+PAUSE_S: Final = 0.1
+"""An arm says something some hundred times within this time, in either generation."""
 FRESH_FOR_S: Final = 0.5
 """A value older than this is stale; an arm silent for longer is offline."""
 
@@ -168,6 +170,8 @@ class ArmState(NamedTuple):
         last_feedback_s: When any frame of the arm's was last understood.
         silences: How often in this epoch the arm was silent for longer than :data:`FRESH_FOR_S` and
             then heard again: it may be another arm, or one that was switched off and on.
+        pauses: How often in this epoch it was silent for longer than :data:`PAUSE_S`, silences
+            among them: long enough to take another arm in its place, so it is asked who it is.
         joints_deg: Joint angles, 0x2A5–0x2A7.
         pose: X, Y, Z in mm and RX, RY, RZ in degrees of the flange, 0x2A2–0x2A4.
         limits: Angle range and highest speed of each joint, 0x473.
@@ -179,6 +183,7 @@ class ArmState(NamedTuple):
         end_motion: Each joint's part in the motion of the end, 0x481–0x486.
         firmware: Version text of 0x4AF; generation 1 has none.
         identity: What else the arm told with it.
+        versions_named: The versions in its last answers, each with the time at which its text began.
         version_heard_s: When a part of an arm's answer to 0x4AF was last heard, readable or not.
         foreign_targets_s: When the joint targets of another sender, a teaching input or another
             host, were last heard in full (0x155–0x157, with any identifier offset).
@@ -192,6 +197,7 @@ class ArmState(NamedTuple):
     sequence: int = 0
     last_feedback_s: float | None = None
     silences: int = 0
+    pauses: int = 0
     status: Reading[Status] | None = None
     joints_deg: Six[Reading[float] | None] = _NOTHING
     pose: Six[Reading[float] | None] = _NOTHING
@@ -207,6 +213,7 @@ class ArmState(NamedTuple):
     end_motion: Six[Reading[EndMotion] | None] = _NOTHING
     firmware: str | None = None
     identity: ArmIdentity | None = None
+    versions_named: tuple[NamedVersion, ...] = ()
     version_heard_s: float | None = None
     status_heard_s: tuple[float | None, ...] = (None, None, None)
     foreign_targets_s: float | None = None

@@ -15,6 +15,7 @@ from armui.arm.joints import EACH_JOINT, JointNumber, PerJoint
 from armui.arm.limits import JOINTS, JointLimits
 from armui.arm.state import (
     FRESH_FOR_S,
+    PAUSE_S,
     RECORDS,
     ArmState,
     DriverFast,
@@ -39,6 +40,13 @@ _TARGET_PLACES: Final = {
     for place, target_id in enumerate(range(0x155, 0x158))
 }
 """Where the joint targets of any sender belong, whatever its identifier offset (0x470)."""
+
+_ANGLE_MESSAGES: Final = frozenset({"JointFeedback12", "JointFeedback34", "JointFeedback56"})
+_FASTEST_DEG_S: Final = 300.0
+"""No joint of the family is as fast."""
+_JUMP_DEG: Final = 5.0
+_NEW_ZERO_DEG: Final = 0.5
+"""An angle that jumps to zero is the same arm's: a zero was set."""
 
 _STATUS_ID: Final = 0x2A1
 _VERSION_MESSAGE: Final = "FirmwareVersion"
@@ -74,7 +82,8 @@ class Tracker:
         self._end_motion = PerJoint[Reading[EndMotion] | None](None)
         self._answer = AnswerCollector()
         self._version_heard_s: float | None = None
-        self._silences = 0
+        self._silences = self._pauses = 0
+        self._before_pause: list[Reading[float] | None] = []
         self._foreign_targets_s: list[float | None] = [None] * len(_TARGET_MESSAGES)
         self._status_heard_s: list[float | None] = [None] * len(OFFSETS)
         self._handlers = self._make_handlers()
@@ -92,10 +101,14 @@ class Tracker:
             heard = heard.message
         handler = self._handlers.get(heard.name)
         if handler is not None and not _is_asked_by_a_host(heard):
+            if self._last_feedback_s is not None and at_s - self._last_feedback_s > PAUSE_S:
+                self._pauses += 1
+                self._silences += at_s - self._last_feedback_s > FRESH_FOR_S
+                self._before_pause = list(self._joints)
             handler(heard.signals, at_s)
-            if self._last_feedback_s is not None and at_s - self._last_feedback_s > FRESH_FOR_S:
-                self._silences += 1
             self._last_feedback_s = at_s
+            if self._before_pause and heard.name in _ANGLE_MESSAGES:
+                self._look_for_another_arm()
         elif heard.name in _TARGET_MESSAGES:
             self._note_foreign_target(_TARGET_MESSAGES.index(heard.name), at_s)
 
@@ -106,8 +119,27 @@ class Tracker:
 
     def pardon_silences(self) -> None:
         """What was taken in so far comes from a log and was not heard one after another."""
-        self._silences = 0
+        self._silences = self._pauses = 0
+        self._before_pause = []
         self._sequence += 1
+
+    def _look_for_another_arm(self) -> None:
+        """Count a pause as a silence if no joint of one arm could have come as far in it."""
+        pairs = [
+            (before, now)
+            for before, now in zip(self._before_pause, self._joints, strict=True)
+            if before is not None and now is not None and now.at_s > before.at_s
+        ]
+        if any(
+            abs(now.value) > _NEW_ZERO_DEG
+            and abs(now.value - before.value)
+            > _JUMP_DEG + _FASTEST_DEG_S * (now.at_s - before.at_s)
+            for before, now in pairs
+        ):
+            self._silences += 1
+            self._before_pause = []
+        elif len(pairs) == len(JOINTS):
+            self._before_pause = []
 
     def snapshot(self) -> ArmState:
         """The arm as heard up to now; the same object as before if nothing new was heard."""
@@ -121,6 +153,7 @@ class Tracker:
             epoch=self._epoch,
             sequence=self._sequence,
             silences=self._silences,
+            pauses=self._pauses,
             last_feedback_s=self._last_feedback_s,
             status=self._status,
             joints_deg=_six(self._joints),
@@ -135,6 +168,7 @@ class Tracker:
             end_motion=self._end_motion.six(),
             firmware=None if self._answer.identity is None else self._answer.identity.software,
             identity=self._answer.identity,
+            versions_named=self._answer.named,
             version_heard_s=self._version_heard_s,
             status_heard_s=tuple(self._status_heard_s),
             foreign_targets_s=self._all_targets_s(),

@@ -42,6 +42,7 @@ if TYPE_CHECKING:
     from armui.control.run.player import Player
     from armui.control.run.recorder import Recorder
     from armui.control.run.replayer import Replayer
+    from armui.control.safety.mode_exit import ModeExitCommand
     from armui.control.safety.recovery import Recovery
     from armui.control.sessions.choices import SessionChoices
     from armui.control.sessions.session_recorder import SessionRecorder
@@ -168,7 +169,6 @@ class ControllerParts(QObject):
     @cached_property
     def recovery(self) -> Recovery:
         """The next step towards an arm that may be moved."""
-        from armui.control.safety.mode_exit import ModeExitCommand
         from armui.control.safety.recovery import Recovery
 
         return Recovery(
@@ -180,9 +180,16 @@ class ControllerParts(QObject):
             withdraw_stop=self.withdraw_stop,
             planned_motion=self.planned_motion,
             take_over=self.take_over,
-            mode_exit=ModeExitCommand(self._context, lambda: self.motion.speed_percent),
+            mode_exit=self.mode_exit,
             announce=self.step_changed.emit,
         )
+
+    @cached_property
+    def mode_exit(self) -> ModeExitCommand:
+        """Takes the arm out of another host's mode."""
+        from armui.control.safety.mode_exit import ModeExitCommand
+
+        return ModeExitCommand(self._context, lambda: self.motion.speed_percent)
 
     @cached_property
     def end_reports(self) -> EndReports:
@@ -281,6 +288,7 @@ class ControllerParts(QObject):
             self.transactions,
             self.settings,
             self.teaching,
+            self.mode_exit,
             self._dropped_frames,
             self.model_watch,
             self.happenings,

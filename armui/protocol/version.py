@@ -48,6 +48,15 @@ class ArmIdentity(NamedTuple):
     date: str = ""
     node_number: str = ""
 
+    def contradicts(self, other: ArmIdentity) -> bool:
+        """Tell whether it cannot be the same arm with the same firmware: a text both have differs.
+
+        Node type and batch do not count: a lost frame of an answer shortens them unnoticed.
+        """
+        ours = self.software, self.hardware, self.date, self.node_number
+        theirs = other.software, other.hardware, other.date, other.node_number
+        return any(one and two and one != two for one, two in zip(ours, theirs, strict=True))
+
     @property
     def iso_date(self) -> str:
         """The date as 2025-09-25; as it was told where it is no date, "" where none was."""
@@ -98,13 +107,31 @@ def _text(found: bytes) -> str:
     return found.decode("ascii")
 
 
+class NamedVersion(NamedTuple):
+    """A version in an arm's answer.
+
+    Attributes:
+        software: As ``S-V1.8-5``.
+        began_s: When the frame in which its text begins was heard.
+    """
+
+    software: str
+    began_s: float
+
+
 class AnswerCollector:
-    """Joins the frames of 0x4AF as they come, and reads what they say so far."""
+    """Joins the frames of 0x4AF as they come, and reads what they say so far.
+
+    Attributes:
+        identity: What is known of the arm by its answers.
+        named: The versions in the last answers, each with its time, the oldest first.
+    """
 
     def __init__(self) -> None:
         self._text = bytearray()
-        self._last_s: float | None = None
+        self._times_s: list[float] = []
         self.identity: ArmIdentity | None = None
+        self.named: tuple[NamedVersion, ...] = ()
 
     def take(self, payload: bytes, at_s: float) -> ArmIdentity | None:
         """Take in one frame of an answer; what is known of the arm by then.
@@ -113,19 +140,30 @@ class AnswerCollector:
             payload: Eight bytes; a host's question is none of them.
             at_s: When it was heard.
         """
-        if self._last_s is not None and not 0.0 <= at_s - self._last_s <= ANSWER_S:
+        if self._times_s and not 0.0 <= at_s - self._times_s[-1] <= ANSWER_S:
             self._text.clear()
-        self._last_s = at_s
+            self._times_s.clear()
         self._text += payload
-        del self._text[: -2 * ANSWER_BYTES]
+        self._times_s += [at_s] * len(payload)
+        whole = len(self._text) % ANSWER_BYTES == 0
+        del self._text[: -2 * ANSWER_BYTES], self._times_s[: -2 * ANSWER_BYTES]
+        self.named = tuple(
+            NamedVersion(found.group().decode("ascii"), self._times_s[found.start()])
+            for found in _TEXT.finditer(self._text)
+        )
         found = find_identity(bytes(self._text))
-        if found is not None and not _less(found, self.identity):
+        if found is not None and not _less(found, self.identity, whole=whole):
             self.identity = found
         return self.identity
 
 
-def _less(found: ArmIdentity, known: ArmIdentity | None) -> bool:
-    """Whether it says less than what is known of the same version: an answer is under way."""
+def _less(found: ArmIdentity, known: ArmIdentity | None, *, whole: bool) -> bool:
+    """Tell whether it says less than what is known of the same version: an answer is under way.
+
+    Other words for the same version count once the answer is whole: a lost frame shifts them.
+    """
     if known is None or found.software != known.software:
         return False
-    return sum(map(bool, found)) < sum(map(bool, known))
+    if sum(map(bool, found)) < sum(map(bool, known)):
+        return True
+    return found.contradicts(known) and not whole

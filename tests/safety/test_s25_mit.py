@@ -118,7 +118,7 @@ def test_the_way_back_is_the_reset_before_1_8_6(raised, other_host, version, wor
 def test_the_way_back_is_a_mode_word_from_1_8_6_on(raised, other_host, version, word):
     """The word and the six angles measured leave together, and the arm stays where it is."""
     rig, controller = raised, raised.controller
-    name_version(rig.controller, version)
+    name_version(rig.controller, version, rig.firmware)
     targets = {HIGH_FOLLOW: target(*A), MIT: hold(A, **STIFF)}
     other_host.say(word, *targets.get(word, []))
     rig.run(3.0)
@@ -143,7 +143,7 @@ def test_the_way_back_is_a_mode_word_from_1_8_6_on(raised, other_host, version, 
 
 def test_against_a_stream_only_the_stop_wins(raised, other_host):
     rig, controller = raised, raised.controller
-    name_version(rig.controller, "S-V1.8-9")
+    name_version(rig.controller, "S-V1.8-9", rig.firmware)
     other_host.stream(lambda _t_s: [MIT, *hold(A)], rate_hz=100)
     rig.run(1.0)
     step = controller.recovery.step
@@ -157,7 +157,7 @@ def test_against_a_stream_only_the_stop_wins(raised, other_host):
 def test_it_is_not_left_at_no_speed(raised, other_host):
     """At 0 % no target would hold the arm."""
     rig, controller = raised, raised.controller
-    name_version(rig.controller, "S-V1.8-9")
+    name_version(rig.controller, "S-V1.8-9", rig.firmware)
     other_host.say(CPV)
     rig.run(3.0)
     controller.motion.set_speed_percent(0)
@@ -167,7 +167,7 @@ def test_it_is_not_left_at_no_speed(raised, other_host):
 
 def test_an_arm_that_does_not_leave_its_mode_is_said_to_be_in_it(raised, other_host):
     rig, controller = raised, raised.controller
-    name_version(rig.controller, "S-V1.8-9")
+    name_version(rig.controller, "S-V1.8-9", rig.firmware)
     other_host.say(CPV)
     rig.run(3.0)
     rig.firmware._handlers["ModeControl"] = lambda _signals: []

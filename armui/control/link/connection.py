@@ -16,6 +16,7 @@ from armui.arm.refusal import Refusal
 from armui.arm.state import ArmState, is_fresh
 from armui.bus.link import BusReport, BusState
 from armui.control.events import EventCode
+from armui.control.link.arm_mark import ArmMark
 from armui.control.link.offsets import OffsetFollower
 from armui.control.operating_state import LinkState
 from armui.protocol.addressing import Addressing
@@ -168,6 +169,22 @@ class Connection(QObject):
         ``None`` while no arm is online.
         """
         return self._arms if self.link is LinkState.ONLINE else None
+
+    @property
+    def mark(self) -> ArmMark:
+        """The arm and the connection of this very moment."""
+        if self._worker is None:
+            return ArmMark(arms=self._arms, model=self.model)
+        state, handshake = self._worker.state, self.handshake
+        gone = state.silences or self._another_answers(state)
+        return ArmMark(
+            self._worker_number,
+            self._arms,
+            self.arm is not None and not gone and is_fresh(self._last_feedback_s, self._clock()),
+            self.model,
+            self.offsets.addressing,
+            None if handshake is None else handshake.identity,
+        )
 
     @property
     def generation(self) -> Generation | None:
@@ -329,9 +346,11 @@ class Connection(QObject):
         return state if self.generation is not None else common_to_generations(state)
 
     def _another_answers(self, state: ArmState) -> bool:
-        """Whether an arm has named another version than the one of the handshake."""
-        known = None if self.handshake is None else self.handshake.firmware
-        return known is not None and state.firmware not in {None, known}
+        """Whether an arm has said something else of itself than the one of the handshake."""
+        known = None if self.handshake is None else self.handshake.identity
+        return (
+            known is not None and state.identity is not None and known.contradicts(state.identity)
+        )
 
     def _start_anew(self, worker: Worker, now_s: float) -> None:
         """Forget the arm: the next feedback is that of an arm that comes."""

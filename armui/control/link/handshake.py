@@ -13,6 +13,7 @@ from armui.protocol.codec import Codec
 from armui.protocol.firmware_version import FirmwareVersion
 from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
+from armui.protocol.version import ArmIdentity
 
 _VERSION_WAIT_S: Final = 0.5
 """So long an answer is collected. A second question during it would shift its text."""
@@ -26,6 +27,8 @@ _FAST_PER_S: Final = 1500.0
 """Between the frames a second of generation 1 (some 700) and of generation 2 (some 3,000)."""
 _ASK_AGAIN_S: Final = 0.2
 _LIMIT_ROUNDS: Final = 5
+_PAUSE_ROUNDS: Final = 2
+"""Who it is, an arm is asked so often after each pause in which another may have come."""
 
 
 class Wire(Protocol):
@@ -62,6 +65,7 @@ class Handshake:
     Attributes:
         generation: Which protocol the arm speaks, once known.
         firmware: The version it named; ``None`` in generation 1, and where its text was unreadable.
+        identity: What it has said of itself so far.
         codec: What to speak now.
     """
 
@@ -76,12 +80,15 @@ class Handshake:
         self.phase = HandshakePhase.GENERATION
         self.generation: Generation | None = None
         self.firmware: str | None = None
+        self.identity: ArmIdentity | None = None
         firmware = FirmwareVersion.parse(recorded_firmware)
         self.codec = Codec(known or Generation.TWO, addressing, firmware)
         self._wire = wire
         self._asked = False
         self._began_s = self._next_s = now_s
         self._rounds = 0
+        self._pauses = 0
+        self._paused_s: float | None = None
         wire.use_codec(self.codec)
         if known is not None:
             self._settle(known, now_s)
@@ -98,12 +105,18 @@ class Handshake:
             self._find_generation(state, now_s)
         elif self.phase is HandshakePhase.LIMITS:
             self._read_limits(state, now_s)
+        elif self.generation is Generation.TWO:
+            self._ask_after_a_pause(state, now_s)
 
     def _take_firmware(self, state: ArmState) -> None:
         """The version, whenever it is named: it says how frames of other hosts are read."""
-        if state.firmware is None or self.firmware is not None:
+        if state.firmware is None or self.generation is Generation.ONE:
             return
-        if self.generation is Generation.ONE:
+        if self.identity is None or (
+            state.identity is not None and not self.identity.contradicts(state.identity)
+        ):
+            self.identity = state.identity
+        if self.firmware is not None:
             return
         self.firmware = state.firmware
         before = self.codec
@@ -133,6 +146,23 @@ class Handshake:
         self._rounds += 1
         self._asked |= self._wire.send(commands.query_firmware(self.codec))
         self._next_s = now_s + wait_s
+
+    def _ask_after_a_pause(self, state: ArmState, now_s: float) -> None:
+        """Ask who the arm is after a pause that is long enough to exchange it.
+
+        Another version or another arm's number than before is noticed by the connection.
+        """
+        if state.pauses != self._pauses:
+            self._pauses, self._paused_s, self._rounds = state.pauses, now_s, 0
+        paused_s = self._paused_s
+        if paused_s is None or now_s < self._next_s:
+            return
+        if self._rounds == _PAUSE_ROUNDS or any(
+            each.began_s > paused_s for each in state.versions_named
+        ):
+            self._paused_s = None
+        else:
+            self._ask_version(now_s, _VERSION_WAIT_S)
 
     def _rounds_wanted(self, state: ArmState) -> int:
         return _VERSION_ROUNDS if state.version_heard_s is None else _TORN_ROUNDS

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Final
 
-from armui.arm.quirks import exits_by_mode_word
+from armui.arm.quirks import exits_by_mode_word, leaves_by_mode_word
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
+from armui.control.context import ControllerPart
 from armui.control.events import EventCode
 from armui.control.motion.motion_command import CommandKind
 from armui.protocol import commands
@@ -16,13 +18,42 @@ if TYPE_CHECKING:
     from collections.abc import Callable
 
     from armui.control.context import Context
+    from armui.control.link.arm_mark import ArmMark
+
+_WITHIN_S: Final = 0.9
+"""An action's first frame leaves within a second of its press or not at all."""
+_ASK_EVERY_S: Final = 0.4
+"""A second question during an answer would shift its text; the arm takes some milliseconds."""
+_KEEP_S: Final = 0.1
+"""A bus that is full for longer gets none of it: the answer was of another moment then."""
+_OTHERS_WITHIN_S: Final = 0.1
+"""By then a second arm on the bus has answered the same question, too."""
 
 
-class ModeExitCommand:
+@dataclass(slots=True)
+class _Question:
+    """The version is asked for before the arm is taken out of its mode.
+
+    Attributes:
+        mark: Which arm the operator has meant.
+        pauses: How often it had paused by then.
+        pressed_s: When the operator pressed.
+        next_s: When the question is put the next time.
+    """
+
+    mark: ArmMark
+    pauses: int
+    pressed_s: float
+    next_s: float
+
+
+class ModeExitCommand(ControllerPart):
     """Takes the arm out of another host's mode: a mode word, and targets where it stands.
 
     The word voids what the joints were told, so the targets follow it at once: until they have
-    arrived the joints may give way.
+    arrived the joints may give way. Older firmware lets the arm fall instead. So the version that
+    was named when the arm came is not enough: it is asked for at the press, and only an answer that
+    began after the press counts. Without one nothing is sent.
 
     Args:
         context: What the parts of the controller share.
@@ -32,17 +63,75 @@ class ModeExitCommand:
     def __init__(self, context: Context, speed_percent: Callable[[], int]) -> None:
         self._context = context
         self._speed_percent = speed_percent
+        self._question: _Question | None = None
+
+    @property
+    def asking(self) -> bool:
+        """Whether the arm's answer is waited for."""
+        return self._question is not None
 
     def send(self) -> Refusal | None:
-        """Do it now: ``None``, or why nothing was sent."""
+        """Begin now: ``None``, or why nothing comes of it. What does is told."""
         context = self._context
         context.refresh()
         refusal = self.why_not()
+        if refusal is not None:
+            return context.refuse(refusal)
+        connection, now_s = context.connection, context.clock()
+        self._question = _Question(connection.mark, connection.newest.pauses, now_s, now_s)
+        self.advance()
+        return None
+
+    def advance(self) -> None:
+        """Ask for the version, and act on the answer."""
+        question, context = self._question, self._context
+        if question is None:
+            return
+        now_s, state = context.clock(), context.connection.newest
+        named = [each for each in state.versions_named if each.began_s > question.pressed_s]
+        late = now_s - question.pressed_s > _WITHIN_S
+        if not question.mark.is_still(context.connection.mark) or state.pauses != question.pauses:
+            self._give_up(Refusal(RefusalCode.ARM_CHANGED))
+        elif named and not late:
+            if now_s - named[0].began_s >= _OTHERS_WITHIN_S:
+                self._act_on({each.software for each in named})
+        elif late:
+            self._give_up(Refusal(RefusalCode.VERSION_UNANSWERED))
+        elif now_s >= question.next_s:
+            question.next_s = now_s + _ASK_EVERY_S
+            if not context.connection.send(commands.query_firmware(context.connection.codec)):
+                self._give_up(Refusal(RefusalCode.LINK_LOST))
+
+    def halt(self) -> None:
+        """A stop was asked for: the arm is left as it is."""
+        self._question = None
+
+    def forget(self) -> None:
+        """The arm is gone: no answer will come."""
+        self._question = None
+
+    def _give_up(self, reason: Refusal) -> None:
+        self._question = None
+        self._context.refuse(reason)
+
+    def _act_on(self, versions: set[str]) -> None:
+        """Act, if the versions named since the press are one, and that one is known to be safe."""
+        context = self._context
+        if len(versions) != 1 or not all(map(leaves_by_mode_word, versions)):
+            named = ", ".join(sorted(versions))
+            self._give_up(Refusal(RefusalCode.VERSION_NOT_FIT, {"versions": named}))
+            return
+        context.refresh()
+        self._question = None
+        refusal = self.why_not() or self._leave()
+        if refusal is not None:
+            context.refuse(refusal)
+
+    def _leave(self) -> Refusal | None:
+        context = self._context
         angles_deg = context.authority.measured_deg()
-        if refusal is None and angles_deg is None:
-            refusal = Refusal(RefusalCode.JOINTS_UNKNOWN)
-        if refusal is not None or angles_deg is None:
-            return context.refuse(refusal or Refusal(RefusalCode.JOINTS_UNKNOWN))
+        if angles_deg is None:
+            return Refusal(RefusalCode.JOINTS_UNKNOWN)
         percent, codec = self._speed_percent(), context.connection.codec
         frames = commands.set_mode(
             codec,
@@ -57,9 +146,10 @@ class ModeExitCommand:
             move_mode=MoveMode.MOVE_J,
             speed_percent=percent,
             joints_deg=angles_deg,
+            keep_s=_KEEP_S,
         )
         if isinstance(sent, Refusal):
-            return context.refuse(sent)
+            return sent
         context.tell(EventCode.MODE_LEFT)
         return None
 
@@ -71,7 +161,7 @@ class ModeExitCommand:
         other = authority.other
         if other.commands and not other.may_be_taken_over:
             return Refusal(RefusalCode.OTHER_HOST_STREAMS, {"frames": other.frames})
-        if not exits_by_mode_word(self._context.state()):
+        if not exits_by_mode_word(self._context.connection.newest):
             return other.why_not()
         if not self._context.operating_state().control_certain:
             return Refusal(RefusalCode.CONTROL_OFFSET_UNKNOWN)

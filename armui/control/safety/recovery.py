@@ -269,6 +269,7 @@ class Recovery(ControllerPart):
             or self._joint_errors.busy
             or self._teaching.pending is not None
             or self._motors.busy is not None
+            or self._mode_exit.asking
         )
 
     def _holds(self, step: Step, now_s: float) -> bool:

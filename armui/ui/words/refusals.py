@@ -50,6 +50,15 @@ _REFUSALS: Final = Texts("Refusal") | {
     RefusalCode.STEP_GONE: (
         "The arm is in another state by now: nothing was sent. Look at the step that is shown now."
     ),
+    RefusalCode.VERSION_UNANSWERED: (
+        "Nothing was sent: the arm was asked for its firmware version and has not named it within "
+        "0.9 s. With an older one it would fall. Try again; if it stays so, hold the arm and use "
+        "the emergency stop."
+    ),
+    RefusalCode.VERSION_NOT_FIT: (
+        "Nothing was sent: asked for its firmware version, the arm named {versions}. With it, or "
+        "with two arms on the bus, an arm would fall. Hold the arm and use the emergency stop."
+    ),
     RefusalCode.STEP_IN_VAIN: "The arm did not react.",
     RefusalCode.TEACHING_OFF: (
         "The arm is not in drag teaching. Start recording first, or press the button on the arm."
