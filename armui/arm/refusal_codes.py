@@ -17,6 +17,8 @@ class RefusalCode(StrEnum):
     ARC_NOT_AT_START = "arc_not_at_start"  # distance, turned
     ARM_CHANGED = "arm_changed"
     ARM_FAULT = "arm_fault"  # status
+    ASKED_OTHERWISE = "asked_otherwise"
+    CHANGED_SINCE_CHECK = "changed_since_check"
     BACKUP_EMPTY = "backup_empty"
     BACKUP_FIELD_BAD = "backup_field_bad"  # field, value
     BACKUP_FIELD_MISSING = "backup_field_missing"  # field
@@ -116,7 +118,6 @@ class RefusalCode(StrEnum):
     LIBRARY_UNREADABLE = "library_unreadable"
     LIGHT_NOT_A_NUMBER = "light_not_a_number"  # light, value, minimum, maximum
     LIGHT_OUT_OF_RANGE = "light_out_of_range"  # light, value, minimum, maximum
-    CHANGED_SINCE_CHECK = "changed_since_check"  # what
     LIMITS_CHANGED_SINCE_CHECK = "limits_changed_since_check"
     LIMITS_CROSSED = "limits_crossed"  # joint, minimum, maximum
     LINE_UNKNOWN = "line_unknown"

@@ -183,7 +183,7 @@ class ArmState(NamedTuple):
         end_motion: Each joint's part in the motion of the end, 0x481–0x486.
         firmware: Version text of 0x4AF; generation 1 has none.
         identity: What else the arm told with it.
-        versions_named: The versions in its last answers, each with the time at which its text began.
+        versions_named: The versions in its last answers, each with the time its text began.
         version_heard_s: When a part of an arm's answer to 0x4AF was last heard, readable or not.
         foreign_targets_s: When the joint targets of another sender, a teaching input or another
             host, were last heard in full (0x155–0x157, with any identifier offset).

@@ -38,6 +38,7 @@ from armui.system.clock import steady_s, wall_clock
 
 if TYPE_CHECKING:
     from armui.bus.worker import Opener
+    from armui.control.link.arm_mark import ArmMark
     from armui.control.link.connection import MakeWorker
     from armui.telemetry.store import Telemetry
 
@@ -130,6 +131,20 @@ class ArmController(ControllerParts):
     def operating_state(self) -> OperatingState:
         """What the operator can do now."""
         return self._assessor.read()
+
+    @property
+    def mark(self) -> ArmMark:
+        """The arm and the connection of this very moment, for a question, a press or a check."""
+        return self._connection.mark
+
+    def tell_withdrawn(self, question: str, reason: Refusal) -> None:
+        """Tell that a question, or a button that was held, counts no more.
+
+        Args:
+            question: Its title in the operator's language.
+            reason: Why not.
+        """
+        self._notice(EventCode.QUESTION_WITHDRAWN, question=question, reason=reason)
 
     # Devices ----------------------------------------------------------------------------------
 

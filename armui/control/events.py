@@ -171,6 +171,7 @@ class EventCode(StrEnum):
     FILES_HANG = "files_hang", Level.WARNING  # count
     SETTINGS_UNSAVED = "settings_unsaved", Level.WARNING  # reason
     REFUSED = "refused", Level.WARNING  # reason
+    QUESTION_WITHDRAWN = "question_withdrawn", Level.WARNING  # question, reason
 
 
 LINK_BREAKS: Final = frozenset({EventCode.LINK_LOST, EventCode.RECONNECTED})

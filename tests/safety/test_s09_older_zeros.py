@@ -19,7 +19,8 @@ from armui.sim.firmware import Firmware
 from armui.sim.node import Node
 from armui.trajectory.planning.preflight import CheckRequest, preflight
 from armui.trajectory.points.program import Trajectory
-from armui.ui.trajectory.running.preflight import Preflight
+from armui.ui.trajectory.running.preflight import CheckBasis, Preflight
+from armui.ui.trajectory.running.run_options import RunOptions
 from armui.viewport.process.urdf_file import load_robot
 from tests.arm_rig import ArmRig
 from tests.control.under_way import OUT, to
@@ -66,10 +67,12 @@ def test_a_check_made_for_the_other_zeros_is_outdated(rig):
     arm = arm_model(rig.controller)
     request = CheckRequest(Trajectory("t", points=(to(OUT),)), arm, start_deg(rig.controller))
     outcome = preflight(request)
-    assert Preflight(request, outcome).why_outdated(rig.controller) is None
+    basis = CheckBasis.of(rig.controller, RunOptions())
+    assert Preflight(request, outcome, basis).why_outdated(rig.controller, basis.options) is None
     todays = replace(arm, kinematics=Kinematics(model_data().geometry))
-    outdated = Preflight(replace(request, arm=todays), outcome)
-    assert outdated.why_outdated(rig.controller).code == RefusalCode.MODEL_CHANGED_SINCE_CHECK
+    outdated = Preflight(request, outcome, replace(basis, arm=todays))
+    refusal = outdated.why_outdated(rig.controller, basis.options)
+    assert refusal.code == RefusalCode.MODEL_CHANGED_SINCE_CHECK
 
 
 def test_another_arm_on_the_adapter_has_its_own_zeros(app_driver):

@@ -1,5 +1,6 @@
 """S25, S15: what is dangerous with another version is done by the version named at the press."""
 
+import can
 import pytest
 
 from armui.arm.refusal_codes import RefusalCode
@@ -70,7 +71,12 @@ def version_frames(text, model=PiperModel.PIPER):
 def answer(rig, frames):
     """Have the arm answer the question for its version so, each time."""
     asked = []
-    rig.firmware._handlers["FirmwareVersion"] = lambda _signals: asked.append(1) or list(frames)
+
+    def on_question(_signals):
+        asked.append(1)
+        return list(frames)
+
+    rig.firmware._handlers["FirmwareVersion"] = on_question
     return asked
 
 
@@ -141,9 +147,12 @@ def test_a_pause_alone_makes_no_other_arm_of_it(rig):
 def test_a_lost_answer_is_asked_for_again(held):
     whole = version_frames(NEW)
     asked = []
-    held.firmware._handlers["FirmwareVersion"] = lambda _signals: (
-        asked.append(1) or ([] if len(asked) == 1 else whole)
-    )
+
+    def on_question(_signals):
+        asked.append(1)
+        return [] if len(asked) == 1 else whole
+
+    held.firmware._handlers["FirmwareVersion"] = on_question
     assert press(held) is None
     held.run(0.9)
     assert len(asked) == 2
@@ -222,6 +231,4 @@ def test_a_stop_meanwhile_ends_it(held):
 
 
 def message(said):
-    import can
-
     return can.Message(arbitration_id=said.arbitration_id, data=said.data, is_extended_id=False)

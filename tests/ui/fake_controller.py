@@ -16,6 +16,7 @@ from armui.arm.state import ArmState
 from armui.control.devices.gripper_ranges import Figures, figures_of
 from armui.control.devices.teaching_phase import why_not
 from armui.control.events import Event, Level
+from armui.control.link.arm_mark import ArmMark
 from armui.control.motion.jog_path import JointJog, ToolJog
 from armui.control.motion.steered_path import SteeredJog
 from armui.control.operating_state import OperatingState
@@ -68,6 +69,11 @@ class FakeController(QObject):
     def as_real(self) -> ArmController:
         """For a window, which names the kind it asks; see `what_windows_ask.both_are`."""
         return cast("ArmController", self)
+
+    mark = ArmMark()
+
+    def tell_withdrawn(self, question: str, reason: Refusal) -> None:
+        self.calls.append(("tell_withdrawn", question, reason.code))
 
     # what a test makes it show
 
@@ -300,7 +306,9 @@ class FakeRecovery:
     def why_not(self, step: Step, action: Action | None = None) -> Refusal | None:
         return self._controller.operating_state.occupied
 
-    def act(self, step: Step, action: Action | None = None) -> Refusal | None:
+    def act(
+        self, step: Step, action: Action | None = None, mark: ArmMark | None = None
+    ) -> Refusal | None:
         return self._controller._asked("act", step, *(() if action is None else (action,)))
 
 
@@ -315,6 +323,9 @@ class FakeZeroing:
             self._controller.operating_state.cannot_enable
             or self._controller.operating_state.occupied
         )
+
+    def stands_as(self, before: ArmState, joint: int = ALL_JOINTS) -> bool:
+        return True
 
     def set_zero(self, joint: int = ALL_JOINTS) -> Refusal | None:
         return self._controller._asked("set_zero", joint)
@@ -376,6 +387,9 @@ class FakeGripper:
 
     def learn_stroke(self) -> None:
         pass
+
+    def stands_as(self, before: ArmState) -> bool:
+        return True
 
     def move(self, travel: float, effort: float) -> Refusal | None:
         return self._controller._asked("move_gripper", travel, effort)

@@ -20,7 +20,7 @@ def button(qtbot, controller):
     window = QWidget()
     qtbot.addWidget(window)
     layout = QVBoxLayout(window)
-    button: Any = HoldButton("Disable")
+    button: Any = HoldButton(controller, "Disable")
     button.count = 0
     layout.addWidget(button)
     window.show()

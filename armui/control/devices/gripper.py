@@ -202,6 +202,13 @@ class GripperControl(ControllerPart):
         self._start("clear", frames, lambda gripper: not gripper.faults)
         return None
 
+    def stands_as(self, before: ArmState) -> bool:
+        """Tell whether the gripper stands where it stood when its zero was spoken of."""
+        then, now = before.gripper, self._context.connection.newest.gripper
+        if then is None or now is None or then.value.unit != now.value.unit:
+            return False
+        return abs(now.value.travel - then.value.travel) <= _THERE
+
     def set_zero(self) -> Refusal | None:
         """Make where it stands its zero, in generation 2; it has no power afterwards."""
         self._context.refresh()

@@ -70,6 +70,11 @@ class Zeroing:
             return refusal
         return teaching_phase.why_under_way(teaching_phase.phase_of(state.status.value))
 
+    def stands_as(self, before: ArmState, joint: int = ALL_JOINTS) -> bool:
+        """Tell whether a joint (1–6, 7 all) stands where it stood when its zero was spoken of."""
+        joints = JOINTS if joint == ALL_JOINTS else (joint,)
+        return _why_elsewhere(joints, before, self._context.connection.newest) is None
+
     def set_zero(self, joint: int = ALL_JOINTS) -> Refusal | None:
         """Make the present position of a joint (1–6, 7 all) its zero.
 

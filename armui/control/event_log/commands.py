@@ -103,6 +103,7 @@ COMMANDS: Final[Mapping[E, CommandRule]] = {
     E.FRAME_SENT_BY_HAND: _rule(),
     E.SESSION_STARTED: _rule(E.SESSION_ENDED, E.SESSION_FAILED),
     E.REFUSED: _rule(),
+    E.QUESTION_WITHDRAWN: _rule(),
 }
 """Every command, by the notice that tells it."""
 

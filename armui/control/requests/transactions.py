@@ -117,6 +117,10 @@ class TransactionQueue(ControllerPart):
 
     Commands go in the order in which they came, the first step of an action before the further
     steps of an older one, and every command before every question.
+
+    Attributes:
+        alterations: How often something was set that a motion counts on: what was checked before
+            the last time was checked for an arm that is no more.
     """
 
     def __init__(self, context: Context) -> None:
@@ -124,6 +128,7 @@ class TransactionQueue(ControllerPart):
         self._commands: deque[_Task] = deque()
         self._readings: deque[_Task] = deque()
         self._task: _Task | None = None
+        self.alterations = 0
         context.connection.answered.connect(self._on_answer)
 
     @property
@@ -254,6 +259,7 @@ class TransactionQueue(ControllerPart):
         task.attempt += 1
         if task.attempt == 1:
             task.sent_s = now_s
+            self.alterations += task.phase is _Phase.ANSWER and transaction.alters is not None
         task.deadline_s = now_s + _WAIT_S
         if not connection.send(frames, keep_s):
             self._end(Refusal(RefusalCode.LINK_LOST))

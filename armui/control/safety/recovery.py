@@ -30,6 +30,7 @@ if TYPE_CHECKING:
     from armui.control.devices.joint_errors import JointErrors
     from armui.control.devices.motors import Motors
     from armui.control.devices.teaching import TeachingControl
+    from armui.control.link.arm_mark import ArmMark
     from armui.control.motion.planned_motion import PlannedMotion
     from armui.control.safety.mode_exit import ModeExitCommand
 
@@ -145,18 +146,23 @@ class Recovery(ControllerPart):
         self._mode_exit = mode_exit
         self._planned_motion = planned_motion
 
-    def act(self, step: Step, action: Action | None = None) -> Refusal | None:
+    def act(
+        self, step: Step, action: Action | None = None, mark: ArmMark | None = None
+    ) -> Refusal | None:
         """Take a step that was shown: ``None`` if it is under way, or why nothing was sent.
 
         Args:
             step: What the operator agreed to. If the arm is in another state by now, the step is
                 not taken: its action may mean something else there.
             action: Its alternative, where that is meant.
+            mark: The arm it was shown for, where the caller has not looked at that itself.
 
         Raises:
             KeyError: The action is none of the controller's: connecting is the window's.
         """
         self._context.refresh()
+        if mark is not None and not mark.is_still(self._context.connection.mark):
+            return self._context.refuse(Refusal(RefusalCode.ARM_CHANGED))
         now = self._look()
         wanted = step.action if action is None else action
         if now.kind is not step.kind or wanted is None or wanted not in now.actions:

@@ -214,6 +214,7 @@ class BackupDialog(ArmDialog):
         self._say(backup_text.difference(backup, generation, firmware, model), Level.WARNING)
 
     def _on_restore(self) -> None:
+        chosen = self._model.chosen
         confirm(
             self,
             self._controller,
@@ -221,14 +222,14 @@ class BackupDialog(ArmDialog):
             text=self.tr(
                 "{count} parameters of the arm are set to what the file says, limits and collision "
                 "levels among them if they are chosen. Each is read back and compared."
-            ).format(count=len(self._model.chosen)),
+            ).format(count=len(chosen)),
             action_label=self.tr("Restore"),
-            on_confirmed=self._restore_now,
+            on_confirmed=partial(self._restore_now, chosen),
+            still=lambda: self._model.chosen == chosen,
         )
 
-    def _restore_now(self) -> None:
+    def _restore_now(self, chosen: dict[Parameter, float]) -> None:
         self._drop_file()
-        chosen = self._model.chosen
         self._restoring = chosen
         self._model.follow(list(chosen))
         refusal = self._settings.save(chosen)

@@ -37,5 +37,6 @@ class CloseQuestion(ConfirmDialog):
         self.footer.insertWidget(self.footer.count() - 1, self.let_finish_button)
 
     def _on_let_finish(self) -> None:
-        self.reject()
-        self.let_finish.emit()
+        if self.holds():
+            self.reject()
+            self.let_finish.emit()

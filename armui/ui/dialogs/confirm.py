@@ -22,6 +22,8 @@ def confirm(
     action_label: str,
     on_confirmed: Callable[[], object],
     hold: bool = False,
+    concerns_arm: bool = True,
+    still: Callable[[], bool] = lambda: True,
 ) -> ConfirmDialog:
     """Ask, without holding up anything; an older question of the same title is withdrawn.
 
@@ -33,6 +35,8 @@ def confirm(
         action_label: What the button does, in a word.
         on_confirmed: Called when the operator agrees.
         hold: The button must be held for a second.
+        concerns_arm: It is withdrawn when another arm, or none, is there; see `ConfirmDialog`.
+        still: Whether what it says is still so; it is withdrawn when not.
 
     Returns:
         The open question; it deletes itself once answered.
@@ -43,7 +47,14 @@ def confirm(
         if older.windowTitle() == title:
             older.reject()
     dialog = ConfirmDialog(
-        controller, parent, title=title, text=text, action_label=action_label, hold=hold
+        controller,
+        parent,
+        title=title,
+        text=text,
+        action_label=action_label,
+        hold=hold,
+        concerns_arm=concerns_arm,
+        still=still,
     )
     dialog.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
     dialog.accepted.connect(on_confirmed)

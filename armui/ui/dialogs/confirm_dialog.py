@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Final
 
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QLabel, QPushButton, QWidget
 
+from armui.arm.refusal import Refusal
+from armui.arm.refusal_codes import RefusalCode
 from armui.control.arm_controller import ArmController
 from armui.ui.dialogs.base import ArmDialog
 from armui.ui.theme import colors_of
@@ -25,6 +28,10 @@ class ConfirmDialog(ArmDialog):
 
     Enter and Escape both mean no. Its emergency stop stops, and never asks a question itself.
 
+    It is asked about the arm that is there when it is made, and withdraws itself, with a line that
+    says why, as soon as that is another one, or what it says is no more so. What is pressed is
+    looked at once more by what is heard at that very moment.
+
     Args:
         controller: Whom the emergency stop tells.
         parent: The window that asks.
@@ -32,6 +39,8 @@ class ConfirmDialog(ArmDialog):
         text: What will physically happen, and what to do before.
         action_label: What the button does, in a word.
         hold: The button must be held for a second: for what a double click must not do.
+        concerns_arm: It is about the arm that is there now. A question about files is not.
+        still: Whether what it says is still so.
     """
 
     def __init__(
@@ -43,8 +52,15 @@ class ConfirmDialog(ArmDialog):
         text: str,
         action_label: str,
         hold: bool = False,
+        concerns_arm: bool = True,
+        still: Callable[[], bool] = lambda: True,
     ) -> None:
         super().__init__(controller, parent)
+        self._controller = controller
+        self._asked_for = controller.mark if concerns_arm else None
+        self._still = still
+        controller.state_changed.connect(self._look)
+        controller.operating_state_changed.connect(self._look)
         self.set_title(title)
         self._sign = QLabel()
         self._text = QLabel(text)
@@ -60,7 +76,7 @@ class ConfirmDialog(ArmDialog):
         self._hint.setVisible(hold)
         self.action_button: QPushButton
         if hold:
-            self.action_button = HoldButton(action_label)
+            self.action_button = HoldButton(controller, action_label)
             self.action_button.held.connect(self.accept)
         else:
             self.action_button = push_button("", action_label, on_enter=False)
@@ -71,6 +87,28 @@ class ConfirmDialog(ArmDialog):
         self.cancel_button.setFocus()
         self._recolor()
         self.retranslate_ui()
+
+    def accept(self) -> None:
+        """Agree, unless it is about another arm by now."""
+        if self.holds():
+            super().accept()
+
+    def holds(self) -> bool:
+        """Tell whether the arm and what was said are as they were; withdraw the question if not."""
+        asked_for = self._asked_for
+        if asked_for is not None and not asked_for.is_still(self._controller.mark):
+            reason = Refusal(RefusalCode.ARM_CHANGED)
+        elif not self._still():
+            reason = Refusal(RefusalCode.ASKED_OTHERWISE)
+        else:
+            return True
+        self.reject()
+        self._controller.tell_withdrawn(self.windowTitle(), reason)
+        return False
+
+    def _look(self) -> None:
+        if self.isVisible():
+            self.holds()
 
     def show_text(self, text: str) -> None:
         """Say something else."""

@@ -18,6 +18,7 @@ class SaveQuestion(ConfirmDialog):
         controller: Whom the emergency stop tells.
         parent: The window that asks.
         text: What has not been saved.
+        concerns_arm: It would be saved to the arm.
 
     Signals:
         save_wanted: The changes shall be saved; accepted alone, they shall be discarded.
@@ -25,13 +26,16 @@ class SaveQuestion(ConfirmDialog):
 
     save_wanted = Signal()
 
-    def __init__(self, controller: ArmController, parent: QWidget, text: str) -> None:
+    def __init__(
+        self, controller: ArmController, parent: QWidget, text: str, *, concerns_arm: bool
+    ) -> None:
         super().__init__(
             controller,
             parent,
             title=QCoreApplication.translate("SaveQuestion", "Changes are not saved"),
             text=text,
             action_label=QCoreApplication.translate("SaveQuestion", "Discard changes"),
+            concerns_arm=concerns_arm,
         )
         self.save_button = push_button("", self.tr("Save"), primary=True, on_enter=False)
         self.save_button.clicked.connect(self._on_save)
@@ -42,5 +46,6 @@ class SaveQuestion(ConfirmDialog):
         enable_or_explain(self.save_button, reason)
 
     def _on_save(self) -> None:
-        self.reject()
-        self.save_wanted.emit()
+        if self.holds():
+            self.reject()
+            self.save_wanted.emit()

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import partial
 from typing import Final
 
 from PySide6.QtWidgets import QButtonGroup, QComboBox, QFrame, QLabel
@@ -78,7 +79,8 @@ class LinkagePanel(Panel):
     # -- actions ------------------------------------------------------------------------------
 
     def _ask(self) -> None:
-        becomes_input = self._roles.checkedId() == LinkageRole.TEACHING_INPUT
+        chosen = self._chosen()
+        becomes_input = chosen[0] is LinkageRole.TEACHING_INPUT
         what = (
             self.tr(
                 "The arm becomes a teaching input: its feedback ends, it can be led by hand, obeys "
@@ -101,14 +103,19 @@ class LinkagePanel(Panel):
             title=self.tr("Set the linkage"),
             text=f"{what}\n{rest}",
             action_label=self.tr("Confirm"),
-            on_confirmed=self._set,
+            on_confirmed=partial(self._set, *chosen),
+            still=lambda: self._chosen() == chosen,
         )
 
-    def _set(self) -> None:
+    def _chosen(self) -> tuple[LinkageRole, dict[str, int]]:
+        """The role and the offsets."""
         offsets = {name: int(box.currentData()) for name, box in self._boxes.items()}
+        return LinkageRole(self._roles.checkedId()), offsets
+
+    def _set(self, role: LinkageRole, offsets: dict[str, int]) -> None:
         self._accepted(
             self._controller.linkage.set(
-                LinkageRole(self._roles.checkedId()),
+                role,
                 feedback_offset=offsets["feedback"],
                 control_offset=offsets["control"],
                 target_offset=offsets["target"],

@@ -183,7 +183,13 @@ class Panel(Translated, QWidget):
         self._share_room()
 
     def _ask_to_hold(
-        self, title: str, text: str, label: str, act: Callable[[], Refusal | None]
+        self,
+        title: str,
+        text: str,
+        label: str,
+        act: Callable[[], Refusal | None],
+        *,
+        still: Callable[[], bool] = lambda: True,
     ) -> None:
         """Ask before what a double click must not do: the answer is a button that is held.
 
@@ -192,6 +198,7 @@ class Panel(Translated, QWidget):
             text: What will physically happen, and what to do before.
             label: What the button does, in a word.
             act: The command; its refusal is shown.
+            still: Whether what it says is still so.
         """
         confirm(
             self.window(),
@@ -201,6 +208,7 @@ class Panel(Translated, QWidget):
             action_label=label,
             on_confirmed=lambda: self._accepted(act()),
             hold=True,
+            still=still,
         )
 
     def showEvent(self, event: QShowEvent) -> None:

@@ -64,6 +64,7 @@ class RecoveryLine(Translated, QWidget):
         begun = controller.operating_state.link is not LinkState.NO_DEVICE
         self._step = controller.recovery.step if begun else NO_DEVICE
         self._pressed = self._step
+        self._pressed_for = controller.mark
         self._says_running = False
         self._icon = QLabel()
         self._icon.setFixedWidth(_ICON_PX)
@@ -71,7 +72,7 @@ class RecoveryLine(Translated, QWidget):
         self._text.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Ignored)
         self._button = named("recovery_button", StepButton())
         self._button.setMinimumWidth(_BUTTON_PX)
-        self._hold_button = named("recovery_hold_button", HoldButton())
+        self._hold_button = named("recovery_hold_button", HoldButton(controller))
         self._hold_button.setMinimumWidth(_BUTTON_PX)
         self._other_button = named("recovery_other_button", StepButton())
         layout = QHBoxLayout(self)
@@ -98,6 +99,7 @@ class RecoveryLine(Translated, QWidget):
     def _on_pressed(self) -> None:
         """What the operator has read when the button goes down is what is agreed to."""
         self._pressed = self._step
+        self._pressed_for = self._controller.mark
 
     def _on_clicked(self) -> None:
         step = self._pressed
@@ -112,13 +114,14 @@ class RecoveryLine(Translated, QWidget):
                 action_label=words.step_action(step.action).rstrip("…"),
                 on_confirmed=lambda: self._controller.recovery.act(step),
                 hold=True,
+                still=lambda: self._controller.recovery.step.kind is step.kind,
             )
         else:
             self._act(step.action)
 
     def _act(self, action: Action | None) -> None:
         if action is not None:
-            self._controller.recovery.act(self._pressed, action)
+            self._controller.recovery.act(self._pressed, action, self._pressed_for)
 
     # -- appearance ---------------------------------------------------------------------------
 

@@ -35,6 +35,7 @@ class UnsavedQuestion(SaveQuestion):
                 "What you entered has not been saved to the arm. If you discard it, the arm keeps "
                 "what it holds now.",
             ),
+            concerns_arm=True,
         )
         self._panels = panels
         controller.operating_state_changed.connect(self._follow)

@@ -152,6 +152,7 @@ class ExportDialog(ArmDialog):
             text=text.format(target=request.target),
             action_label=self.tr("Replace"),
             on_confirmed=partial(self._run, replace(request, replace=True)),
+            concerns_arm=False,
         )
 
     # What comes back --------------------------------------------------------------------------

@@ -2,14 +2,20 @@
 
 from __future__ import annotations
 
-from typing import Final
+from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QRectF, QSize, QVariantAnimation, Signal
 from PySide6.QtGui import QColor, QPaintEvent, QPen
 from PySide6.QtWidgets import QPushButton
 
+from armui.arm.refusal import Refusal
+from armui.arm.refusal_codes import RefusalCode
 from armui.ui.theme import colors_of
 from armui.ui.widgets import painting
+
+if TYPE_CHECKING:
+    from armui.control.arm_controller import ArmController
+    from armui.control.link.arm_mark import ArmMark
 
 HOLD_MS: Final = 1000
 """Long enough to be meant, short enough to be waited for."""
@@ -24,7 +30,12 @@ class HoldButton(QPushButton):
     """Held with the mouse or the space bar for a second, it acts; a ring shows how far it is.
 
     Letting go, leaving the button, losing the focus, being disabled and being hidden all begin
-    anew. A click alone does nothing.
+    anew. A click alone does nothing. Nor does it act on another arm than the one that was there
+    when it went down.
+
+    Args:
+        controller: Knows the arm.
+        text: What stands on it.
 
     Attributes:
         progress: Runs while the button is held, from 0 to 1.
@@ -33,8 +44,10 @@ class HoldButton(QPushButton):
     held = Signal()
     """It was held to the end."""
 
-    def __init__(self, text: str = "") -> None:
+    def __init__(self, controller: ArmController, text: str = "") -> None:
         super().__init__(text)
+        self._controller = controller
+        self._pressed_for: ArmMark | None = None
         self.setAutoDefault(False)
         self.progress = QVariantAnimation(self)
         self.progress.setStartValue(0.0)
@@ -42,7 +55,7 @@ class HoldButton(QPushButton):
         self.progress.setDuration(HOLD_MS)
         self.progress.valueChanged.connect(self.update)
         self.progress.finished.connect(self._on_finished)
-        self.pressed.connect(self.progress.start)
+        self.pressed.connect(self._on_pressed)
         self.released.connect(self._begin_anew)
 
     @property
@@ -50,9 +63,16 @@ class HoldButton(QPushButton):
         """How much of the time it has been held, 0–1."""
         return self.progress.currentTime() / HOLD_MS
 
+    def _on_pressed(self) -> None:
+        self._pressed_for = self._controller.mark
+        self.progress.start()
+
     def _on_finished(self) -> None:
         if self.isDown() and self.isEnabled() and self.isVisible():
-            self.held.emit()
+            if self._pressed_for is not None and self._pressed_for.is_still(self._controller.mark):
+                self.held.emit()
+            else:
+                self._controller.tell_withdrawn(self.text(), Refusal(RefusalCode.ARM_CHANGED))
         self._begin_anew()
 
     def _begin_anew(self) -> None:

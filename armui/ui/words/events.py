@@ -250,6 +250,7 @@ _NOTICES: Final[Texts[str]] = Texts("Notice") | {
     ),
     EventCode.SETTINGS_UNSAVED: "The change holds, but is not saved. {reason}",
     EventCode.REFUSED: "Not sent. {reason}",
+    EventCode.QUESTION_WITHDRAWN: "“{question}” was withdrawn. {reason}",
     **MODEL_NOTICES,
 }
 

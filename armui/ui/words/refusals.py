@@ -59,6 +59,9 @@ _REFUSALS: Final = Texts("Refusal") | {
         "Nothing was sent: asked for its firmware version, the arm named {versions}. With it, or "
         "with two arms on the bus, an arm would fall. Hold the arm and use the emergency stop."
     ),
+    RefusalCode.ASKED_OTHERWISE: (
+        "What it was asked about is no more as it was: nothing was sent. Ask again."
+    ),
     RefusalCode.STEP_IN_VAIN: "The arm did not react.",
     RefusalCode.TEACHING_OFF: (
         "The arm is not in drag teaching. Start recording first, or press the button on the arm."

@@ -22,6 +22,9 @@ RUN_REFUSALS: Final = Texts("Refusal") | {
     RefusalCode.MODEL_CHANGED_SINCE_CHECK: (
         "Not run: the arm's model or zeros are others than those of the check. Send again."
     ),
+    RefusalCode.CHANGED_SINCE_CHECK: (
+        "Not run: tool, load, settings or choices are others than those of the check. Send again."
+    ),
     RefusalCode.NOT_RUNNING: "No trajectory is running: nothing to pause.",
     RefusalCode.NOT_PAUSED: "No trajectory is paused: nothing to go on with.",
     RefusalCode.RUN_EMPTY: "“{name}” has no points. Add points, or choose another trajectory.",

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import partial
 from typing import Final
 
 from PySide6.QtWidgets import QFrame
@@ -180,6 +181,7 @@ class GripperPanel(Panel):
             ),
             words.gripper_act("zero"),
             self._controller.gripper.set_zero,
+            still=partial(self._controller.gripper.stands_as, self._controller.state),
         )
 
     # -- what the gripper says ----------------------------------------------------------------

@@ -110,7 +110,8 @@ class MotorPanel(Panel):
             "arm standing still. The arm keeps it; there is no way back but to set it again."
         )
         act = partial(self._controller.zeroing.set_zero, joint)
-        self._ask_to_hold(title, f"{text}\n{danger}", self.tr("Set zero"), act)
+        still = partial(self._controller.zeroing.stands_as, self._controller.state, joint)
+        self._ask_to_hold(title, f"{text}\n{danger}", self.tr("Set zero"), act, still=still)
 
     def _accepted(self, refusal: Refusal | None) -> bool:
         """A refusal by the controller is shown as an event is; it stays until the next command."""

@@ -117,7 +117,14 @@ class EndLoadPanel(Panel):
     def _on_mounting(self) -> None:
         title, text = self._mounting.question()
         label = self._mounting.send.text()
-        self._ask_to_hold(title, text, label, self._mounting.tell)
+        chosen = self._mounting.chosen
+        self._ask_to_hold(
+            title,
+            text,
+            label,
+            self._mounting.tell,
+            still=lambda: self._mounting.chosen is chosen,
+        )
 
     def _on_switch(self) -> None:
         on = not is_reporting(self._controller.state)

@@ -194,7 +194,7 @@ class ParameterPanel(Panel):
 
     def _save(self, then: Callable[[], object] | None = None) -> None:
         """Save, after a question where it makes something dangerous; then go on."""
-        danger = self.danger_of_saving()
+        danger, changes = self.danger_of_saving(), self._draft.changes()
         if danger:
             confirm(
                 self,
@@ -203,6 +203,7 @@ class ParameterPanel(Panel):
                 text=danger,
                 action_label=self._buttons.save.text(),
                 on_confirmed=lambda: self._save_now(then),
+                still=lambda: self._draft.changes() == changes,
             )
         else:
             self._save_now(then)

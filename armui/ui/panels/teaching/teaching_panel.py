@@ -79,7 +79,7 @@ class TeachingPanel(Panel):
             for command in row
         }
         # a motion that was held back is never set going by a slip
-        self._plan_buttons[TrajectoryCommand.CONTINUE] = HoldButton()
+        self._plan_buttons[TrajectoryCommand.CONTINUE] = HoldButton(self._controller)
         self._name(self._plan_buttons[TrajectoryCommand.CONTINUE], "plan_continue")
         self._lay_out()
         self._connect()

@@ -22,4 +22,4 @@ class LeaveQuestion(SaveQuestion):
         text = QCoreApplication.translate(
             "LeaveQuestion", "What you changed in “{name}” has not been saved."
         )
-        super().__init__(controller, parent, text.format(name=name))
+        super().__init__(controller, parent, text.format(name=name), concerns_arm=False)

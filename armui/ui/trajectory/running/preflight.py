@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QElapsedTimer
@@ -16,7 +16,9 @@ from armui.trajectory.planning.preflight import CheckOutcome, CheckRequest, pref
 from armui.ui.background import Job
 
 if TYPE_CHECKING:
+    from armui.arm.model import ArmModel
     from armui.control.arm_controller import ArmController
+    from armui.control.link.arm_mark import ArmMark
     from armui.trajectory.files import Content
     from armui.trajectory.library.store import Check
     from armui.trajectory.planning.planned_path import PlannedPath
@@ -28,17 +30,54 @@ _SAME_PLACE_DEG: Final = 0.5
 
 
 @dataclass(frozen=True, slots=True)
+class CheckBasis:
+    """What a check belongs to, beside what is run and where the arm stands: compared whole.
+
+    Attributes:
+        mark: The arm and the connection.
+        arm: The arm as a plan sees it: limits, geometry and zeros, tool, gripper.
+        alterations: How often this program had set something of the arm by then, a load also.
+        options: How the operator wants it run.
+    """
+
+    mark: ArmMark
+    arm: ArmModel
+    alterations: int
+    options: RunOptions
+
+    @classmethod
+    def of(cls, controller: ArmController, options: RunOptions) -> CheckBasis:
+        """Return what a check would belong to now."""
+        arm, altered = arm_model(controller), controller.transactions.alterations
+        return cls(controller.mark, arm, altered, options)
+
+    def why_other(self, now: CheckBasis) -> Refusal | None:
+        """Return the reason why a check for this says nothing of a run under ``now``."""
+        if not self.mark.is_still(now.mark):
+            return Refusal(RefusalCode.ARM_CHANGED)
+        if self.arm.limits != now.arm.limits:
+            return Refusal(RefusalCode.LIMITS_CHANGED_SINCE_CHECK)
+        if self.arm.kinematics != now.arm.kinematics:
+            return Refusal(RefusalCode.MODEL_CHANGED_SINCE_CHECK)
+        if replace(self, mark=now.mark) != now:
+            return Refusal(RefusalCode.CHANGED_SINCE_CHECK)
+        return None
+
+
+@dataclass(frozen=True, slots=True)
 class Preflight:
     """A check that has ended.
 
     Attributes:
         order: What was checked.
         outcome: How it ended.
+        basis: What it belongs to.
         took_s: How long the operator has waited for it.
     """
 
     order: CheckRequest
     outcome: CheckOutcome
+    basis: CheckBasis
     took_s: float = 0.0
 
     @property
@@ -66,17 +105,13 @@ class Preflight:
         """The check mark it gives."""
         return "errors" if self.errors else "warnings" if self.findings else "ok"
 
-    def why_outdated(self, controller: ArmController) -> Refusal | None:
-        """Why it says nothing of a run that begins now, or ``None``: it does."""
+    def why_outdated(self, controller: ArmController, options: RunOptions) -> Refusal | None:
+        """Why it says nothing of a run that begins now with these options, or ``None``: it does."""
         pairs = zip(self.order.start_deg, start_deg(controller), strict=True)
         moved_deg = max(abs(there - here) for there, here in pairs)
         if moved_deg > _SAME_PLACE_DEG:
             return Refusal(RefusalCode.MOVED_SINCE_CHECK, {"value": f"{moved_deg:.1f}"})
-        if self.order.arm.limits != controller.operating_state.limits:
-            return Refusal(RefusalCode.LIMITS_CHANGED_SINCE_CHECK)
-        if self.order.arm.kinematics != controller.cartesian.kinematics():
-            return Refusal(RefusalCode.MODEL_CHANGED_SINCE_CHECK)
-        return None
+        return self.basis.why_other(CheckBasis.of(controller, options))
 
 
 @dataclass(slots=True, eq=False)
@@ -122,9 +157,10 @@ class Checks:
             options: How.
             then: Gets the :class:`Preflight`, or why there is none.
         """
+        basis = CheckBasis.of(self._controller, options)
         order = CheckRequest(
             content,
-            arm_model(self._controller),
+            basis.arm,
             start_deg(self._controller),
             options.speed_factor,
             options.first,
@@ -137,7 +173,7 @@ class Checks:
             if isinstance(outcome, Refusal):
                 then(outcome)
             else:
-                then(Preflight(order, outcome, clock.elapsed() / 1e3))
+                then(Preflight(order, outcome, basis, clock.elapsed() / 1e3))
 
         return CheckJob(order, Job(take))
 

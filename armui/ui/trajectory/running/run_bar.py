@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import replace
 from functools import partial
-from typing import Final
+from typing import Final, NamedTuple
 
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QHideEvent, QShowEvent
@@ -35,6 +35,20 @@ _SPIN_PX: Final = 34
 _SEND_KEY: Final = keys_of("editor.send")
 _SURPRISING_S: Final = 2.0
 """Nobody expects the arm to move so long after the button was pressed."""
+
+
+class _Started(NamedTuple):
+    """A run that was begun here.
+
+    Attributes:
+        name: What was run.
+        cycles: How often was chosen.
+        left: How many of these cycles are left.
+    """
+
+    name: str
+    cycles: int
+    left: int
 
 
 class RunBar(Translated, QWidget):
@@ -73,7 +87,7 @@ class RunBar(Translated, QWidget):
         self._nothing: Refusal | None = None
         self._about_to_run = False
         self._runner = Runner(controller, self)
-        self._again: RunOptions | None = None
+        self._again: _Started | None = None
         self._make_widgets()
         self._lay_out()
         self._send.clicked.connect(self._on_send)
@@ -97,6 +111,7 @@ class RunBar(Translated, QWidget):
         self._first = _spin("run_first", 1, 1)
         self._speed_label, self._first_label = QLabel(), QLabel()
         self._steps = named("run_steps", QCheckBox())
+        self._choices = (self._cycles, self._times, self._speed, self._first, self._steps)
 
     def _lay_out(self) -> None:
         self._from_row = pair(self._first_label, self._first)
@@ -205,36 +220,62 @@ class RunBar(Translated, QWidget):
         show_primary(self._send, wanted=not wanted)
 
     def _on_send(self) -> None:
-        self._run(self._options())
+        self._run(self._options)
 
     def _on_resume(self) -> None:
-        """Take a run up where it ended, for as many cycles as are left."""
-        if self._again is not None:
-            self._run(self._again)
+        """Take a run up where it ended."""
+        self._run(self._options_to_resume)
 
-    def _run(self, options: RunOptions) -> None:
+    def _options_to_resume(self) -> RunOptions:
+        """As shown now, from where it ended; for as many cycles as are left, unless chosen anew."""
+        options, again = self._options(), self._again
+        if again is not None and again.cycles == options.cycles:
+            options = replace(options, cycles=again.left)
+        return replace(options, first=self._runner.progress.index)
+
+    def _may_resume(self, name: str) -> bool:
+        """Tell whether what ran last, wherever it was begun, is what was begun here."""
+        progress = self._runner.progress
+        begun_here = self._again is not None and self._again.name == progress.name == name
+        return begun_here and ended_early(progress)
+
+    def _run(self, wanted: Callable[[], RunOptions]) -> None:
+        """Check, then run.
+
+        Args:
+            wanted: Tells how, by what is shown; asked again when the arm is about to set out.
+        """
         refusal = self._controller.operating_state.cannot_run
         if refusal is not None:
             self.refused.emit(refusal)
             return
-        self._check(options, partial(self._run_checked, options))
+        self._check(wanted(), partial(self._run_checked, wanted))
         self._about_to_run = self._checking
 
-    def _run_checked(self, options: RunOptions, checked: Preflight) -> None:
-        if checked.errors:
+    def _run_checked(self, wanted: Callable[[], RunOptions], checked: Preflight) -> None:
+        if wanted == self._options_to_resume and not self._may_resume(checked.content.name):
+            self.refused.emit(Refusal(RefusalCode.ASKED_OTHERWISE))
+        elif wanted() != checked.basis.options:
+            self._run(wanted)  # turned meanwhile: what is shown has not been checked
+        elif checked.errors:
             self.checked.emit(checked, None)
             self.refused.emit(Refusal(RefusalCode.FINDINGS_AGAINST, {"count": checked.errors}))
         elif checked.findings or checked.took_s > _SURPRISING_S:
-            self.checked.emit(checked, lambda: self._start(checked, options))
+            self.checked.emit(checked, lambda: self._start(wanted, checked))
         else:
             self.checked.emit(checked, None)
-            self._start(checked, options)
+            self._start(wanted, checked)
 
-    def _start(self, checked: Preflight, options: RunOptions) -> None:
-        refusal = checked.why_outdated(self._controller)
+    def _start(self, wanted: Callable[[], RunOptions], checked: Preflight) -> None:
+        options = wanted()
+        if options != checked.basis.options:
+            self._run(wanted)
+            return
+        refusal = checked.why_outdated(self._controller, options)
         if refusal is None:
-            self._again = options
-            refusal = self._runner.start(checked, options)
+            name, cycles = checked.content.name, self._options().cycles
+            self._again = _Started(name, cycles, options.cycles)
+            refusal = self._runner.start(checked)
         if refusal is not None:
             self.refused.emit(refusal)
 
@@ -243,7 +284,7 @@ class RunBar(Translated, QWidget):
     def _on_progress(self, progress: Progress) -> None:
         if ended_early(progress) and self._again is not None:
             left = ENDLESS if progress.cycles == ENDLESS else progress.cycles - progress.cycle + 1
-            self._again = replace(self._again, first=progress.index, cycles=left)
+            self._again = self._again._replace(left=left)
         if self.isVisible():
             self._show_usable()
         self.progressed.emit(progress)
@@ -265,14 +306,16 @@ class RunBar(Translated, QWidget):
     def _show_usable(self, *_: object) -> None:
         progress, checking = self._runner.progress, self._checking
         why_not = self._why_not()
+        for choice in self._choices:  # the run under way has its own
+            choice.setEnabled(not self._runner.running)
         self._times.setVisible(self._cycles.currentIndex() == _TIMES)
         reason = self.tr("Checking…") if checking else why_not
         enable_or_explain(self._send, reason, self.tr("Checks it and runs it"), key=_SEND_KEY)
         self._state.setText(self.tr("Checking…") if checking else "")
         self._state.setVisible(checking)
         self._call_off.setVisible(checking)
-        again = not (self._runner.running or checking) and self._again is not None
-        self._resume.setVisible(again and ended_early(progress))
+        free = not (self._runner.running or checking)
+        self._resume.setVisible(free and self._may_resume(progress.name))
         enable_or_explain(self._resume, why_not)
         self._resume.setText(self.tr("Go on from row {row}").format(row=progress.index + 1))
 

@@ -55,7 +55,7 @@ class RunStrip(Translated, QWidget):
         self._bar.setMinimumWidth(_BAR_PX // 2)
         self._pause = push_button("run_pause", on_enter=False)
         # a motion that was held back is never set going by a slip
-        self._continue = named("run_continue", HoldButton())
+        self._continue = named("run_continue", HoldButton(controller))
         self._stop = push_button("run_stop", on_enter=False)
         self._close = named("run_close", QToolButton())
         self._close.setIconSize(QSize(_ICON_PX, _ICON_PX))

@@ -16,7 +16,6 @@ if TYPE_CHECKING:
     from armui.control.run.player import Player
     from armui.control.run.replayer import Replayer
     from armui.ui.trajectory.running.preflight import Preflight
-    from armui.ui.trajectory.running.run_options import RunOptions
 
 
 class Runner(QObject):
@@ -48,9 +47,9 @@ class Runner(QObject):
         replayer = self._controller.replayer
         return replayer.progress if replayer.running else self._controller.player.progress
 
-    def start(self, checked: Preflight, options: RunOptions) -> Refusal | None:
+    def start(self, checked: Preflight) -> Refusal | None:
         """Run what was checked: ``None`` if the arm is on its way, or why not."""
-        content = checked.content
+        content, options = checked.content, checked.basis.options
         if isinstance(content, Recording):
             replay = Replay(content, options.speed_factor, options.cycles, checked.outcome.profile)
             return self._controller.replayer.start(replay)

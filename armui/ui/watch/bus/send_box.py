@@ -50,7 +50,7 @@ class SendBox(Translated, QWidget):
         self._controller = controller
         self._pressed: Frame | None = None
         self._sent = ""
-        self.unlock = named("bus_unlock", HoldButton())
+        self.unlock = named("bus_unlock", HoldButton(controller))
         self.lock = push_button("bus_lock")
         self.lock.setAutoDefault(False)
         self.identifier = named("bus_send_id", QLineEdit())
@@ -64,7 +64,7 @@ class SendBox(Translated, QWidget):
             field.textChanged.connect(self._on_typed)
         self.send = push_button("bus_send")
         self.send.setAutoDefault(False)
-        self.hold = named("bus_hold_to_send", HoldButton())
+        self.hold = named("bus_hold_to_send", HoldButton(controller))
         self._hint = named("bus_send_hint", ElidedLabel())
         self._hint.setProperty("rank", "muted")
         self.message = named("bus_send_message", MessageLine())
