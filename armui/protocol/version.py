@@ -112,10 +112,12 @@ class NamedVersion(NamedTuple):
 
     Attributes:
         software: As ``S-V1.8-5``.
+        date: The six figures behind it; "" if other text is there, or nothing yet.
         began_s: When the frame in which its text begins was heard.
     """
 
     software: str
+    date: str
     began_s: float
 
 
@@ -148,7 +150,11 @@ class AnswerCollector:
         whole = len(self._text) % ANSWER_BYTES == 0
         del self._text[: -2 * ANSWER_BYTES], self._times_s[: -2 * ANSWER_BYTES]
         self.named = tuple(
-            NamedVersion(found.group().decode("ascii"), self._times_s[found.start()])
+            NamedVersion(
+                _text(found.group()),
+                _text(date.group(1)) if (date := _DATE.match(self._text, found.end())) else "",
+                self._times_s[found.start()],
+            )
             for found in _TEXT.finditer(self._text)
         )
         found = find_identity(bytes(self._text))

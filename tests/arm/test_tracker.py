@@ -178,3 +178,31 @@ def test_the_motion_of_the_end_comes_a_joint_a_frame(listener):
     motion = listener.hear(0x483, "0064 00C8 012C 0190").end_motion[2].value
     assert (motion.linear_speed_m_s, motion.angular_speed_rad_s) == (0.1, 0.2)
     assert (motion.linear_acceleration_m_s2, motion.angular_acceleration_rad_s2) == (0.3, 0.4)
+
+
+def heard_around_a_pause(listener, after, pause_s, at_s=10.0):
+    """Joint 1 at 12° before the pause, at `after` in 0.001° (hex) behind it."""
+    listener.hear(0x2A5, "00002EE0 00000000", at_s=at_s)
+    return listener.hear(0x2A5, f"{after} 00000000", at_s=at_s + pause_s)
+
+
+def test_a_short_pause_is_counted_and_is_no_silence(listener):
+    snapshot = heard_around_a_pause(listener, "00002EE0", 0.2)
+    assert (snapshot.pauses, snapshot.silences) == (1, 0)
+    assert heard_around_a_pause(listener, "00002EE0", 0.09, at_s=10.25).pauses == 1
+
+
+def test_an_angle_that_no_joint_could_have_reached_is_another_arm(listener):
+    # 0x0001D4C0 = 120.000°: 108° in 0.2 s; 300°/s and 5° would be 65°
+    assert heard_around_a_pause(listener, "0001D4C0", 0.2).silences == 1
+
+
+def test_a_joint_that_moved_in_a_pause_is_the_same_arms(listener):
+    # 0x0000EA60 = 60.000°
+    assert heard_around_a_pause(listener, "0000EA60", 0.2).silences == 0
+
+
+def test_a_zero_that_was_set_in_a_pause_is_the_same_arms(listener):
+    # from 0x0001D4C0 = 120° to 0°
+    listener.hear(0x2A5, "0001D4C0 00000000", at_s=10.0)
+    assert listener.hear(0x2A5, "00000000 00000000", at_s=10.2).silences == 0

@@ -133,3 +133,37 @@ def test_both_forms_of_the_question():
     assert is_question(bytes.fromhex("01 00 00 00 00 00 00 00"))
     assert is_question(b"\x01")
     assert not is_question(bytes(8))
+
+
+def test_a_version_is_named_with_its_date_and_the_time_its_text_began():
+    collector = AnswerCollector()
+    for at, each in enumerate(frames(answer()[:72])):
+        collector.take(each, 10.0 + 0.001 * at)
+    # the text begins at byte 60, in the eighth frame; half of the date is still to come
+    ((software, date, began_s),) = collector.named
+    assert (software, date, began_s) == ("S-V1.6-5", "", pytest.approx(10.007))
+    collector.take(frames(answer())[9], 10.009)
+    assert collector.named[0].date == "250318"
+
+
+@pytest.mark.parametrize(
+    ("field", "other"),
+    [("software", "S-V1.6-4"), ("hardware", "H-V1.3-1"), ("date", "250319"), ("node_number", "16")],
+)
+def test_another_text_is_another_arm(field, other):
+    one = ArmIdentity("S-V1.6-5", "H-V1.2-1", "ARM_MC", "10", "250318", "15")
+    assert one.contradicts(one._replace(**{field: other}))
+    assert not one.contradicts(one._replace(**{field: ""}))
+    assert not one.contradicts(one._replace(batch="11", node_type="ARM"))
+
+
+def test_a_torn_answer_is_no_other_number_and_a_whole_one_is():
+    collector = AnswerCollector()
+    for each in frames(answer()):
+        collector.take(each, 1.0)
+    for each in frames(answer(number=b"16"))[1:]:
+        collector.take(each, 3.0)
+    assert collector.identity.node_number == "15"
+    for each in frames(answer(number=b"16")):
+        collector.take(each, 5.0)
+    assert collector.identity.node_number == "16"

@@ -71,7 +71,7 @@ SETS = frozenset({0x150, 0x151, 0x121, 0x159, *range(0x155, 0x158), *range(0x470
 def called(path):
     """What a file calls to ask: each name with how often."""
     names = {name for asked in ASKING.values() for name in asked} | {"SaveQuestion"}
-    found = Counter()
+    found: Counter[str] = Counter()
     for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
         if isinstance(node, ast.Call):
             function = node.func

@@ -199,6 +199,15 @@ def test_two_arms_that_answer_move_nothing(held):
     assert mode_words(held) == []
 
 
+def test_answers_of_two_arms_that_are_mixed_move_nothing(held):
+    """Frame by frame in turn: S-V1 of the one and .8-9 of the other stand beside one another."""
+    pairs = zip(version_frames(NEW), version_frames(OLD), strict=True)
+    answer(held, [each for pair in pairs for each in reversed(pair)])
+    press(held)
+    held.run(2.0)
+    assert mode_words(held) == []
+
+
 def test_a_second_host_that_asks_too_is_no_harm(held, other_host):
     assert press(held) is None
     other_host.say("4AF#0100000000000000")

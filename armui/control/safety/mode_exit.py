@@ -88,7 +88,14 @@ class ModeExitCommand(ControllerPart):
         if question is None:
             return
         now_s, state = context.clock(), context.connection.newest
-        named = [each for each in state.versions_named if each.began_s > question.pressed_s]
+        # answers of two arms that are mixed can read as one version, but not with its date behind
+        known = question.mark.identity
+        named = [
+            each
+            for each in state.versions_named
+            if each.began_s > question.pressed_s
+            and (known is None or not known.date or known.date == each.date)
+        ]
         late = now_s - question.pressed_s > _WITHIN_S
         if not question.mark.is_still(context.connection.mark) or state.pauses != question.pauses:
             self._give_up(Refusal(RefusalCode.ARM_CHANGED))
