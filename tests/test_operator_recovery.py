@@ -81,10 +81,11 @@ def test_a_question_answered_too_late_does_nothing(ready):
     ready.firmware.on_frame(RESUME)  # another host was quicker
     reads(ready, "motors are off")
     ready.heard()
-    ready.confirm()
+    with pytest.raises(AssertionError):
+        ready.dialog(ConfirmDialog)
     ready.run(0.3)
     assert ready.heard() == []
-    assert "another state by now" in ready.read("notice_label")
+    assert "was withdrawn. What it was asked about is no more" in ready.read("notice_label")
 
 
 def test_a_collision_is_cleared_once_the_obstacle_is_gone(ready):

@@ -239,6 +239,7 @@ def agree(driver):
 
 def test_a_question_is_withdrawn_when_another_arm_comes(asked):
     another_arm(asked)
+    asked.run(0.2)
     assert questions() == []
     assert asked.codes().count("question_withdrawn") == 1
     asked.run(1.0)

@@ -42,6 +42,10 @@ class UnsavedQuestion(SaveQuestion):
         controller.settings.changed.connect(self._follow)
         self._follow()
 
+    def holds(self) -> bool:
+        """Stay while no arm is heard: nothing can be saved then, and the button says why."""
+        return not self._controller.mark.heard or super().holds()
+
     def _follow(self) -> None:
         left = unsaved(self._panels)
         reasons = (panel.why_no_saving() for panel in left)
