@@ -1,16 +1,18 @@
 """A page in a window of its own, and back; the stops go with it."""
 
 import pytest
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QCoreApplication, QEvent, Qt
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QWidget
+from PySide6.QtWidgets import QAbstractScrollArea, QWidget
+from shiboken6 import isValid
 
 from armui.control.operating_state import StopState
 from armui.ui.shell.operation_area import OperationArea
 from armui.ui.trajectory.editor.editor_page import EditorPage
 from armui.ui.trajectory.editor.leave_question import LeaveQuestion
 from armui.ui.trajectory.library.library_page import LibraryPage
+from armui.ui.widgets.page import Page
 
 pytestmark = pytest.mark.styled
 
@@ -54,6 +56,30 @@ def test_it_is_put_back(pages):
     assert editor.window() is pages.driver.window
     assert pages.path() == "Trajectory library › one *"
     assert not editor.document.saved
+
+
+@pytest.mark.parametrize("opened", ["library", "editor", "events", "bus", "plots"])
+def test_a_page_that_was_put_back_has_nothing_that_is_deleted(pages, opened):
+    """PySide takes the control with the keyboard for a child of the window that was asked for it."""
+    if opened in {"library", "editor"}:
+        page = pages.open_library() if opened == "library" else pages.open_editor()
+        window = pages.take_out()
+    else:
+        pages.driver.click(f"{opened}_button")
+        pages.driver.click("drawer_take_out")
+        (window,) = pages.windows()
+        page = window.findChild(Page)
+    made_by_qt = [each.viewport() for each in page.findChildren(QAbstractScrollArea)]
+    assert made_by_qt
+    for each in page.findChildren(QWidget):
+        if each.isVisible():
+            each.setFocus()
+            window.focusWidget()
+            window.childAt(each.mapTo(window, each.rect().center()))
+    pages.driver.click(window.findChild(QWidget, "page_put_back"))
+    QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete.value)
+    assert not isValid(window)
+    assert all(isValid(each) for each in made_by_qt)
 
 
 def test_closing_the_window_asks_as_the_way_back_does(pages):

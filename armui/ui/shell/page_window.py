@@ -11,6 +11,7 @@ from armui.ui.dialogs.base import ArmDialog
 from armui.ui.theme import colors_of
 from armui.ui.widgets import icons
 from armui.ui.widgets.buttons import describe, named
+from armui.ui.widgets.keeps_focus import restore_parent
 
 if TYPE_CHECKING:
     from PySide6.QtGui import QHideEvent, QMoveEvent, QResizeEvent
@@ -63,6 +64,8 @@ class PageWindow(ArmDialog):
             page.titled.disconnect(self._name)
             page.hide()
             page.setParent(self.parentWidget())
+            for each in page.findChildren(QWidget):
+                restore_parent(each)
         self.hide()
         self.deleteLater()
         return page

@@ -41,6 +41,7 @@ class KeepsFocus(_Base):
         step = QWidget.nextInFocusChain if forward else QWidget.previousInFocusChain
         each = step(left)
         while each is not None and each is not left:
+            restore_parent(each)
             by_tab = bool(each.focusPolicy() & Qt.FocusPolicy.TabFocus)
             if by_tab and each.window() is self and _takes_keys(each):
                 reason = Qt.FocusReason
@@ -48,6 +49,16 @@ class KeepsFocus(_Base):
                 return True
             each = step(each)
         return False
+
+
+def restore_parent(widget: QWidget) -> None:
+    """Have PySide know whose child a widget is.
+
+    PySide takes what `focusWidget`, `nextInFocusChain` or `childAt` returns for a child of the
+    widget that was asked. When that one is deleted, the Python objects of what Qt has made in the
+    other, such as the viewport of a table, are called deleted although they live.
+    """
+    widget.setParent(widget.parentWidget())
 
 
 def _takes_keys(widget: QWidget) -> bool:
