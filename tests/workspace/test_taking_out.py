@@ -60,7 +60,7 @@ def test_it_is_put_back(pages):
 
 @pytest.mark.parametrize("opened", ["library", "editor", "events", "bus", "plots"])
 def test_a_page_that_was_put_back_has_nothing_that_is_deleted(pages, opened):
-    """PySide takes the control with the keyboard for a child of the window that was asked for it."""
+    """PySide takes the control with the keyboard for a child of the window that is asked."""
     if opened in {"library", "editor"}:
         page = pages.open_library() if opened == "library" else pages.open_editor()
         window = pages.take_out()

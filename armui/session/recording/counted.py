@@ -9,10 +9,10 @@ from __future__ import annotations
 
 import contextlib
 import time
-from collections import Counter
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any, Final, NamedTuple
 
+from armui.protocol.codes import ArmStatusCode
 from armui.session.id_rows import IdRows
 from armui.session.log_marks import LogFrames, marked_ids, marks_of
 from armui.session.recording import index_file, sidecar
@@ -26,6 +26,7 @@ if TYPE_CHECKING:
     from armui.session.session import Session, SessionMark
 
 KIND: Final = "counted"
+_SENT: Final = "stop_sent"
 _OVER_S: Final = 60.0
 """A recording that has not grown for so long was left behind by a killed program."""
 
@@ -34,8 +35,8 @@ class Counts(NamedTuple):
     """What happened in a recording, in numbers.
 
     Attributes:
-        faults: Each with a beginning; of the arm, of a joint, or silence.
-        stops: Sent, or told by the arm; the same one is told by both.
+        faults: Each with a beginning; of the arm, of a joint, or silence; no emergency stop.
+        stops: Emergency stops, sent or told by the arm; the same one is told by both.
     """
 
     faults: int
@@ -43,10 +44,22 @@ class Counts(NamedTuple):
 
 
 def counts_of(marks: Sequence[SessionMark]) -> Counts:
-    """Count what the frames tell."""
-    faults = sum(each.kind is MarkKind.FAULT for each in marks)
-    stops = Counter(each.entry.get("code") for each in marks if each.kind is MarkKind.STOP)
-    return Counts(faults, max(stops["stop_sent"], stops["stopped"]))
+    """Count what the frames, or the program's events, tell."""
+    told = [_is_stopped(each.entry) for each in marks]
+    sent = sum(each.entry.get("code") == _SENT for each in marks)
+    faults = sum(
+        each.kind is MarkKind.FAULT and not stopped
+        for each, stopped in zip(marks, told, strict=True)
+    )
+    return Counts(faults, max(sent, sum(told)))
+
+
+def _is_stopped(entry: Mapping[str, object]) -> bool:
+    """Tell whether the arm says that it is stopped: found in its frames, or as an event."""
+    params = entry.get("params")
+    status = params.get("status") if isinstance(params, Mapping) else None
+    as_event = entry.get("code") == "arm_status" and status == ArmStatusCode.EMERGENCY_STOP
+    return entry.get("code") == "stopped" or as_event
 
 
 def counted(session: Session) -> Counts:
@@ -65,8 +78,7 @@ def counts_in(lines: Sequence[Mapping[str, Any]]) -> Counts | None:
         if all(isinstance(each, int) for each in figures):
             return Counts(*figures)
     if any(line["kind"] == "event" for line in lines):
-        marks = [line.get("mark") for line in sidecar.events_of(lines)]
-        return Counts(marks.count("fault"), marks.count("stop"))
+        return counts_of(sidecar.marks_of(lines))
     recorded_alone = bool(lines) and lines[0].get("reason") == "command"
     return None if recorded_alone else Counts(0, 0)
 

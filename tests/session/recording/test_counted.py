@@ -103,11 +103,40 @@ def test_a_folder_that_cannot_be_written_is_no_trouble(path):
 def test_events_beside_it_count_and_a_recording_of_the_window_without_any_had_none():
     session = {"kind": "session"}
     events = [
-        {"kind": "event", "mark": "fault", "entry": {"number": 1}},
-        {"kind": "event", "mark": "fault", "entry": {"number": 1}},  # its end
-        {"kind": "event", "mark": "stop", "entry": {"number": 2}},
+        event(1, "fault", "joint_fault"),
+        event(1, "fault", "joint_fault"),  # its end
+        event(2, "stop", "stop_sent"),
     ]
     assert counts_in([session, *events]) == Counts(1, 1)
     assert counts_in([session]) == Counts(0, 0)
     assert counts_in([{**session, **ALONE}]) is None
     assert counts_in([{**session, **ALONE}, {"kind": "counted", "faults": "many"}]) is None
+
+
+def event(number, mark, code, **params):
+    """A line of the sidecar."""
+    entry = {"number": number, "code": code, "params": params}
+    return {"kind": "event", "time_s": float(number), "mark": mark, "entry": entry}
+
+
+STOPPED = ("fault", "arm_status", {"status": 1})
+SENT = ("stop", "stop_sent", {})
+CONFIRMED = ("stop", "stop_confirmed", {})
+
+
+@pytest.mark.parametrize(
+    ("told", "counts"),
+    [
+        ([SENT, STOPPED, CONFIRMED], Counts(0, 1)),
+        ([SENT, STOPPED, CONFIRMED] * 2, Counts(0, 2)),
+        ([SENT, ("stop", "stop_unconfirmed", {})], Counts(0, 1)),
+        ([STOPPED], Counts(0, 1)),  # another program's
+        ([SENT, STOPPED, ("stop", "stop_undone", {})], Counts(0, 1)),
+        ([("stop", "halt_sent", {})], Counts(0, 0)),
+        ([SENT, STOPPED, ("fault", "arm_status", {"status": 7})], Counts(1, 1)),
+        ([("fault", "arm_status", {"status": [1]}), ("fault", None, {})], Counts(2, 0)),
+    ],
+)
+def test_what_is_told_twice_of_one_stop_is_one_stop(told, counts):
+    lines = [event(place, mark, code, **params) for place, (mark, code, params) in enumerate(told)]
+    assert counts_in([{"kind": "session"}, *lines]) == counts
