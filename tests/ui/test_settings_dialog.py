@@ -9,12 +9,16 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QLineEdit
 from pytestqt.qtbot import QtBot
 
+from armui.arm.model_check import ModelFit
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
+from armui.protocol.piper_model import PiperModel
 from armui.settings import SettingsStore
 from armui.ui.dialogs.files import FileDialog
 from armui.ui.dialogs.settings import SettingsDialog
+from armui.ui.widgets.elided_label import ElidedLabel
 from tests.moments import now
+from tests.ui.arm_states import operating_state
 from tests.ui.dialog_reading import message, shown, words_of
 from tests.ui.fake_controller import FakeController
 
@@ -170,3 +174,13 @@ def test_a_broken_settings_file_is_told_at_the_first_opening(
     shown(qtbot, dialog)
 
     assert "settings.json.broken" in message(dialog)
+
+
+def test_the_built_in_model_is_that_of_the_arm(
+    preferences: SettingsDialog, controller: FakeController
+) -> None:
+    name = preferences.findChild(ElidedLabel, "urdf_name")
+    assert name is not None
+    assert name.text() == "Built-in model of the PiPER"
+    controller.be(operating_state(model_fit=ModelFit(PiperModel.PIPER_X)))
+    assert name.text() == "Built-in model of the PiPER X"

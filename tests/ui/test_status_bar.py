@@ -8,7 +8,7 @@ from PySide6.QtWidgets import QLabel
 from armui.control.events import Event, EventCode, Level
 from armui.control.operating_state import LinkState
 from armui.ui.shell.status_bar import StatusBar
-from armui.ui.theme import LIGHT
+from armui.ui.theme import DARK, LIGHT, Theme, apply_theme
 from tests.ui.arm_states import NOW_S, arm_state, operating_state
 
 NOON = datetime(2026, 11, 21, 12, 3, 4)
@@ -127,3 +127,13 @@ def test_the_notice_gives_way_and_the_status_never(bar, controller):
         label = bar.findChild(QLabel, f"status_{name}")
         assert label.width() >= label.sizeHint().width(), name
         assert label.geometry().right() <= bar.width(), name
+
+
+@pytest.mark.parametrize(("theme", "colors"), [(Theme.DARK, DARK), (Theme.LIGHT, LIGHT)])
+def test_another_theme_leaves_a_stop_red(bar, controller, qapp, theme, colors):
+    controller.be_ready()
+    controller.hear(arm_state(arm_status=1))
+    for each in (Theme.DARK, Theme.LIGHT, theme):
+        apply_theme(qapp, each)
+    assert ink(bar, "status_arm") == colors.stop_ink
+    apply_theme(qapp, Theme.LIGHT)

@@ -8,6 +8,7 @@ import pytest
 from PySide6.QtGui import QColor, QFontMetricsF
 from PySide6.QtWidgets import QPushButton, QWidget
 
+import armui.ui
 from armui.ui import theme
 from armui.ui.theme import DARK, LIGHT, Theme, apply_theme, colors_of, style_sheet, ui_font
 
@@ -103,6 +104,13 @@ def test_theme_changes_while_running(qapp, qtbot):
     dark = widget.grab().toImage().pixelColor(8, 8)
     assert light.lightness() > 200 > 100 > dark.lightness()
     apply_theme(qapp, Theme.LIGHT)
+
+
+def test_no_widget_keeps_a_colour_that_the_next_theme_takes_away():
+    """Qt drops a palette that a widget was given as soon as another style sheet is set."""
+    sources = Path(armui.ui.__file__).parent.rglob("*.py")
+    setters = [each.name for each in sources if ".setPalette(" in each.read_text(encoding="utf-8")]
+    assert setters == ["theme.py"]
 
 
 def test_system_theme_follows_the_system(qapp, qtbot):

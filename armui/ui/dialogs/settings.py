@@ -17,6 +17,7 @@ from PySide6.QtWidgets import (
 )
 
 from armui import setting_checks
+from armui.arm.models import model_data
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.control.arm_controller import ArmController
@@ -34,6 +35,7 @@ from armui.ui.widgets.message_line import MessageLine
 from armui.ui.widgets.repolish import repolish
 
 if TYPE_CHECKING:
+    from armui.control.operating_state import OperatingState
     from armui.ui.gamepad.gamepad_dialog import GamepadDialog
 
 _SIZE_PX: Final = (680, 500)
@@ -68,6 +70,8 @@ class SettingsDialog(ArmDialog):
         self._jog_step_wrong = False
         self._build()
         self.resize(*_SIZE_PX)
+        controller.operating_state_changed.connect(self._on_operating_state)
+        self._model = controller.operating_state.model
         self.language_box.activated.connect(self._on_language)
         self.theme_box.activated.connect(self._on_theme)
         self.jog_step_edit.editingFinished.connect(self._on_jog_step)
@@ -90,7 +94,7 @@ class SettingsDialog(ArmDialog):
         self._language_label, self.language_box = QLabel(), QComboBox()
         self._theme_label, self.theme_box = QLabel(), QComboBox()
         self._jog_label, self.jog_step_edit, self._jog_hint = QLabel(), QLineEdit(), QLabel()
-        self._urdf_label, self._urdf_name = QLabel(), ElidedLabel()
+        self._urdf_label, self._urdf_name = QLabel(), named("urdf_name", ElidedLabel())
         self.stop_again_box = named("stop_again_box", QCheckBox())
         self.browse_button, self.built_in_button = (push_button(on_enter=False) for _ in range(2))
         self.diagnosis_button = push_button("diagnosis_button", on_enter=False)
@@ -163,6 +167,11 @@ class SettingsDialog(ArmDialog):
         if not event.spontaneous():
             self._problem = None
 
+    def _on_operating_state(self, now: OperatingState) -> None:
+        if self._model != now.model:
+            self._model = now.model
+            self._refresh()
+
     def _refresh(self) -> None:
         now = self._store.settings
         self.language_box.setCurrentIndex(self.language_box.findData(now.language))
@@ -170,7 +179,9 @@ class SettingsDialog(ArmDialog):
         self.stop_again_box.setChecked(now.stop_again)
         if not self._jog_step_wrong:
             self.jog_step_edit.setText(f"{now.jog_step_deg:g}°")
-        self._urdf_name.show_text(now.urdf_path or self.tr("Built-in model of the PiPER"))
+        model = model_data(self._controller.operating_state.model).name
+        built_in_name = self.tr("Built-in model of the {model}").format(model=model)
+        self._urdf_name.show_text(now.urdf_path or built_in_name)
         on, off = self.tr("On: jogs the arm"), self.tr("Off")
         self._gamepad_state.show_text(on if now.gamepad else off)
         built_in = now.urdf_path is None

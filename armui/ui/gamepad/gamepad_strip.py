@@ -19,6 +19,7 @@ from armui.ui.widgets.buttons import named
 from armui.ui.widgets.elided_label import ElidedLabel
 from armui.ui.widgets.hold_guard import HoldGuard
 from armui.ui.widgets.layouts import in_row
+from armui.ui.widgets.repolish import set_rank
 from armui.ui.widgets.translated import Translated
 
 if TYPE_CHECKING:
@@ -173,9 +174,7 @@ class GamepadStrip(Translated, QWidget):
 
     def _recolor(self) -> None:
         _fill, ink = self._paint_colors(colors_of(self))
-        palette = self._text.palette()
-        palette.setColor(self._text.foregroundRole(), ink)
-        self._text.setPalette(palette)
+        set_rank(self._text, {_WAITS: "muted", _MOVES: "on_accent"}.get(self._state, ""))
         name = "warning" if self._state == _WRONG else "gamepad"
         self._icon.setPixmap(icons.pixmap(name, ink, _ICON_PX, self.devicePixelRatioF()))
         self.update()

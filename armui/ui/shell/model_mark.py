@@ -5,13 +5,13 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QSize, Qt
-from PySide6.QtGui import QColor
 from PySide6.QtWidgets import QToolButton
 
 from armui.arm.models import model_data
 from armui.control.operating_state import LinkState, OperatingState
 from armui.ui.theme import colors_of
 from armui.ui.widgets import icons
+from armui.ui.widgets.repolish import set_rank
 from armui.ui.widgets.translated import Translated
 
 if TYPE_CHECKING:
@@ -85,7 +85,4 @@ class ModelMark(Translated, QToolButton):
             else Qt.ToolButtonStyle.ToolButtonTextOnly
         )
         self.setToolButtonStyle(style)
-        colored = self.palette()
-        colored.setColor(self.foregroundRole(), QColor(colors.warn if wrong else colors.muted))
-        if colored != self.palette():
-            self.setPalette(colored)
+        set_rank(self, "warning" if wrong else "muted")

@@ -6,7 +6,7 @@ from datetime import datetime
 from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QEvent, QObject, Qt, Signal
-from PySide6.QtGui import QColor, QMouseEvent, QShowEvent
+from PySide6.QtGui import QMouseEvent, QShowEvent
 from PySide6.QtWidgets import QLabel, QWidget
 
 from armui.arm.limits import JOINTS
@@ -24,6 +24,7 @@ from armui.ui.widgets.buttons import named
 from armui.ui.widgets.curve_menu import tell_quantities
 from armui.ui.widgets.elided_label import ElidedLabel
 from armui.ui.widgets.layouts import in_row
+from armui.ui.widgets.repolish import set_rank
 from armui.ui.widgets.translated import Translated
 
 if TYPE_CHECKING:
@@ -195,23 +196,22 @@ class StatusBar(Translated, QWidget):
             "" if status is None else words.control_mode(status.control_mode)
         )
         colors = colors_of(self)
-        ink = colors.muted if stale or status is None else colors.text
-        alarm = None if stale or status is None else self._alarm_color(status)
+        ink = "muted" if stale or status is None else ""
+        alarm = None if stale or status is None else self._alarm(status)
         for name, label in self._labels.items():
             label.setText(texts.get(name, ""))
             label.setVisible(name in texts)
             if name in self._separators:
                 self._separators[name].setVisible(name in texts)
             loud = name == "joints" or (name == "arm" and alarm is not None)
-            color = alarm if loud and alarm else ink
+            rank = alarm if loud and alarm else ink
             if name == "mode" and foreign_mode and not stale:
-                color = colors.warn
-            colored = label.palette()
-            colored.setColor(label.foregroundRole(), QColor(color))
-            label.setPalette(colored)
+                rank = "warning"
+            set_rank(label, rank)
         self._status_icon.setVisible(alarm is not None)
         if alarm is not None:
-            self._draw_warning(self._status_icon, alarm)
+            ink_of_alarm = colors.warn if alarm == "warning" else colors.stop_ink
+            self._draw_warning(self._status_icon, ink_of_alarm)
 
     def _mode(self, code: int, foreign_mode: str) -> str:
         """How the arm travels; a mode that another program has chosen is told as its."""
@@ -221,15 +221,15 @@ class StatusBar(Translated, QWidget):
         text = self.tr("{mode} by another program").format(mode=mode)
         return text[:1].upper() + text[1:]
 
-    def _alarm_color(self, status: Status) -> str | None:
-        colors = colors_of(self)
+    def _alarm(self, status: Status) -> str | None:
+        """Return the rank of the text: "fault", "warning", or ``None`` if all is well."""
         if any(status.communication_fault):
-            return colors.stop_ink
+            return "fault"
         if status.arm_status in _WARNINGS:
-            return colors.warn
+            return "warning"
         if status.arm_status not in _NO_FAULT:
-            return colors.stop_ink
-        return colors.warn if any(status.limit_exceeded) else None
+            return "fault"
+        return "warning" if any(status.limit_exceeded) else None
 
     def _joint_faults(self, status: Status) -> str:
         """The joints out of order, as short as they fit beside all the rest."""

@@ -12,3 +12,13 @@ def repolish(widget: QWidget) -> None:
         style = widget.style()
         style.unpolish(widget)
         style.polish(widget)
+
+
+def set_rank(widget: QWidget, rank: str) -> None:
+    """Show the widget's text in the colour the style sheet has for a rank.
+
+    A colour set by `QWidget.setPalette` is lost as soon as another theme is chosen.
+    """
+    if widget.property("rank") != rank:
+        widget.setProperty("rank", rank)
+        repolish(widget)

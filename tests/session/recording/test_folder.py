@@ -21,8 +21,15 @@ def names(folder):
 def test_a_recording_is_listed_with_what_is_known_of_it(tmp_path):
     made = writer(tmp_path, facts={"reason": "fault"}, rotate_bytes=3000)
     events = [
-        {"kind": "event", "time_s": 1.0, "mark": mark, "entry": {"number": number}}
-        for number, mark in enumerate(["fault", "stop", "fault", "note"])
+        {"kind": "event", "time_s": 1.0, "mark": mark, "entry": {"number": number, "code": code}}
+        for number, (mark, code) in enumerate(
+            [
+                ("fault", "joint_fault"),
+                ("stop", "stop_sent"),
+                ("fault", "joint_fault"),
+                ("note", ""),
+            ]
+        )
     ]
     for begin in range(0, 3000, 500):
         made.write(rows_of(taken(500, BASE.steady_s + begin)), events)
