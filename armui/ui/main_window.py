@@ -54,6 +54,7 @@ from armui.ui.trajectory.preview.preview_bar import PreviewBar
 from armui.ui.widgets.curve_menu import offer_curves
 from armui.ui.widgets.keeps_focus import KeepsFocus
 from armui.ui.widgets.layouts import in_column, in_row
+from armui.ui.widgets.page_stack import StackArea
 from armui.ui.widgets.translated import Translated
 from armui.viewport import palette as scene_palette
 
@@ -169,7 +170,7 @@ class MainWindow(Translated, KeepsFocus, QWidget):
         )
         self._menu = SideMenu(self._entries, below)
         self._panels = OperationArea(self._entries)
-        self._work_area = WorkArea(self._panels, self._pages, self._view_region)
+        self._work_area = WorkArea(StackArea(self._panels), self._pages, self._view_region)
         self._work_column = WorkColumn(self._work_area, RunPlace(self._controller), self._drawer)
 
         top = TopBar(self._controller, self.open_connect_dialog)

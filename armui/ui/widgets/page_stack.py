@@ -1,4 +1,4 @@
-"""Pages in one place, one of them seen; what is too high for the room there is scrolls."""
+"""Pages or panels in one place, one of them seen; what is too high for the room scrolls."""
 
 from __future__ import annotations
 
@@ -12,9 +12,11 @@ from armui.ui.widgets.page import Page
 class _Room(QWidget):
     """Needs the least room of the page that is seen, not that of the largest, nor what it likes."""
 
-    def __init__(self) -> None:
+    def __init__(self, stack: QStackedWidget) -> None:
         super().__init__()
-        self.stack = QStackedWidget(self)
+        self.stack = stack
+        stack.setParent(self)
+        stack.currentChanged.connect(self.updateGeometry)
 
     def minimumSizeHint(self) -> QSize:
         """That of the page that is seen, in the width there is."""
@@ -44,22 +46,37 @@ class _Room(QWidget):
         return super().event(event)
 
 
-class PageStack(QScrollArea):
-    """Never asks for more height than there is: a low window keeps its status bar in sight."""
+class StackArea(QScrollArea):
+    """Never asks for more height than there is: a low window keeps its status bar in sight.
 
-    def __init__(self) -> None:
+    Args:
+        stack: One of its widgets is seen.
+    """
+
+    def __init__(self, stack: QStackedWidget) -> None:
         super().__init__()
         viewport = QWidget()
         viewport.setAutoFillBackground(False)
         self.setViewport(viewport)  # to ask for Qt's own has PySide load every class of widgets
-        self._room = _Room()
-        self._stack = self._room.stack
+        self._room = _Room(stack)
         self.setWidgetResizable(True)
         self.setFrameShape(QFrame.Shape.NoFrame)
         self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.setWidget(self._room)
         self._room.setAutoFillBackground(False)
+
+    def minimumSizeHint(self) -> QSize:
+        """As wide as what is seen needs; as low as may be."""
+        return QSize(self._room.minimumSizeHint().width(), 0)
+
+
+class PageStack(StackArea):
+    """Holds pages that come and go."""
+
+    def __init__(self) -> None:
+        self._stack = QStackedWidget()
+        super().__init__(self._stack)
 
     @property
     def current(self) -> Page | None:
@@ -84,7 +101,3 @@ class PageStack(QScrollArea):
         page.hide()
         page.setParent(self.window())
         self._room.updateGeometry()
-
-    def minimumSizeHint(self) -> QSize:
-        """As wide as the page needs; as low as may be."""
-        return QSize(self._room.minimumSizeHint().width(), 0)
