@@ -220,6 +220,23 @@ def test_the_curves_have_the_times_of_the_log(replay, log):
     assert telemetry.wall_time(START_S).timestamp() == START_S
 
 
+def test_a_jump_while_it_stands_still_draws_the_curves(replay, log):
+    replay.open(log)
+    replay.view.tabs.setCurrentIndex(1)
+    board = replay.view.curves.board
+    replay.driver.wait(lambda: board.built)
+
+    def drawn_up_to(at_s):
+        caches = board._book._caches.values()
+        return any(abs(each._end_s - at_s) < 0.1 and any(each.drawn) for each in caches)
+
+    for since_s in (3.0, 3.5, 1.5):
+        replay.replay.go_to(START_S + since_s)
+        replay.arrive()
+        assert not replay.replay.is_playing
+        replay.driver.wait(lambda: drawn_up_to(replay.replay.position_s))
+
+
 def test_the_channel_with_the_arm_is_shown_and_the_other_can_be_chosen(replay, tmp_path):
     with can.Logger(tmp_path / "two.blf") as logger:
         for at_s, frame in frames(1.0):

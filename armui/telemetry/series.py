@@ -99,12 +99,13 @@ class Series:
         self._pack = layout.pack_into
         self._size = layout.size
         self.write: Callable[[float, Row], None]
-        self.replaced = 0
+        self.replaced = -1  # there was nothing before the first release
         self.release()
 
     def release(self) -> None:
         """Give the memory back, samples and all; nothing may be written meanwhile."""
         self._count = self._folded = self._ahead = 0
+        self.replaced += 1
         self._fold_at = _FOLD_EVERY
         self._newest_s = -np.inf
         self._buffer = memoryview(bytearray())

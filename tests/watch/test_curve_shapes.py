@@ -149,6 +149,27 @@ def test_a_cache_makes_a_part_of_a_picture_only():
     assert sum(made) / 49 < whole / 8
 
 
+@pytest.mark.parametrize("span_s", [1.0, 60.0])
+def test_a_cache_draws_what_is_read_while_the_time_stands_still(span_s):
+    """A log that is paused is filled after the jump, and its clock does not move."""
+    series = series_of([])
+    make = lambda times, figures: list(zip(times.tolist(), figures.tolist(), strict=True))  # noqa: E731
+    cache = CurveCache(series, ("a",), make)
+    for jump_s in (0.0, 20.0, -10.0):
+        end_s = 200.0 + jump_s
+        series.release()
+        cache.update(end_s - span_s, end_s, 400)
+        assert points_of(cache) == set()
+        for at_s, value in wave(150.0):
+            if at_s < end_s:
+                series.write(at_s, (value,))
+        for turn in (False, True):
+            cache.update(end_s - span_s, end_s, 400, turn=turn)
+        fresh = CurveCache(series, ("a",), make)
+        fresh.update(end_s - span_s, end_s, 400)
+        assert points_of(cache) == points_of(fresh) != set()
+
+
 def test_the_axis_does_not_dance():
     height = AutoHeight()
     first = height.fit((0.0, 10.0))

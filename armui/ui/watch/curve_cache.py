@@ -59,7 +59,7 @@ class CurveCache(Generic[Drawn]):
         self._make = make
         self._scale = (0.0, 0)
         self._begin_s = self._end_s = 0.0
-        self._exponent = self._replaced = 0
+        self._exponent = self._replaced = self._samples = 0
         self._body_begin = self._body_end = 0
         self._body: list[list[Drawn]] = []
         self._body_extents: list[Extent] = []
@@ -80,6 +80,10 @@ class CurveCache(Generic[Drawn]):
         if self._replaced != self.series.replaced:
             self._replaced, same, self._body = self.series.replaced, False, []
         behind_s = end_s - self._end_s
+        samples = self.series.count_between(begin_s, end_s)
+        if same and behind_s == 0.0 and samples != self._samples:
+            same, self._body = False, []  # a log stands still, and what led to its place was read
+        self._samples = samples
         if same and 0.0 <= behind_s < _BEHIND_PX * px_s and behind_s < _BEHIND_S and not turn:
             return
         if same and 0.0 <= behind_s < px_s and behind_s < _BEHIND_S:
