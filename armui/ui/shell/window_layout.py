@@ -6,9 +6,9 @@ from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QEvent, QObject, QSize, Qt
 
+from armui.ui.dialogs.placing import on_screen, place_of, screens
 from armui.ui.shell.drawer import DRAWER_PX
 from armui.ui.shell.work_area import PAGE_SHARE, PANEL_PX
-from armui.ui.shell.workspace import on_screen, place_of, screens
 
 if TYPE_CHECKING:
     from PySide6.QtWidgets import QWidget

@@ -10,8 +10,9 @@ from PySide6.QtCore import QMargins, QObject, QRect, QSize
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QWidget
 
+from armui.ui.dialogs.placing import FRAME, on_screen, place_of
 from armui.ui.shell.page_window import PageWindow
-from armui.ui.shell.workspace_layout import OpenWindow, Place, fitted
+from armui.ui.shell.workspace_layout import OpenWindow
 
 if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
@@ -20,8 +21,6 @@ if TYPE_CHECKING:
 
 _ASIDE_PX: Final = 32
 """The second window of a kind does not hide the first."""
-_FRAME: Final = QMargins(8, 36, 8, 8)
-"""What window systems draw around a window, its title above all; it must be in reach."""
 _AROUND: Final = QMargins(20, -16, 20, 20)
 """The margins of a page in its window, whose stops come to stand lower than the button that was
 pressed: a second press of it, too quick, stops nothing."""
@@ -191,13 +190,6 @@ class Workspace(QObject):
         self._homes.pop(page, None)
 
 
-def screens() -> list[Place]:
-    """What a window can fill of each screen, the main one first."""
-    main = QGuiApplication.primaryScreen()
-    ordered = [main, *(each for each in QGuiApplication.screens() if each is not main)]
-    return [place_of(each.availableGeometry().marginsRemoved(_FRAME)) for each in ordered]
-
-
 def first_place(stood: QRect, window: QWidget, main: QWidget) -> QRect:
     """Where a page opens that is taken out for the first time.
 
@@ -211,24 +203,9 @@ def first_place(stood: QRect, window: QWidget, main: QWidget) -> QRect:
     """
     others = [each for each in QGuiApplication.screens() if each is not main.screen()]
     if others:
-        room = others[0].availableGeometry().marginsRemoved(_FRAME)
+        room = others[0].availableGeometry().marginsRemoved(FRAME)
         place = QRect(room.topLeft(), window.size().boundedTo(room.size()))
         place.moveCenter(room.center())
         return place
     around = stood.marginsAdded(_AROUND)
     return on_screen(place_of(QRect(around.topLeft(), around.size().expandedTo(_LEAST))))
-
-
-def place_of(rect: QRect) -> Place:
-    """A rectangle of Qt as plain figures."""
-    return Place(rect.x(), rect.y(), rect.width(), rect.height())
-
-
-def rect_of(place: Place) -> QRect:
-    """The other way round."""
-    return QRect(place.x, place.y, place.width, place.height)
-
-
-def on_screen(place: Place) -> QRect:
-    """Where a window opens that stood at a place: wholly on a screen there is."""
-    return rect_of(fitted(place, screens()))

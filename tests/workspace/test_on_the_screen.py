@@ -1,0 +1,35 @@
+"""Every window opens wholly on the screen that it opens on."""
+
+import pytest
+from PySide6.QtWidgets import QDialog
+
+from armui.ui.actions.window_actions import WindowActions
+
+pytestmark = pytest.mark.styled
+
+WINDOWS = {
+    "replay": lambda driver: driver.window.open_replay(),
+    "recordings": lambda driver: driver.click("sessions_button"),
+    "export": lambda driver: driver.window._watch.open_export(),
+    "joint status": lambda driver: driver.click("joint_status_button"),
+    "backup": lambda driver: driver.window.open_backup_dialog(),
+    "connect": lambda driver: driver.window.open_connect_dialog(),
+    "settings": lambda driver: driver.window.open_settings_dialog(),
+    "guide": lambda driver: driver.window.findChild(WindowActions).open_guide(),
+    "shortcuts": lambda driver: driver.window.findChild(WindowActions).open_shortcuts(),
+}
+
+
+@pytest.mark.parametrize("name", WINDOWS)
+def test_every_window(pages, name):
+    pages.driver.window.resize(780, 700)
+    pages.driver.window.move(10, 200)
+    WINDOWS[name](pages.driver)
+    dialog = pages.driver.dialog(QDialog)
+    reach = dialog.screen().availableGeometry().united(pages.driver.window.geometry())
+    stands, least = dialog.geometry(), dialog.minimumSizeHint()
+    assert reach.contains(stands.topLeft())
+    reach.adjust(0, 0, 4, 4)  # the rig's windows have a frame of two pixels
+    # and its screen is smaller than any that is sold
+    assert stands.bottom() <= max(reach.bottom(), stands.top() + least.height())
+    assert stands.right() <= max(reach.right(), stands.left() + least.width())
