@@ -139,3 +139,25 @@ def test_round_figures():
     assert ticks(0.0, 10.0, 4) == [0.0, 5.0, 10.0]
     assert ticks(-0.3, 0.2, 4) == pytest.approx([-0.2, 0.0, 0.2])
     assert ticks(3.0, 3.0, 4) == []
+
+
+def test_a_picture_has_every_plot_with_its_curves_and_units(plots):
+    """What is scrolled out of sight is in it, and 0.005 A does not lie flat under 40°."""
+    temperatures = ["arm.motor_temperature.1", "arm.joint_angle.1"]
+    angles = [[f"arm.joint_angle.{joint}"] for joint in range(1, 7)]
+    plots.board.show_plots([*angles, temperatures, *angles[:5]])
+    plots.driver.wait(lambda: plots.board.built)
+    plots.driver.run(1.0)
+    shown = plots.window.export.figure().plots
+    assert len(shown) == 13
+    units = [each.unit for each in shown]
+    assert units[:6] == ["°"] * 6
+    assert units[8:] == ["°"] * 5
+    assert set(units[6:8]) == {"°", "°C"}
+    for plot in shown:
+        low, high = plot.heights
+        for lines in plot.lines:
+            assert lines
+            figures = [figure for _times, line in lines for figure in line.tolist()]
+            assert low < min(figures) <= max(figures) < high
+            assert (low, high) != (0.0, 1.0)

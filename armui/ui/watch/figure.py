@@ -38,12 +38,14 @@ class FigurePlot:
         lines: For each curve its pieces, over monotonic times.
         heights: What of the figures is shown.
         title: What the curves have in common; "" if nothing.
+        unit: Of the figures; "" where they are codes or bare numbers.
     """
 
     names: Sequence[tuple[str, str]]
     lines: Sequence[Sequence[Line]]
     heights: tuple[float, float]
     title: str = ""
+    unit: str = ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -173,6 +175,9 @@ def _draw_plot(painter: QPainter, figure: CurveFigure, plot: FigurePlot, place: 
         text = f"{figure_at:.6g}"
         x = place.left() - 8.0 - metrics.horizontalAdvance(text)
         painter.drawText(QPointF(x, y + 0.35 * metrics.ascent()), text)
+    painter.setPen(QColor(LIGHT.muted))
+    unit = QRectF(0.0, place.top() - 1.3 * metrics.height(), place.left() - 8.0, metrics.height())
+    painter.drawText(unit, Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter, plot.unit)
     painter.setPen(QPen(QColor(LIGHT.sunken), 1.0))
     for time_s in _times(figure, tick_step_s(figure.end_s - figure.begin_s, place.width())):
         x = place.left() + place.width() * _share(time_s, figure.begin_s, figure.end_s)

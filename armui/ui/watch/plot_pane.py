@@ -139,20 +139,36 @@ class PlotPane(QWidget):
         self.graph.show_range(shown.begin_s, shown.end_s, *self.heights, codes=codes)
         self.graph.curves.show_curves(curves, edge_s)
 
-    def as_figure(self, shown: Shown, edge_s: float, now_s: float) -> FigurePlot:
-        """The same for a picture on paper."""
+    def as_figure(
+        self, shown: Shown, edge_s: float, now_s: float, heights: Range | None
+    ) -> list[FigurePlot]:
+        """Return the same for a picture on paper: for each unit an axis of its own.
+
+        Args:
+            shown: Which time, from its edge.
+            edge_s: Monotonic time of the edge.
+            now_s: The present.
+            heights: What of the figures is shown, if the curves have one unit; ``None``: all.
+        """
         begin_s, end_s = edge_s + shown.begin_s, min(edge_s + shown.end_s, now_s)
         book: CurveBook[Line] = CurveBook(self._telemetry, lambda times, figures: (times, figures))
         book.show(self.quantities)
-        curves = [
-            book.curve(each, begin_s, max(end_s, begin_s), self.graph.width_px)[0]
-            for each in self.quantities
-        ]
-        colored = [
-            (entry.name, _LIGHT_CURVES[place % len(_LIGHT_CURVES)])
-            for place, entry in enumerate(self.legend.entries)
-        ]
-        return FigurePlot(colored, curves, self.heights, self.legend.title)
+        title, short = names.in_common(self.quantities)
+        plots = []
+        for unit in dict.fromkeys(each.unit for each in self.quantities):
+            colored, curves, extents = [], [], []
+            for place, (each, name) in enumerate(zip(self.quantities, short, strict=True)):
+                if each.unit == unit:
+                    pieces, extent = book.curve(
+                        each, begin_s, max(end_s, begin_s), self.graph.width_px
+                    )
+                    colored.append((name, _LIGHT_CURVES[place % len(_LIGHT_CURVES)]))
+                    curves.append(pieces)
+                    extents.append(extent)
+            own = heights if unit == self.unit else None
+            fitted = own or AutoHeight(unit).fit(together(extents), codes=not unit)
+            plots.append(FigurePlot(colored, curves, fitted, title, unit))
+        return plots
 
     def show_values(self, now_s: float) -> None:
         """The values now, beside the names."""
