@@ -99,6 +99,13 @@ class SideMenu(Translated, QWidget):
         area.setWidget(column)
         area.viewport().setAutoFillBackground(False)
         column.setAutoFillBackground(False)
+        bar = area.verticalScrollBar()
+        # where the entries scroll, the bar stands beside them, not over their right ends
+        bar.rangeChanged.connect(
+            lambda _least, most: self.setFixedWidth(
+                _WIDTH_PX + (bar.sizeHint().width() if most else 0)
+            )
+        )
         return area
 
     def retranslate_ui(self) -> None:

@@ -11,7 +11,7 @@ from armui.ui.watch.plot_layout import SETS
 from armui.ui.watch.save_button import SaveButton
 from armui.ui.watch.time_frame import SPANS_S
 from armui.ui.widgets.buttons import bar_button, named
-from armui.ui.widgets.layouts import in_row
+from armui.ui.widgets.flow import in_flow
 from armui.ui.widgets.translated import Translated
 from armui.ui.words.text import Texts
 
@@ -57,11 +57,8 @@ class PlotBar(Translated, QWidget):
         self.save = SaveButton("plot", SAVES)
         self.save.wanted.connect(self.save_wanted)
         self.saves = self.save.saves
-        row = in_row(on=self, spacing=8, margins=0)
-        for widget in (self.sets, self.spans, self.pause, self.undo, self.cursors):
-            row.addWidget(widget)
-        row.addStretch(1)
-        row.addWidget(self.save)
+        left = (self.sets, self.spans, self.pause, self.undo, self.cursors)
+        in_flow(*left, on=self, spacing_px=8).push(self.save)
         self.sets.activated.connect(self._on_set)
         self.spans.activated.connect(self._on_span)
         self.pause.clicked.connect(lambda on: board.pause(wanted=on))

@@ -19,6 +19,7 @@ from armui.telemetry.bus_senders import Sender
 from armui.ui.actions.keys import keys_of
 from armui.ui.watch.bus.frame_filter import FrameFilter, IdFilter, parse_ids
 from armui.ui.widgets.buttons import bar_button, named
+from armui.ui.widgets.flow import in_flow
 from armui.ui.widgets.layouts import STRETCH, in_column, in_row
 from armui.ui.widgets.repolish import repolish
 from armui.ui.widgets.translated import Translated
@@ -82,9 +83,8 @@ class FilterBar(Translated, QWidget):
 
     def _lay_out(self) -> None:
         above = in_row(self.by_id, self.in_order, STRETCH, self.pause, self.clear, spacing=6)
-        below = in_row(
-            (self.text, 1), self.ids, self.senders, self.only_changed, self.only_unknown, spacing=8
-        )
+        only = (self.only_changed, self.only_unknown)
+        below = in_flow(self.text, self.ids, self.senders, *only, spacing_px=8)
         in_column(above, below, on=self, spacing=6, margins=0)
 
     @property

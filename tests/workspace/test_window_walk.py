@@ -1,0 +1,17 @@
+"""A few seconds of the random walk: ``python -m tests.window_walk`` takes thousands of steps."""
+
+import pytest
+
+from tests.window_walk import Walk
+
+pytestmark = pytest.mark.styled
+
+
+@pytest.mark.timeout(120)
+def test_some_steps_at_random_leave_everything_in_its_place(qapp, tmp_path):
+    walk = Walk(qapp, tmp_path, seed=2)
+    try:
+        for number in range(12):
+            assert walk.step() == [], f"step {number}: {walk.names}"
+    finally:
+        walk.close()
