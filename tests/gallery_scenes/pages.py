@@ -7,6 +7,7 @@ from collections.abc import Callable
 from PySide6.QtWidgets import QWidget
 
 from armui.ui.trajectory.editor.editor_page import EditorPage
+from armui.ui.trajectory.library.library_page import LibraryPage
 from tests.app_driver import AppDriver
 from tests.gallery_scenes import library, trajectories
 from tests.gallery_scenes.scene import Scene
@@ -77,6 +78,30 @@ def _all_at_once(app_driver: AppDriver) -> None:
     app_driver.click("events_button")
 
 
+def _drawer_after_end_load(app_driver: AppDriver) -> None:
+    """The tallest panel has been seen: the drawer keeps its height, in a low window, too."""
+    app_driver.ready()
+    app_driver.click("events_button")
+    app_driver.click("menu_end_load")
+    app_driver.click("menu_motion")
+    app_driver.run(1.0)
+
+
+def _put_back(app_driver: AppDriver) -> None:
+    """The empty library, taken out and put back: its hint is still there."""
+    library.empty(app_driver)
+    window = app_driver.taken_out(LibraryPage).window()
+    app_driver.click(window.findChild(QWidget, "page_put_back"))
+
+
+def _stopped_below_a_page(app_driver: AppDriver) -> None:
+    """An emergency stop while a page is seen: red in every theme."""
+    app_driver.ready()
+    trajectories.library(app_driver)
+    app_driver.controller.emergency_stop()
+    app_driver.run(2.0)
+
+
 def taken_out(app_driver: AppDriver) -> QWidget:
     """The editor in a window of its own, with both stops."""
     trajectories.editor(app_driver)
@@ -87,6 +112,9 @@ SCENES = (
     Scene("drawer-curves", _drawer("plots"), sizes=_SIZES, fine=True),
     Scene("drawer-events", _drawer("events"), sizes=_SIZES),
     Scene("drawer-bus", _drawer("bus"), sizes=_SIZES),
+    Scene("drawer-after-end-load", _drawer_after_end_load, sizes=((1024, 720), (1440, 900))),
+    Scene("library-put-back", _put_back, sizes=((1024, 720),)),
+    Scene("library-stopped", _stopped_below_a_page, sizes=((1024, 720),)),
     Scene("running-drawer", _all_at_once, sizes=_SIZES, fine=True),
     Scene("editor-jogging", _jogging, sizes=_SIZES, fine=True),
     Scene("editor-jogging-tool", _jogging_tool, sizes=_SIZES),

@@ -99,14 +99,15 @@ class SideMenu(Translated, QWidget):
         area.setWidget(column)
         area.viewport().setAutoFillBackground(False)
         column.setAutoFillBackground(False)
-        bar = area.verticalScrollBar()
-        # where the entries scroll, the bar stands beside them, not over their right ends
-        bar.rangeChanged.connect(
-            lambda _least, most: self.setFixedWidth(
-                _WIDTH_PX + (bar.sizeHint().width() if most else 0)
-            )
-        )
+        self._bar = area.verticalScrollBar()
+        # later: the area is not to be resized while it lays out what it holds
+        queued = Qt.ConnectionType.QueuedConnection
+        self._bar.rangeChanged.connect(self._make_room, queued)
         return area
+
+    def _make_room(self, _least: int, most: int) -> None:
+        """Where the entries scroll, the bar stands beside them, not over their right ends."""
+        self.setFixedWidth(_WIDTH_PX + (self._bar.sizeHint().width() if most else 0))
 
     def retranslate_ui(self) -> None:
         """Put the entries into the operator's language."""
