@@ -16,7 +16,9 @@ def test_rows_are_inserted_duplicated_moved_and_deleted(editor):
     assert notes(editor) == ["out", "back", "", "up"]
     editor.act("insert_before")
     assert len(editor.points) == 5
+    assert editor.child("editor_undo").toolTip() == "Undo “Insert” (Ctrl+Z)"
     editor.click("editor_undo")
+    assert editor.child("editor_redo").toolTip() == "Redo “Insert” (Ctrl+Y)"
     editor.keys(Qt.Key.Key_Up, ALT)
     assert notes(editor) == ["out", "", "back", "up"]
     editor.keys(Qt.Key.Key_Delete)

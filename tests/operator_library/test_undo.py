@@ -1,5 +1,6 @@
 """Undoing, the last first; and what was deleted before the program was started."""
 
+import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QTableWidget, QWidget
@@ -16,13 +17,13 @@ def test_every_deletion_is_undone_by_keys_the_last_first(driver):
         driver.choose(name)
         driver.key(Qt.Key.Key_Delete)
     assert driver.names() == ["two"]
-    assert driver.child("undo").text() == "Undo: bring back three"
-    assert driver.child("undo").toolTip() == "Undo: bring back three (Ctrl+Z)"
+    assert driver.child("undo").text() == "Undo deleting “three”"
+    assert driver.child("undo").toolTip() == "Undo deleting “three” (Ctrl+Z)\nBrings it back."
     driver.undo()
     assert driver.names() == ["three", "two"]
     assert driver.message() == "Brought back: three"
     assert [entry.name for entry in driver.window.chosen()] == ["three"]
-    assert driver.child("undo").text() == "Undo: bring back one"
+    assert driver.child("undo").text() == "Undo deleting “one”"
     driver.undo()
     assert driver.names() == ["one", "three", "two"]
     assert driver.library.load("three").points == (POINT, POINT)
@@ -46,10 +47,10 @@ def test_names_and_copies_are_undone_too(driver):
     driver.rename("uno")
     driver.click("duplicate")
     assert driver.names() == ["three", "two", "uno", "uno 2"]
-    assert driver.child("undo").text() == "Undo: delete uno 2"
+    assert driver.child("undo").text() == "Undo copying to “uno 2”"
     driver.click("undo")
     assert driver.names() == ["three", "two", "uno"]
-    assert driver.child("undo").text() == "Undo: call it one again"
+    assert driver.child("undo").text() == "Undo renaming to “uno”"
     driver.click("undo")
     assert driver.names() == ["one", "three", "two"]
     assert driver.message() == "“uno” is called “one” again."
@@ -66,18 +67,45 @@ def test_what_is_open_is_not_taken_away_by_undoing(driver):
     assert driver.names() == ["one", "three", "two"]
 
 
-def test_what_was_worked_on_since_is_kept(driver):
+def test_undoing_what_was_made_says_so_and_goes_once_it_was_worked_on(driver):
     driver.click("create")
+    assert driver.child("undo").accessibleName() == "Undo creating “Trajectory”"
     editor = driver.app_driver.page(EditorPage)
     driver.app_driver.click(editor.findChild(QWidget, "editor_insert_measured"))
     editor.document.set_note("mine", "note")
     editor.save()
     assert editor.document.saved
     editor.close()
-    driver.click("undo")
-    assert "“Trajectory” has been changed since" in driver.message()
-    assert driver.library.load("Trajectory").note == "mine"
     assert not driver.child("undo").isVisible()
+    driver.undo()
+    assert driver.message() == ""
+    assert driver.library.load("Trajectory").note == "mine"
+
+
+def test_what_another_program_made_impossible_is_not_offered(driver):
+    driver.choose("one")
+    driver.rename("uno")
+    driver.choose("two")
+    driver.click("delete")
+    other = Library(driver.library.folder)
+    other.restore(other.recently_deleted()[0])
+    for path in (driver.library.folder / ".deleted").rglob("*.log"):
+        path.unlink()
+    other.save(Trajectory("one", points=(POINT,)))
+    driver.window.refresh()
+    assert driver.names() == ["one", "three", "two", "uno"]
+    assert not driver.child("undo").isVisible()
+
+
+@pytest.mark.parametrize(
+    ("how", "said"),
+    [("delete", "撤销删除“one”"), ("duplicate", "撤销复制为“one 2”"), ("create", "撤销创建“轨迹”")],
+)
+def test_it_says_in_chinese_what_is_undone(driver, how, said):
+    driver.app_driver.store.change(language="zh")
+    driver.choose("one")
+    driver.click(how)
+    assert driver.child("undo").accessibleName() == said
 
 
 def test_in_the_search_the_key_undoes_typing(driver):
@@ -154,7 +182,7 @@ def test_what_was_brought_back_there_is_not_undone_again(driver):
     bin_.choose(bin_.names().index("one"))
     bin_.back()
     bin_.window.close()
-    assert driver.child("undo").text() == "Undo: bring back two"
+    assert driver.child("undo").text() == "Undo deleting “two”"
     driver.click("undo")
     assert driver.names() == ["one", "three", "two"]
     assert not driver.child("undo").isVisible()

@@ -7,6 +7,8 @@ never be undone any more is dropped, and said to be.
 
 from __future__ import annotations
 
+import enum
+import os.path
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from datetime import datetime
@@ -15,7 +17,7 @@ from typing import Final
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.trajectory.files import TrajectoryFileError
-from armui.trajectory.library.store import Deleted, Library, LibraryError
+from armui.trajectory.library.store import Deleted, Library, LibraryError, Listing
 
 _TRY_AGAIN: Final = frozenset(
     {
@@ -48,6 +50,10 @@ class Deletion:
         """What is in the library now that is changed by undoing: nothing."""
         return ()
 
+    def is_possible(self, _seen: Listing) -> bool:
+        """Tell whether something of it is still in the bin."""
+        return any(os.path.exists(place) for _, place in self.deleted.places)
+
     def undo(self, library: Library) -> tuple[str, ...]:
         """Undo it; returns the names of what came of it."""
         return library.restore(self.deleted)
@@ -75,21 +81,36 @@ class Renaming:
         """What is changed by undoing."""
         return (self.new,)
 
+    def is_possible(self, seen: Listing) -> bool:
+        """Tell whether it is there under its new name, and the old one is free."""
+        names = {entry.name for entry in seen.entries}
+        return self.new in names and self.old not in names
+
     def undo(self, library: Library) -> tuple[str, ...]:
         """Undo it; returns the names of what came of it."""
         library.rename(self.new, self.old)
         return (self.old,)
 
 
+class Origin(enum.Enum):
+    """How a new trajectory came into the library."""
+
+    CREATED = enum.auto()
+    COPIED = enum.auto()
+    IMPORTED = enum.auto()
+
+
 @dataclass(frozen=True, slots=True)
 class Making:
-    """New ones, by creation, copy or import: undone by deleting them, as long as they are as made.
+    """New ones, undone by deleting them, as long as they are as made.
 
     Attributes:
         made: The name of each, and when it was made.
+        origin: How they were made.
     """
 
     made: tuple[tuple[str, datetime], ...]
+    origin: Origin
 
     @property
     def names(self) -> tuple[str, ...]:
@@ -101,15 +122,26 @@ class Making:
         """What is changed by undoing."""
         return self.names
 
+    def is_possible(self, seen: Listing) -> bool:
+        """Tell whether some are there, and none has been worked on."""
+        there = {entry.name for entry in seen.entries}
+        return not there.isdisjoint(self.names) and self._changed(seen) is None
+
     def undo(self, library: Library) -> tuple[str, ...]:
         """Undo it; returns the names of what came of it: none."""
-        there = {entry.name: entry.modified for entry in library.entries()}
-        drafts = library.drafts()
-        for name, modified in self.made:
-            if name in drafts or there.get(name, modified) != modified:
-                raise LibraryError(Refusal(RefusalCode.CHANGED_SINCE, {"name": name}))
+        name = self._changed(library.listing())
+        if name is not None:
+            raise LibraryError(Refusal(RefusalCode.CHANGED_SINCE, {"name": name}))
         library.delete(self.names)
         return ()
+
+    def _changed(self, seen: Listing) -> str | None:
+        """Return the first that was worked on, saved or not."""
+        there = {entry.name: entry.modified for entry in seen.entries}
+        for name, modified in self.made:
+            if name in seen.drafts or there.get(name, modified) != modified:
+                return name
+        return None
 
 
 Step = Deletion | Renaming | Making
@@ -153,8 +185,21 @@ class LibraryHistory:
         if new != name:
             self._steps.append(Renaming(name, new))
 
-    def note_made(self, names: Sequence[str]) -> None:
+    def drop_outdated(self, seen: Listing) -> None:
+        """Drop the last steps that cannot be undone any more, before they are offered.
+
+        Args:
+            seen: The library as it is now.
+        """
+        while self._steps and not self._steps[-1].is_possible(seen):
+            self._steps.pop()
+
+    def note_made(self, names: Sequence[str], origin: Origin) -> None:
         """Remember what was just made.
+
+        Args:
+            names: What was made.
+            origin: How.
 
         Raises:
             LibraryError: The library cannot be read.
@@ -162,7 +207,7 @@ class LibraryHistory:
         there = {entry.name: entry.modified for entry in self._library.entries()}
         made = tuple((name, there[name]) for name in names if name in there)
         if made:
-            self._steps.append(Making(made))
+            self._steps.append(Making(made, origin))
 
     def undo(self) -> tuple[str, ...]:
         """Undo the last step.

@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 
 from armui.arm.refusal_codes import RefusalCode
 from armui.trajectory.files import TrajectoryFileError
-from armui.trajectory.library.history import Deletion, LibraryHistory, Making, Renaming
+from armui.trajectory.library.history import Deletion, LibraryHistory, Making, Origin, Renaming
 from armui.trajectory.library.store import Library
 from tests.examples import examples
 from tests.moments import now
@@ -76,8 +76,8 @@ def test_the_name_of_what_is_gone_is_not_given_back(history, library, folder):
 
 
 def test_what_was_made_is_taken_away_as_long_as_it_is_as_made(history, library):
-    history.note_made(["a", "b"])
-    history.note_made(["c", "never there"])
+    history.note_made(["a", "b"], Origin.CREATED)
+    history.note_made(["c", "never there"], Origin.CREATED)
     assert isinstance(history.last, Making)
     assert history.last.touched == ("c",)
     assert history.undo() == ()
@@ -91,7 +91,7 @@ def test_what_was_made_is_taken_away_as_long_as_it_is_as_made(history, library):
 
 
 def test_what_has_unsaved_changes_is_not_taken_away(history, library):
-    history.note_made(["a"])
+    history.note_made(["a"], Origin.CREATED)
     library.save_draft("a", trajectory("a", 5))
     assert refused(history.undo).code == RefusalCode.CHANGED_SINCE
     assert len(library.draft("a").points) == 5
@@ -175,7 +175,9 @@ def test_all_undone_the_library_is_as_it_was(tmp_path_factory, actions):
             history.rename(*what)
         elif kind == "make" and what[0] not in there:
             library.save(trajectory(what[0], 9))
-            history.note_made(what)
-    while history.last is not None:
+            history.note_made(what, Origin.CREATED)
+    while (last := history.last) is not None:
+        history.drop_outdated(library.listing())
+        assert history.last is last  # what can be undone stays
         history.undo()
     assert [library.load(name) for name in names(library)] == before

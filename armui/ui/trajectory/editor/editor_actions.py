@@ -101,6 +101,17 @@ class EditorActions:
         action.setEnabled(not reason)
         action.setToolTip(reason or f"{action.text()} ({SHORTCUTS[f'editor.{name}'].text()})")
 
+    def show_step(self, name: str, what: str) -> None:
+        """Say in a tooltip which edit an action undoes or does again.
+
+        Args:
+            name: Of the action.
+            what: The edit; "" if there is none.
+        """
+        action = self._actions[name]
+        quoted = f" “{what}”" if what else ""
+        action.setToolTip(f"{action.text()}{quoted} ({SHORTCUTS[f'editor.{name}'].text()})")
+
     def retranslate(self) -> None:
         """Put every word into the operator's language; tooltips name the keys."""
         for name, action in self._actions.items():

@@ -147,6 +147,8 @@ class EditorPage(Page):
         stack = self.document.stack
         stack.canUndoChanged.connect(self._actions["undo"].setEnabled)
         stack.canRedoChanged.connect(self._actions["redo"].setEnabled)
+        stack.undoTextChanged.connect(partial(self._actions.show_step, "undo"))
+        stack.redoTextChanged.connect(partial(self._actions.show_step, "redo"))
         self._actions["undo"].setEnabled(False)
         self._actions["redo"].setEnabled(False)
         self.document.saved_changed.connect(self._show_title)
@@ -385,6 +387,8 @@ class EditorPage(Page):
     def retranslate_ui(self) -> None:
         """Put every word into the operator's language."""
         self._actions.retranslate()
+        self._actions.show_step("undo", self.document.stack.undoText())
+        self._actions.show_step("redo", self.document.stack.redoText())
         self._show_count()
         self.model.retranslate()
         self._note.setPlaceholderText(self.tr("What this trajectory is for"))

@@ -9,8 +9,8 @@ from functools import partial
 from PySide6.QtCore import QObject, Signal
 
 from armui.control.events import Level
-from armui.trajectory.library.history import Deletion, LibraryHistory, Renaming, Step
-from armui.trajectory.library.store import Deleted
+from armui.trajectory.library.history import Deletion, LibraryHistory, Origin, Renaming, Step
+from armui.trajectory.library.store import Deleted, Listing
 from armui.trajectory.points.program import Trajectory
 from armui.ui.trajectory.library.library_work import LibraryWork
 from armui.ui.trajectory.text import name_list
@@ -47,6 +47,18 @@ class LibraryActions(QObject):
         """What would be undone next."""
         return self._history.last
 
+    def listing(self) -> Listing:
+        """Return the library as it is now; what it no longer lets be undone is offered no more.
+
+        For the thread that works on the library.
+
+        Raises:
+            LibraryError: The folder cannot be read.
+        """
+        seen = self._library.listing()
+        self._history.drop_outdated(seen)
+        return seen
+
     def create(self, then: Callable[[Trajectory], object]) -> None:
         """Put an empty trajectory into the library, and hand it on."""
         wanted = self.tr("Trajectory")
@@ -55,7 +67,7 @@ class LibraryActions(QObject):
             name = self._library.free_name(wanted)
             trajectory = Trajectory(name, modified=datetime.now().astimezone())
             self._library.save(trajectory)
-            self._history.note_made([name])
+            self._history.note_made([name], Origin.CREATED)
             return trajectory
 
         def made(trajectory: Trajectory) -> None:
@@ -70,7 +82,7 @@ class LibraryActions(QObject):
         def make() -> list[str]:
             new = self._library.free_name(name)
             self._library.duplicate(name, new)
-            self._history.note_made([new])
+            self._history.note_made([new], Origin.COPIED)
             return [new]
 
         self._work.do(make, self._done, self._on_refused)
@@ -94,11 +106,11 @@ class LibraryActions(QObject):
         gone = deleted.names
         self._done([], partial(self._deleted, gone) if gone else "")
 
-    def note_made(self, names: Sequence[str]) -> None:
+    def note_imported(self, names: Sequence[str]) -> None:
         """Others have put these into the library: that can be undone, too."""
         if names:
             self._work.do(
-                lambda: self._history.note_made(names),
+                lambda: self._history.note_made(names, Origin.IMPORTED),
                 lambda _: self.undo_changed.emit(),
                 self._on_refused,
             )
@@ -157,15 +169,23 @@ class LibraryActions(QObject):
     def _brought_back(self, names: Sequence[str]) -> str:
         return self.tr("Brought back: {names}").format(names=name_list(names))
 
-    def undo_text(self) -> str:
-        """What undoing would do now; "" if there is nothing to undo."""
+    def undo_text(self) -> tuple[str, str]:
+        """Return what would be undone now and what that does; empty texts if there is nothing."""
         step = self._history.last
         if step is None:
-            return ""
+            return "", ""
+        names = name_list(step.names)
         if isinstance(step, Deletion):
-            text = self.tr("Undo: bring back {names}")
+            text, effect = self.tr("Undo deleting “{names}”"), self.tr("Brings it back.")
         elif isinstance(step, Renaming):
-            text = self.tr("Undo: call it {names} again")
+            text = self.tr("Undo renaming to “{names}”")
+            effect = self.tr("It is called “{names}” again.").format(names=names)
+            names = step.new
         else:
-            text = self.tr("Undo: delete {names}")
-        return text.format(names=name_list(step.names))
+            text = {
+                Origin.CREATED: self.tr("Undo creating “{names}”"),
+                Origin.COPIED: self.tr("Undo copying to “{names}”"),
+                Origin.IMPORTED: self.tr("Undo importing “{names}”"),
+            }[step.origin]
+            effect = self.tr("Deletes it; for 30 days it can be brought back.")
+        return text.format(names=names), effect

@@ -164,7 +164,7 @@ class LibraryPage(Page):
             choose: The names to be chosen; those chosen before by default.
         """
         self._work.do(
-            lambda: (self._library.listing(), self._presence.others()),
+            lambda: (self._actions.listing(), self._presence.others()),
             lambda seen: self._show_listing(choose, *seen),
             lambda text: self._say(text, Level.FAULT),
         )
@@ -177,6 +177,7 @@ class LibraryPage(Page):
         self._watch.follow(exists=listing.exists)
         self._company.show_others(others)
         self._bin_button.refresh()
+        self._undo_button.show_step()
         if choose:
             self._uncover(names)
         if changed or choose is not None:
@@ -211,7 +212,7 @@ class LibraryPage(Page):
         self._table.setFocus()
 
     def _on_imported(self, names: Sequence[str]) -> None:
-        self._actions.note_made(names)
+        self._actions.note_imported(names)
         self.refresh(names)
 
     def chosen(self) -> list[IndexEntry]:

@@ -35,10 +35,10 @@ class UndoButton(Translated, QPushButton):
 
     def show_step(self) -> None:
         """Say what would be undone now."""
-        text = self._actions.undo_text()
+        text, effect = self._actions.undo_text()
         room_px = _WIDEST_PX - _SIDES_PX
         self.setText(self.fontMetrics().elidedText(text, Qt.TextElideMode.ElideRight, room_px))
-        self.setToolTip(f"{text} ({key_text('library.undo')})")
+        self.setToolTip(f"{text} ({key_text('library.undo')})\n{effect}")
         self.setAccessibleName(text)
         self.setVisible(bool(text))
 
