@@ -57,6 +57,16 @@ def test_an_arm_just_connected_is_enabled_from_the_line(online):
     assert online.firmware.enabled == (True,) * 6
 
 
+def test_an_arm_that_moves_is_not_called_ready(ready):
+    ready.type_into("target_field_1", "40")
+    ready.click("send_button")
+    reads(ready, "The arm is moving")
+    assert ready.controller.operating_state.moving
+    ready.run_until(lambda: not ready.controller.operating_state.moving)
+    reads(ready, "Ready")
+    assert ready.controller.state.joints_deg[0].value == pytest.approx(40, abs=0.1)
+
+
 def test_from_the_stop_back_to_ready(ready):
     ready.click("stop_button")
     reads(ready, "power will be cut and the arm drops")

@@ -5,7 +5,7 @@ from dataclasses import replace
 
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QComboBox, QListWidget, QSpinBox, QWidget
+from PySide6.QtWidgets import QComboBox, QListWidget, QSpinBox, QToolTip, QWidget
 
 from armui.control.run.progress import RunPhase
 from armui.protocol.codes import MoveMode
@@ -141,13 +141,17 @@ def test_a_pause_holds_the_arm(any_driver):
     operator.app_driver.run(0.3)
     operator.app_driver.click("run_pause")
     operator.app_driver.run(1.5)
+    assert operator.text("recovery_text") == "Paused: hold “Continue” for 1 s"
     here = tuple(operator.app_driver.firmware.joints_deg)
     operator.app_driver.run(1.0)
     assert math.dist(here, operator.app_driver.firmware.joints_deg) < 0.001
     assert operator.text("run_continue") == "Continue"
     operator.app_driver.click("run_continue")
     assert operator.progress.phase is RunPhase.PAUSED
+    assert QToolTip.text() == "Hold it for 1 s, with the mouse or the space bar."
     operator.app_driver.hold_button("run_continue")
+    operator.app_driver.run(0.2)
+    assert operator.text("recovery_text") == "A trajectory is running"
     operator.until_over()
     assert operator.visits(BACK) == 1
 
@@ -162,8 +166,11 @@ def test_step_by_step_from_the_second_row(app_driver):
     assert (operator.visits(OUT), operator.visits(BACK)) == (0, 1)
     operator.app_driver.run(1.0)
     assert operator.progress.index == 1
+    assert operator.text("recovery_text") == "Waiting: press “Next step”"
     operator.app_driver.click("run_pause")
     operator.until_over()
+    operator.app_driver.run(0.5)
+    assert operator.text("recovery_text") == "Ready"
     assert operator.visits(UP) == 1
 
 

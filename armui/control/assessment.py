@@ -23,6 +23,7 @@ from armui.control.operating_state import (
     StopState,
     why_unreachable,
 )
+from armui.control.run.progress import RunPhase
 from armui.control.safety import interlocks
 from armui.protocol.generation import Generation
 
@@ -35,6 +36,7 @@ class ActiveTasks(NamedTuple):
     recording: bool = False
     altering: str | None = None
     run_sets_lamps: bool = False
+    run_phase: RunPhase = RunPhase.IDLE
 
 
 @dataclass(frozen=True, slots=True)
@@ -102,6 +104,7 @@ def assess(state: ArmState, around: AssessmentInputs, now_s: float) -> Operating
         ),
         cannot_run=cannot_run,
         running=tasks.running,
+        run_phase=tasks.run_phase,
         jogging=tasks.jogging,
         recording=tasks.recording,
         cannot_send_motion=authority.why_silent() or authority.other.why_not(),

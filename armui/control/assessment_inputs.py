@@ -75,6 +75,7 @@ class Assessor:
         )
         busy = controller.motors.busy or (Busy.ZEROING if controller.zeroing.busy else None)
         resuming = busy is Busy.RESUMING
+        run = controller.replayer if controller.replayer.running else controller.player
         return AssessmentInputs(
             link=connection.link,
             device=connection.device,
@@ -90,7 +91,8 @@ class Assessor:
             authority=self._watch.authority,
             other_host=self._watch.report(),
             tasks=ActiveTasks(
-                running=controller.player.running or controller.replayer.running,
+                running=run.running,
+                run_phase=run.phase,
                 jogging=controller.jogging.active,
                 recording=controller.recorder.recording,
                 altering=controller.transactions.altering,

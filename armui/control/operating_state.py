@@ -15,6 +15,7 @@ from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import Six
 from armui.control.motion.motion_command import Hold, Mover
+from armui.control.run.progress import RunPhase
 from armui.protocol.addressing import Addressing
 from armui.protocol.generation import Generation
 from armui.protocol.piper_model import PiperModel
@@ -105,6 +106,7 @@ class OperatingState:
         cannot_move, cannot_enable: Why not, or ``None``: it may.
         cannot_run: Why a trajectory cannot be run, or the one that runs cannot go on.
         running: A run or a replay is under way, be it that it dwells, waits or is paused.
+        run_phase: What that is doing now, or how the last one ended.
         jogging: Something is held that moves the arm.
         recording: The program records where the arm goes.
         altering: What of the arm is being set that a motion counts on; ``None``: nothing.
@@ -146,6 +148,7 @@ class OperatingState:
     speed_percent: int = 0
     moving: bool = False
     running: bool = False
+    run_phase: RunPhase = RunPhase.IDLE
     jogging: bool = False
     recording: bool = False
     cannot_send_motion: Refusal | None = None

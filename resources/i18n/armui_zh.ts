@@ -7217,6 +7217,34 @@ The other program must have ended.</source>
         <source>Another program drives the arm in {other_mode} mode. Nothing is sent by itself: a new mode leaves the joints limp. Stop that program first.</source>
         <translation>另一程序正以{other_mode}模式驱动机械臂。本程序不会自行发送任何指令：切换模式会使关节失力。请先停止该程序。</translation>
     </message>
+    <message>
+        <source>The arm holds back a paused motion to {target}. Hold “Continue” for 1 s, or give it up.</source>
+        <translation>机械臂保留着已暂停的运动，目标 {target}。按住“继续”1 秒，或放弃它。</translation>
+    </message>
+    <message>
+        <source>The arm holds back a motion to {target} at 0 %. Set a speed and hold “Continue” for 1 s, or give it up.</source>
+        <translation>速度为 0 %，机械臂保留着运动，目标 {target}。请设定速度后按住“继续”1 秒，或放弃它。</translation>
+    </message>
+    <message>
+        <source>Paused: hold “Continue” for 1 s</source>
+        <translation>已暂停：按住“继续”1 秒</translation>
+    </message>
+    <message>
+        <source>Waiting: press “Next step”</source>
+        <translation>等待中：请按“下一步”</translation>
+    </message>
+    <message>
+        <source>A trajectory is running</source>
+        <translation>正在执行轨迹</translation>
+    </message>
+    <message>
+        <source>The arm is moving</source>
+        <translation>机械臂正在运动</translation>
+    </message>
+    <message>
+        <source>The replay is paused. Hold “Continue” for 1 s under Teaching, or terminate it.</source>
+        <translation>示教轨迹已暂停。可在【示教】中按住“继续执行”1 秒，或终止执行。</translation>
+    </message>
 </context>
 <context>
     <name>Refusal</name>
@@ -10647,6 +10675,13 @@ Afterwards the motors must be enabled again.</source>
     <message>
         <source>There is no next step now.</source>
         <translation>现在没有下一步。</translation>
+    </message>
+</context>
+<context>
+    <name>HoldButton</name>
+    <message>
+        <source>Hold it for {seconds} s, with the mouse or the space bar.</source>
+        <translation>请按住 {seconds} 秒（鼠标左键或空格键）。</translation>
     </message>
 </context>
 </TS>

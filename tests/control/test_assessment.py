@@ -16,6 +16,7 @@ from armui.control.assessment import ActiveTasks, AssessmentInputs, assess
 from armui.control.link.offsets import OffsetFollower
 from armui.control.motion.motion_command import Hold, Mover
 from armui.control.operating_state import Busy, LinkState, StopState
+from armui.control.run.progress import RunPhase
 from armui.protocol.addressing import Addressing
 from armui.protocol.codes import ArmStatusCode, ControlMode
 from armui.protocol.generation import Generation
@@ -321,7 +322,7 @@ def test_what_the_program_does_and_knows_is_told(console):
         stop_lapsed=True,
         busy=Busy.ZEROING,
         generation=Generation.ONE,
-        tasks=ActiveTasks(True, True, True, "zero", True),
+        tasks=ActiveTasks(True, True, True, "zero", True, RunPhase.PAUSED),
     )
     console.inputs.offsets.addressing = Addressing(0x10, 0x20)
     operating = console.assess()
@@ -331,6 +332,7 @@ def test_what_the_program_does_and_knows_is_told(console):
     assert (operating.stop_unconfirmed, operating.stop_lapsed) == (True, True)
     assert operating.busy is Busy.ZEROING
     assert (operating.running, operating.jogging, operating.recording) == (True, True, True)
+    assert operating.run_phase is RunPhase.PAUSED
     assert (operating.altering, operating.run_sets_lamps) == ("zero", True)
     assert (operating.speed_percent, operating.generation) == (30, Generation.ONE)
     assert operating.addressing == Addressing(0x10, 0x20)

@@ -15,7 +15,7 @@ from armui.arm.other_hosts import OtherHosts, OtherTraffic
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import ArmState, DriverSlow, Reading, Status
-from armui.control.assessment import AssessmentInputs, assess
+from armui.control.assessment import ActiveTasks, AssessmentInputs, assess
 from armui.control.authority import Authority
 from armui.control.devices.teaching_phase import why_not
 from armui.control.events import Level
@@ -27,8 +27,9 @@ from armui.control.operating_state import (
     OtherHostReport,
     StopState,
 )
+from armui.control.run.progress import OVER, RunPhase
 from armui.control.safety.recovery_rules import next_step
-from armui.control.safety.recovery_steps import Action, Step, StepKind
+from armui.control.safety.recovery_steps import UNHINDERED, Action, Step, StepKind
 from armui.protocol.codes import ArmStatusCode, ControlMode, TeachingState
 from armui.protocol.generation import Generation
 from armui.ui import words
@@ -209,6 +210,9 @@ def in_company() -> Iterator[tuple[ArmState, OperatingState]]:
     state, authority = arm(status(reached=False)), Authority()
     authority.cancelled(NOW_S - 2.0)
     yield state, operating_state(state, authority=authority)
+    for phase in set(RunPhase) - OVER:
+        state = arm(status(reached=phase is not RunPhase.MOVING))
+        yield state, operating_state(state, tasks=ActiveTasks(running=True, run_phase=phase))
     device = Device("virtual", "test", listen_only=True)
     yield state, operating_state(state, device=device)
 
@@ -257,7 +261,7 @@ WAITS = {
         StepKind.NO_SOLUTION,
         StepKind.SINGULARITY,
     ),
-    StepKind.READY,
+    *UNHINDERED,
 }
 
 
@@ -288,6 +292,31 @@ def test_each_code_of_the_status_has_a_step_of_its_own(code):
     kinds = [step_of(arm(status(arm_status=each))).kind for each in STATUSES]
     assert kinds.count(kinds[STATUSES.index(code)]) == 1
     assert (kinds[STATUSES.index(code)] is StepKind.READY) is (code == ArmStatusCode.NORMAL)
+
+
+@pytest.mark.parametrize(
+    ("phase", "kind"),
+    [
+        (RunPhase.MOVING, StepKind.RUNNING),
+        (RunPhase.DWELLING, StepKind.RUNNING),
+        (RunPhase.WAITING, StepKind.RUN_WAITS),
+        (RunPhase.PAUSED, StepKind.RUN_PAUSED),
+        (RunPhase.STOPPING, StepKind.MOVING),
+    ],
+)
+def test_a_run_is_not_called_ready(phase, kind):
+    assert step_of(arm(status()), tasks=ActiveTasks(running=True, run_phase=phase)).kind is kind
+    # a fault is said first
+    state = arm(status(arm_status=ArmStatusCode.SINGULARITY))
+    tasks = ActiveTasks(running=True, run_phase=phase)
+    assert step_of(state, tasks=tasks).kind is StepKind.SINGULARITY
+
+
+def test_an_arm_on_its_way_is_not_called_ready():
+    authority = Authority()
+    state = arm(status(reached=False))
+    assert not authority.at_rest
+    assert step_of(state, authority=authority).kind is StepKind.MOVING
 
 
 def test_what_a_step_is_about_is_named():

@@ -6,7 +6,7 @@ import pytest
 from PySide6.QtCore import QEvent, QPoint, Qt
 from PySide6.QtGui import QKeyEvent
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QVBoxLayout, QWidget
+from PySide6.QtWidgets import QToolTip, QVBoxLayout, QWidget
 
 from armui.ui.dialogs.confirm import confirm
 from armui.ui.dialogs.confirm_dialog import ConfirmDialog
@@ -66,6 +66,34 @@ def test_clicks_do_nothing(button):
     QTest.keyClick(button, Qt.Key.Key_Return)
     wait(button)
     assert button.count == 0
+
+
+def test_it_says_that_it_wants_to_be_held(button):
+    hint = "Hold it for 1 s, with the mouse or the space bar."
+    assert button.toolTip() == hint
+    assert button.accessibleDescription() == hint
+    button.setToolTip("It drops.")
+    assert button.toolTip() == f"It drops.\n{hint}"
+
+
+@pytest.mark.parametrize("click", ["mouse", "key", "program"])
+def test_a_short_click_says_in_a_line_what_is_wanted(button, click):
+    if click == "mouse":
+        QTest.mouseClick(button, LEFT)
+    elif click == "key":
+        QTest.keyClick(button, Qt.Key.Key_Space)
+    else:
+        button.click()
+    assert QToolTip.text() == "Hold it for 1 s, with the mouse or the space bar."
+
+
+def test_held_to_the_end_it_says_nothing(button):
+    QToolTip.hideText()
+    QTest.mousePress(button, LEFT)
+    wait(button)
+    QTest.mouseRelease(button, LEFT)
+    assert button.count == 1
+    assert not QToolTip.isVisible()
 
 
 def test_the_space_bar_holds_too(button):

@@ -6,7 +6,6 @@ from PySide6.QtWidgets import QLabel
 from armui.control.events import Level
 from armui.control.safety.recovery_steps import Step, StepKind
 from armui.ui.shell.recovery_line import RecoveryLine
-from tests.ui.arm_states import operating_state
 
 
 @pytest.fixture
@@ -17,24 +16,19 @@ def line(qtbot, controller):
     return line
 
 
-def said(line):
-    return line.findChild(QLabel, "recovery_text").text()
-
-
-def test_a_run_is_not_called_ready(line, controller):
-    controller.be(operating_state())
-    controller.recovery.show(Step(StepKind.READY, Level.DONE))
-    assert said(line) == "Ready"
-    controller.be(operating_state(running=True))
-    assert said(line) == "A trajectory is running"
-    assert line.accessibleName() == "A trajectory is running"
-    controller.be(operating_state())
-    assert said(line) == "Ready"
-
-
-def test_what_stands_in_the_way_of_a_run_is_said_first(line, controller):
-    controller.be(operating_state(running=True))
-    controller.recovery.show(Step(StepKind.PAUSED, Level.WARNING))
-    assert said(line) != "A trajectory is running"
-    controller.recovery.show(Step(StepKind.READY, Level.DONE))
-    assert said(line) == "A trajectory is running"
+@pytest.mark.parametrize(
+    ("kind", "level", "said", "sign"),
+    [
+        (StepKind.READY, Level.DONE, "Ready", True),
+        (StepKind.MOVING, Level.INFO, "The arm is moving", False),
+        (StepKind.RUNNING, Level.INFO, "A trajectory is running", False),
+        (StepKind.RUN_WAITS, Level.INFO, "Waiting: press “Next step”", True),
+        (StepKind.RUN_PAUSED, Level.WARNING, "Paused: hold “Continue” for 1 s", True),
+    ],
+)
+def test_it_says_what_the_arm_is_at(line, controller, kind, level, said, sign):
+    controller.recovery.show(Step(kind, level))
+    text = line.findChild(QLabel, "recovery_text")
+    assert (text.text(), line.accessibleName()) == (said, said)
+    icon = text.parentWidget().findChildren(QLabel)[0]
+    assert icon.pixmap().isNull() is not sign

@@ -49,6 +49,11 @@ class Execution(QObject, ControllerPart):
         """Whether it moves the arm, or will."""
         return self._phase not in OVER
 
+    @property
+    def phase(self) -> RunPhase:
+        """What it is doing now, or how it ended."""
+        return self._phase
+
     def end(self, reason: Refusal) -> None:
         """End it at once, because something else happens that it cannot go on beside."""
         if self.running:

@@ -18,6 +18,7 @@ from armui.control.devices.teaching_phase import (
 )
 from armui.control.motion.motion_command import Hold
 from armui.control.operating_state import LinkState, OperatingState, StopState
+from armui.control.run.progress import RunPhase
 from armui.control.safety import interlocks
 from armui.control.safety.recovery_steps import Params
 from armui.protocol.codes import ArmStatusCode, ControlMode
@@ -193,6 +194,16 @@ def held_back(hold: Hold) -> Applies:
         return {"target": operating_state.held_target_deg}
 
     return applies
+
+
+def run_is(*phases: RunPhase) -> Applies:
+    """Applies while a run or a replay is in one of these phases."""
+    return when(lambda view: view.operating_state.run_phase in phases)
+
+
+def moves(view: RecoveryView) -> bool:
+    """Tell whether the arm is on its way, or comes to rest after a run that was ended."""
+    return view.operating_state.moving or view.operating_state.running
 
 
 def near_rest(view: RecoveryView) -> bool:

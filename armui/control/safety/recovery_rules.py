@@ -18,6 +18,7 @@ from armui.control.devices.teaching_phase import TeachingPhase
 from armui.control.events import Level
 from armui.control.motion.motion_command import Hold
 from armui.control.operating_state import LinkState, OperatingState, StopState
+from armui.control.run.progress import RunPhase
 from armui.control.safety.recovery_conditions import (
     Applies,
     RecoveryView,
@@ -30,6 +31,7 @@ from armui.control.safety.recovery_conditions import (
     joints_flagged,
     link_is,
     motors_mixed,
+    moves,
     near_rest,
     not_heard,
     other_control,
@@ -37,6 +39,7 @@ from armui.control.safety.recovery_conditions import (
     other_mode,
     other_mode_that_ends,
     overspeed,
+    run_is,
     status_flags,
     stop_lapsed_away,
     stop_waits,
@@ -284,5 +287,9 @@ _RULES: Final = (
     ),
     _Rule(StepKind.NO_SOLUTION, Level.WARNING, None, has_code(ArmStatusCode.NO_SOLUTION)),
     _Rule(StepKind.SINGULARITY, Level.WARNING, None, has_code(ArmStatusCode.SINGULARITY)),
+    _Rule(StepKind.RUN_PAUSED, Level.WARNING, None, run_is(RunPhase.PAUSED)),
+    _Rule(StepKind.RUN_WAITS, Level.INFO, None, run_is(RunPhase.WAITING)),
+    _Rule(StepKind.RUNNING, Level.INFO, None, run_is(RunPhase.MOVING, RunPhase.DWELLING)),
+    _Rule(StepKind.MOVING, Level.INFO, None, when(moves)),
     _Rule(StepKind.READY, Level.DONE, None, when(lambda _view: True)),
 )

@@ -111,7 +111,23 @@ class StepKind(enum.Enum):
     TARGET_BEYOND_LIMIT = "target_beyond_limit"
     NO_SOLUTION = "no_solution"
     SINGULARITY = "singularity"
+    RUN_PAUSED = "run_paused"
+    RUN_WAITS = "run_waits"
+    RUNNING = "running"
+    MOVING = "moving"
     READY = "ready"
+
+
+UNHINDERED: Final = frozenset(
+    {
+        StepKind.RUN_PAUSED,
+        StepKind.RUN_WAITS,
+        StepKind.RUNNING,
+        StepKind.MOVING,
+        StepKind.READY,
+    }
+)
+"""Nothing stands in the way: the arm moves as it was told, or may be moved."""
 
 
 Params = Mapping[str, object]

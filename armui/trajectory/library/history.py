@@ -52,7 +52,7 @@ class Deletion:
 
     def is_possible(self, _seen: Listing) -> bool:
         """Tell whether something of it is still in the bin."""
-        return any(os.path.exists(place) for _, place in self.deleted.places)
+        return any(os.path.exists(place) for _, place in self.deleted.places)  # noqa: PTH110 - never raises
 
     def undo(self, library: Library) -> tuple[str, ...]:
         """Undo it; returns the names of what came of it."""

@@ -14,7 +14,7 @@ from armui.arm.state import ArmState
 from armui.control.arm_controller import ArmController
 from armui.control.events import Event, Level
 from armui.control.operating_state import LinkState, OperatingState
-from armui.control.safety.recovery_steps import Step, StepKind
+from armui.control.safety.recovery_steps import UNHINDERED, Step, StepKind
 from armui.ui import words
 from armui.ui.dialogs.confirm import confirm
 from armui.ui.widgets.buttons import named
@@ -33,7 +33,7 @@ _LEVELS: Final = {
 _GAP_PX: Final = 10
 _HEAD_PX: Final = 36
 """A title alone is as high as one with buttons beside it: what is below keeps its place."""
-_SAID_ONLY_HERE: Final = frozenset({StepKind.READY, StepKind.STATUS_UNKNOWN})
+_SAID_ONLY_HERE: Final = UNHINDERED | {StepKind.STATUS_UNKNOWN}
 """Steps whose line does not say why: nothing is wrong, or the panel names what is silent."""
 
 

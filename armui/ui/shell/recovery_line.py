@@ -33,7 +33,9 @@ _TOP_PX: Final = 6
 _PADDING_PX: Final = 5
 _TWO_LINES: Final = "急\n急"
 
-_CALM: Final = frozenset({StepKind.OPENING, StepKind.HANDSHAKE, StepKind.READY})
+_CALM: Final = frozenset(
+    {StepKind.OPENING, StepKind.HANDSHAKE, StepKind.RUNNING, StepKind.MOVING, StepKind.READY}
+)
 """Nothing is wrong: said in muted words without a ground, and without a button."""
 
 
@@ -65,7 +67,6 @@ class RecoveryLine(Translated, QWidget):
         self._step = controller.recovery.step if begun else NO_DEVICE
         self._pressed = self._step
         self._pressed_for = controller.mark
-        self._says_running = False
         self._icon = QLabel()
         self._icon.setFixedWidth(_ICON_PX)
         self._text = text_label("recovery_text", wraps=True, plain=True)
@@ -130,20 +131,13 @@ class RecoveryLine(Translated, QWidget):
         self._show_step()
 
     def _on_operating_state_changed(self, _operating_state: OperatingState) -> None:
-        if self._says_running != self._is_running():
-            self._show_step()
-        elif self._button.isVisible() or self._hold_button.isVisible():
+        if self._button.isVisible() or self._hold_button.isVisible():
             self._show_button()
-
-    def _is_running(self) -> bool:
-        """Nothing stands in the way, and a run or a replay is what the arm is at."""
-        return self._step.kind is StepKind.READY and self._controller.operating_state.running
 
     def _show_step(self) -> None:
         step = self._step
         calm = step.kind in _CALM
-        self._says_running = self._is_running()
-        text = self.tr("A trajectory is running") if self._says_running else words.step(step)
+        text = words.step(step)
         self._text.setText(text)
         self._text.setProperty("rank", "muted" if calm else None)
         repolish(self._text)

@@ -4,14 +4,15 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Final
 
-from PySide6.QtCore import QRectF, QSize, QVariantAnimation, Signal
+from PySide6.QtCore import QPoint, QRect, QRectF, QSize, QVariantAnimation, Signal
 from PySide6.QtGui import QColor, QPaintEvent, QPen
-from PySide6.QtWidgets import QPushButton
+from PySide6.QtWidgets import QPushButton, QToolTip
 
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.ui.theme import colors_of
 from armui.ui.widgets import painting
+from armui.ui.widgets.translated import Translated
 
 if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
@@ -20,18 +21,20 @@ if TYPE_CHECKING:
 HOLD_MS: Final = 1000
 """Long enough to be meant, short enough to be waited for."""
 
+_HINT_MS: Final = 4000
 _RING_PX: Final = 16.0
 _GAP_PX: Final = 8
 _FULL_TURN: Final = 360 * 16
 _TOP: Final = 90 * 16
 
 
-class HoldButton(QPushButton):
+class HoldButton(Translated, QPushButton):
     """Held with the mouse or the space bar for a second, it acts; a ring shows how far it is.
 
     Letting go, leaving the button, losing the focus, being disabled and being hidden all begin
-    anew. A click alone does nothing. Nor does it act on another arm than the one that was there
-    when it went down.
+    anew. A click alone does nothing but say, in one line at the button, that it wants to be held;
+    its tooltip says so, too. Nor does it act on another arm than the one that was there when it
+    went down.
 
     Args:
         controller: Knows the arm.
@@ -49,6 +52,8 @@ class HoldButton(QPushButton):
         self._controller = controller
         self._pressed_for: ArmMark | None = None
         self.setAutoDefault(False)
+        self._use = ""
+        self._was_held = False
         self.progress = QVariantAnimation(self)
         self.progress.setStartValue(0.0)
         self.progress.setEndValue(1.0)
@@ -57,23 +62,48 @@ class HoldButton(QPushButton):
         self.progress.finished.connect(self._on_finished)
         self.pressed.connect(self._on_pressed)
         self.released.connect(self._begin_anew)
+        self.clicked.connect(self._on_clicked)
+        self.retranslate_ui()
 
     @property
     def share(self) -> float:
         """How much of the time it has been held, 0–1."""
         return self.progress.currentTime() / HOLD_MS
 
+    def setToolTip(self, use: str) -> None:  # noqa: N802 - the name Qt calls
+        """Say what it is for, and that it wants to be held."""
+        self._use = use
+        super().setToolTip("\n".join(filter(None, (use, self._hint()))))
+
+    def retranslate_ui(self) -> None:
+        """Say in the operator's language that it wants to be held."""
+        self.setToolTip(self._use)
+        self.setAccessibleDescription(self._hint())
+
+    def _hint(self) -> str:
+        return self.tr("Hold it for {seconds} s, with the mouse or the space bar.").format(
+            seconds=f"{HOLD_MS / 1000:g}"
+        )
+
     def _on_pressed(self) -> None:
         self._pressed_for = self._controller.mark
+        self._was_held = False
         self.progress.start()
 
     def _on_finished(self) -> None:
+        self._was_held = True
         if self.isDown() and self.isEnabled() and self.isVisible():
             if self._pressed_for is not None and self._pressed_for.is_still(self._controller.mark):
                 self.held.emit()
             else:
                 self._controller.tell_withdrawn(self.text(), Refusal(RefusalCode.ARM_CHANGED))
         self._begin_anew()
+
+    def _on_clicked(self) -> None:
+        """Nothing was done: say why, over the button, where its question may stand below."""
+        if not self._was_held:
+            above = self.mapToGlobal(QPoint(0, -2 * self.height()))
+            QToolTip.showText(above, self._hint(), self, QRect(), _HINT_MS)
 
     def _begin_anew(self) -> None:
         self.progress.stop()

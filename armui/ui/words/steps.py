@@ -87,7 +87,9 @@ _SENTENCES: Final = Texts("RecoveryStep") | {
     ),
     StepKind.RECORDING: "The arm records: lead it by hand. Stop recording when done.",
     StepKind.REPLAYING: "The arm replays what it was taught. Keep clear.",
-    StepKind.REPLAY_PAUSED: "The replay is paused. Continue under Teaching, or terminate it.",
+    StepKind.REPLAY_PAUSED: (
+        "The replay is paused. Hold “Continue” for 1 s under Teaching, or terminate it."
+    ),
     StepKind.OTHER_CONTROL: "The arm takes its commands from elsewhere: {mode}. Take the command.",
     StepKind.CANCEL_UNHEEDED: (
         "The arm was told to end its motion and still moves. Stop it, or cut its power."
@@ -101,11 +103,11 @@ _SENTENCES: Final = Texts("RecoveryStep") | {
     ),
     StepKind.LEADER_ARM: "A leader arm moves this arm since {since} ({frames}, {rate} frames/s).",
     StepKind.PAUSED: (
-        "The arm holds back a paused motion to {target}. Hold Continue, or give it up."
+        "The arm holds back a paused motion to {target}. Hold “Continue” for 1 s, or give it up."
     ),
     StepKind.HELD_AT_ZERO: (
-        "The arm holds back a motion to {target} at 0 %. Set a speed and hold Continue, or give "
-        "it up."
+        "The arm holds back a motion to {target} at 0 %. Set a speed and hold “Continue” for 1 s, "
+        "or give it up."
     ),
     StepKind.MOTORS_UNKNOWN: (
         "Not every motor has reported. If it stays so, check power and cable, and connect again."
@@ -142,6 +144,10 @@ _SENTENCES: Final = Texts("RecoveryStep") | {
         "The way to the last target is singular. The arm stands still; send another target, "
         "or by joints."
     ),
+    StepKind.RUN_PAUSED: "Paused: hold “Continue” for 1 s",
+    StepKind.RUN_WAITS: "Waiting: press “Next step”",
+    StepKind.RUNNING: "A trajectory is running",
+    StepKind.MOVING: "The arm is moving",
     StepKind.READY: "Ready",
 }
 

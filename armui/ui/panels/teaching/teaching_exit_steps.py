@@ -9,7 +9,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QFrame, QLabel
 
 from armui.control.devices.teaching_phase import TeachingPhase
-from armui.control.safety.recovery_steps import Step, StepKind
+from armui.control.safety.recovery_steps import UNHINDERED, Step, StepKind
 from armui.ui.widgets.layouts import empty_grid
 
 _STEPS: Final = 4
@@ -30,7 +30,7 @@ _NUMBER: Final[Mapping[StepKind, int]] = {
 """Which of the four steps is due. The steps are taken in the line above the panels, where the arm's
 own word leads from one to the next."""
 
-_OVER: Final = frozenset({StepKind.READY, StepKind.NO_DEVICE, StepKind.OPENING})
+_OVER: Final = UNHINDERED | {StepKind.NO_DEVICE, StepKind.OPENING}
 
 
 class TeachingExitSteps(QFrame):
