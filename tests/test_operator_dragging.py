@@ -290,6 +290,33 @@ def test_a_drag_changes_the_chosen_point_in_one_step_of_undo(at_editor, no_motio
     assert no_motion() == []
 
 
+def test_the_ghost_goes_with_the_slider_until_a_row_is_chosen(at_editor):
+    QTest.keyClick(at_editor.editor, Qt.Key.Key_E, Qt.KeyboardModifier.ControlModifier)
+    at_editor.look()
+    assert at_editor.ghost == pytest.approx(OUT)  # of the row that is chosen
+    slider = at_editor.app_driver.find("preview_slider")
+    slider.setFocus()
+    QTest.keyClick(slider, Qt.Key.Key_End)
+    QTest.keyClick(slider, Qt.Key.Key_Home)
+    for _ in range(3):
+        at_editor.look()
+        assert at_editor.ghost == pytest.approx((0.0,) * 6, abs=0.5)
+    QTest.keyClick(slider, Qt.Key.Key_PageUp)
+    on_the_way = at_editor.ghost
+    at_editor.look()
+    assert at_editor.ghost == on_the_way
+    at_editor.editor.table.select_row(1)
+    at_editor.look()
+    assert at_editor.ghost[1] == pytest.approx(86.145, abs=0.01)
+    at_editor.editor.table.select_row(0)
+    at_editor.look()
+    assert at_editor.ghost == pytest.approx(OUT, abs=0.5)
+    QTest.keyClick(slider, Qt.Key.Key_Home)
+    at_editor.drag(at_editor.grip(GripKind.AXIS, 2), (0.0, -20.0))  # what is dragged is seen
+    assert at_editor.editor.document.points[0].target != OUT
+    assert at_editor.ghost == pytest.approx(at_editor.editor.document.points[0].target, abs=0.01)
+
+
 def test_a_drag_that_is_given_up_changes_nothing(at_editor):
     editor = at_editor.editor
     grip = at_editor.grip(GripKind.RING, 2)

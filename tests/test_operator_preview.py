@@ -99,6 +99,19 @@ def test_another_point_takes_the_preview_away(at):
     assert not at.app_driver.find("preview_bar").isVisible()
 
 
+def test_a_preview_is_played_and_paused(at):
+    at.check()
+    app_driver = at.app_driver
+    assert app_driver.read("preview_play") == "Play"
+    app_driver.click("preview_play")
+    assert app_driver.read("preview_play") == "Pause"  # halting is what F9 does to the arm
+    app_driver.click("preview_play")
+    assert app_driver.read("preview_play") == "Play"
+    app_driver.store.change(language="zh")
+    app_driver.click("preview_play")
+    assert app_driver.read("preview_play") == "暂停"
+
+
 def test_the_operator_closes_the_preview(at):
     at.check()
     at.app_driver.click("preview_close")

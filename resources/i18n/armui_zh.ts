@@ -6360,6 +6360,10 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <source>Close preview</source>
         <translation>关闭预览</translation>
     </message>
+    <message>
+        <source>Pause</source>
+        <translation>暂停</translation>
+    </message>
 </context>
 <context>
     <name>QAbstractFileIconProvider</name>
@@ -10406,6 +10410,14 @@ Afterwards the motors must be enabled again.</source>
     <message>
         <source>Let the recording run, or stand still</source>
         <translation>播放或暂停</translation>
+    </message>
+    <message>
+        <source>Pause, at the moment of the frame before</source>
+        <translation>暂停，退到前一帧的时刻</translation>
+    </message>
+    <message>
+        <source>Pause, one frame further</source>
+        <translation>暂停，前进一帧</translation>
     </message>
 </context>
 <context>

@@ -50,7 +50,10 @@ class PathPreview(QObject):
         self._path: PlannedPath | None = None
         self._ends: dict[int, int] = {}
         self._name = ""
+        self._wanted_deg: tuple[float, ...] | None = None
         self._target_deg: tuple[float, ...] | None = None
+        self._scrubbed = False
+        """The operator went to a time; what he did last is where the ghost is."""
         self._shown = NOTHING
         bar.time_changed.connect(self._on_time)
         bar.closed.connect(self._on_closed)
@@ -80,6 +83,7 @@ class PathPreview(QObject):
         """
         self._name = name
         self._path = path
+        self._scrubbed = False
         self._ends = {} if path is None else path.ends()
         if path is None or path.duration_s <= 0.0:
             self._bar.shut()
@@ -97,6 +101,7 @@ class PathPreview(QObject):
         )
         self._shown = Preview(picture, self._shown.selected_row, tuple(path.at(0.0)))
         self._bar.open(path.duration_s)
+        self._scrubbed = False
         self._set(self._shown)
 
     def show_points(
@@ -129,6 +134,7 @@ class PathPreview(QObject):
         self._set(self._shown._replace(selected_row=row))
         if row in self._ends:
             self._bar.go_to(float(self._path.times_s[self._ends[row]]))
+            self._scrubbed = False
         self.row_shown.emit()
 
     def light_row(self, row: int | None) -> None:
@@ -139,6 +145,8 @@ class PathPreview(QObject):
 
     def _on_time(self, time_s: float) -> None:
         if self._path is not None:
+            self._scrubbed = True
+            self._target_deg = None
             self._set(self._shown._replace(ghost_deg=tuple(self._path.at(time_s))))
 
     def _on_closed(self) -> None:
@@ -146,9 +154,16 @@ class PathPreview(QObject):
         self.closed.emit()
 
     def show_target(self, angles_deg: tuple[float, ...] | None) -> None:
-        """Let the ghost stand at a target, instead of on the path; None: no longer."""
-        if self._bar.is_playing:
-            angles_deg = None  # the ghost goes through the motion
+        """Let the ghost stand at a target, instead of on the path; None: no longer.
+
+        Once the operator has gone to a time of the motion, the ghost is there, until a row is
+        chosen or the target is another.
+        """
+        if angles_deg is not None and angles_deg != self._wanted_deg:
+            self._wanted_deg = angles_deg
+            self._scrubbed = False
+        if self._scrubbed or self._bar.is_playing:
+            angles_deg = None
         if angles_deg != self._target_deg:
             self._target_deg = angles_deg
             self._set(self._shown)

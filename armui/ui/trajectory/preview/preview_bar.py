@@ -109,7 +109,7 @@ class PreviewBar(Translated, QFrame):
             self._play.setChecked(False)
 
     def _name_play(self) -> None:
-        text = self.tr("Halt") if self._play.isChecked() else self.tr("Play")
+        text = self.tr("Pause") if self._play.isChecked() else self.tr("Play")
         tip = self.tr("Moves the ghost arm only; the real arm stays where it is.")
         caption(self._play, text, tip=tip)
 

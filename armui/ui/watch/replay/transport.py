@@ -99,8 +99,8 @@ class Transport(Translated, QWidget):
         self.buttons["next_fault"].setText(self.tr("Next fault"))
         self._tell("previous_fault", self.tr("To the fault or stop before"))
         self._tell("next_fault", self.tr("To the next fault or stop"))
-        self._tell("step_back", self.tr("Stand still, at the moment of the frame before"))
-        self._tell("step", self.tr("Stand still, one frame further"))
+        self._tell("step_back", self.tr("Pause, at the moment of the frame before"))
+        self._tell("step", self.tr("Pause, one frame further"))
         self.speeds.setAccessibleName(self.tr("Speed of the replay"))
         self.speeds.setToolTip(
             self.tr("How many times as fast as it was. Above 4× not every frame is looked at.")
