@@ -1192,6 +1192,30 @@
         <source>; {count} further columns are left out</source>
         <translation>；另有 {count} 列未显示</translation>
     </message>
+    <message>
+        <source>Columns {columns} may be radians or degrees: say which.</source>
+        <translation>第 {columns} 列可能是弧度，也可能是度：请选择。</translation>
+    </message>
+    <message>
+        <source>Or choose “{choice}” under “{becomes}”: the columns suffice for that.</source>
+        <translation>或把“{becomes}”改为“{choice}”：现有的列已足够。</translation>
+    </message>
+    <message>
+        <source>What is needed depends on “{becomes}”.</source>
+        <translation>需要哪些列取决于“{becomes}”。</translation>
+    </message>
+    <message>
+        <source>The angles are in different units: {columns}. Check that this is meant.</source>
+        <translation>各角度的单位不同：{columns}。请确认无误。</translation>
+    </message>
+    <message>
+        <source>Radians</source>
+        <translation>弧度</translation>
+    </message>
+    <message>
+        <source>Degrees</source>
+        <translation>度</translation>
+    </message>
 </context>
 <context>
     <name>CommandPalette</name>

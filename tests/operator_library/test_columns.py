@@ -42,7 +42,8 @@ def test_what_is_missing_is_said_until_nothing_is(operator):
     for joint in range(1, 7):
         assert not button.isEnabled()
         missing = ", ".join(f"J{left}" for left in range(joint, 7))
-        assert operator.message() == f"Still missing: {missing}. Say which columns hold them."
+        said = f"Still missing: {missing}. Say which columns hold them."
+        assert operator.message() == f"{said} What is needed depends on “Becomes”."
         assert button.toolTip() == operator.message()
         operator.call(joint + 1, f"J{joint}")
     assert operator.message() == ""
@@ -66,6 +67,15 @@ def test_waits_and_radians_as_the_maker_records_them(operator):
     assert operator.columns() == ["Wait s", *joints, "Gripper m"]
     origin = operator.page.findChild(QWidget, "column_origin_2")
     assert origin.text() == "Guessed: check it"
+    asked = "Columns 2, 3, 4, 5, 6, 7 may be radians or degrees: say which."
+    assert operator.message() == asked
+    assert not operator.child("import").isEnabled()
+    assert operator.child("import").toolTip() == asked
+    operator.app_driver.click(operator.child("radians"))
+    assert operator.message() == ""
+    assert not operator.child("radians").isVisible()
+    assert origin.text() == ""
+    assert operator.columns() == ["Wait s", *joints, "Gripper m"]
     operator.take()
     kept = operator.library.load("taught")
     assert kept.times_s == pytest.approx([0.0, 0.01])
@@ -73,14 +83,86 @@ def test_waits_and_radians_as_the_maker_records_them(operator):
     assert kept.gripper_mm == pytest.approx([50.0, 50.0])
 
 
-def test_another_unit_of_one_joint_is_that_of_all(operator):
+def test_small_angles_may_be_degrees(operator):
     operator.open(taught=RADIANS)
-    operator.choose(operator.box("unit", 4), "°")
+    operator.app_driver.click(operator.child("degrees"))
     joints = [f"J{joint} °" for joint in range(1, 7)]
     assert operator.columns() == ["Wait s", *joints, "Gripper m"]
-    assert operator.page.findChild(QWidget, "column_origin_2").text() == ""
     operator.take()
     assert operator.library.load("taught").joints_deg[1, 1] == pytest.approx(0.6)
+
+
+def test_the_unit_of_one_column_is_its_own(operator):
+    operator.open(taught=RADIANS)
+    operator.choose(operator.box("unit", 4), "°")
+    joints = [f"J{joint} {'°' if joint == 3 else 'rad'}" for joint in range(1, 7)]
+    assert operator.columns() == ["Wait s", *joints, "Gripper m"]
+    assert operator.message() == "Columns 2, 3, 5, 6, 7 may be radians or degrees: say which."
+    operator.app_driver.click(operator.child("radians"))
+    assert operator.columns() == ["Wait s", *joints, "Gripper m"]
+    assert operator.message() == (
+        "The angles are in different units: J1 rad, J2 rad, J3 °, J4 rad, J5 rad, J6 rad. "
+        "Check that this is meant."
+    )
+    operator.take()
+    kept = operator.library.load("taught").joints_deg[1]
+    assert kept[:3] == pytest.approx([math.degrees(0.1), math.degrees(0.6), -0.5])
+
+
+@pytest.mark.parametrize(
+    "brackets", ["[rad]", "(rad)", "{rad}", "<rad>", "（弧度）", "【弧度】", " rad"]
+)
+def test_the_unit_of_a_heading_wins_whatever_its_brackets(operator, brackets):
+    titles = ",".join(f"Achse{joint}{brackets}" for joint in range(1, 7))
+    operator.open(line=f"time[ms],{titles}\n0,0,0.5,-1.047,0,0,0\n20,0,0.5,-1.047,0,0,3\n")
+    assert operator.columns() == ["Time ms", *[f"J{joint} rad" for joint in range(1, 7)]]
+    assert operator.page.findChild(QWidget, "column_origin_4").text() == ""
+    assert operator.message() == ""
+    operator.take()
+    assert operator.library.load("line").joints_deg[0, 2] == pytest.approx(-60.0, abs=0.02)
+
+
+def test_the_unit_of_a_heading_wins_over_the_columns_beside_it_too(operator):
+    operator.open(line="Achse1[deg],Achse2[deg],Weg[rad]\n10,20,-1.047\n20,20,-1.047\n")
+    assert operator.columns() == ["J1 °", "J2 °", "-"]
+    operator.call(3, "J3")
+    assert operator.columns()[2] == "J3 rad"
+    assert operator.page.findChild(QWidget, "column_origin_3").text() == ""
+
+
+def test_what_is_called_by_hand_has_a_unit_that_is_marked_as_guessed(operator):
+    operator.open(line=DEGREES.replace("_deg", ""))
+    operator.call(2, "J1")
+    assert operator.columns()[1] == "J1 °"
+    assert operator.page.findChild(QWidget, "column_origin_2").text() == "Guessed: check it"
+    operator.choose(operator.box("unit", 2), "rad")
+    assert operator.page.findChild(QWidget, "column_origin_2").text() == ""
+
+
+TOOL = "tool_x(mm),tool_y(mm),tool_z(mm),roll[rad],pitch[rad],yaw[rad]\n"
+
+
+def test_the_pose_of_a_tool_becomes_points(operator):
+    operator.open(poses=TOOL + "300,0,250,0,1.4835,0\n300,100,250,0,1.4835,0\n")
+    units = ["X mm", "Y mm", "Z mm", "RX rad", "RY rad", "RZ rad"]
+    assert operator.columns() == units
+    assert operator.child("move").currentText() == "Points, MOVE P"
+    operator.choose(operator.child("move"), "Points, MOVE J")
+    assert operator.message().endswith(
+        "Or choose “Points, MOVE P” under “Becomes”: the columns suffice for that."
+    )
+    operator.choose(operator.child("move"), "Points, MOVE P")
+    operator.take()
+    assert is_open() is False, operator.message()
+    first, _ = operator.library.load("poses").points
+    assert first.target == pytest.approx((300, 0, 250, 0, 85, 0), abs=0.01)
+
+
+def test_half_a_pose_is_asked_for_as_a_pose(operator):
+    text = TOOL.replace("pitch[rad],yaw[rad]", "u[rad],v[rad]")
+    operator.open(poses=text + "300,0,250,0,1.4835,0\n300,100,250,0,1.4835,0\n")
+    assert operator.child("move").currentText() == "Points, MOVE P"
+    assert operator.message().startswith("Still missing: RY, RZ.")
 
 
 def test_a_joint_called_later_is_in_the_unit_of_the_others(operator):
@@ -129,7 +211,7 @@ def test_a_row_that_does_not_fit_is_named_and_nothing_is_kept(operator):
     assert is_open()
     assert operator.library.entries() == []
     operator.call(3, "Ignored")
-    assert operator.message() == "Still missing: J2. Say which columns hold them."
+    assert operator.message().startswith("Still missing: J2. Say which columns hold them.")
 
 
 def test_a_wrong_unit_shows_in_the_limits_it_breaks(operator):
@@ -164,7 +246,7 @@ def test_cancel_changes_nothing_and_the_offer_stays(operator):
 
 
 def test_several_are_offered_one_after_the_other(operator):
-    operator.open(first=TITLED, second=RADIANS)
+    operator.open(first=TITLED, second=TITLED.replace("_deg", "(deg)"))
     operator.take()
     assert operator.told() == "Imported: first\nNot imported yet: second.csv"
     operator.app_driver.click(operator.enable_or_explain)

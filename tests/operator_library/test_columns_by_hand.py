@@ -3,6 +3,7 @@
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QWidget
 
 from tests.operator_library.tables import ANGLES, RADIANS, TITLED, is_open
 
@@ -70,7 +71,9 @@ def test_what_was_said_of_the_columns_stays_while_they_are_the_same(operator):
     operator.choose(operator.box("unit", 1), "rad")
     operator.call(6, "Ignored")
     operator.first_line(2)
-    assert operator.columns() == [*[f"J{joint} rad" for joint in range(1, 6)], "-"]
+    assert operator.columns() == ["J1 rad", *JOINTS[1:5], "-"]
+    origins = [operator.page.findChild(QWidget, f"column_origin_{n}").text() for n in (1, 2)]
+    assert origins == ["", "Guessed: check it"]
     operator.choose(operator.dialect_field("delimiter"), "tab")
     assert len(operator.columns()) == 1
     operator.choose(operator.dialect_field("delimiter"), "blanks")
@@ -104,6 +107,7 @@ def test_a_large_table_shows_its_beginning_and_how_large_it_is(operator):
     operator.open(line=row * 20_000)
     assert "20,000 rows; the first rows are shown" in operator.child("source").text()
     assert len(operator.preview()) == 10
+    operator.app_driver.click(operator.child("radians"))
     operator.take()
     assert operator.library.entries()[0].count == 20_000
 

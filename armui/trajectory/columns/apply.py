@@ -171,7 +171,7 @@ def _points(
     mapping: ColumnMapping,
 ) -> tuple[Waypoint, ...]:
     """A point for each row."""
-    move = mapping.move or MoveMode.MOVE_J
+    move = MoveMode.MOVE_J if mapping.move is None else mapping.move  # MOVE P is 0
     targets = np.column_stack([found[name] for name in (JOINTS if move.name == "MOVE_J" else POSE)])
     empty = np.full(len(targets), np.nan)
     options = (found.get(name, empty).tolist() for name in _MAY_BE_EMPTY)

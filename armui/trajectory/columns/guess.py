@@ -8,10 +8,15 @@ from collections.abc import Mapping, Sequence
 from itertools import pairwise
 from typing import Final
 
-from armui.trajectory.columns.model import JOINTS, POSE, UNITS, ColumnQuantity, Guess, TableColumn
-
-Figures = Sequence[float | None]
-"""Of one column, in their order; ``None`` where a cell holds no number."""
+from armui.trajectory.columns.model import (
+    JOINTS,
+    POSE,
+    UNITS,
+    ColumnQuantity,
+    Figures,
+    Guess,
+    TableColumn,
+)
 
 _TITLES: Final[Mapping[ColumnQuantity, tuple[str, ...]]] = {
     ColumnQuantity.TIME: ("t", "time", "timestamp", "stamp", "elapsed", "时间", "时间戳"),
@@ -28,7 +33,14 @@ _TITLES: Final[Mapping[ColumnQuantity, tuple[str, ...]]] = {
     ColumnQuantity.NOTE: ("note", "comment", "label", "remark", "备注", "注释"),
 }
 _BY_TITLE: Final = {title: quantity for quantity, titles in _TITLES.items() for title in titles}
-_JOINT: Final = re.compile(r"(?:joint|j|q|theta|axis|关节|轴)([0-6])(?:pos|position|angle|角度?)?")
+_JOINT: Final = re.compile(
+    r"(?:joint|j|q|theta|axis|axe|achse|gelenk|关节|轴)([0-6])(?:pos|position|angle|角度?)?"
+)
+_PREFIX: Final = re.compile(
+    r"(?:tool|tcp|eef|ee|endeffector|end|flange|tip|robot|arm|pose|position|pos|cartesian|cart"
+    r"|target|actual|measured|工具|末端|法兰|位姿|位置|目标|实际)+(?=.)"
+)
+"""What it is of, before what it is."""
 
 _UNIT_WORDS: Final = {
     **dict.fromkeys(("s", "sec", "secs", "second", "seconds", "秒"), "s"),
@@ -41,7 +53,11 @@ _UNIT_WORDS: Final = {
     **dict.fromkeys(("m", "meter", "metre", "米"), "m"),
     **dict.fromkeys(("%", "percent"), "%"),
 }
-_PARTS: Final = re.compile(r"[\s_\-./:()\[\]（）【】]+")
+_OPENING, _CLOSING = "([{<（［【｛〔「《", ")]}>）］】｝〕」》"
+_BRACKET: Final = re.compile(
+    f"[{re.escape(_OPENING)}]([^{re.escape(_OPENING + _CLOSING)}]*)[{re.escape(_CLOSING)}]"
+)
+_PARTS: Final = re.compile(rf"[\s_\-./:,{re.escape(_OPENING + _CLOSING)}]+")
 
 _SURE: Final = 1.0
 _UNIT_GUESSED: Final = 0.8
@@ -67,40 +83,72 @@ def guess_columns(header: Sequence[str], figures: Sequence[Figures]) -> tuple[Gu
     units = [unit for _, unit in named]
     confidence = _UNIT_GUESSED
     if not any(quantities):
-        quantities, units = _by_place(figures), [""] * len(figures)
+        quantities, units = _by_place(figures), units or [""] * len(figures)
         confidence = _PLACE_ONLY
     guesses = []
-    for quantity, unit in zip(quantities, units, strict=True):
+    for quantity, unit, column in zip(quantities, units, figures, strict=True):
+        told = (unit, tuple(column))
         if quantity is None:
-            guesses.append(Guess(None, 0.0))
-        elif unit in UNITS[quantity] and confidence == _UNIT_GUESSED:
-            guesses.append(Guess(TableColumn(quantity, unit), _SURE))
+            guesses.append(Guess(None, 0.0, *told))
+        elif unit in UNITS[quantity]:
+            sure = _SURE if confidence == _UNIT_GUESSED else confidence
+            guesses.append(Guess(TableColumn(quantity, unit), sure, *told))
         else:
-            likely = _unit(quantity, quantities, figures)
-            guesses.append(Guess(TableColumn(quantity, likely), confidence))
+            likely = _unit(quantity, quantities, units, figures)
+            guesses.append(Guess(TableColumn(quantity, likely), confidence, *told))
     return tuple(guesses)
+
+
+def likely_unit(quantity: ColumnQuantity, guess: Guess) -> str:
+    """Return the unit of a column that is said to hold a quantity.
+
+    What its title names wins, else what its figures speak for.
+    """
+    unit = guess.titled_unit
+    return unit if unit in UNITS[quantity] else _unit(quantity, [quantity], [""], [guess.figures])
+
+
+def looks_like_radians(figures: Figures) -> bool:
+    """Tell whether figures of an angle are small enough for radians, and tell anything."""
+    return 0.0 < _largest(figures) <= _FULL_TURN_RAD
 
 
 def _by_titles(header: Sequence[str]) -> list[tuple[ColumnQuantity | None, str]]:
     """Quantity and unit of each title, as far as it names them; a quantity only once."""
     parts = [_parts(title) for title in header]
-    joints = [_JOINT.fullmatch(title) for title, _ in parts]
+    joints = [_JOINT.fullmatch(_PREFIX.sub("", title, count=1)) for title, _ in parts]
     numbers = {int(match.group(1)) for match in joints if match is not None}
     first = 0 if 0 in numbers and 6 not in numbers else 1  # some count joints from 0
     named: list[tuple[ColumnQuantity | None, str]] = []
     seen: set[ColumnQuantity | None] = set()
     for (title, unit), match in zip(parts, joints, strict=True):
-        quantity = _BY_TITLE.get(title)
+        quantity = _BY_TITLE.get(title) or _of_pose(title)
         if match is not None and int(match.group(1)) >= first:
             quantity = JOINTS[int(match.group(1)) - first]
-        named.append((None, "") if quantity in seen else (quantity, unit))
+        named.append((None if quantity in seen else quantity, unit))
         seen.add(quantity)
     return named
 
 
+def _of_pose(title: str) -> ColumnQuantity | None:
+    """What a title says of a pose that says first whose it is, as «tool_x» does."""
+    prefix = _PREFIX.match(title)
+    quantity = None if prefix is None else _BY_TITLE.get(title[prefix.end() :])
+    return quantity if quantity in POSE else None
+
+
 def _parts(title: str) -> tuple[str, str]:
-    """A title without its unit, in small letters and one word; and the unit, or ""."""
-    words = [word for word in _PARTS.split(title.lower().replace("°", " ° ")) if word]
+    """A title without its unit, in small letters and one word; and the unit, or "".
+
+    A unit in brackets wins, wherever it stands.
+    """
+    title = title.lower()
+    for bracket in _BRACKET.finditer(title):
+        unit = _UNIT_WORDS.get(bracket.group(1).strip(), "")
+        if unit:
+            bare = title[: bracket.start()] + " " + title[bracket.end() :]
+            return "".join(_PARTS.split(bare)), unit
+    words = [word for word in _PARTS.split(title.replace("°", " ° ")) if word]
     unit = _UNIT_WORDS.get(words[-1], "") if len(words) > 1 else ""
     return "".join(words[:-1] if unit else words), unit
 
@@ -129,10 +177,18 @@ def _by_place(figures: Sequence[Figures]) -> list[ColumnQuantity | None]:
 def _unit(
     quantity: ColumnQuantity,
     quantities: Sequence[ColumnQuantity | None],
+    titled: Sequence[str],
     figures: Sequence[Figures],
 ) -> str:
-    """The unit that the figures of a quantity and of its kin speak for."""
+    """The unit that the titles of a quantity's kin say, or the figures of all of them speak for."""
     group = next((kin for kin in (JOINTS, POSE[:3], POSE[3:]) if quantity in kin), (quantity,))
+    said = {
+        unit
+        for other, unit in zip(quantities, titled, strict=True)
+        if other in group and unit in UNITS[quantity]
+    }
+    if len(said) == 1:
+        return said.pop()
     columns = [figures[index] for index, other in enumerate(quantities) if other in group]
     largest = max(map(_largest, columns), default=0.0)
     units = UNITS[quantity]

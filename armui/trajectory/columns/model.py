@@ -5,7 +5,7 @@ from __future__ import annotations
 import csv
 import io
 import math
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from enum import StrEnum
 from itertools import islice
@@ -75,15 +75,22 @@ class TableColumn(NamedTuple):
     unit: str
 
 
+Figures = Sequence[float | None]
+"""Of one column, in their order; ``None`` where a cell holds no number."""
+
+
 class Guess(NamedTuple):
     """What a column seems to hold: `column` is ``None`` where nothing speaks for anything.
 
     `confidence` is 1 where the title says quantity and unit, less where one of them was guessed
-    from the figures, 0 for no idea.
+    from the figures, 0 for no idea. `titled_unit` is the unit that the title names, whatever the
+    column is; "" for none. `figures` are some of the column's.
     """
 
     column: TableColumn | None
     confidence: float
+    titled_unit: str = ""
+    figures: Figures = ()
 
 
 class Dialect(NamedTuple):

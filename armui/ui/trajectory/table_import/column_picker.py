@@ -8,7 +8,14 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QWheelEvent
 from PySide6.QtWidgets import QComboBox, QWidget
 
-from armui.trajectory.columns import UNITS, ColumnQuantity, Guess, TableColumn
+from armui.trajectory.columns import (
+    UNITS,
+    ColumnQuantity,
+    Guess,
+    TableColumn,
+    likely_unit,
+    looks_like_radians,
+)
 from armui.ui import words
 from armui.ui.widgets.buttons import named
 from armui.ui.widgets.elided_label import ElidedLabel
@@ -40,6 +47,7 @@ class ColumnPicker(Translated, QWidget):
         super().__init__()
         self._number = number
         self._title_text = title
+        self._guess = guess
         self._guessed = guess.column is not None and guess.confidence < _SURE
         self._title = ElidedLabel()
         self._quantity = _Choice(f"column_quantity_{number}")
@@ -67,14 +75,39 @@ class ColumnPicker(Translated, QWidget):
             return None
         return TableColumn(ColumnQuantity(quantity), self._unit.currentText())
 
-    def show_column(self, column: TableColumn | None) -> None:
-        """Show what the operator has said before."""
+    @property
+    def guessed(self) -> bool:
+        """Whether its unit, or what it holds, is neither the title's word nor the operator's."""
+        return self._guessed
+
+    @property
+    def may_be_radians(self) -> bool:
+        """Whether it is an angle whose figures may be radians, and nobody has said its unit."""
+        column = self.column
+        if column is None or "rad" not in UNITS[column.quantity] or not self._guessed:
+            return False
+        return not self._is_titled and looks_like_radians(self._guess.figures)
+
+    @property
+    def _is_titled(self) -> bool:
+        """Whether its title names its unit."""
+        column = self.column
+        return column is not None and column.unit == self._guess.titled_unit
+
+    def show_column(self, column: TableColumn | None, *, guessed: bool) -> None:
+        """Show what the operator has said before.
+
+        Args:
+            column: What it holds.
+            guessed: Whether its unit was guessed.
+        """
         place = 0 if column is None else 1 + list(ColumnQuantity).index(column.quantity)
         self._quantity.setCurrentIndex(place)
         self._fill_units()
         if column is not None:
             self.show_unit(column.unit)
-        self.show_certain()
+        self._guessed = guessed
+        self._show_origin()
 
     def show_unit(self, unit: str) -> None:
         """Show another unit, if its quantity can have it."""
@@ -97,9 +130,21 @@ class ColumnPicker(Translated, QWidget):
         self.show_unit(before)
 
     def _on_quantity(self) -> None:
+        """The unit that the title names wins; another is guessed, and marked."""
         self._fill_units()
-        self.show_certain()
+        quantity = self._quantity.currentData()
+        self._guessed = False
+        if quantity is not None:
+            self.show_unit(likely_unit(ColumnQuantity(quantity), self._guess))
+            self._guessed = self._unit.isEnabled() and not self._is_titled
+        self._show_origin()
         self.quantity_chosen.emit()
+
+    def show_unit_of(self, other: ColumnPicker) -> None:
+        """Take the unit of another column of the kind, unless the title names one."""
+        column = other.column
+        if column is not None and not self._is_titled:
+            self.show_unit(column.unit)
 
     def _on_unit(self) -> None:
         self.show_certain()

@@ -9,10 +9,12 @@ from typing import TYPE_CHECKING, Final
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QComboBox, QLabel, QLineEdit, QSpinBox
 
+from armui.arm.refusal_codes import RefusalCode
 from armui.control.events import Level
 from armui.protocol.codes import MoveMode
 from armui.trajectory import columns
-from armui.trajectory.columns import ColumnMapping
+from armui.trajectory.columns import ColumnMapping, ColumnQuantity
+from armui.trajectory.columns.model import JOINTS, POSE
 from armui.trajectory.files import TrajectoryFileError
 from armui.trajectory.library.store import Library, LibraryError
 from armui.trajectory.points.program import check_name
@@ -22,7 +24,7 @@ from armui.ui.trajectory.table_import.dialect_bar import DialectBar
 from armui.ui.trajectory.table_import.table_import import TableImport
 from armui.ui.widgets.buttons import named, push_button
 from armui.ui.widgets.flow import in_flow, pair
-from armui.ui.widgets.layouts import STRETCH, fill
+from armui.ui.widgets.layouts import STRETCH, fill, in_row
 from armui.ui.widgets.message_line import MessageLine
 from armui.ui.widgets.page import Page
 from armui.ui.widgets.text_label import text_label
@@ -80,6 +82,8 @@ class ColumnsPage(Page):
         self._name = named("columns_name", QLineEdit())
         self._move_label, self._speed_label, self._name_label = (QLabel() for _ in range(3))
         self._message = named("columns_message", MessageLine(keeps_room=False))
+        self._radians = push_button("columns_radians", on_enter=False)
+        self._degrees = push_button("columns_degrees", on_enter=False)
         self.import_button = push_button("columns_import", primary=True, on_enter=True)
         self._cancel = push_button("columns_cancel", on_enter=False)
 
@@ -92,7 +96,8 @@ class ColumnsPage(Page):
         for label, field in pairs:
             label.setBuddy(field)
         choices = in_flow(*(pair(label, field) for label, field in pairs), spacing_px=10)
-        fill(self.body, self._source, self._dialect_bar, choices, (self._table, 1), self._message)
+        said = in_row((self._message, 1), self._radians, self._degrees)
+        fill(self.body, self._source, self._dialect_bar, choices, (self._table, 1), said)
         fill(self.footer, STRETCH, self._cancel, self.import_button)
 
     def _connect(self) -> None:
@@ -101,6 +106,8 @@ class ColumnsPage(Page):
         self._moves.currentIndexChanged.connect(self._show_usable)
         self._moves.activated.connect(self._on_move)
         self._name.textChanged.connect(self._show_usable)
+        self._radians.clicked.connect(lambda: self._table.say_unit(self._angles, "rad"))
+        self._degrees.clicked.connect(lambda: self._table.say_unit(self._angles, "°"))
         self.import_button.clicked.connect(self._import)
         self._cancel.clicked.connect(self.leave)
 
@@ -113,13 +120,26 @@ class ColumnsPage(Page):
         return ColumnMapping(self._table.columns, move, self._speed.value())
 
     def _likely_move(self) -> MoveMode | None:
-        """The first that the guessed columns suffice for; else a recording, which says what lacks.
+        """The first that the guessed columns suffice for; else what the most of them are of.
 
         Joint angles without time become points, poses points of MOVE P.
         """
+        fitting = self._fitting()
+        if fitting:
+            return fitting[0]
+        found = {column.quantity for column in self.mapping.columns if column is not None}
+        poses = len(found.intersection(POSE)) > len(found.intersection(JOINTS))
+        return MoveMode.MOVE_P if poses else None
+
+    def _fitting(self) -> list[MoveMode | None]:
+        """What the columns suffice for as they are."""
         mapping = self.mapping
-        fitting = (one for one in _MOVES if not columns.check_mapping(replace(mapping, move=one)))
-        return next(fitting, None)
+        return [one for one in _MOVES if not columns.check_mapping(replace(mapping, move=one))]
+
+    @property
+    def _angles(self) -> tuple[ColumnQuantity, ...]:
+        """The angles of what is imported."""
+        return JOINTS if self.mapping.move in (None, MoveMode.MOVE_J) else POSE[3:]
 
     def _on_move(self) -> None:
         """From now on it is not guessed any more."""
@@ -155,13 +175,43 @@ class ColumnsPage(Page):
         """Why it cannot be imported as it is now; "" if it can."""
         if self._misread:
             return self._misread
-        reason = columns.check_mapping(self.mapping) or check_name(self._name.text().strip())
-        return "" if reason is None else words.refusal(reason)
+        reason = columns.check_mapping(self.mapping)
+        if reason is not None and reason.code == RefusalCode.COLUMNS_MISSING:
+            return f"{words.refusal(reason)} {self._other_way()}"
+        reason = reason or check_name(self._name.text().strip())
+        if reason is not None:
+            return words.refusal(reason)
+        asked = self._table.may_be_radians(self._angles)
+        if not asked:
+            return ""
+        text = self.tr("Columns {columns} may be radians or degrees: say which.")
+        return text.format(columns=", ".join(map(str, asked)))
+
+    def _other_way(self) -> str:
+        """What else it can become."""
+        fitting = [self._moves.itemText(_MOVES.index(move)) for move in self._fitting()]
+        if fitting:
+            text = self.tr("Or choose “{choice}” under “{becomes}”: the columns suffice for that.")
+            return text.format(choice=fitting[0], becomes=self._move_label.text())
+        text = self.tr("What is needed depends on “{becomes}”.")
+        return text.format(becomes=self._move_label.text())
+
+    def _mixed_units(self) -> str:
+        """Say that angles of one kind are in different units; it may be meant."""
+        angles = [each for each in self.mapping.columns if each and each.quantity in self._angles]
+        if len({each.unit for each in angles}) < 2:
+            return ""
+        text = self.tr("The angles are in different units: {columns}. Check that this is meant.")
+        return text.format(columns=", ".join(f"{each.quantity} {each.unit}" for each in angles))
 
     def _show_usable(self) -> None:
         """Say at once what is wrong with what is chosen; an older message has had its time."""
         text = self._reason_against()
-        self._message.show_message(text, Level.WARNING)
+        self._message.show_message(text or self._mixed_units(), Level.WARNING)
+        asks = bool(text) and not columns.check_mapping(self.mapping)
+        asks = asks and bool(self._table.may_be_radians(self._angles))
+        for button in (self._radians, self._degrees):
+            button.setVisible(asks)
         self.import_button.setEnabled(not text)
         self.import_button.setToolTip(text)
         for widget in (self._speed_label, self._speed):
@@ -239,6 +289,8 @@ class ColumnsPage(Page):
         self._speed.setToolTip(self.tr("Of points for which no column says it"))
         self.import_button.setText(self.tr("Import"))
         self._cancel.setText(self.tr("Cancel"))
+        self._radians.setText(self.tr("Radians"))
+        self._degrees.setText(self.tr("Degrees"))
         self._show_usable()
 
     def _describe(self) -> str:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from typing import Any, Final
 
 from PySide6.QtCore import Qt, Signal
@@ -31,15 +31,17 @@ _MOST_COLUMNS: Final = 60
 """Beside those that a title names."""
 _LONGEST_CELL: Final = 200
 _KIN: Final = (JOINTS, POSE[:3], POSE[3:])
-"""What is in one unit throughout a file."""
+"""What is in one unit throughout most files."""
+
+Said = Mapping[int, tuple[TableColumn | None, bool]]
 
 
 class ColumnsTable(QScrollArea):
-    """Column by column; angles of all joints, and lengths of a pose, keep to one unit.
+    """Column by column, each in a unit of its own.
 
     Args:
         sheet: How the table is built, with its first rows and what they seem to hold.
-        said: What the operator has said of its columns before, by their places.
+        said: See :attr:`said`, of a table that was shown before.
 
     Signals:
         changed: The operator chose another quantity or unit.
@@ -47,7 +49,7 @@ class ColumnsTable(QScrollArea):
 
     changed = Signal()
 
-    def __init__(self, sheet: Sheet, said: Mapping[int, TableColumn | None] | None = None) -> None:
+    def __init__(self, sheet: Sheet, said: Said | None = None) -> None:
         super().__init__()
         self._width = sheet.width
         self._places = _shown(sheet)
@@ -58,9 +60,10 @@ class ColumnsTable(QScrollArea):
             picker = ColumnPicker(place + 1, titles[place], sheet.guesses[place])
             picker.setFixedWidth(_COLUMN_PX)
             if place in self._said:
-                picker.show_column(self._said[place])
+                column, guessed = self._said[place]
+                picker.show_column(column, guessed=guessed)
             picker.quantity_chosen.connect(lambda picker=picker: self._on_quantity(picker))
-            picker.unit_chosen.connect(lambda picker=picker: self._on_unit(picker))
+            picker.unit_chosen.connect(lambda picker=picker: self._note([picker]))
             self._pickers.append(picker)
         self._model = _Preview(sheet.preview[:_ROWS], self._places, self._is_used, self._muted)
         self._lay_out()
@@ -82,8 +85,8 @@ class ColumnsTable(QScrollArea):
         return tuple(columns)
 
     @property
-    def said(self) -> Mapping[int, TableColumn | None]:
-        """What the operator has said himself, by the place of the column."""
+    def said(self) -> Said:
+        """What the operator has said himself, and whether its unit was guessed, by place."""
         return self._said
 
     @property
@@ -91,22 +94,33 @@ class ColumnsTable(QScrollArea):
         """How many columns are not shown, because nobody could look through them."""
         return self._width - len(self._places)
 
-    def _on_quantity(self, chosen: ColumnPicker) -> None:
-        """A further joint is in the unit of the others."""
-        for other in self._kin_of(chosen):
-            column = other.column
-            if column is not None:
-                chosen.show_unit(column.unit)
-        self._note([chosen])
+    def _asking(self, needed: Collection[ColumnQuantity]) -> list[ColumnPicker]:
+        pickers = (each for each in self._pickers if each.may_be_radians)
+        return [
+            each for each in pickers if each.column is not None and each.column.quantity in needed
+        ]
 
-    def _on_unit(self, chosen: ColumnPicker) -> None:
-        column = chosen.column
-        kin = self._kin_of(chosen)
-        for other in kin:
-            if column is not None:
-                other.show_unit(column.unit)
-                other.show_certain()
-        self._note([chosen, *kin])
+    def may_be_radians(self, needed: Collection[ColumnQuantity]) -> list[int]:
+        """Return the numbers of the columns whose angles may be radians, which nobody has said.
+
+        Args:
+            needed: Of what is imported.
+        """
+        return [1 + self._places[self._pickers.index(each)] for each in self._asking(needed)]
+
+    def say_unit(self, needed: Collection[ColumnQuantity], unit: str) -> None:
+        """Take the operator's word for the unit of those."""
+        asking = self._asking(needed)
+        for picker in asking:
+            picker.show_unit(unit)
+            picker.show_certain()
+        self._note(asking)
+
+    def _on_quantity(self, chosen: ColumnPicker) -> None:
+        """A further joint is in the unit of the others, unless its title names another."""
+        for other in self._kin_of(chosen):
+            chosen.show_unit_of(other)
+        self._note([chosen])
 
     def _kin_of(self, chosen: ColumnPicker) -> list[ColumnPicker]:
         """The other columns that are in the same unit."""
@@ -120,7 +134,8 @@ class ColumnsTable(QScrollArea):
     def _note(self, pickers: Sequence[ColumnPicker]) -> None:
         """These say what the operator wants."""
         for picker in pickers:
-            self._said[self._places[self._pickers.index(picker)]] = picker.column
+            place = self._places[self._pickers.index(picker)]
+            self._said[place] = (picker.column, picker.guessed)
         self._model.redraw()
         self.changed.emit()
 
