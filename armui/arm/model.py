@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import hashlib
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -33,3 +34,8 @@ class ArmModel:
     tool_mm: float
     stroke_mm: float | None = None
     gripper_turned_deg: float = 0.0
+
+    @property
+    def fingerprint(self) -> str:
+        """A short text that is another for another arm: what was planned for one holds for it."""
+        return hashlib.sha256(repr(self).encode()).hexdigest()[:16]

@@ -2673,6 +2673,14 @@
         <source>The flange cannot get there: the point is {missing} mm too far. Move it nearer.</source>
         <translation>法兰无法到达该位置：还差 {missing} mm。请把该点移近。</translation>
     </message>
+    <message>
+        <source>Where the arm stands now, it touches itself: {other} against {one}; after a stop it may have sunk. Jog it clear, or lift it by hand, then send again: nothing of the trajectory has to be changed.</source>
+        <translation>机械臂当前所在的位姿自身相碰：{other}与{one}；急停后它可能已下沉。请先点动或用手把它移开，再重新发送；轨迹本身无需修改。</translation>
+    </message>
+    <message>
+        <source>On the way there from where the arm stands now: {text} Bringing the arm nearer to this point first helps, too.</source>
+        <translation>从机械臂当前位置到该点的途中：{text}也可以先让机械臂靠近该点。</translation>
+    </message>
 </context>
 <context>
     <name>FindingRow</name>
@@ -8283,6 +8291,10 @@ The other program must have ended.</source>
     <message>
         <source>Not run: tool, load, settings or choices are others than those of the check. Send again.</source>
         <translation>未运行：工具、负载、设置或所选项与检查时不同。请再次点击发送。</translation>
+    </message>
+    <message>
+        <source>Not run: the check has found errors ({count}). Mend what is listed, then send again.</source>
+        <translation>未发送：检查发现 {count} 个错误。请处理列出的各项后再发送。</translation>
     </message>
 </context>
 <context>

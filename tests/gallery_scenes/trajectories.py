@@ -9,6 +9,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QComboBox, QWidget
 
+from armui.control.parameters.arm_model import arm_model
 from armui.trajectory.columns import ColumnQuantity
 from armui.trajectory.library.store import Library
 from armui.ui.dialogs.files import FileDialog
@@ -27,7 +28,8 @@ def library(app_driver: AppDriver) -> LibraryPage:
     if not library.entries():
         for content in SAMPLES:
             library.save(content)
-        library.mark("Warm up", check="ok", length_s=84.0)
+        arm = arm_model(app_driver.controller).fingerprint
+        library.mark("Warm up", check="ok", length_s=84.0, arm=arm)
     app_driver.window.open_library_window()
     window = app_driver.page(LibraryPage)
     window.refresh(["Pick and place"])

@@ -1,10 +1,16 @@
 """The list: what it tells of each trajectory, and what is done to them."""
 
-from PySide6.QtCore import Qt
-from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QWidget
+from typing import Any
 
+from PySide6.QtCore import QCoreApplication, Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QListWidget, QWidget
+
+from armui.protocol.codes import MoveMode
+from armui.protocol.piper_model import PiperModel
+from armui.trajectory.points.program import Trajectory, Waypoint
 from armui.ui.trajectory.editor.editor_page import EditorPage
+from tests.app_driver import Slow
 from tests.operator_library.actions import POINT
 
 
@@ -95,3 +101,64 @@ def test_a_damaged_file_is_listed_and_stays_as_it_is(driver):
     driver.window.open_trajectory("one")
     assert "one.log, line 2" in driver.message()
     assert path.read_text() == "armui trajectory 1\nJ 1 2"
+
+
+# What a check leaves in the list
+
+BENT = (0.0, 40.0, -40.0, 0.0, 85.0, 0.0)
+"""Joint 5 turns to 85° in a PiPER H, to 70° in a PiPER."""
+
+
+def check_in_editor(driver, name):
+    driver.window.open_trajectory(name)
+    editor = driver.app_driver.page(EditorPage)
+    driver.app_driver.click(editor.findChild(QWidget, "editor_check"))
+    editor.leave()
+
+
+def marks(driver):
+    return {row[0]: row[4] for row in driver.rows()}
+
+
+def test_what_a_check_found_stays_listed_whenever_the_disk_answers(driver, monkeypatch):
+    away = Waypoint(MoveMode.MOVE_P, (900.0, 0.0, 200.0, 0.0, 85.0, 0.0))
+    driver.library.save(Trajectory("away", points=(POINT, away)))
+    driver.app_driver.ready()
+    driver.app_driver.click("library_button")
+    driver.window.refresh()
+    driver.choose("away")
+    disk: Any = Slow()
+    monkeypatch.setattr(driver.window._work._background, "_files", disk)
+    driver.app_driver.click(driver.window.findChild(QWidget, "run_send"))
+    for _ in range(6):
+        disk.work()
+        QCoreApplication.processEvents()
+    assert "Mend what is listed" in driver.message()
+    findings = driver.window.findChild(QListWidget, "findings_list")
+    assert findings.isVisible()
+    assert findings.item(0).text().startswith("✕ Error · Row 2")
+    assert marks(driver)["away"] == "✕ errors"
+    driver.choose("one")
+    assert not findings.isVisible()
+
+
+def test_a_mark_is_for_the_arm_it_was_made_for(driver):
+    driver.library.save(Trajectory("bent", points=(Waypoint(MoveMode.MOVE_J, BENT),)))
+    driver.app_driver.connect()
+    driver.app_driver.click("library_button")
+    check_in_editor(driver, "bent")
+    driver.window.refresh()
+    assert marks(driver)["bent"] == "✕ errors"
+    driver.app_driver.connect(PiperModel.PIPER_H)
+    assert marks(driver)["bent"] == "—"
+    driver.app_driver.connect(PiperModel.PIPER)
+    assert marks(driver)["bent"] == "✕ errors"  # it still holds for that one
+
+
+def test_where_the_arm_stands_is_no_mark_of_a_trajectory(driver):
+    driver.library.save(Trajectory("far", points=(POINT,)))
+    driver.app_driver.ready()  # 40° and more away
+    driver.app_driver.click("library_button")
+    check_in_editor(driver, "far")
+    driver.window.refresh()
+    assert marks(driver)["far"] == "✓ checked"

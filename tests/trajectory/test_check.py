@@ -13,7 +13,7 @@ import pytest
 from armui.kinematics.forward import links
 from armui.trajectory.planning.check import Report, check
 from armui.trajectory.planning.collision import collisions, segment_distances
-from armui.trajectory.planning.findings import SEVERITIES, Severity
+from armui.trajectory.planning.findings import SEVERITIES, Approach, Severity
 from armui.trajectory.planning.timing import plan_path
 from armui.trajectory.points.program import GripperOpening, Waypoint
 from armui.trajectory.samples.recording import Recording
@@ -204,6 +204,36 @@ def test_a_collision_on_the_way_is_found_though_both_ends_are_free() -> None:
     report = checked(joint(*start), joint(*end), start=start)
 
     assert ("links_collide", 1) in found(report)
+
+
+FREE = (0.0, 60.0, -60.0, 0.0, 20.0, 0.0)
+
+
+def hits_of(report: Report) -> list[tuple[int | None, Approach | None]]:
+    return [(one.row, one.approach) for one in report.findings if one.code == "links_collide"]
+
+
+def self_hit() -> tuple[float, ...]:
+    """A pose within the limits in which the arm touches its base."""
+    draw = np.random.default_rng(4)
+    low, high = (-150, 0, -170, -100, -70, -120), (150, 180, 0, 100, 70, 120)
+    joints = draw.uniform(low, high, (60_000, 6))
+    (first, *_) = sorted(collisions(KINEMATICS.geometry, joints, 140.0))
+    return tuple(joints[first].tolist())
+
+
+def test_an_arm_that_has_sunk_into_itself_is_told_of_where_it_stands() -> None:
+    hit = self_hit()
+    assert hits_of(checked(joint(*FREE), joint(*HERE), start=hit)) == [(0, Approach.HERE)]
+    # the point itself is another matter
+    assert (0, None) in hits_of(checked(joint(*hit), start=hit))
+    assert hits_of(checked(joint(*FREE), joint(*hit), start=FREE)) == [(1, None)]
+
+
+def test_a_collision_on_the_way_to_the_first_point_is_not_the_points() -> None:
+    start, end = (-16, 81, -2, 51, 31, 59), (9, 93, -7, -63, 70, 117)
+    assert hits_of(checked(joint(*end), start=start)) == [(0, Approach.WAY)]
+    assert hits_of(checked(joint(*start), joint(*end), start=start)) == [(1, None)]
 
 
 def test_the_distance_of_two_segments_is_the_least_of_all_their_points() -> None:

@@ -54,6 +54,7 @@ class IndexEntry:
         check: How its last check ended; ``None`` where it has changed since, or never had one.
         damage: What is wrong with its file; ``None`` where nothing is.
         note: What it is for.
+        checked_for: The `ArmModel.fingerprint` that the check was made for.
     """
 
     name: str
@@ -64,6 +65,7 @@ class IndexEntry:
     check: Check | None = None
     damage: TrajectoryFileError | None = None
     note: str = ""
+    checked_for: str = ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -177,6 +179,7 @@ def _pack(entry: IndexEntry) -> dict[str, Any]:
         "modified": entry.modified.isoformat(),
         "check": entry.check,
         "note": entry.note,
+        "checked_for": entry.checked_for,
     }
     if (damage := entry.damage) is not None:
         reason = damage.reason
@@ -209,7 +212,10 @@ def _is_sound(entry: IndexEntry) -> bool:
     """Whether every field of an entry is what the list can show."""
     length_s = entry.length_s
     return (
-        all(isinstance(text, str) and _can_be_shown(text) for text in (entry.name, entry.note))
+        all(
+            isinstance(text, str) and _can_be_shown(text)
+            for text in (entry.name, entry.note, entry.checked_for)
+        )
         and entry.kind in get_args(Kind)
         and isinstance(entry.count, int)
         and 0 <= entry.count < _MOST_BYTES

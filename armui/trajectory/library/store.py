@@ -192,7 +192,7 @@ class Library:
             self.drop_draft(new)
             raise
         self.drop_draft(name)
-        self.mark(new, check=known.check, length_s=known.length_s)
+        self.mark(new, check=known.check, length_s=known.length_s, arm=known.checked_for)
 
     def duplicate(self, name: str, new: str) -> None:
         """Keep a trajectory once more, under another name.
@@ -205,7 +205,7 @@ class Library:
         self._verify(content)
         known = self._scan()[name].entry
         self._write(content, None)
-        self.mark(new, check=known.check, length_s=known.length_s)
+        self.mark(new, check=known.check, length_s=known.length_s, arm=known.checked_for)
 
     def delete(self, names: Sequence[str]) -> Deleted:
         """Move trajectories, their drafts with them, where `restore` finds them.
@@ -261,7 +261,12 @@ class Library:
                 name = name_inside(place)
                 names[name] = self._put_draft_back(place, names.get(name))
         for entry in deleted.entries:
-            self.mark(names.get(entry.name, ""), check=entry.check, length_s=entry.length_s)
+            self.mark(
+                names.get(entry.name, ""),
+                check=entry.check,
+                length_s=entry.length_s,
+                arm=entry.checked_for,
+            )
         return tuple(names.values())
 
     def _put_back(self, file: str, place: Path) -> str:
@@ -290,18 +295,21 @@ class Library:
         self._bin.give_back(place.name, place, self._folder)
         return free
 
-    def mark(self, name: str, *, check: Check | None, length_s: float | None) -> None:
+    def mark(
+        self, name: str, *, check: Check | None, length_s: float | None, arm: str = ""
+    ) -> None:
         """Note how a trajectory was checked and how long it takes, until its file changes.
 
         Args:
             name: Which; nothing is noted of one that is gone or damaged.
             check: How the check ended.
             length_s: How long it takes; a recording knows by itself.
+            arm: The `ArmModel.fingerprint` of the arm it was checked for.
         """
         kept = self._scan().get(name)
         if kept is None or kept.entry.damage is not None:
             return
-        entry = replace(kept.entry, check=check)
+        entry = replace(kept.entry, check=check, checked_for=arm)
         if entry.kind == "points":
             entry = replace(entry, length_s=length_s)
         self._file_store.mark(kept, entry)

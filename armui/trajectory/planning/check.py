@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Final
 
 import numpy as np
@@ -14,7 +14,7 @@ from armui.arm.model import ArmModel
 from armui.kinematics.forward import flange_heights
 from armui.kinematics.singularity import NEAR_SINGULAR, margins, smallest_singular_values
 from armui.trajectory.planning.collision import collisions
-from armui.trajectory.planning.findings import Finding, FindingCode, Severity
+from armui.trajectory.planning.findings import Approach, Finding, FindingCode, Severity
 from armui.trajectory.planning.planned_path import PlannedPath
 from armui.trajectory.planning.recording_check import check_recorded
 from armui.trajectory.planning.stops import TOOL_MOVES, bounds
@@ -32,6 +32,10 @@ LARGE_TURN_DEG: Final = 90.0
 """So is a joint that turns further to a pose: the arm may hold it in another way than meant."""
 FLOOR_MM: Final = 0.0
 """The plane the arm stands on."""
+_OF_A_WAY: Final = frozenset(
+    {FindingCode.PATH_BEYOND_LIMIT, FindingCode.PATH_OUT_OF_REACH, FindingCode.PATH_SINGULAR}
+)
+"""Nothing of this is true of a point without where the arm comes from."""
 _SPEED_SLACK: Final = 1.02
 _COLLISION_STEP_DEG: Final = 2.0
 
@@ -94,8 +98,20 @@ def check(
         findings += _below_floor(path, arm)
         findings += _tool_too_fast(path, ~slow, arm)
         findings += _collisions(path, arm)
+        findings = _tell_approach(findings, path)
     findings.sort(key=lambda each: (-1 if each.row is None else each.row, each.severity.value))
     return Report(tuple(findings), path)
+
+
+def _tell_approach(findings: Sequence[Finding], path: PlannedPath) -> list[Finding]:
+    """Mark what is about the way from where the arm is to the first point of a trajectory."""
+    first = int(path.rows[0]) if len(path.rows) else 0
+    return [
+        replace(one, approach=Approach.WAY)
+        if one.row == first and one.code in _OF_A_WAY and one.approach is None
+        else one
+        for one in findings
+    ]
 
 
 def _empty(points: Sequence[Waypoint]) -> Iterator[Finding]:
@@ -201,16 +217,27 @@ def _collisions(path: PlannedPath, arm: ArmModel) -> Iterator[Finding]:
     hits = collisions(
         arm.kinematics.geometry, path.joints_deg[looked_at], arm.tool_mm, arm.gripper_turned_deg
     )
-    told: set[int] = set()
+    recorded = path.expected_s == ()
+    rows = path.rows[looked_at]
+    end_of_first = int(np.flatnonzero(rows == rows[0])[-1])
+    told: set[tuple[int, Approach | None]] = set()
     for which in sorted(hits):
         index = int(looked_at[which])
         row = int(path.rows[index])
+        approach = None
+        if not recorded and which <= end_of_first:
+            approach = Approach.WAY if which else Approach.HERE
+            if which == end_of_first:
+                approach = None  # the point itself
+            elif (row, Approach.HERE) in told:
+                continue  # it has not come clear yet, or will be looked at again
         # of a recording the first of those on end is enough
-        before = which - 1 in hits and path.expected_s == ()
-        if row not in told and not before:
-            told.add(row)
+        before = which - 1 in hits and recorded
+        if (row, approach) not in told and not before:
+            told.add((row, approach))
             one, other = hits[which].split("/")
-            yield _at(path, index, FindingCode.LINKS_COLLIDE, {"one": one, "other": other})
+            found = _at(path, index, FindingCode.LINKS_COLLIDE, {"one": one, "other": other})
+            yield replace(found, approach=approach)
 
 
 def _worst(mask: Flags, badness: Array, rows: Whole, on_end: bool = False) -> Iterable[int]:

@@ -63,6 +63,15 @@ SEVERITIES: Final[Mapping[FindingCode, Severity]] = {
 """Every code of a finding. A finding names the figures its sentence shows, in their units."""
 
 
+class Approach(enum.Enum):
+    """What of a trajectory is not in its points: how the arm comes to the first of them."""
+
+    HERE = "here"
+    """The pose in which the arm is."""
+    WAY = "way"
+    """The way from there to the first point."""
+
+
 @dataclass(frozen=True, slots=True)
 class Finding:
     """Something the operator should know before the arm moves.
@@ -74,6 +83,8 @@ class Finding:
             ``None`` for the whole.
         joints_deg: Where the arm would be, if that is known.
         place_mm: Where the tip of the tool would be, if that is known.
+        approach: Set where the arm's present pose, or the way from it, is at fault and not the
+            point in the row.
     """
 
     code: FindingCode
@@ -81,6 +92,12 @@ class Finding:
     row: int | None = None
     joints_deg: tuple[float, ...] | None = None
     place_mm: tuple[float, ...] | None = None
+    approach: Approach | None = None
+
+    @property
+    def is_of_approach(self) -> bool:
+        """Tell whether it depends on where the arm is now."""
+        return self.approach is not None or self.code is FindingCode.FAR_FROM_START
 
     @property
     def severity(self) -> Severity:

@@ -82,13 +82,14 @@ def preflight(order: CheckRequest) -> CheckOutcome:
             found += _coming_to(content, order.first, arm, start_deg)
         if order.again and len(path.joints_deg):
             last_deg = path.joints_deg[-1].tolist()
-            found += [one for one in _coming_to(content, 0, arm, last_deg) if one.code != _FAR]
+            back = (one for one in _coming_to(content, 0, arm, last_deg) if one.code != _FAR)
+            found += [replace(one, approach=None) for one in back]
     profile = None
     if isinstance(content, Recording):
         profile = replay_profile(content)
         if order.again and len(content.samples) > 1:
             found += _way_back(content, arm)
-    by_place = {(one.code, one.row): one for one in reversed(found)}
+    by_place = {(one.code, one.row, one.approach): one for one in reversed(found)}
     return CheckOutcome(path, expected_s, tuple(sorted(by_place.values(), key=_rank)), profile)
 
 
@@ -98,7 +99,8 @@ def _way_back(recording: Recording, arm: ArmModel) -> list[Finding]:
     point = Waypoint(MoveMode.MOVE_J, first_deg, speed_percent=APPROACH_PERCENT)
     way = Trajectory(recording.name, points=(point,))
     last_deg = recording.joints_deg[-1].tolist()
-    return [one for one in _coming_to(way, 0, arm, last_deg) if one.code != _FAR]
+    back = (one for one in _coming_to(way, 0, arm, last_deg) if one.code != _FAR)
+    return [replace(one, approach=None) for one in back]
 
 
 def _coming_to(

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Final
 
-from armui.trajectory.planning.findings import Finding, FindingCode
+from armui.trajectory.planning.findings import Approach, Finding, FindingCode
 from armui.ui.words.text import Texts
 
 _FINDINGS: Final = Texts("Finding") | {
@@ -87,9 +87,28 @@ PARTS: Final = frozenset(_PARTS)
 """The parts of the arm there is a word for."""
 
 
+_APPROACH: Final = Texts("Finding") | {
+    Approach.HERE: (
+        "Where the arm stands now, it touches itself: {other} against {one}; after a stop it may "
+        "have sunk. Jog it clear, or lift it by hand, then send again: nothing of the trajectory "
+        "has to be changed."
+    ),
+    Approach.WAY: (
+        "On the way there from where the arm stands now: {text} Bringing the arm nearer to this "
+        "point first helps, too."
+    ),
+}
+
+
 def finding(found: Finding) -> str:
     """What was found in the operator's language; the row is told beside it."""
-    return _FINDINGS.text(found.code, {k: _text(v) for k, v in found.params.items()})
+    params = {k: _text(v) for k, v in found.params.items()}
+    if found.approach is Approach.HERE:
+        return _APPROACH.text(found.approach, params)
+    text = _FINDINGS.text(found.code, params)
+    if found.approach is Approach.WAY:
+        return _APPROACH.text(found.approach, {"text": text})
+    return text
 
 
 def _text(value: float | str) -> str:

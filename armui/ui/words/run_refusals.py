@@ -10,7 +10,7 @@ from armui.ui.words.text import Texts
 RUN_REFUSALS: Final = Texts("Refusal") | {
     RefusalCode.NO_ROWS_CHOSEN: "No row is chosen. Click one in the table first.",
     RefusalCode.FINDINGS_AGAINST: (
-        "Not run: the check has found errors ({count}). Correct the rows listed, then send again."
+        "Not run: the check has found errors ({count}). Mend what is listed, then send again."
     ),
     RefusalCode.WORK_FAILED: "The program did not come to the end of its work: {text}. Try again.",
     RefusalCode.MOVED_SINCE_CHECK: (

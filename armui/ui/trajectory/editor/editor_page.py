@@ -257,7 +257,7 @@ class EditorPage(Page):
         self._findings.show_check(checked, accept)
         faults: dict[int, bool] = {}
         for finding in checked.findings:
-            if finding.row is not None:
+            if finding.row is not None and finding.approach is None:
                 error = finding.severity is Severity.ERROR
                 faults[finding.row] = faults.get(finding.row, False) or error
         self.model.show_faults(faults)
@@ -271,7 +271,9 @@ class EditorPage(Page):
         length_s = sum(checked.outcome.expected_s)
         name = self.document.name
         self._work.do(
-            lambda: self._library.mark(name, check=checked.mark, length_s=length_s),
+            lambda: self._library.mark(
+                name, check=checked.mark, length_s=length_s, arm=checked.order.arm.fingerprint
+            ),
             lambda _: self.saved.emit(),
             self._show_failure,
         )

@@ -8,7 +8,7 @@ from PySide6.QtCore import QRect, QSize, Qt, QTimer, Signal
 from PySide6.QtGui import QColor, QResizeEvent
 from PySide6.QtWidgets import QListWidget, QListWidgetItem, QWidget
 
-from armui.trajectory.planning.findings import Finding, Severity
+from armui.trajectory.planning.findings import Approach, Finding, Severity
 from armui.ui.theme import colors_of
 from armui.ui.trajectory.running.preflight import Preflight
 from armui.ui.widgets.buttons import named, push_button
@@ -120,7 +120,7 @@ class FindingsPane(Translated, QWidget):
     def _item(self, finding: Finding) -> QListWidgetItem:
         error = finding.severity is Severity.ERROR
         text = finding_text(finding)
-        if finding.row is not None:
+        if finding.row is not None and finding.approach is not Approach.HERE:
             text = self.tr("Row {row}: {text}").format(row=finding.row + 1, text=text)
         kind = self.tr("✕ Error") if error else self.tr("! Warning")
         item = QListWidgetItem(f"{kind} · {text}")

@@ -5,6 +5,7 @@ from __future__ import annotations
 import enum
 import re
 from collections.abc import Sequence
+from dataclasses import replace
 from typing import Any, Final
 
 from PySide6.QtCore import (
@@ -14,7 +15,7 @@ from PySide6.QtCore import (
     Signal,
 )
 
-from armui.trajectory.library.store import IndexEntry
+from armui.trajectory.library.store import Check, IndexEntry
 from armui.ui import format as fmt
 from armui.ui import words
 from armui.ui.trajectory.text import duration
@@ -54,6 +55,7 @@ class LibraryModel(TableModel):
         super().__init__(parent)
         self._rows: Sequence[IndexEntry] = ()
         self._drafts: frozenset[str] = frozenset()
+        self._arm = ""
         self._sort_keys: dict[tuple[int, int], tuple[Any, ...]] = {}
 
     def is_unsaved(self, name: str) -> bool:
@@ -75,10 +77,30 @@ class LibraryModel(TableModel):
         self.endResetModel()
         return True
 
+    def show_for(self, arm: str) -> None:
+        """Show only marks of checks that were made for an arm.
+
+        Args:
+            arm: Its `ArmModel.fingerprint`.
+        """
+        if arm == self._arm:
+            return
+        self._arm = arm
+        self._sort_keys.clear()
+        if self._rows:
+            column = LibraryColumn.CHECK
+            self.dataChanged.emit(self.index(0, column), self.index(len(self._rows) - 1, column))
+
+    def _mark(self, entry: IndexEntry) -> Check | None:
+        """How the check ended that holds for this arm."""
+        return entry.check if entry.checked_for == self._arm else None
+
     def sort_key(self, row: int, column: int) -> tuple[Any, ...]:
         """What a cell is sorted by, among those of its column."""
         if (row, column) not in self._sort_keys:
-            self._sort_keys[row, column] = _sort_key(self._rows[row], LibraryColumn(column))
+            self._sort_keys[row, column] = _sort_key(
+                replace(self._rows[row], check=self._mark(self._rows[row])), LibraryColumn(column)
+            )
         return self._sort_keys[row, column]
 
     def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> Any:
@@ -134,7 +156,8 @@ class LibraryModel(TableModel):
             return self.tr("✕ damaged")
         if entry.kind == "draft":
             return self.tr("! not saved")
-        return fmt.NOTHING if entry.check is None else words_of[entry.check]
+        mark = self._mark(entry)
+        return fmt.NOTHING if mark is None else words_of[mark]
 
     def titles(self) -> Sequence[str]:
         """From left to right."""

@@ -12,6 +12,8 @@ from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.control.arm_controller import ArmController
 from armui.control.events import Level
+from armui.control.operating_state import OperatingState
+from armui.control.parameters.arm_model import arm_model
 from armui.control.run.progress import Progress
 from armui.trajectory.files import Content
 from armui.trajectory.library.store import IndexEntry, Library, Listing
@@ -87,6 +89,8 @@ class LibraryPage(Page):
         self._watch = LibraryWatch(library.folder, self)
         self._exchange = LibraryExchange(controller, background, self._work, self)
         self._findings = FindingsPane()
+        self._found_of = ""
+        """The name of what the findings are about."""
         self._run_bar = RunBar(controller, self._checks, self._to_run)
         self._lay_out()
         self._connect()
@@ -137,6 +141,7 @@ class LibraryPage(Page):
         self.editors.changed.connect(self.refresh)
         self.editors.said.connect(self._say)
         self.editors.refused.connect(self._on_refused)
+        self._controller.operating_state_changed.connect(self._on_operating_state)
         self._run_bar.listen(self)
         self._run_bar.checked.connect(self._show_check)
         self._run_bar.refused.connect(
@@ -173,6 +178,7 @@ class LibraryPage(Page):
         self, choose: Sequence[str] | None, listing: Listing, others: Sequence[str]
     ) -> None:
         names = self._chosen_names() if choose is None else list(choose)
+        self._show_marks()
         changed = self._model.show(listing.entries, listing.drafts)
         self._watch.follow(exists=listing.exists)
         self._company.show_others(others)
@@ -184,7 +190,16 @@ class LibraryPage(Page):
             self._table.choose(names, show=choose is not None)
         if not self.chosen():
             self._run_bar.drop_check()
+            self._drop_findings()
         self._show_hint()
+
+    def _on_operating_state(self, _operating_state: OperatingState) -> None:
+        if self.isVisible():
+            self._show_marks()
+
+    def _show_marks(self) -> None:
+        """A check of another arm, or of this one with other limits, says nothing."""
+        self._model.show_for(arm_model(self._controller).fingerprint)
 
     def _uncover(self, names: Sequence[str]) -> None:
         """What is new is seen, even if it is not what was searched for."""
@@ -232,8 +247,10 @@ class LibraryPage(Page):
         count = 0 if one is None else one.count
         self._run_bar.show_content(count, recording=recording, nothing=nothing)
         if chosen:  # while the list is made anew, nothing is chosen for a moment
-            self._run_bar.drop_check(but="" if one is None else one.name)
-        self._findings.clear()
+            name = "" if one is None else one.name
+            self._run_bar.drop_check(but=name)
+            if name != self._found_of:
+                self._drop_findings()
 
     # Opening ----------------------------------------------------------------------------------
 
@@ -293,14 +310,21 @@ class LibraryPage(Page):
         name = checked.content.name
         length_s = checked.path.duration_s if checked.order.speed_factor == 1.0 else None
         self._work.do(
-            lambda: self._library.mark(name, check=checked.mark, length_s=length_s),
+            lambda: self._library.mark(
+                name, check=checked.mark, length_s=length_s, arm=checked.order.arm.fingerprint
+            ),
             refused=self._on_refused,
         )
+        self._found_of = name
         self.refresh()
         self._say("")
         self._findings.show_check(checked, accept)
         self._findings.setVisible(bool(checked.findings) or accept is not None)
         self.preview_wanted.emit(checked)
+
+    def _drop_findings(self) -> None:
+        self._found_of = ""
+        self._findings.clear()
 
     def _on_progress(self, progress: Progress) -> None:
         if progress.reason is not None:

@@ -92,7 +92,9 @@ class PreviewLink(QObject):
             return
         self._editor = editor
         errors = (each for each in checked.findings if each.severity is Severity.ERROR)
-        bad_rows = frozenset(each.row for each in errors if each.row is not None)
+        bad_rows = frozenset(
+            each.row for each in errors if each.row is not None and each.approach is None
+        )
         content = checked.content
         self._preview.show(
             checked.path,

@@ -102,8 +102,9 @@ class Preflight:
 
     @property
     def mark(self) -> Check:
-        """The check mark it gives."""
-        return "errors" if self.errors else "warnings" if self.findings else "ok"
+        """The check mark it gives what was checked, wherever the arm is."""
+        of_content = [one.severity for one in self.findings if not one.is_of_approach]
+        return "errors" if Severity.ERROR in of_content else "warnings" if of_content else "ok"
 
     def why_outdated(self, controller: ArmController, options: RunOptions) -> Refusal | None:
         """Why it says nothing of a run that begins now with these options, or ``None``: it does."""
