@@ -5,7 +5,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QAbstractButton, QPushButton, QToolButton
 
-from armui.ui.actions.catalogue import actions
+from armui.ui.actions.catalogue import actions, is_dangerous
 from armui.ui.actions.command import Need
 from armui.ui.actions.keys import SHORTCUTS
 from armui.ui.actions.palette import CommandPalette
@@ -50,6 +50,44 @@ def test_a_panel_is_found_by_any_of_its_names(app_driver, words):
     QTest.keyClick(palette.search, Qt.Key.Key_Return)
     assert app_driver.find("menu_cartesian").isChecked()
     assert not palette.isVisible()
+
+
+@pytest.mark.parametrize(
+    ("words", "first"),
+    [
+        ("zero", "Home"),
+        ("归零", "Home"),
+        ("零点", "Home"),
+        ("estop", "Emergency stop"),
+        ("e-stop", "Emergency stop"),
+        ("stop", "Emergency stop"),
+        ("停止", "Emergency stop"),
+        ("preferences", "Settings"),
+        ("帮助", "User guide"),
+        ("quit", "Close the program"),
+    ],
+)
+def test_what_an_operator_calls_a_thing_finds_it_first(app_driver, words, first):
+    palette = open_palette(app_driver)
+    palette.search.setText(words)
+    assert rows(palette)[0].title.startswith(first)
+
+
+@pytest.mark.parametrize("language", ["en", "zh"])
+def test_what_is_dangerous_is_never_first_where_anything_else_is_found(app_driver, language):
+    app_driver.connect()
+    app_driver.click("menu_motor")
+    app_driver.store.change(language=language)
+    palette = open_palette(app_driver)
+    words = {word for action in actions() for word in action.title.text().lower().split()}
+    words |= {word[:3] for word in words} | {"zero", "off", "零", "失能", "恢复", "reset", "power"}
+    for word in sorted(words):
+        palette.search.setText(word)
+        dangerous = [is_dangerous(row.name) for row in rows(palette)]
+        assert dangerous == sorted(dangerous), word
+    palette.search.setText("zero")
+    titles = [row.title for row in rows(palette)]
+    assert any(is_dangerous(row.name) for row in rows(palette)), titles  # it is found all the same
 
 
 def test_it_moves_the_arm_by_the_panels_own_button(app_driver):

@@ -14,6 +14,7 @@ from PySide6.QtWidgets import (
 
 from armui.trajectory.library.store import Library
 from armui.trajectory.points.program import Trajectory
+from armui.ui.actions import catalogue
 from armui.ui.actions.catalogue import actions
 from armui.ui.actions.names import read_names
 from armui.ui.actions.palette import CommandPalette
@@ -255,3 +256,9 @@ def test_windows_and_curves(driver):
     command(driver, "save as points")
     driver.page(RecordingPage)
     assert driver.dialog(CommandPalette).isVisible()
+
+
+def test_synonyms_and_dangers_are_of_actions_there_are():
+    names = {action.name for action in actions()}
+    assert catalogue._SYNONYMS.keys() <= names
+    assert all(any(name.startswith(each) for name in names) for each in catalogue._DANGEROUS)

@@ -74,6 +74,10 @@ def test_it_says_that_it_wants_to_be_held(button):
     assert button.accessibleDescription() == hint
     button.setToolTip("It drops.")
     assert button.toolTip() == f"It drops.\n{hint}"
+    button.setEnabled(False)
+    assert button.toolTip() == "It drops."
+    button.setEnabled(True)
+    assert button.toolTip() == f"It drops.\n{hint}"
 
 
 @pytest.mark.parametrize("click", ["mouse", "key", "program"])

@@ -135,6 +135,46 @@ _PARAMETERS: Final = (
 _WITH_PARAMETERS: Final = ("joint_settings", "end_limits", "collision", "gripper_settings")
 _CAN_RESET: Final = ("joint_settings", "end_limits")
 
+_SYNONYMS: Final = {
+    "everywhere.stop": "stop estop e-stop emo kill panic 停止 紧急停止 停机",
+    "everywhere.halt": "hold freeze brake 停下 保持 刹车",
+    "motion.home": "zero zeros origin home 归零 零位 零点 原点 复位",
+    "motion.send": "movej joints 关节运动",
+    "motion.keys": "keyboard teach 键盘",
+    "window.connect": "open port device adapter can 设备 端口 打开",
+    "window.enable": "power servo on off 上电 下电 伺服",
+    "window.resume": "recover restart release 恢复 解除 复位",
+    "window.next_step": "fix help recover 怎么办",
+    "window.speed": "velocity fast slow override 速度 倍率 快 慢",
+    "window.joint_status": "temperature current voltage errors 温度 电流 电压 故障",
+    "window.sessions": "logs history 日志 录制",
+    "window.export": "csv mcap parquet rosbag 导出",
+    "window.backup": "restore factory 恢复 出厂",
+    "window.diagnosis": "doctor troubleshoot problem 排查 自检",
+    "window.about_arm": "version firmware serial 版本 固件 序列号",
+    "window.settings": "preferences options configuration 选项 首选项 配置",
+    "window.theme": "dark light night 深色 浅色 夜间",
+    "window.close": "quit exit 退出",
+    "library.open": "program programs trajectories 程序 轨迹",
+    "plots.open": "chart graph plot scope 图表 示波器",
+    "events.open": "log messages alarms 日志 报警 消息",
+    "bus.open": "can frames monitor sniffer 报文 帧",
+    "replay.open": "playback play log 播放",
+    "everywhere.guide": "manual help documentation 帮助 手册 说明书",
+    "everywhere.shortcuts": "keys hotkeys 热键",
+    "cartesian.open": "tcp pose linear xyz 位姿 直线",
+    "joint_settings.open": "limits maximum minimum 限位 极限",
+    "collision.open": "protection crash 碰撞",
+}
+"""What else operators call things, in both languages, by the name of the action."""
+
+_DANGEROUS: Final = (
+    *("motor.zero_", "motor.disable_", "gripper.zero", "gripper.disable", "window.resume"),
+    *("linkage.input", "linkage.output", "linkage.confirm", "bus.unlock", "window.backup"),
+    *(f"{panel}.reset" for panel in _CAN_RESET),
+)
+"""Beginnings of the names of what loses a zero, a setting, or the power that holds the arm."""
+
 _MOTOR: Final = (
     ("enable", Text("ActButtons", "Enable"), Need.SWITCH_ON),
     ("disable", Text("ActButtons", "Disable"), Need.SWITCH_OFF),
@@ -150,6 +190,16 @@ def actions() -> tuple[Command, ...]:
     opened = (Command(f"{panel}.open", PLACES[panel], f"menu_{panel}") for panel in PANELS)
     in_panels = (command for panel in PANELS for command in _of_panel(panel))
     return (*_WINDOW, *opened, *in_panels, *page_commands.commands())
+
+
+def synonyms(name: str) -> tuple[str, ...]:
+    """Return what else an action is called, in either language."""
+    return tuple(_SYNONYMS.get(name, "").split())
+
+
+def is_dangerous(name: str) -> bool:
+    """Tell whether an action is one that nobody should come upon by mistake."""
+    return name.startswith(_DANGEROUS)
 
 
 def _of_panel(panel: str) -> Iterator[Command]:

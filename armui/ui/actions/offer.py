@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 from typing import TYPE_CHECKING, Final
 
@@ -51,6 +51,7 @@ class Offer:
             from being done is known then.
         point_out: Leads to its button instead, where what it does follows from what stands on that
             page: once it is shown, the button waits for a press of its own.
+        name: Of its action in the catalogue; "" for what is only on the screen.
     """
 
     title: str
@@ -60,6 +61,7 @@ class Offer:
     do: Doing
     show: Doing | None = None
     point_out: Doing | None = None
+    name: str = ""
 
     def is_like(self, other: Offer) -> bool:
         """Whether it is the same one, of another moment."""
@@ -91,7 +93,7 @@ class Offers:
             apart_from: The palette, whose own buttons are none of them.
         """
         known = {action.target for action in actions()}
-        offers = [self._of(action) for action in actions()]
+        offers = [replace(self._of(action), name=action.name) for action in actions()]
         return [*offers, *self._of_windows(known, apart_from)]
 
     # -- the catalogue ------------------------------------------------------------------------

@@ -11,6 +11,7 @@ from PySide6.QtWidgets import QAbstractItemView, QLineEdit, QListView, QWidget
 
 from armui.arm.refusal import Refusal
 from armui.control.events import Level
+from armui.ui.actions.catalogue import is_dangerous, synonyms
 from armui.ui.actions.names import Names, read_names
 from armui.ui.actions.offer import Doing, Offer, Offers, nothing_to_do
 from armui.ui.actions.offer_list import OfferDelegate, OfferModel
@@ -101,7 +102,13 @@ class CommandPalette(ArmDialog):
         if not self.isVisible():
             return
         self._offers = [
-            (offer, self._names.search_text(offer.title, offer.place))
+            (
+                offer,
+                replace(
+                    self._names.search_text(offer.title, offer.place),
+                    synonyms=synonyms(offer.name),
+                ),
+            )
             for offer in self._source.now(self)
         ]
         self._show_found(keep=True)
@@ -111,8 +118,14 @@ class CommandPalette(ArmDialog):
         before = self._chosen() if keep else None
         told = self._message.isVisible() and before is not None
         ranked = [(rank(query, text), place) for place, (_, text) in enumerate(self._offers)]
-        found = sorted((how, place) for how, place in ranked if how is not None)
-        self._model.show_offers([self._offers[place][0] for _, place in found])
+        found = [
+            # nobody comes upon what is dangerous by Enter while anything else is called so
+            (bool(query.strip()) and is_dangerous(self._offers[place][0].name), how, place)
+            for how, place in ranked
+            if how is not None
+        ]
+        found.sort()
+        self._model.show_offers([self._offers[place][0] for _, _, place in found])
         self.list.setCurrentIndex(self._model.index(self._model.row_like(before), 0))
         chosen = self._chosen()
         if chosen is None:

@@ -10,6 +10,8 @@ _EXACT, _INITIALS, _START, _WORD, _WITHIN = range(5)
 """How good: the whole name, the initials of its pinyin, its start, that of a word, anywhere."""
 
 _NONE: Final = 99
+_SHORTEST_LATIN: Final = 3
+"""Of the beginning of a synonym."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -21,12 +23,14 @@ class SearchText:
         more: Where it is done, likewise: found as well, behind the names.
         pinyin: Of each Chinese name of its own its syllables, without tones.
         more_pinyin: Of the names of its place.
+        synonyms: What else it is called, in any language; lower case.
     """
 
     names: tuple[str, ...]
     more: tuple[str, ...] = ()
     pinyin: tuple[tuple[str, ...], ...] = ()
     more_pinyin: tuple[tuple[str, ...], ...] = ()
+    synonyms: tuple[str, ...] = ()
 
 
 def rank(query: str, text: SearchText) -> tuple[int, ...] | None:
@@ -38,7 +42,11 @@ def rank(query: str, text: SearchText) -> tuple[int, ...] | None:
     words = query.lower().split()
     ranks = []
     for word in words:
-        own = min(_in_names(word, text.names), _in_pinyin(word, text.pinyin))
+        own = min(
+            _in_names(word, text.names),
+            _in_pinyin(word, text.pinyin),
+            _in_synonyms(word, text.synonyms),
+        )
         place = min(_in_names(word, text.more), _in_pinyin(word, text.more_pinyin))
         best = min(own, _WITHIN + 1 + place)
         if best >= _NONE:
@@ -60,6 +68,14 @@ def _in_names(word: str, names: Sequence[str]) -> int:
             begins = not name[at - 1].isalnum() and name[at].isascii()
             best = min(best, _WORD if begins else _WITHIN)
     return best
+
+
+def _in_synonyms(word: str, synonyms: Sequence[str]) -> int:
+    """As good as the start of a name where it is the whole word; its beginning, as within one."""
+    if word in synonyms:
+        return _START
+    long_enough = len(word) >= (_SHORTEST_LATIN if word.isascii() else 1)
+    return _WITHIN if long_enough and any(each.startswith(word) for each in synonyms) else _NONE
 
 
 def _in_pinyin(word: str, names: Sequence[tuple[str, ...]]) -> int:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Final
 
-from PySide6.QtCore import QPoint, QRect, QRectF, QSize, QVariantAnimation, Signal
+from PySide6.QtCore import QEvent, QPoint, QRect, QRectF, QSize, QVariantAnimation, Signal
 from PySide6.QtGui import QColor, QPaintEvent, QPen
 from PySide6.QtWidgets import QPushButton, QToolTip
 
@@ -71,9 +71,16 @@ class HoldButton(Translated, QPushButton):
         return self.progress.currentTime() / HOLD_MS
 
     def setToolTip(self, use: str) -> None:  # noqa: N802 - the name Qt calls
-        """Say what it is for, and that it wants to be held."""
+        """Say what it is for, and that it wants to be held; or only why it cannot be."""
         self._use = use
-        super().setToolTip("\n".join(filter(None, (use, self._hint()))))
+        hint = self._hint() if self.isEnabled() else ""
+        super().setToolTip("\n".join(filter(None, (use, hint))))
+
+    def changeEvent(self, event: QEvent) -> None:
+        """Follow being enabled, too."""
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.EnabledChange:
+            self.setToolTip(self._use)
 
     def retranslate_ui(self) -> None:
         """Say in the operator's language that it wants to be held."""
