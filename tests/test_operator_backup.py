@@ -15,6 +15,7 @@ from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
 from armui.ui.dialogs.backup import BackupDialog
 from armui.ui.dialogs.backup_model import FILED, HELD, NAME, STATE
+from armui.ui.dialogs.confirm_dialog import ConfirmDialog
 from armui.ui.dialogs.files import FileDialog
 from armui.ui.widgets.message_line import MessageLine
 from tests.faulty_arm import HardOfHearing
@@ -250,7 +251,13 @@ def test_what_the_arm_does_not_take_is_told_row_by_row(arm, tmp_path):
     open_file(arm, path)
     assert rows(arm)["J4 Max. angle"][2] == "≠ cannot be restored"
     assert ticks(arm) == ["J3 Max. speed", "Max. linear speed of the end"]
-    restore(arm)
+    arm.click(arm.box.restore_button)
+    question = arm.dialog(ConfirmDialog)
+    assert "J3 Max. speed: 300.0°/s goes beyond the factory's 171.9°/s." in question.text()
+    arm.click(question.action_button)  # it wants to be held
+    assert question.isVisible()
+    arm.confirm()
+    settled(arm)
     assert rows(arm)["J3 Max. speed"][2] == "✗ not restored"
     assert rows(arm)["Max. linear speed of the end"][2] == "✓ restored"
     assert "1 of 2 parameters were not restored. J3 Max. speed: 300.0°/s was sent" in said(arm)

@@ -11,12 +11,15 @@ import enum
 import math
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
-from typing import Any, Final, NamedTuple
+from typing import TYPE_CHECKING, Any, Final, NamedTuple
 
 from armui.arm.limits import JOINTS, plausible
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import ArmState, Reading, Six
+
+if TYPE_CHECKING:
+    from armui.arm.models import ModelData
 
 
 class Group(enum.Enum):
@@ -154,6 +157,9 @@ _MOST_SPEED_DEG_S: Final = 360.0
 _MOST_ACCELERATION_DEG_S2: Final = 1800.0
 _MOST_END_LIMIT: Final = 32.766
 """0x7FFF, one step more, means «leave it» in generation 2."""
+_ANGLE_SLACK_DEG: Final = 0.05
+_RATE_SLACK: Final = 1.02
+"""What the coarse steps of generation 1 (rpm) make of a factory value."""
 _CORRUPT_SPEED_DEG_S: Final = 3600.0
 """Far above any joint of this arm, below 0xFFFF in either generation's unit."""
 _CORRUPT_ACCELERATION_DEG_S2: Final = 36_000.0
@@ -284,6 +290,31 @@ def check_value(parameter: Parameter, value: float) -> Refusal | None:
         choices = ", ".join(f"{choice:g}" for choice in kind.choices)
         return Refusal(RefusalCode.SETTING_NO_CHOICE, figures | {"choices": choices})
     return None
+
+
+def factory_bound(parameter: Parameter, value: float, data: ModelData) -> float | None:
+    """Return the factory value of a model's arm that a value goes beyond, or ``None``.
+
+    What is meant for a joint's angles is also what its mechanics are known to allow.
+
+    Args:
+        parameter: Which.
+        value: In the operator's unit.
+        data: Of the model.
+    """
+    if parameter.joint not in JOINTS:
+        return None
+    limits = data.limits[parameter.joint - 1]
+    if parameter.kind.group is Group.JOINT_LIMITS and parameter.kind.unit == "°":
+        if value > limits.max_deg + _ANGLE_SLACK_DEG:
+            return limits.max_deg
+        return limits.min_deg if value < limits.min_deg - _ANGLE_SLACK_DEG else None
+    bounds = {
+        "max_speed_deg_s": limits.max_speed_deg_s,
+        "max_acceleration_deg_s2": data.accelerations_deg_s2[parameter.joint - 1],
+    }
+    bound = bounds.get(parameter.name)
+    return bound if bound is not None and value > bound * _RATE_SLACK else None
 
 
 def not_a_number(parameter: Parameter, text: str) -> Refusal:

@@ -5876,6 +5876,18 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <source>Drag assistance</source>
         <translation>拖动助力</translation>
     </message>
+    <message>
+        <source>factory {bound}</source>
+        <translation>出厂 {bound}</translation>
+    </message>
+    <message>
+        <source>{name}: {value} goes beyond the factory's {bound}.</source>
+        <translation>{name}：{value} 超出出厂值 {bound}。</translation>
+    </message>
+    <message>
+        <source>The arm may then be driven against its mechanical stops or beyond what its motors are made for, and no check here holds it back. Save this only if you know this arm can do it.</source>
+        <translation>之后机械臂可能撞到机械限位或超出电机的设计能力，本程序的检查也不再拦住它。只有确知这台机械臂做得到时才保存。</translation>
+    </message>
 </context>
 <context>
     <name>ParameterButtons</name>

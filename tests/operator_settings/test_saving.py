@@ -9,6 +9,8 @@ from PySide6.QtTest import QTest
 
 from armui.control.operating_state import LinkState
 from armui.protocol.generation import Generation
+from armui.ui.dialogs.confirm_dialog import ConfirmDialog
+from armui.ui.widgets.hold_button import HoldButton
 from tests.generations import ONE_IS_ENOUGH
 from tests.operator_settings.panels import (
     frame,
@@ -55,6 +57,7 @@ def test_a_value_the_arm_answers_and_does_not_take(joints):
     joints.type_into("max_speed_deg_s_3", "300")
     joints.type_into("max_angle_deg_1", "140")
     joints.click("joint_settings_save_button")
+    joints.confirm()
     settled(joints)
     assert note(joints, "max_angle_deg_1") == "saved"
     assert note(joints, "max_speed_deg_s_3") == "not saved"
@@ -69,6 +72,71 @@ def test_a_value_the_arm_answers_and_does_not_take(joints):
     settled(joints)
     assert len(sent(joints)) == 1  # joint 1 is in the arm already
     assert note(joints, "max_speed_deg_s_3") == "saved"
+
+
+def asked(joints):
+    """The question before what was entered is saved, which waits for a held button."""
+    dialog = joints.dialog(ConfirmDialog)
+    assert isinstance(dialog.action_button, HoldButton)
+    return dialog
+
+
+@pytest.mark.parametrize(
+    ("field", "value", "note_", "said"),
+    [
+        ("max_angle_deg_1", "200", "factory 150.0", "J1 Max. angle: 200.0° goes beyond"),
+        ("min_angle_deg_2", "-20", "factory 0.0", "J2 Min. angle: -20.0° goes beyond"),
+        ("max_speed_deg_s_1", "190", "factory 171.9", "J1 Max. speed: 190.0°/s goes beyond"),
+        (
+            "max_acceleration_deg_s2_6",
+            "400",
+            "factory 286.5",
+            "J6 Max. acceleration: 400.0°/s² goes beyond",
+        ),
+    ],
+)
+def test_beyond_the_factory_is_amber_and_saved_by_a_held_press_only(
+    joints, field, value, note_, said
+):
+    joints.click("joint_settings_edit_button")
+    joints.type_into(field, value)
+    assert note(joints, field) == note_
+    assert joints.find(field).property("attention")
+    assert said in joints.read("joint_settings_message")
+    assert said in joints.find(field).toolTip()
+    joints.click("joint_settings_save_button")
+    assert said in asked(joints).text()
+    assert "mechanical stops" in asked(joints).text()
+    joints.click(asked(joints).action_button)  # a click is not enough
+    joints.run(0.3)
+    assert sent(joints) == []
+    asked(joints).reject()
+    joints.run(0.3)
+    assert sent(joints) == []
+    joints.click("joint_settings_save_button")
+    joints.confirm()
+    settled(joints)
+    assert len(sent(joints)) == 1
+
+
+def test_what_is_within_the_factory_s_values_is_saved_at_once(joints):
+    joints.click("joint_settings_edit_button")
+    joints.type_into("max_angle_deg_1", "120")
+    joints.type_into("max_speed_deg_s_1", "90")
+    joints.click("joint_settings_save_button")
+    settled(joints)
+    assert note(joints, "max_angle_deg_1") == "saved"
+
+
+def test_an_arm_that_is_beyond_already_is_shown_so(joints):
+    limits = list(joints.firmware.settings.limits)
+    limits[5] = limits[5]._replace(max_deg=180.0)
+    joints.firmware.settings.limits = limits
+    joints.click("joint_settings_read_button")
+    settled(joints)
+    assert note(joints, "max_angle_deg_6") == "factory 120.0"
+    assert "180.0° goes beyond the factory's 120.0°" in joints.find("max_angle_deg_6").toolTip()
+    assert joints.read("joint_settings_message") == ""  # nothing has to be done
 
 
 def test_an_arm_that_neither_answers_nor_takes_it(end):

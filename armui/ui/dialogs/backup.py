@@ -17,7 +17,8 @@ from PySide6.QtWidgets import (
 
 from armui.arm.backup import SUFFIX, Backup
 from armui.arm.comparison import ComparisonVerdict, compare
-from armui.arm.parameters import Parameter
+from armui.arm.models import model_data
+from armui.arm.parameters import Parameter, factory_bound
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.control.arm_controller import ArmController
@@ -41,8 +42,11 @@ from armui.ui.widgets.message_line import MessageLine
 from armui.ui.widgets.plain_table import list_rows
 from armui.ui.widgets.progress import quiet_progress
 from armui.ui.widgets.text_label import text_label
+from armui.ui.words.parameters import beyond_danger, beyond_factory
 
 _SIZE_PX: Final = (860, 640)
+_MOST_BEYOND: Final = 8
+"""Lines of a question."""
 _NARROWEST_COLUMN_PX: Final = 110
 
 
@@ -215,18 +219,32 @@ class BackupDialog(ArmDialog):
 
     def _on_restore(self) -> None:
         chosen = self._model.chosen
+        text = self.tr(
+            "{count} parameters of the arm are set to what the file says, limits and collision "
+            "levels among them if they are chosen. Each is read back and compared."
+        ).format(count=len(chosen))
+        beyond = self._beyond(chosen)
+        if beyond:
+            text = "\n".join((text, *beyond[:_MOST_BEYOND], beyond_danger()))
         confirm(
             self,
             self._controller,
             title=self.tr("Restore parameters"),
-            text=self.tr(
-                "{count} parameters of the arm are set to what the file says, limits and collision "
-                "levels among them if they are chosen. Each is read back and compared."
-            ).format(count=len(chosen)),
+            text=text,
             action_label=self.tr("Restore"),
             on_confirmed=partial(self._restore_now, chosen),
+            hold=bool(beyond),
             still=lambda: self._model.chosen == chosen,
         )
+
+    def _beyond(self, chosen: dict[Parameter, float]) -> list[str]:
+        """Return a line for each value that goes beyond the factory's values of this model."""
+        data = model_data(self._controller.operating_state.model)
+        return [
+            beyond_factory(parameter, value, bound)
+            for parameter, value in chosen.items()
+            if (bound := factory_bound(parameter, value, data)) is not None
+        ]
 
     def _restore_now(self, chosen: dict[Parameter, float]) -> None:
         self._drop_file()

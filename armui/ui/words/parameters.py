@@ -97,3 +97,27 @@ def span_text(name: str) -> str:
     source = QT_TRANSLATE_NOOP("Parameter", "Possible: {minimum} to {maximum}")
     words = {"minimum": value_text(name, kind.minimum), "maximum": value_text(name, kind.maximum)}
     return sentence("Parameter", source, words)
+
+
+def beyond_word(name: str, bound: float) -> str:
+    """That a value goes beyond the factory's, in a word or two."""
+    source = QT_TRANSLATE_NOOP("Parameter", "factory {bound}")
+    return sentence("Parameter", source, {"bound": f"{bound:.{KINDS[name].decimals}f}"})
+
+
+def beyond_factory(parameter: Parameter, value: float, bound: float) -> str:
+    """The same as a sentence."""
+    source = QT_TRANSLATE_NOOP("Parameter", "{name}: {value} goes beyond the factory's {bound}.")
+    figures = {"value": value_text(parameter.name, value), "name": full_name(parameter)}
+    figures["bound"] = value_text(parameter.name, bound)
+    return sentence("Parameter", source, figures)
+
+
+def beyond_danger() -> str:
+    """What comes of it, said before it is saved."""
+    source = QT_TRANSLATE_NOOP(
+        "Parameter",
+        "The arm may then be driven against its mechanical stops or beyond what its motors are "
+        "made for, and no check here holds it back. Save this only if you know this arm can do it.",
+    )
+    return sentence("Parameter", source, {})

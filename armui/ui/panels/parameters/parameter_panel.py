@@ -10,7 +10,8 @@ from PySide6.QtGui import QHideEvent, QKeyEvent, QShowEvent
 from PySide6.QtWidgets import QFrame, QToolButton
 
 from armui.arm.device import Device
-from armui.arm.parameters import heard
+from armui.arm.models import model_data
+from armui.arm.parameters import Parameter, factory_bound, heard
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import Reading
@@ -31,6 +32,9 @@ from armui.ui.widgets.card import scrolled
 from armui.ui.widgets.enable_or_explain import enable_or_explain
 from armui.ui.widgets.layouts import in_row
 from armui.ui.words.parameters import (
+    beyond_danger,
+    beyond_factory,
+    beyond_word,
     full_name,
     span_text,
     status_explained,
@@ -122,11 +126,24 @@ class ParameterPanel(Panel):
 
     def danger(self) -> str:
         """What in the figures shown is dangerous, in plain words; empty: nothing."""
-        return ""
+        return self._beyond()
 
     def danger_of_saving(self) -> str:
         """What saving would make dangerous, to be agreed to before; empty: nothing."""
-        return ""
+        beyond = self._beyond()
+        return f"{beyond}\n{beyond_danger()}" if beyond else ""
+
+    def _bound(self, parameter: Parameter, value: float) -> float | None:
+        """The factory value of this model that a value goes beyond."""
+        return factory_bound(parameter, value, model_data(self._operating_state.model))
+
+    def _beyond(self) -> str:
+        """What was entered that goes beyond the factory's values, a line each."""
+        return "\n".join(
+            beyond_factory(parameter, value, bound)
+            for parameter, value in self._draft.changes().items()
+            if (bound := self._bound(parameter, value)) is not None
+        )
 
     # -- leaving ------------------------------------------------------------------------------
 
@@ -203,6 +220,7 @@ class ParameterPanel(Panel):
                 text=danger,
                 action_label=self._buttons.save.text(),
                 on_confirmed=lambda: self._save_now(then),
+                hold=True,
                 still=lambda: self._draft.changes() == changes,
             )
         else:
@@ -309,10 +327,15 @@ class ParameterPanel(Panel):
         cell.setEnabled(self._operating_state.unreachable is None or self._draft.editing)
         status = self._draft.status(state, parameter, stands)
         held = fmt.NOTHING if known is None else value_text(parameter.name, known.value)
-        cell.show_status(status, self._word(cell, status, known))
+        bound = None if cell.value is None else self._bound(parameter, cell.value)
+        word = self._word(cell, status, known)
+        if bound is not None and status in (CellStatus.READ, CellStatus.CHANGED):
+            word = beyond_word(parameter.name, bound)
+        cell.show_status(status, word, beyond=bound is not None)
         reason = self._draft.why_wrong(state, parameter) or stands.reason
         said = status_explained(status, held) if reason is None else words.refusal(reason)
-        lines = (full_name(parameter), span_text(parameter.name), said)
+        too_far = "" if bound is None else beyond_factory(parameter, cell.value or 0.0, bound)
+        lines = (full_name(parameter), span_text(parameter.name), too_far, said)
         cell.describe(full_name(parameter), "\n".join(line for line in lines if line))
 
     def _word(self, cell: SettingCell, status: CellStatus, known: Reading[float] | None) -> str:

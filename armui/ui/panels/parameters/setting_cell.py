@@ -67,8 +67,20 @@ class SettingCell(QWidget):
         """Name it, and say in full how it stands."""
         raise NotImplementedError
 
-    def show_status(self, status: CellStatus, text: str) -> None:
-        """Say how it stands."""
+    def show_status(
+        self,
+        status: CellStatus,
+        text: str,
+        *,
+        beyond: bool = False,  # noqa: ARG002 - what has a field marks it
+    ) -> None:
+        """Say how it stands.
+
+        Args:
+            status: How.
+            text: The same in a word.
+            beyond: It goes beyond the factory's value: it may be saved, and is looked at twice.
+        """
         self.note.show_status(status, text)
 
 
@@ -112,7 +124,7 @@ class FigureCell(SettingCell):
         describe(self.field, name, tip)
         self.note.setToolTip(tip)
 
-    def show_status(self, status: CellStatus, text: str) -> None:
-        """Say how it stands; what cannot be saved is marked in the field too."""
-        super().show_status(status, text)
-        self.field.show_attention(wanted=status is CellStatus.WRONG)
+    def show_status(self, status: CellStatus, text: str, *, beyond: bool = False) -> None:
+        """Say how it stands; what cannot be saved, or not unasked, is marked in the field too."""
+        super().show_status(status, text, beyond=beyond)
+        self.field.show_attention(wanted=status is CellStatus.WRONG or beyond)
