@@ -48,6 +48,7 @@ WINDOW_SCENES = (
     Scene("end-load", panels.end_load),
     Scene("joint-settings", arm_settings.joint_settings),
     Scene("joint-settings-refused", arm_settings.joint_settings_refused),
+    Scene("joint-settings-beyond", arm_settings.joint_settings_beyond),
     Scene("joint-settings-corrupt", arm_settings.joint_settings_corrupt),
     Scene("end-limits", arm_settings.end_limits),
     Scene("collision-levels", arm_settings.levels),

@@ -35,7 +35,14 @@ def joint_settings_refused(app_driver: AppDriver) -> None:
     app_driver.type_into("max_angle_deg_1", "150")
     app_driver.type_into("max_speed_deg_s_3", "300")  # more than the motors can do
     app_driver.click("joint_settings_save_button")
+    app_driver.confirm()  # beyond the factory's value
     settled(app_driver)
+
+
+def joint_settings_beyond(app_driver: AppDriver) -> None:
+    """A limit beyond the factory's: named, and not saved unasked."""
+    joint_settings(app_driver)
+    app_driver.type_into("max_angle_deg_1", "200")
 
 
 def joint_settings_corrupt(app_driver: AppDriver) -> None:

@@ -55,6 +55,15 @@ def _run(app_driver: AppDriver) -> None:
     app_driver.run_until(lambda: app_driver.controller.player.progress.index == 1)
 
 
+def _run_paused(app_driver: AppDriver) -> None:
+    """Paused, and 继续 held half of its second."""
+    _run(app_driver)
+    app_driver.click("run_pause")
+    app_driver.run(1.0)
+    button = app_driver.find("run_continue")
+    button.progress.setCurrentTime(button.progress.duration() // 2)
+
+
 def _run_from_a_panel(app_driver: AppDriver) -> None:
     """The same, and then the gripper's panel."""
     _run(app_driver)
@@ -120,6 +129,7 @@ SCENES = (
     Scene("editor-jogging-tool", _jogging_tool, sizes=_SIZES),
     Scene("editor-empty", _first_point, sizes=_SIZES),
     Scene("running", _run, sizes=_SIZES),
+    Scene("running-paused", _run_paused, sizes=_SIZES),
     Scene("running-panel", _run_from_a_panel, sizes=_SIZES),
     Scene("library-empty", library.empty, sizes=_SIZES),
     Scene("library", _online(trajectories.library), sizes=_SIZES, fine=True),
@@ -132,4 +142,5 @@ SCENES = (
     Scene("recording", _online(trajectories.recording), sizes=_SIZES),
     Scene("columns-offered", _online(trajectories.columns_offered), sizes=_SIZES),
     Scene("columns", _online(trajectories.columns), sizes=_SIZES),
+    Scene("columns-asked", _online(trajectories.columns_asked), sizes=_SIZES),
 )

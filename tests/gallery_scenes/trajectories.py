@@ -81,6 +81,15 @@ def columns(app_driver: AppDriver) -> Page:
     return page
 
 
+def columns_asked(app_driver: AppDriver) -> Page:
+    """Small angles whose unit no title names: radians or degrees?"""
+    page = columns(app_driver)
+    box = page.findChild(QComboBox, "column_quantity_8")
+    box.setCurrentIndex(0)
+    box.activated.emit(0)
+    return page
+
+
 def columns_offered(app_driver: AppDriver) -> Page:
     columns(app_driver).leave()
     return app_driver.page(LibraryPage)
