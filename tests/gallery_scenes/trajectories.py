@@ -59,22 +59,26 @@ def recording(app_driver: AppDriver) -> Page:
     return app_driver.page(RecordingPage)
 
 
+def _by_columns(app_driver: AppDriver, table: str) -> ColumnsPage:
+    window = library(app_driver)
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / "welding seam.csv"
+        path.write_text(table)
+        app_driver.click(window.findChild(QWidget, "library_import"))
+        chooser = app_driver.dialog(FileDialog)
+        chooser.filesSelected.emit([str(path)])
+        chooser.close()
+        app_driver.click(window.findChild(QWidget, "library_by_columns"))
+    return app_driver.page(ColumnsPage)
+
+
 def columns(app_driver: AppDriver) -> Page:
     """A table that names most of its columns, one of them twice."""
     rows = "".join(
         f"{20 * step},{step},{0.3 + step / 100:.3f},{-0.7 - step / 90:.3f},0.1,0.4,-0.2,{step},41\n"
         for step in range(30)
     )
-    window = library(app_driver)
-    with tempfile.TemporaryDirectory() as folder:
-        path = Path(folder) / "welding seam.csv"
-        path.write_text(f"time_ms,j1,j2,j3,j4,j5,j6,counter,temperature\n{rows}")
-        app_driver.click(window.findChild(QWidget, "library_import"))
-        chooser = app_driver.dialog(FileDialog)
-        chooser.filesSelected.emit([str(path)])
-        chooser.close()
-        app_driver.click(window.findChild(QWidget, "library_by_columns"))
-    page = app_driver.page(ColumnsPage)
+    page = _by_columns(app_driver, f"time_ms,j1,j2,j3,j4,j5,j6,counter,temperature\n{rows}")
     box = page.findChild(QComboBox, "column_quantity_8")
     box.setCurrentIndex(box.findData(ColumnQuantity.J1))
     box.activated.emit(box.currentIndex())
@@ -83,11 +87,11 @@ def columns(app_driver: AppDriver) -> Page:
 
 def columns_asked(app_driver: AppDriver) -> Page:
     """Small angles whose unit no title names: radians or degrees?"""
-    page = columns(app_driver)
-    box = page.findChild(QComboBox, "column_quantity_8")
-    box.setCurrentIndex(0)
-    box.activated.emit(0)
-    return page
+    rows = "".join(
+        f"{20 * step},{step / 50:.3f},{0.3 + step / 100:.3f},{-0.7 - step / 90:.3f},0.1,0.4,-0.2\n"
+        for step in range(30)
+    )
+    return _by_columns(app_driver, f"time[ms],Achse1,Achse2,Achse3,Achse4,Achse5,Achse6\n{rows}")
 
 
 def columns_offered(app_driver: AppDriver) -> Page:

@@ -130,6 +130,14 @@ def test_the_unit_of_a_heading_wins_over_the_columns_beside_it_too(operator):
     assert operator.page.findChild(QWidget, "column_origin_3").text() == ""
 
 
+def test_one_large_angle_tells_that_all_are_degrees(operator):
+    operator.open(points="0.5 40 -1 0.1 0.2 0.3\n0.6 41 -1 0.1 0.2 0.3\n")
+    assert operator.columns() == [f"J{joint} °" for joint in range(1, 7)]
+    assert operator.message() == ""
+    origins = [operator.page.findChild(QWidget, f"column_origin_{n}").text() for n in (1, 6)]
+    assert origins == ["Guessed: check it"] * 2
+
+
 def test_what_is_called_by_hand_has_a_unit_that_is_marked_as_guessed(operator):
     operator.open(line=DEGREES.replace("_deg", ""))
     operator.call(2, "J1")

@@ -6,7 +6,7 @@ its columns are, to a `ColumnMapping`; `apply` reads the whole text by it.
 
 from armui.trajectory.columns.apply import apply, check_mapping
 from armui.trajectory.columns.encodings import LABELS, Encoding
-from armui.trajectory.columns.guess import likely_unit, looks_like_radians
+from armui.trajectory.columns.guess import exceeds_radians, likely_unit, looks_like_radians
 from armui.trajectory.columns.model import (
     UNITS,
     ColumnMapping,
@@ -32,6 +32,7 @@ __all__ = [
     "TableFile",
     "apply",
     "check_mapping",
+    "exceeds_radians",
     "likely_unit",
     "look_closer",
     "looks_like_radians",

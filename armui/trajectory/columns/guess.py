@@ -113,6 +113,11 @@ def looks_like_radians(figures: Figures) -> bool:
     return 0.0 < _largest(figures) <= _FULL_TURN_RAD
 
 
+def exceeds_radians(figures: Figures) -> bool:
+    """Tell whether figures of an angle are too large for radians."""
+    return _largest(figures) > _FULL_TURN_RAD
+
+
 def _by_titles(header: Sequence[str]) -> list[tuple[ColumnQuantity | None, str]]:
     """Quantity and unit of each title, as far as it names them; a quantity only once."""
     parts = [_parts(title) for title in header]

@@ -13,6 +13,7 @@ from armui.trajectory.columns import (
     ColumnQuantity,
     Guess,
     TableColumn,
+    exceeds_radians,
     likely_unit,
     looks_like_radians,
 )
@@ -81,15 +82,17 @@ class ColumnPicker(Translated, QWidget):
         return self._guessed
 
     @property
-    def may_be_radians(self) -> bool:
-        """Whether it is an angle whose figures may be radians, and nobody has said its unit."""
-        column = self.column
-        if column is None or "rad" not in UNITS[column.quantity] or not self._guessed:
-            return False
-        return not self._is_titled and looks_like_radians(self._guess.figures)
+    def looks_like_radians(self) -> bool:
+        """Whether its figures may be radians."""
+        return looks_like_radians(self._guess.figures)
 
     @property
-    def _is_titled(self) -> bool:
+    def exceeds_radians(self) -> bool:
+        """Whether a figure of it is more than any joint turns in radians."""
+        return exceeds_radians(self._guess.figures)
+
+    @property
+    def is_titled(self) -> bool:
         """Whether its title names its unit."""
         column = self.column
         return column is not None and column.unit == self._guess.titled_unit
@@ -136,14 +139,14 @@ class ColumnPicker(Translated, QWidget):
         self._guessed = False
         if quantity is not None:
             self.show_unit(likely_unit(ColumnQuantity(quantity), self._guess))
-            self._guessed = self._unit.isEnabled() and not self._is_titled
+            self._guessed = self._unit.isEnabled() and not self.is_titled
         self._show_origin()
         self.quantity_chosen.emit()
 
     def show_unit_of(self, other: ColumnPicker) -> None:
         """Take the unit of another column of the kind, unless the title names one."""
         column = other.column
-        if column is not None and not self._is_titled:
+        if column is not None and not self.is_titled:
             self.show_unit(column.unit)
 
     def _on_unit(self) -> None:

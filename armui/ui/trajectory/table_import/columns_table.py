@@ -95,10 +95,13 @@ class ColumnsTable(QScrollArea):
         return self._width - len(self._places)
 
     def _asking(self, needed: Collection[ColumnQuantity]) -> list[ColumnPicker]:
-        pickers = (each for each in self._pickers if each.may_be_radians)
-        return [
-            each for each in pickers if each.column is not None and each.column.quantity in needed
-        ]
+        """Angles of which no title says the unit, and no figure: all of a file are of one."""
+        angles = [each for each in self._pickers if each.column and each.column.quantity in needed]
+        unsaid = [each for each in angles if each.guessed and not each.is_titled]
+        told = any(each.is_titled for each in angles)
+        if told or not any(each.looks_like_radians for each in unsaid):
+            return []
+        return unsaid if all(not each.exceeds_radians for each in angles) else []
 
     def may_be_radians(self, needed: Collection[ColumnQuantity]) -> list[int]:
         """Return the numbers of the columns whose angles may be radians, which nobody has said.
