@@ -120,8 +120,8 @@ def event(number, mark, code, **params):
 
 
 STOPPED = ("fault", "arm_status", {"status": 1})
-SENT = ("stop", "stop_sent", {})
-CONFIRMED = ("stop", "stop_confirmed", {})
+SENT: tuple[str, str, dict[str, object]] = ("stop", "stop_sent", {})
+CONFIRMED: tuple[str, str, dict[str, object]] = ("stop", "stop_confirmed", {})
 
 
 @pytest.mark.parametrize(
