@@ -4,6 +4,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QWidget
 
+from armui.control.parameters.arm_model import arm_model
 from armui.trajectory.library.store import Library
 from armui.trajectory.points.program import Trajectory
 from armui.ui.dialogs.files import FileDialog
@@ -114,8 +115,9 @@ def test_every_column_can_be_sorted_by(app_driver):
     library = Library(app_driver.library_folder)
     for count, (name, note) in enumerate((("run 10", "b"), ("Run 9", "a"), ("run 2", ""))):
         library.save(Trajectory(name, note, (POINT,) * count))
-    library.mark("run 2", check="errors", length_s=3.0)
-    library.mark("Run 9", check="ok", length_s=20.0)
+    arm = arm_model(app_driver.controller).fingerprint
+    library.mark("run 2", check="errors", length_s=3.0, arm=arm)
+    library.mark("Run 9", check="ok", length_s=20.0, arm=arm)
     driver = LibraryDriver(app_driver)
     assert driver.names() == ["run 2", "Run 9", "run 10"]
     expected = {

@@ -84,7 +84,7 @@ def test_play_runs_to_the_end_and_stops_there(preview, view, bar, qtbot):
     bar.go_to(1.9)
     play = bar.findChild(QPushButton, "preview_play")
     qtbot.mouseClick(play, Qt.MouseButton.LeftButton)
-    assert play.text() == "Halt"
+    assert play.text() == "Pause"
     qtbot.waitUntil(lambda: not play.isChecked())
     assert view.shown.ghost_deg[0] == pytest.approx(20.0)
     assert play.text() == "Play"
