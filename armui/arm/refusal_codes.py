@@ -54,6 +54,7 @@ class RefusalCode(StrEnum):
     CONVERT_NEEDS_MIDDLE = "convert_needs_middle"
     CONVERT_OUT_OF_REACH = "convert_out_of_reach"
     DELETED_GONE = "deleted_gone"
+    DRAG_GIVEN_UP = "drag_given_up"
     ENABLED_UNKNOWN = "enabled_unknown"
     END_FEEDBACK_GOES_ON = "end_feedback_goes_on"
     ENDED_BY_STOP = "ended_by_stop"
@@ -127,7 +128,10 @@ class RefusalCode(StrEnum):
     LOAD_NOT_CHOSEN = "load_not_chosen"
     LOAD_WHILE_MOVING = "load_while_moving"
     MESH_EMPTY = "mesh_empty"
+    MESH_FILE_TOO_LARGE = "mesh_file_too_large"  # mesh, size, most
+    MESH_KIND_UNKNOWN = "mesh_kind_unknown"  # mesh, kinds
     MESH_MISSING = "mesh_missing"
+    MESH_TOO_LARGE = "mesh_too_large"  # mesh, most
     MESH_UNREADABLE = "mesh_unreadable"
     MODEL_CHANGED_SINCE_CHECK = "model_changed_since_check"
     MODEL_DIFFERS = "model_differs"
@@ -251,9 +255,11 @@ class RefusalCode(StrEnum):
     URDF_JOINT_COUNT = "urdf_joint_count"
     URDF_MALFORMED = "urdf_malformed"
     URDF_MISSING = "urdf_missing"
+    URDF_NO_MEMORY = "urdf_no_memory"  # path, most
     URDF_NO_ROBOT = "urdf_no_robot"
     URDF_NO_TREE = "urdf_no_tree"
     URDF_NOT_XML = "urdf_not_xml"
+    URDF_TOO_DETAILED = "urdf_too_detailed"  # path, most
     URDF_UNREADABLE = "urdf_unreadable"
     VALUES_COUNT = "values_count"
     VERSION_NOT_FIT = "version_not_fit"  # versions

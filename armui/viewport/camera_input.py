@@ -34,6 +34,11 @@ class Drag:
         self._pressed_at: QPointF | None = None
         self._last: QPointF | None = None
 
+    @property
+    def is_pressed(self) -> bool:
+        """Tell whether a button was pressed and not let go yet."""
+        return self._last is not None
+
     def press(self, event: QMouseEvent) -> None:
         """The left or the middle button goes down."""
         if event.button() in {Qt.MouseButton.LeftButton, Qt.MouseButton.MiddleButton}:

@@ -166,6 +166,7 @@ class PictureClient(QObject):
             self._note_shown(news.sequence)
             self.frame_ready.emit(Picture(news))
         elif isinstance(news, UpToDate):
+            self._is_rough = news.is_rough
             self._note_shown(news.sequence)
         elif isinstance(news, messages.JointPicked):
             self.joint_picked.emit(news.number)

@@ -14,12 +14,14 @@ from armui.viewport.messages import (
     Draw,
     Drawn,
     Failed,
+    LoadFailed,
     PictureBusy,
     PicturePhase,
     Ready,
     RobotRead,
 )
 from armui.viewport.news import PictureFrame, UpToDate, Wanted
+from armui.viewport.view_state import BUILT_IN_ROBOT
 from armui.viewport.watch import LIMITS, LOOK_S, is_starved, is_stuck, silent_too_long
 
 if TYPE_CHECKING:
@@ -54,6 +56,7 @@ class Conversation:
         phase: What the process was last known to do.
         robot: The one it was last asked to show.
         proven_robot: The one in the last picture.
+        failed_robot: The last one that could not be shown; the one before stays in the picture.
         asked_serial: The newest question about a place that was sent; none is sent twice.
     """
 
@@ -82,6 +85,7 @@ class Conversation:
         self.phase = PicturePhase.STARTING
         self.robot: RobotChoice | None = None
         self.proven_robot: RobotChoice | None = None
+        self.failed_robot: RobotChoice | None = None
 
     def begin(self) -> None:
         """Wait until the process takes requests; raises what `request` raises."""
@@ -99,13 +103,14 @@ class Conversation:
         self.phase = PicturePhase.DRAWING
         self.is_new = False
         self.is_rough = drawn.is_rough
-        self.proven_robot = self.robot
+        if self.robot != self.failed_robot:
+            self.proven_robot = self.robot
         memory = self._memory
         if memory is None:
             return
         memory.forget_name()
         if drawn.size_px is None:
-            self._tell(UpToDate(drawn.sequence))
+            self._tell(UpToDate(drawn.sequence, drawn.is_rough))
             return
         number = self._mailbox.result_sent()
         self._tell(
@@ -170,7 +175,9 @@ class Conversation:
         """Keep the robot that was read, and no other, for the next process."""
         self._robots.clear()
         if self.robot is not None:
-            self._robots[self.robot] = content
+            # in the place of one that fails at the start, the built-in one is read
+            read = BUILT_IN_ROBOT if self.robot == self.failed_robot else self.robot
+            self._robots[read] = content
 
     def _unasked(self, state: ViewState) -> ViewState:
         """The state without questions that an earlier process was asked."""
@@ -230,4 +237,9 @@ class Conversation:
                 _LOG.error("The 3D view stopped\n%s", message.traceback)
                 raise ProcessLostError(message.reason)
             else:
-                self._tell(message)
+                self._pass_on(message)
+
+    def _pass_on(self, message: Answer) -> None:
+        if isinstance(message, LoadFailed):
+            self.failed_robot = self.robot
+        self._tell(message)

@@ -45,9 +45,10 @@ class PictureFrame:
 
 @dataclass(frozen=True, slots=True)
 class UpToDate:
-    """The last image shows this state, too."""
+    """The last image shows this state, too; see `armui.viewport.messages.Drawn`."""
 
     sequence: int
+    is_rough: bool
 
 
 @dataclass(frozen=True, slots=True)

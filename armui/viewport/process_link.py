@@ -143,6 +143,8 @@ class ProcessLink:
             how = child.end()
             conversation.close()
         self._asked_serial = conversation.asked_serial
+        # the next process has none that could stay in the picture
+        self._put_aside = conversation.failed_robot or self._put_aside
         reason = reason or Refusal(RefusalCode.PICTURE_PROCESS_ENDED, {"text": how})
         return None if self._blames_robot(conversation, reason) else reason
 

@@ -31,6 +31,7 @@ if TYPE_CHECKING:
     from armui.viewport.client import PictureClient
     from armui.viewport.grips import Grip
     from armui.viewport.handles import HandlePlace
+    from armui.viewport.news import Lost
     from armui.viewport.path_picture import Preview, Reach, Trail
     from armui.viewport.strokes import Stroke
 
@@ -86,6 +87,7 @@ class ArmView(LookingView):
         self._client.joint_picked.connect(self._on_joint_picked)
         self._client.mark_picked.connect(self.mark_picked)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        self.setMouseTracking(True)  # a button that came up elsewhere is seen at the next move
 
     @property
     def highlighted_joint(self) -> int | None:
@@ -186,7 +188,6 @@ class ArmView(LookingView):
         if place is None and self._handles.is_held:
             self._leave_handle(given_up=True)
         if self._handles.set_place(place):
-            self.setMouseTracking(place is not None)
             self.update()
 
     # ------------------------------------------------------------------------------------------
@@ -242,9 +243,15 @@ class ArmView(LookingView):
     def hideEvent(self, event: QHideEvent) -> None:
         """Forget a drag that was under way."""
         super().hideEvent(event)
-        self._forget_drag()
+        self.give_up_drag()
 
-    def _forget_drag(self) -> None:
+    def _on_lost(self, lost: Lost) -> None:
+        """Nothing is aimed at in a picture that is gone (S24)."""
+        super()._on_lost(lost)
+        self.give_up_drag()
+
+    def give_up_drag(self) -> None:
+        """End a drag that is under way; what a handle has changed goes back to what it was."""
         self._drag.forget()
         self._leave_handle(given_up=True)
         self._viewpoint.hold(held=False)
@@ -261,21 +268,28 @@ class ArmView(LookingView):
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
         """A drag begins: of a handle, or of the camera."""
-        self._viewpoint.hold(held=True)
+        if self._handles.is_held:
+            if event.button() != Qt.MouseButton.LeftButton:
+                return  # another button beside the one that holds
+            self.give_up_drag()  # it was let go where nobody told of it
         at, projection = event.position(), self.projection
         left = event.button() == Qt.MouseButton.LeftButton
         if left and self._handles.place is not None and not self.is_late:
             grips = self._grips(projection)
             if self._handles.take(grips, projection, at.x(), at.y()) is not None:
+                self._viewpoint.hold(held=True)
                 self._viewpoint.is_carried = True
                 self.handle_taken.emit()
                 self.update()
                 return
         self._drag.press(event)
+        self._viewpoint.hold(held=self._drag.is_pressed)
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
         """Carry a handle; else turn the camera, or with the middle button or shift move it."""
         at = event.position()
+        if not event.buttons() and (self._handles.is_held or self._drag.is_pressed):
+            self.give_up_drag()  # the button came up where nobody told of it
         if self._handles.is_held:
             dragged = self._handles.carry(at.x(), at.y())
             if dragged is not None:

@@ -38,6 +38,9 @@ def view(drawn_view):
     drawn_view.set_theme(LIGHT)
     drawn_view.set_preview(NOTHING)
     drawn_view.highlight_joint(None)
+    drawn_view.set_reach(None)
+    drawn_view.set_trail(None)
+    drawn_view.set_orthographic(wanted=False)
     drawn_view.reset_view()
     if drawn_view._state.robot.path != BUILT_IN_ROBOT.path:
         drawn_view.set_robot(None)

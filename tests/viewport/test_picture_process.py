@@ -9,15 +9,19 @@ import numpy as np
 import pytest
 from PySide6.QtCore import QPoint, Qt, QTimer
 
+from armui.arm.models import robot_description
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
+from armui.protocol.piper_model import PiperModel
+from armui.viewport.camera import ViewDirection
 from armui.viewport.camera_input import press_key
 from armui.viewport.client import PictureClient
 from armui.viewport.messages import PicturePhase
-from armui.viewport.path_picture import PathPicture, Preview
+from armui.viewport.path_picture import PathPicture, Preview, Reach, Trail
 from armui.viewport.view import ArmView
 from armui.viewport.watch import LIMITS, Limits
 from tests.viewport.bad_meshes import write_glb_beyond_its_vertices
+from tests.viewport.conftest import RAISED
 from tests.viewport.foreign import mesh, write_arm
 from tests.waiting import LIMIT_MS, wait_until
 
@@ -262,3 +266,129 @@ def test_shutdown_ends_the_process_whatever_it_is_doing(qtbot):
     view.set_joints((0.0,) * 6, 0.0)
     view.show()
     view.shutdown()
+
+
+# As it was ----------------------------------------------------------------------------------------
+
+
+def in_perspective(view):
+    """As the operator put it: turned, moved and nearer."""
+    view._look_through(view.camera.orbit(70.0, 25.0).pan(20.0, -30.0, 400.0).zoom(2.0))
+
+
+def without_perspective(view):
+    in_perspective(view)
+    view.set_orthographic(wanted=True)
+
+
+def following(view):
+    view.look_from(ViewDirection.SIDE)
+    view.follow_tool(wanted=True)
+
+
+def fitting(view):
+    view.look_from(ViewDirection.FRONT)
+    view._look_through(view.camera.orbit(-25.0, 15.0))
+
+
+LIMITS_DEG = ((-150.0, 150.0), (0.0, 180.0), (-170.0, 0.0), *((-90.0, 90.0),) * 3)
+
+
+def dressed(view, tmp_path):
+    """Everything that can be in the picture at once, of an arm that has a volume to reach."""
+    dress(view, tmp_path)
+    view.set_robot(robot_description(PiperModel.PIPER_L))
+    driven = np.array([[300.0, 0.0, 300.0], [300.0, 100.0, 400.0], [200.0, 90.0, 300.0]])
+    view.set_trail(Trail(driven.astype(np.float32).tobytes()))
+    view.set_reach(Reach(LIMITS_DEG))
+    view.highlight_joint(3)
+
+
+def test_a_reach_that_cannot_be_worked_out_leaves_the_picture(view, losses, tmp_path):
+    """All axes in one plane: there is no volume."""
+    view.set_robot(write_arm(tmp_path, visual=BALL))
+    wait_until(lambda: view.is_settled)
+    before = image_of(view)
+    view.set_reach(Reach(LIMITS_DEG))
+    view.highlight_joint(3)
+    wait_until(lambda: view.is_settled)
+    view.highlight_joint(None)
+    wait_until(lambda: view.is_settled)
+    view.set_reach(None)
+    wait_until(lambda: view.is_settled)
+    assert image_of(view) == before
+    assert not losses
+
+
+@pytest.mark.parametrize("look", [in_perspective, without_perspective, following, fitting])
+@pytest.mark.parametrize("harm", [signal.SIGKILL, signal.SIGSTOP, signal.SIGSEGV])
+def test_the_picture_comes_back_with_every_camera_and_all_that_is_in_it(
+    view, losses, tmp_path, look, harm
+):
+    dressed(view, tmp_path)
+    look(view)
+    view.set_joints(SWING[3], 20.0)
+    wait_until(lambda: view.is_settled)
+    before, state, mode = image_of(view), view._state, view.mode
+    os.kill(view._client.pid, harm)
+    if harm is signal.SIGSTOP:  # a process that is asked nothing may stand still
+        view.highlight_joint(None)
+        view.highlight_joint(3)
+    wait_until(lambda: losses)
+    wait_until(lambda: view._lost is None and view.is_settled)
+    assert (view.mode, view.camera) == (mode, state.camera)
+    assert view._state == state
+    assert image_of(view) == before
+
+
+@pytest.mark.parametrize("look", [in_perspective, following, fitting])
+def test_the_camera_goes_on_as_with_a_picture_while_the_arm_moves_without_one(view, losses, look):
+    """Lost in mid-motion; the same motion with a picture leads to the same view of the arm."""
+    cameras = []
+    for harm in (None, signal.SIGKILL):
+        view.set_joints(SWING[0], 35.0)
+        view.reset_view()
+        look(view)
+        wait_until(lambda: view.is_settled)
+        for number, angles_deg in enumerate(SWING[:60:3]):
+            view.set_joints(angles_deg, 35.0)
+            if number == 5 and harm is not None:
+                os.kill(view._client.pid, harm)
+                wait_until(lambda: losses)
+            view._on_glance()
+        wait_until(lambda: view._lost is None and view.is_settled and not view._rest.isActive())
+        cameras.append((view.mode, view.camera))
+    assert cameras[0] == cameras[1]
+
+
+def test_a_description_that_was_refused_is_not_tried_again_by_the_next_process(
+    view, losses, qtbot, tmp_path
+):
+    """The arm that was in the picture is in it again, and not an empty floor."""
+    dress(view, tmp_path)
+    refused: list[Any] = []
+    view.load_failed.connect(refused.append)
+    bad = write_arm(tmp_path, visual=mesh("none.stl"), name="bad.urdf")
+    with qtbot.waitSignal(view.load_failed, timeout=LIMIT_MS):
+        view.set_robot(bad)
+    wait_until(lambda: view.is_settled)
+    before = image_of(view)
+    os.kill(view._client.pid, signal.SIGKILL)
+    wait_until(lambda: losses)
+    wait_until(lambda: view._lost is None and view.is_settled)
+    assert image_of(view) == before
+    assert len(refused) == 1
+    view.load_failed.disconnect(refused.append)
+
+
+def test_a_description_refused_at_the_start_leaves_the_program_s_own_arm(view, qtbot, tmp_path):
+    bad = ArmView(write_arm(tmp_path, visual=mesh("none.stl")))
+    bad.resize(view.size())
+    bad.set_joints(RAISED, 35.0)
+    qtbot.addWidget(bad)
+    with qtbot.waitSignal(bad.load_failed, timeout=LIMIT_MS) as failed:
+        bad.show()
+    assert failed.args[0].code == RefusalCode.MESH_MISSING
+    wait_until(lambda: bad.is_settled)
+    assert image_of(bad) == image_of(view)
+    bad.shutdown()

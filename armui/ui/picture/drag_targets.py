@@ -22,6 +22,9 @@ class DragTarget(Protocol):
     def begin(self) -> None:
         """It is taken hold of."""
 
+    def is_as_begun(self) -> bool:
+        """Tell whether it still is what was taken hold of."""
+
     def carry(self, angles_deg: tuple[float, ...]) -> None:
         """Show that it is being dragged there; nothing is sent."""
 
@@ -46,6 +49,10 @@ class MotionTarget:
     def begin(self) -> None:
         """Note which fields follow the arm."""
         self._given = self._panel.given()
+
+    def is_as_begun(self) -> bool:
+        """Tell that the fields are the same; see `DragTarget`."""
+        return True
 
     def angles_deg(self) -> tuple[float, ...] | None:
         """What stands in the six fields."""
@@ -84,6 +91,10 @@ class CartesianTarget:
         """Note which fields follow the arm, and what stands in them."""
         self._given = self._panel.given()
         self._pose = self._panel.target_pose()
+
+    def is_as_begun(self) -> bool:
+        """Tell that the fields are the same; see `DragTarget`."""
+        return True
 
     def angles_deg(self) -> tuple[float, ...] | None:
         """Angles for what stands in the six fields, near to where the arm is, if there are any."""

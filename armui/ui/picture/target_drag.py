@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Final
 from PySide6.QtCore import QObject, QTimer
 
 from armui.arm.refusal import Refusal
+from armui.arm.refusal_codes import RefusalCode
 from armui.control.events import Level
 from armui.ui import words
 from armui.ui.picture.drag_solver import DragBase, dragged_to
@@ -55,6 +56,7 @@ class TargetDrag(QObject):
         self._held: DragTarget | None = None
         self._base: DragBase | None = None
         self._last_deg: tuple[float, ...] = ()
+        self._began_with: object = None
         self._refused = False
         self.kind: HandleKind | None = None
         self._look = QTimer(self, interval=_LOOK_MS)
@@ -65,6 +67,8 @@ class TargetDrag(QObject):
 
     def set_kind(self, kind: HandleKind | None) -> None:
         """Offer other handles; None: none."""
+        if kind is not self.kind:
+            self._view.give_up_drag()
         self.kind = kind
         if kind is None:
             self._look.stop()
@@ -77,7 +81,11 @@ class TargetDrag(QObject):
 
     def look(self) -> None:
         """Stand the handles where the target is now; a picture that nobody sees costs nothing."""
-        if self.kind is None or self._held is not None or not self._view.isVisible():
+        if self._held is not None:
+            if not self._is_as_begun(self._held):
+                self._view.give_up_drag()
+            return
+        if self.kind is None or not self._view.isVisible():
             return
         target = self._target()
         angles_deg = None if target is None else target.angles_deg()
@@ -104,14 +112,29 @@ class TargetDrag(QObject):
         limits = self._controller.operating_state.limits
         target.begin()
         self._held = target
+        self._began_with = self._basis()
         self._base = DragBase(
             angles_deg, self.kind, tuple(cartesian.tool), cartesian.kinematics(), limits
         )
         self._last_deg = angles_deg
 
+    def _basis(self) -> object:
+        """What a drag is worked out with: arm, link, limits and tool."""
+        state = self._controller.operating_state
+        tool = tuple(self._controller.cartesian.tool)
+        return state.link, state.model_fit.geometry, state.limits, tool
+
+    def _is_as_begun(self, held: DragTarget) -> bool:
+        """Tell whether the arm and what is dragged are still the same."""
+        same_target = self._target() is held and held.is_as_begun()
+        return same_target and self._basis() == self._began_with
+
     def _on_moved(self, dragged: Dragged, coarse: bool, fine: bool) -> None:
         held, base = self._held, self._base
         if held is None or base is None:
+            return
+        if not self._is_as_begun(held):
+            self._view.give_up_drag()
             return
         answer = dragged_to(base, dragged, self._last_deg, coarse=coarse, fine=fine)
         if isinstance(answer, Refusal):
@@ -129,7 +152,10 @@ class TargetDrag(QObject):
         if held is None or base is None:
             return
         self._say(None)
-        if given_up:
+        if not self._is_as_begun(held):
+            held.give_up(base.angles_deg)
+            self._say(Refusal(RefusalCode.DRAG_GIVEN_UP))
+        elif given_up:
             held.give_up(base.angles_deg)
         elif self._last_deg != base.angles_deg:
             refusal = held.drop(self._last_deg)

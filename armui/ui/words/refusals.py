@@ -62,6 +62,9 @@ _REFUSALS: Final = Texts("Refusal") | {
     RefusalCode.ASKED_OTHERWISE: (
         "What it was asked about is no more as it was: nothing was sent. Ask again."
     ),
+    RefusalCode.DRAG_GIVEN_UP: (
+        "The drag was given up: the arm, or what was dragged, is another by now. Drag again."
+    ),
     RefusalCode.STEP_IN_VAIN: "The arm did not react.",
     RefusalCode.TEACHING_OFF: (
         "The arm is not in drag teaching. Start recording first, or press the button on the arm."

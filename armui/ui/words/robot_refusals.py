@@ -49,6 +49,25 @@ ROBOT_REFUSALS: Final = Texts("Refusal") | {
         "Robot description: the mesh {mesh} cannot be read: {text}. Export it again."
     ),
     RefusalCode.MESH_EMPTY: "Robot description: the mesh {mesh} holds no surface. Export it again.",
+    RefusalCode.MESH_KIND_UNKNOWN: (
+        "Robot description: the mesh {mesh} is of a kind that is not read. These are: {kinds}."
+    ),
+    RefusalCode.MESH_FILE_TOO_LARGE: (
+        "Robot description: the mesh {mesh} has {size} MB; {most} MB are read at most. Export it "
+        "with fewer triangles."
+    ),
+    RefusalCode.MESH_TOO_LARGE: (
+        "Robot description: the mesh {mesh} reaches farther than {most} m, or nowhere. A mesh in "
+        "millimetres needs scale 0.001."
+    ),
+    RefusalCode.URDF_TOO_DETAILED: (
+        "Robot description: the meshes of {path} have more than {most} triangles together. Export "
+        "them with fewer."
+    ),
+    RefusalCode.URDF_NO_MEMORY: (
+        "Robot description: {path} takes more than {most} MB of memory to load. Export its meshes "
+        "with fewer triangles."
+    ),
     RefusalCode.URDF_ENDS_VIEW: (
         "Robot description: {path} ended the 3D view while it was loaded ({text}). It is put "
         "aside; choose another one."

@@ -4,20 +4,24 @@ from __future__ import annotations
 
 import math
 import time
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Final
 
+from armui.arm.refusal import Refusal
+from armui.arm.refusal_codes import RefusalCode
 from armui.viewport.errors import SceneError
 from armui.viewport.messages import PicturePhase
-from armui.viewport.view_state import ViewState
+from armui.viewport.process.settle_in import limited_memory
+from armui.viewport.view_state import BUILT_IN_ROBOT, ViewState
 
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from armui.arm.refusal import Refusal
     from armui.viewport.process.offscreen import Pixels
     from armui.viewport.process.robot import Robot
     from armui.viewport.process.scene import Scene
 
+_LOADING_BYTES: Final = 2 << 30
+"""More than any description within the limits of `urdf_file` takes."""
 _CHEAP_FRAME_S = 0.010
 """A smooth frame that takes less is drawn while the arm moves, too."""
 
@@ -141,8 +145,20 @@ class FramePainter:
         from armui.viewport.process import urdf_file  # noqa: F401, PLC0415 - see `open`
 
         self._on_phase(PicturePhase.LOADING)
+        path = state.robot.path
         try:
-            scene.load(state.robot.path)
+            with limited_memory(_LOADING_BYTES):
+                scene.load(path)
         except SceneError as error:
             self._on_load_failed(error.refusal)
+        except MemoryError:
+            params: dict[str, float | int | str] = {"path": str(path), "most": _LOADING_BYTES >> 20}
+            self._on_load_failed(Refusal(RefusalCode.URDF_NO_MEMORY, params))
+        except Exception as error:  # noqa: BLE001 - whatever a file makes the libraries raise
+            text = " ".join(f"{type(error).__name__}: {error}".split())
+            self._on_load_failed(
+                Refusal(RefusalCode.URDF_MALFORMED, {"path": str(path), "text": text})
+            )
+        if scene.robot is None and path != BUILT_IN_ROBOT.path:
+            scene.load(BUILT_IN_ROBOT.path)  # no arm at all would be seen
         self._on_phase(PicturePhase.FIRST_DRAWING)

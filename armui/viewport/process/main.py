@@ -7,7 +7,7 @@ import os
 import pickle
 import time
 import traceback
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Final
 
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
@@ -34,6 +34,9 @@ if TYPE_CHECKING:
 
     from armui.viewport.messages import Answer, Draw
     from armui.viewport.path_picture import PathPicture
+
+
+_MOST_KEPT_BYTES: Final = 64_000_000
 
 
 def run(connection: Connection) -> None:
@@ -102,7 +105,9 @@ class _Drawing:
             known = None if request.robot is None else pickle.loads(request.robot)  # noqa: S301 - our own
             pixels = painter.paint(request.state._replace(preview=preview), known)
             if painter.robot is not before and painter.robot is not known:
-                self._say(RobotRead(pickle.dumps(painter.robot)))
+                content = pickle.dumps(painter.robot)
+                if len(content) < _MOST_KEPT_BYTES:  # in the memory of the window's process
+                    self._say(RobotRead(content))
             if painter.robot is not before and painter.robot is not None:
                 self._say(RobotShown(shape_of(painter.robot)))
         size_px = None

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import logging
 import threading
 from typing import TYPE_CHECKING, Final
 
@@ -16,6 +17,7 @@ if TYPE_CHECKING:
     from armui.viewport.process.reach_shell import ReachShell
     from armui.viewport.process.robot import Robot
 
+_LOG = logging.getLogger(__name__)
 _OUTER_OPACITY: Final = 0.10
 _INNER_OPACITY: Final = 0.30
 _FLOOR_OPACITY: Final = 0.6
@@ -35,8 +37,8 @@ class ReachActor:
 
     @property
     def is_unfinished(self) -> bool:
-        """Whether what was asked for is not in the picture yet."""
-        return self._job is not None and not self._actors
+        """Whether what was asked for is not in the picture yet, and may come."""
+        return self._job is not None and not self._actors and not self._job.has_failed
 
     def show(self, reach: Reach | None, robot: Robot, palette: ScenePalette) -> None:
         """Show the reach of a robot as soon as it is known, or nothing."""
@@ -53,15 +55,13 @@ class ReachActor:
         self.catch_up()
 
     def catch_up(self) -> bool:
-        """Take what has been worked out meanwhile into the picture; whether there was anything.
-
-        Raises:
-            Exception: whatever went wrong with it.
-        """
+        """Take what has been worked out meanwhile into the picture; whether there was anything."""
         job, palette = self._job, self._palette
         if job is None or palette is None or self._actors or not job.is_done:
             return False
-        shell = job.result()
+        shell = job.shell
+        if shell is None:
+            return False
         self._add(shell.outer, palette.accent, _OUTER_OPACITY)
         self._add(shell.inner, palette.speeds[1], _INNER_OPACITY)
         self._add(shell.floor, palette.accent, _FLOOR_OPACITY)
@@ -88,8 +88,7 @@ class _Job:
 
     def __init__(self, robot: Robot, reach: Reach) -> None:
         self.robot, self.reach = robot, reach
-        self._shell: ReachShell | None = None
-        self._error: Exception | None = None
+        self.shell: ReachShell | None = None
         self._thread = threading.Thread(target=self._work, name="armui-reach", daemon=True)
         self._thread.start()
 
@@ -97,15 +96,15 @@ class _Job:
     def is_done(self) -> bool:
         return not self._thread.is_alive()
 
-    def result(self) -> ReachShell:
-        if self._shell is None:
-            raise self._error or RuntimeError("the reach was not worked out")
-        return self._shell
+    @property
+    def has_failed(self) -> bool:
+        return self.is_done and self.shell is None
 
     def _work(self) -> None:
         try:
             from armui.viewport.process.reach_shell import shell_of  # noqa: PLC0415 - when wanted
 
-            self._shell = shell_of(self.robot, self.reach)
-        except Exception as error:  # noqa: BLE001 - told by the thread that draws
-            self._error = error
+            self.shell = shell_of(self.robot, self.reach)
+        except Exception:  # noqa: BLE001 - whatever it is, the picture goes on without its reach
+            # for one, all axes of a foreign arm may lie in one plane
+            _LOG.exception("The reach of the robot cannot be worked out")

@@ -31,6 +31,8 @@ _ROUND_SHOULDER: Final = 240
 _ROUND_BASE: Final = 120
 """Cells around the axes of joints 2 and 1."""
 _SHARES: Final = (0.2, 0.5, 0.8)
+_LONGEST_M: Final = 4.0
+"""Of an arm from its base to the tool: the voxels grow with the third power."""
 _POINT_M: Final = 0.001
 """What a turn moves by less than this stays where it is."""
 
@@ -133,8 +135,15 @@ def reached(robot: Robot, reach: Reach) -> ReachVolume:
     Args:
         robot: The arm.
         reach: Limits of its joints, and the tool.
+
+    Raises:
+        ValueError: it is so long that its voxels would fill the memory.
     """
     axes, cloud = _at_zero(robot, reach)
+    places = np.concatenate([*(axis.place[np.newaxis] for axis in axes), cloud])
+    length_m = float(np.linalg.norm(np.diff(places, axis=0), axis=1).sum())
+    if length_m > _LONGEST_M:
+        raise ValueError(f"{length_m:.0f} m of {_LONGEST_M:.0f} m at most")
     for axis, limits_deg in zip(axes[:1:-1], reach.limits_deg[:1:-1], strict=True):
         cloud = _turned(cloud, axis, limits_deg)
     upper = _around(axes[1], cloud).swept(reach.limits_deg[1]).soft()

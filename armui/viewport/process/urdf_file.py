@@ -12,6 +12,7 @@ import xml.etree.ElementTree as ET
 from collections import Counter
 from collections.abc import Sequence
 from pathlib import Path
+from typing import Final
 
 import numpy as np
 import trimesh
@@ -33,7 +34,14 @@ from armui.viewport.process.robot import (
     Surface,
 )
 
-_MOST_BYTES = 32_000_000
+_MOST_BYTES: Final = 32_000_000
+_MOST_MESH_BYTES: Final = 100_000_000
+_MOST_TRIANGLES: Final = 1_000_000
+"""Of all meshes together: a picture of a million takes 2 s to draw by the processor and 1 GB."""
+_LARGEST_M: Final = 100.0
+"""No arm is larger; one drawn in millimetres is."""
+_MESH_KINDS: Final = frozenset({".stl", ".dae", ".obj", ".ply", ".glb", ".gltf", ".off"})
+"""No archives: how large what lies in them is, nobody knows before it was unpacked."""
 
 _KINDS = HINGES | {"prismatic", "fixed", "floating", "planar"}
 
@@ -47,17 +55,23 @@ def load_robot(path: Path) -> Robot:
 
     Raises:
         SceneError: the file can't be read or is no URDF, a mesh is missing or unreadable, or there
-            is no chain of six revolute joints.
+            is no chain of six revolute joints, or it is larger than any arm, or too detailed.
+        MemoryError: it takes more memory than there is.
     """
     description = _description(path)
     root, joints = _tree(path, description)
     arm_joints = _arm_joints(path, joints)
-    parts = tuple(
-        _part(path, description, link.name, visual)
-        for link in description.links
-        for visual in link.visuals
-    )
-    return Robot(root, joints, arm_joints, parts)
+    parts: list[RobotPart] = []
+    triangles = 0
+    for link in description.links:
+        for visual in link.visuals:
+            parts.append(_part(path, description, link.name, visual))
+            triangles += len(parts[-1].surface.faces)
+            if triangles > _MOST_TRIANGLES:
+                raise SceneError(
+                    RefusalCode.URDF_TOO_DETAILED, path=str(path), most=_MOST_TRIANGLES
+                )
+    return Robot(root, joints, arm_joints, tuple(parts))
 
 
 def _description(path: Path) -> yourdfpy.Robot:
@@ -134,9 +148,14 @@ def _tree(path: Path, description: yourdfpy.Robot) -> tuple[str, tuple[Joint, ..
 def _joint(path: Path, joint: yourdfpy.Joint) -> Joint:
     origin = np.eye(4) if joint.origin is None else joint.origin
     length = float(np.linalg.norm(joint.axis))
-    if len(joint.axis) != 3 or not 0.0 < length < math.inf or not np.isfinite(origin).all():
-        raise SceneError(RefusalCode.URDF_BAD_JOINT, path=str(path), joint=joint.name)
     limit, mimic = joint.limit or yourdfpy.Limit(), joint.mimic
+    figures = [limit.lower or 0.0, limit.upper or 0.0]  # infinity: none
+    if mimic is not None:
+        figures += [0.0 * mimic.multiplier, 0.0 * mimic.offset]
+    is_sound = len(joint.axis) == 3 and 0.0 < length < math.inf
+    is_sound = is_sound and bool((np.abs(origin) <= _LARGEST_M).all())
+    if not is_sound or any(map(math.isnan, figures)):
+        raise SceneError(RefusalCode.URDF_BAD_JOINT, path=str(path), joint=joint.name)
     return Joint(
         name=joint.name,
         kind=joint.type,
@@ -176,6 +195,9 @@ def _part(path: Path, description: yourdfpy.Robot, link: str, visual: yourdfpy.V
         if visual.origin is not None:
             surface.apply_transform(visual.origin)
         plain = Surface(np.array(surface.vertices, float), np.array(surface.faces, int))
+        if not (np.abs(plain.vertices) <= _LARGEST_M).all():  # NaN, too
+            what = link if visual.geometry.mesh is None else visual.geometry.mesh.filename
+            raise SceneError(RefusalCode.MESH_TOO_LARGE, mesh=what or link, most=_LARGEST_M)
         return RobotPart(link, plain, _color(description, visual.material))
     except ValueError as error:  # of trimesh and numpy: too few numbers in a size or a colour
         raise _malformed(path, f"{link}: {error}") from error
@@ -209,11 +231,24 @@ class _FilesBeside(FilePathResolver):
 
 
 def _mesh(path: Path) -> trimesh.Trimesh:
+    if path.suffix.lower() not in _MESH_KINDS:
+        text = ", ".join(sorted(_MESH_KINDS))
+        raise SceneError(RefusalCode.MESH_KIND_UNKNOWN, mesh=str(path), kinds=text)
+    size_bytes = path.stat().st_size
+    if size_bytes > _MOST_MESH_BYTES:
+        raise SceneError(
+            RefusalCode.MESH_FILE_TOO_LARGE,
+            mesh=str(path),
+            size=size_bytes // 1_000_000,
+            most=_MOST_MESH_BYTES // 1_000_000,
+        )
     try:
         with open_file(path) as file:
             beside = _FilesBeside(str(path))
             kind = path.suffix.removeprefix(".")
             surface = trimesh.load(file, file_type=kind, resolver=beside, force="mesh")
+    except MemoryError:
+        raise
     except Exception as error:
         raise SceneError(RefusalCode.MESH_UNREADABLE, mesh=str(path), text=str(error)) from error
     if not isinstance(surface, trimesh.Trimesh) or surface.is_empty:

@@ -198,7 +198,7 @@ def test_a_missing_mesh_is_named(tmp_path, name):
         ("bad.stl", "solid nothing\nendsolid nothing\n", "mesh_empty"),
         ("empty.stl", "", "mesh_empty"),
         ("bad.dae", "<junk", "mesh_unreadable"),
-        ("bad.xyzzy", "junk", "mesh_unreadable"),
+        ("bad.xyzzy", "junk", "mesh_kind_unknown"),
     ],
 )
 def test_a_mesh_that_shows_nothing_is_named(tmp_path, name, content, code):

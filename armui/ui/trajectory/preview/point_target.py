@@ -35,6 +35,7 @@ class PointTarget:
         self._editor = editor
         self._controller = controller
         self._solved: tuple[object, int, tuple[float, ...] | None] | None = None
+        self._begun = self._at()
 
     @property
     def is_seen(self) -> bool:
@@ -52,7 +53,16 @@ class PointTarget:
         return solved[2]
 
     def begin(self) -> None:
-        """The point stays as it is until the drag ends."""
+        """Note which point is taken hold of; it stays as it is until the drag ends."""
+        self._begun = self._at()
+
+    def is_as_begun(self) -> bool:
+        """Tell whether the same row of the same points is still the current one."""
+        points, row = self._at()
+        return points is self._begun[0] and row == self._begun[1]
+
+    def _at(self) -> tuple[Sequence[Waypoint], int]:
+        return self._editor.document.points, self._editor.table.current_row()
 
     def carry(self, _angles_deg: tuple[float, ...]) -> None:
         """The ghost shows it; the point is changed when it is let go, in one step of undo."""
