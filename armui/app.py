@@ -23,7 +23,6 @@ from armui.arm.refusal import Refusal
 from armui.control.arm_controller import ArmController
 from armui.control.events import Event, EventCode
 from armui.control.operating_state import LinkState, OperatingState
-from armui.control.part_failure import end_motion_of
 from armui.protocol.generation import Generation
 from armui.protocol.piper_model import PiperModel
 from armui.settings import Choices, Settings, SettingsStore, default_path
@@ -133,7 +132,8 @@ class Program:
             look.timeout.connect(partial(self._replace_hung, files))
             look.start()
         self._failure_handler = FailureHandler(self._relay.failed.emit)
-        logging.getLogger("armui").addHandler(self._failure_handler)
+        for name in failures.LOGGERS:
+            logging.getLogger(name).addHandler(self._failure_handler)
         self._event_keeper: EventKeeper | None = None
         self._neighbours: Neighbours | None = None
         # once the window stands
@@ -162,7 +162,8 @@ class Program:
         A driver may keep a thread of ours for longer than anybody waits: see `ended`.
         """
         self._unsubscribe()
-        logging.getLogger("armui").removeHandler(self._failure_handler)
+        for name in failures.LOGGERS:
+            logging.getLogger(name).removeHandler(self._failure_handler)
         self._app.removeEventFilter(self._stop_shortcut)
         self._stop_shortcut.deleteLater()
         self.ended = self.controller.shutdown()
@@ -178,9 +179,9 @@ class Program:
             self._neighbours.close()
 
     def _on_failed(self, failure: Failure) -> None:
-        """What the failed part moved ends first; then it is told."""
-        end_motion_of(self.controller, failure.modules)
-        self.window.show_failure(failure)
+        """Motion ends first; then it is told."""
+        ended = self.controller.on_failure(failure.modules)
+        self.window.show_failure(failure, motion_ended=ended)
 
     def _on_unsaved(self, reason: Refusal) -> None:
         self._notice(EventCode.SETTINGS_UNSAVED, reason=reason)

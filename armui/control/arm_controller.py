@@ -6,7 +6,7 @@ heard and moves on whatever is under way.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Collection, Sequence
 from datetime import datetime
 from typing import TYPE_CHECKING, Final
 
@@ -27,8 +27,8 @@ from armui.control.link.connection import Connection
 from armui.control.link.device_finder import DeviceFinder
 from armui.control.link.link_watch import LinkWatch
 from armui.control.motion.motion_command import End
+from armui.control.motion_end import MotionEnd, may_drive
 from armui.control.operating_state import Busy, OperatingState
-from armui.control.part_failure import end_motion_of
 from armui.control.parts import Parts
 from armui.control.run.run_end import cut_short
 from armui.control.safety.emergency_stop import is_stopped
@@ -110,7 +110,10 @@ class ArmController(ControllerParts):
             self._assessor.observe,
             authority,
         )
-        self._parts = Parts(self._notice, lambda module: end_motion_of(self, [module]))
+        self._parts = Parts(self._notice, self._on_part_failed)
+        self._motion_end = MotionEnd(
+            self, self._context, lambda: self._stop.emergency_stop.requested
+        )
         self._link_watch = LinkWatch(self._connection, self._notice)
         self._was_stopped = self._lets_finish = False
         self._state = ArmState()
@@ -241,19 +244,46 @@ class ArmController(ControllerParts):
         """Take in what was heard and move on what is under way; the controller's timer calls it."""
         now_s = self._clock()
         before = self._state
-        try:
-            heard = self._state = self._connection.advance(now_s)
-            self._link_watch.follow_online()
-        finally:
-            self._follow_stop(now_s)  # a stop is repeated whatever else fails
-        self._watch.advance(now_s)
-        self._assessor.assess()
+        attempt = self._parts.attempt  # a stop is repeated, and motion ended, whatever else fails
+        attempt("Connection", lambda: self._hear(now_s))
+        attempt("Stopping", lambda: self._follow_stop(now_s))
+        attempt("AuthorityWatch", lambda: self._watch.advance(now_s))
+        attempt("Assessor", self._assess)
         self._parts.advance()
-        self._link_watch.follow_handshake(heard)
-        self._assessor.assess()  # once more, with what the parts have begun and ended
+        attempt("LinkWatch", lambda: self._link_watch.follow_handshake(self._state))
+        attempt("Assessor", self._assess, step="2")  # what the parts have begun and ended
         self._parts.advance_last()
-        if heard is not before:
-            self.state_changed.emit(heard)
+        self._motion_end.follow(now_s)
+        self._authority.failed = self._motion_end.stuck or not self._parts.in_order
+        if self._state is not before:
+            self.state_changed.emit(self._state)
+
+    def _hear(self, now_s: float) -> None:
+        self._state = self._connection.advance(now_s)
+        self._link_watch.follow_online()
+
+    def _assess(self) -> None:
+        self._assessor.assess()
+
+    def on_failure(self, modules: Collection[str]) -> bool:
+        """End every motion of this program, since a part of it has failed.
+
+        Args:
+            modules: Of this program, in the traceback.
+
+        Returns:
+            Whether it was ended: not where every one of them can drive nothing.
+        """
+        if not may_drive(modules):
+            return False
+        self._motion_end.end()
+        # the failure may lie within the very call that goes on to begin a motion
+        QTimer.singleShot(0, self, self._motion_end.end)
+        return True
+
+    def _on_part_failed(self) -> None:
+        self._authority.failed = True
+        self._motion_end.end()
 
     def _follow_stop(self, now_s: float) -> None:
         resuming = self.motors.busy is Busy.RESUMING

@@ -76,8 +76,7 @@ def assess(state: ArmState, around: AssessmentInputs, now_s: float) -> Operating
         lambda: no_command,
         lambda: None if around.offsets.certain else Refusal(RefusalCode.CONTROL_OFFSET_UNKNOWN),
         lambda: Refusal(RefusalCode.BUSY, {"what": tasks.altering}) if tasks.altering else None,
-        authority.why_silent,
-        authority.other.why_not,
+        authority.why_not_ours,
         lambda: interlocks.why_not_enabled(enabled),
         lambda: interlocks.why_not_ready(state),
     )
@@ -107,7 +106,7 @@ def assess(state: ArmState, around: AssessmentInputs, now_s: float) -> Operating
         run_phase=tasks.run_phase,
         jogging=tasks.jogging,
         recording=tasks.recording,
-        cannot_send_motion=authority.why_silent() or authority.other.why_not(),
+        cannot_send_motion=authority.why_not_ours(),
         mover=authority.mover,
         other_host=around.other_host,
         holds=authority.holds,

@@ -60,6 +60,7 @@ class Authority:
         cancel_unheeded: A cancel was sent, and the arm is not at rest a second later.
         other: What another host does to the arm.
         overspeed: The measured speed and the speed shown, where our motion is far too fast.
+        failed: A part of the program fails at each look: no motion of ours may begin.
     """
 
     def __init__(self) -> None:
@@ -79,6 +80,7 @@ class Authority:
         self.arm_percent: int | None = None
         self.cancel_unheeded = False
         self.overspeed: Refusal | None = None
+        self.failed = False
 
     # What is heard ------------------------------------------------------------------------------
 
@@ -131,7 +133,12 @@ class Authority:
 
     def why_not(self) -> Refusal | None:
         """The reason against any motion frame of ours now, or ``None``."""
-        return self.why_silent() or self.other.why_not() or self.why_held()
+        return self.why_not_ours() or self.why_held()
+
+    def why_not_ours(self) -> Refusal | None:
+        """The same, but for a motion of ours that is held back in the arm."""
+        failed = Refusal(RefusalCode.PART_FAILED) if self.failed else None
+        return failed or self.why_silent() or self.other.why_not()
 
     def why_silent(self) -> Refusal | None:
         """The feedback that a motion counts on and that is not heard, or ``None``."""

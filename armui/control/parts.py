@@ -19,19 +19,21 @@ class Parts:
 
     Args:
         tell: Takes the notices.
-        end_motion: Called with the module of a part that fails after it has worked: the motion it
-            is in charge of must not go on unwatched.
+        on_failure: Called whenever one fails: no motion may go on unwatched.
     """
 
-    def __init__(
-        self, tell: Tell, end_motion: Callable[[str], None] = lambda _module: None
-    ) -> None:
+    def __init__(self, tell: Tell, on_failure: Callable[[], None] = lambda: None) -> None:
         self._parts: Sequence[ControllerPart] = ()
         self._last: Sequence[ControllerPart] = ()
         self._tell = tell
-        self._end_motion = end_motion
+        self._on_failure = on_failure
         self._failed: set[str] = set()
         self._out_of_order: set[str] = set()
+
+    @property
+    def in_order(self) -> bool:
+        """Whether each has worked when it was called last to look at what was heard."""
+        return not self._out_of_order
 
     def take(self, parts: Sequence[ControllerPart], last: ControllerPart | None = None) -> None:
         """Call these from now on.
@@ -55,29 +57,38 @@ class Parts:
     def halt(self) -> None:
         """Have each give up what would move the arm; see :meth:`ControllerPart.halt`."""
         for part in (*self._parts, *self._last):
-            self._have(part, part.halt)
+            self._have(type(part).__name__, part.halt)
 
     def forget(self) -> None:
         """Tell each that the arm is gone; see :meth:`ControllerPart.forget`."""
         for part in (*self._parts, *self._last):
-            self._have(part, part.forget)
+            self._have(type(part).__name__, part.forget)
+
+    def attempt(self, name: str, look: Callable[[], None], *, step: str = "") -> None:
+        """Have something that is no part look at what was heard, as carefully.
+
+        Args:
+            name: What the operator is told of, should it fail.
+            look: What to call.
+            step: Tells several calls of the same one apart.
+        """
+        if self._have(name, look):
+            self._out_of_order.discard(name + step)
+        else:
+            self._out_of_order.add(name + step)
 
     def _advance(self, parts: Sequence[ControllerPart]) -> None:
         for part in parts:
-            if self._have(part, part.advance):
-                self._out_of_order.discard(type(part).__name__)
+            self.attempt(type(part).__name__, part.advance)
 
-    def _have(self, part: ControllerPart, act: Callable[[], None]) -> bool:
-        name = type(part).__name__
+    def _have(self, name: str, act: Callable[[], None]) -> bool:
         try:
             act()
         except Exception:  # noqa: BLE001 - whatever it was, a stop must reach the other parts
+            self._on_failure()
             _LOG.exception("%s has failed", name)
             if name not in self._failed:
                 self._failed.add(name)
                 self._tell(EventCode.PART_FAILED, part=name)
-            if name not in self._out_of_order:
-                self._out_of_order.add(name)
-                self._end_motion(type(part).__module__)
             return False
         return True

@@ -56,6 +56,10 @@ def is_our_own(error: BaseException) -> bool:
     return last is not None and last.startswith("armui.")
 
 
+LOGGERS: Final = ("armui", "concurrent.futures")
+"""Those through which exceptions come that nobody expected: also of whoever waits for a future."""
+
+
 class FailureHandler(logging.Handler):
     """Makes a :class:`Failure` of each logged exception.
 
@@ -123,11 +127,12 @@ _LONGEST: Final = 200
 
 @contextlib.contextmanager
 def hooks() -> Iterator[None]:
-    """Log whatever nobody catches, in slots and threads of Qt and in those of Python.
+    """Log whatever nobody catches: in slots and threads of Qt, in those of Python, in callbacks.
 
     The hooks that were there before come back at the end.
     """
     before, before_in_threads = sys.excepthook, threading.excepthook
+    before_unraisable = sys.unraisablehook
 
     def on_exception(
         kind: type[BaseException], error: BaseException, trace: TracebackType | None
@@ -143,8 +148,16 @@ def hooks() -> Iterator[None]:
         else:
             before_in_threads(hooked)
 
+    def on_unraisable(hooked: sys.UnraisableHookArgs) -> None:
+        if isinstance(hooked.exc_value, Exception):
+            on_exception(hooked.exc_type, hooked.exc_value, hooked.exc_traceback)
+        else:
+            before_unraisable(hooked)
+
     sys.excepthook, threading.excepthook = on_exception, on_exception_in_thread
+    sys.unraisablehook = on_unraisable
     try:
         yield
     finally:
         sys.excepthook, threading.excepthook = before, before_in_threads
+        sys.unraisablehook = before_unraisable

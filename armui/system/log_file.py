@@ -10,7 +10,7 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Final
 
-from armui.system.failures import Repeats
+from armui.system.failures import LOGGERS, Repeats
 from armui.system.files import open_file
 
 NAME: Final = "armui.log"
@@ -68,8 +68,8 @@ class _LogThread(threading.Thread):
 def log_to(folder: Path) -> Iterator[Path | None]:
     """Keep what the program logs in a folder, until the end.
 
-    The logger ``armui`` gets its level and one handler for that time. A folder that cannot be used
-    is no reason not to start.
+    The logger ``armui`` gets its level, each of `LOGGERS` one handler for that time. A folder that
+    cannot be used is no reason not to start.
 
     Args:
         folder: It need not exist.
@@ -91,12 +91,14 @@ def log_to(folder: Path) -> Iterator[Path | None]:
     logger = logging.getLogger("armui")
     level = logger.level
     logger.setLevel(logging.INFO)
-    logger.addHandler(handler)
+    for name in LOGGERS:
+        logging.getLogger(name).addHandler(handler)
     thread.start()
     try:
         yield path
     finally:
-        logger.removeHandler(handler)
+        for name in LOGGERS:
+            logging.getLogger(name).removeHandler(handler)
         logger.setLevel(level)
         with contextlib.suppress(queue.Full):
             handler.lines.put_nowait(None)

@@ -327,9 +327,9 @@ class MainWindow(Translated, KeepsFocus, QWidget):
 
         self._open("settings", make)
 
-    def show_failure(self, failure: Failure) -> None:
+    def show_failure(self, failure: Failure, *, motion_ended: bool) -> None:
         """Say that something nobody expected went wrong in the program."""
-        self._failure_line.show_failure(failure)
+        self._failure_line.show_failure(failure, motion_ended=motion_ended)
 
     def show_problem(self, reason: Refusal) -> None:
         """Say what stood in the program's way, in the status bar."""

@@ -43,12 +43,14 @@ class _Travel:
         last: Where it was seen last.
         moved_s: When it was last seen to move.
         unit: Of both.
+        effort: What it was sent with.
     """
 
     target: float
     last: float
     moved_s: float
     unit: str
+    effort: float
 
 
 class GripperControl(ControllerPart):
@@ -165,7 +167,7 @@ class GripperControl(ControllerPart):
             return self._context.refuse(Refusal(RefusalCode.LINK_LOST))
         self.forget()
         unit = figures.travel.unit
-        self._travel = _Travel(travel, heard.travel, self._context.clock(), unit)
+        self._travel = _Travel(travel, heard.travel, self._context.clock(), unit, effort)
         self._context.tell(EventCode.GRIPPER_SENT, value=travel, unit=figures.travel.unit)
         return None
 
@@ -294,6 +296,21 @@ class GripperControl(ControllerPart):
             self._context.tell(EventCode.GRIPPER_GRIPS, torque=heard.torque_nm, **figures)
         else:
             self._context.tell(EventCode.GRIPPER_NOT_THERE, target=travel.target, **figures)
+
+    def end(self) -> None:
+        """End a motion of it that is under way: it is sent to where it is, there is no other way.
+
+        What it grips by then it goes on gripping.
+        """
+        travel, context = self._travel, self._context
+        self.forget()
+        heard = context.connection.newest.gripper
+        if travel is None or heard is None or not heard.fresh(context.clock()):
+            return
+        if context.authority.other.why_not() is None:
+            by_angle = heard.value.opening_mm is None
+            here = self._hold(heard.value.travel, travel.effort, by_angle=by_angle)
+            context.connection.send(here)
 
     def halt(self) -> None:
         """The arm is to stop: nothing is sent again, nothing more is expected."""

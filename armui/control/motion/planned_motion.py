@@ -66,8 +66,7 @@ class PlannedMotion:
             return Refusal(RefusalCode.NOTHING_HELD)
         if operating_state.speed_percent == 0:
             return Refusal(RefusalCode.SPEED_ZERO)
-        authority = self._context.authority
-        return authority.why_silent() or authority.other.why_not()
+        return self._context.authority.why_not_ours()
 
     def command(self, command: TrajectoryCommand) -> Refusal | None:
         """Give a command of 0x150 byte 1: ``None`` if it is on its way, or why it is not.

@@ -20,6 +20,7 @@ class FailureLine(Translated, QWidget):
         super().__init__()
         self.setObjectName("failure_line")
         self._failure: Failure | None = None
+        self._motion_ended = True
         self._message = MessageLine()
         self._copy = push_button("failure_copy_button")
         self._copy.clicked.connect(self._on_copy)
@@ -33,10 +34,15 @@ class FailureLine(Translated, QWidget):
         """What it says now."""
         return self._message.text()
 
-    def show_failure(self, failure: Failure) -> None:
-        """Tell of a failure; the same one again only counts."""
+    def show_failure(self, failure: Failure, *, motion_ended: bool) -> None:
+        """Tell of a failure; the same one again only counts.
+
+        Args:
+            failure: What went wrong.
+            motion_ended: Whether every motion of this program was ended because of it.
+        """
         again = self._failure is not None and self._failure.error == failure.error
-        self._failure = failure
+        self._failure, self._motion_ended = failure, motion_ended
         self._say()
         if not again:
             self.show()
@@ -48,10 +54,17 @@ class FailureLine(Translated, QWidget):
     def _say(self) -> None:
         if self._failure is None:
             return
-        text = self.tr(
-            "An error in the program ({error}). The emergency stop works; the motion that the "
-            "failed part drove has been ended. Copy the details for the developers."
-        ).format(error=self._failure.error)
+        if self._motion_ended:
+            text = self.tr(
+                "An error in the program ({error}). The emergency stop works; every motion of this "
+                "program has been ended. Copy the details for the developers."
+            )
+        else:
+            text = self.tr(
+                "An error in the program ({error}). The emergency stop works; the part that failed "
+                "can move nothing, and no motion was ended. Copy the details for the developers."
+            )
+        text = text.format(error=self._failure.error)
         if self._failure.count > 1:
             text += " " + self.tr("It has happened {count} times.").format(
                 count=self._failure.count

@@ -62,11 +62,12 @@ class JogButton(QPushButton):
             self.stepped.emit()
 
     def _end(self) -> None:
+        """The motion ends before anything is done that could fail."""
         self._timer.stop()
-        self._guard.release()
         if self._holding:
             self._holding = False
             self.let_go.emit()
+        self._guard.release()
 
     def _on_timeout(self) -> None:
         if not (self.isDown() and self.isEnabled() and self.isVisible()):

@@ -229,8 +229,8 @@ _NOTICES: Final[Texts[str]] = Texts("Notice") | {
         "the joint's limits anew."
     ),
     EventCode.PART_FAILED: (
-        "A part of the program has failed ({part}). The emergency stop still works; end what is "
-        "under way and start the program again."
+        "A part of the program has failed ({part}). The emergency stop still works; every motion "
+        "of this program is ended. Start the program again."
     ),
     EventCode.SETTINGS_SHARED: (
         "Another armui on this computer uses the same settings file. What is changed here is kept; "

@@ -51,8 +51,8 @@ RUN_REFUSALS: Final = Texts("Refusal") | {
         "The device was disconnected while it ran: the arm was told before to end its motion."
     ),
     RefusalCode.PART_FAILED: (
-        "The part of the program that drove it has failed: the arm was told to end its motion. "
-        "Copy the details of the error, then start the program again."
+        "A part of the program has failed: every motion of this program ends, and none begins "
+        "while it fails. Copy the details of the error, then start the program again."
     ),
     RefusalCode.RUN_SETS_LAMPS: (
         "The run under way sets the lamps itself. Wait until it is done, or end the run first."

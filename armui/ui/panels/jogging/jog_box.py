@@ -155,6 +155,7 @@ class JogBox(Translated, QFrame):
 
     def _on_held(self, place: int, direction: int) -> None:
         kind = self.kind
+        self._held = True  # whatever fails from here on: letting go ends the jog
         if kind is JogKind.JOINTS:
             refusal = self._controller.jogging.start(JointJog(place + 1, direction))
         else:
@@ -164,8 +165,8 @@ class JogBox(Translated, QFrame):
 
     def _on_let_go(self) -> None:
         if self._held:
-            self._held = False
             self._controller.jogging.stop()
+            self._held = False
 
     def _on_unattended(self) -> None:
         self.refused.emit(Refusal(RefusalCode.HOLD_UNATTENDED, {"seconds": UNATTENDED_S}))
@@ -212,8 +213,8 @@ class JogBox(Translated, QFrame):
 
     def hideEvent(self, event: QHideEvent) -> None:
         """Nothing is jogged by what is not seen; the buttons have let go by now."""
-        super().hideEvent(event)
         self._on_let_go()
+        super().hideEvent(event)
 
     def retranslate_ui(self) -> None:
         """Put every word into the operator's language."""

@@ -139,10 +139,11 @@ class KeyPad(Translated, QFrame):
         self._end()
 
     def _end(self) -> None:
-        self._guard.release()
+        """The motion ends before anything is done that could fail."""
         if self._holding:
             self._holding = False
             self.let_go.emit()
+        self._guard.release()
 
     def retranslate_ui(self) -> None:
         """Say what the keys do, or what is missing."""

@@ -1,0 +1,212 @@
+"""Ends every motion of this program when any part of it fails (safety S23)."""
+
+from __future__ import annotations
+
+import logging
+from collections.abc import Callable, Collection
+from typing import TYPE_CHECKING, Final
+
+from armui.arm.refusal import Refusal
+from armui.arm.refusal_codes import RefusalCode
+from armui.control.operating_state import LinkState
+from armui.control.run.run_end import cut_short
+from armui.protocol.addressing import OFFSETS
+from armui.protocol.frame import Frame
+
+if TYPE_CHECKING:
+    from armui.control.arm_controller import ArmController
+    from armui.control.context import Context
+    from armui.control.run.execution import Execution
+
+_LOG: Final = logging.getLogger(__name__)
+
+DRIVE_NOTHING: Final = (
+    "armui.bus.tap",
+    "armui.session",
+    "armui.settings",
+    "armui.system",
+    "armui.telemetry",
+    "armui.trajectory",
+    "armui.ui.dialogs.finding_row",
+    "armui.ui.format",
+    "armui.ui.garbage",
+    "armui.ui.guide.guide_browser",
+    "armui.ui.guide.place",
+    "armui.ui.guide.text",
+    "armui.ui.shell.layout_keeper",
+    "armui.ui.shell.workspace_layout",
+    "armui.ui.theme",
+    "armui.ui.translation",
+    "armui.ui.watch.bus.cells",
+    "armui.ui.watch.cursor_table",
+    "armui.ui.watch.curve_book",
+    "armui.ui.watch.curve_cache",
+    "armui.ui.watch.curve_shapes",
+    "armui.ui.watch.curves_item",
+    "armui.ui.watch.figure",
+    "armui.ui.watch.graph",
+    "armui.ui.watch.heights",
+    "armui.ui.watch.layout_file",
+    "armui.ui.watch.legend",
+    "armui.ui.watch.plot_bar",
+    "armui.ui.watch.plot_board",
+    "armui.ui.watch.plot_layout",
+    "armui.ui.watch.plot_pane",
+    "armui.ui.watch.quantity_list",
+    "armui.ui.watch.round_figures",
+    "armui.ui.watch.time_axis",
+    "armui.ui.watch.time_frame",
+    "armui.ui.watch.time_strip",
+    "armui.ui.watch.value_table",
+    "armui.viewport",
+)
+"""Modules, each with those inside it, from which nothing leads to the bus or to what holds a jog.
+
+A contract in pyproject.toml names the same and has import-linter check it."""
+
+_ABORT: Final = bytes([0, 6, 0, 0, 0, 0, 0, 0])
+"""0x150 byte 1 = 6, 终止: written out, since the codec may be what fails."""
+_MOTION_COMMAND: Final = 0x150
+_OPEN: Final = frozenset({LinkState.ONLINE, LinkState.OFFLINE})
+_OWED_S: Final = 10.0
+"""A lost device that comes back within this time is told that the motion has ended."""
+
+
+def may_drive(modules: Collection[str]) -> bool:
+    """Tell whether a failure may leave the arm moving, by the modules in its traceback.
+
+    A traceback without a module of ours counts: a slot that is called with the wrong arguments
+    leaves none.
+    """
+    rooms = tuple(f"{room}." for room in DRIVE_NOTHING)
+    return not modules or not all(f"{name}.".startswith(rooms) for name in modules)
+
+
+class MotionEnd:
+    """Ends run, replay, jog, single motion and motion of the gripper, each by its own way.
+
+    Where that fails, the arm is told to end its motion by the shortest way there is, once for each
+    motion. The stop and the halt don't come by here.
+
+    Args:
+        controller: Has the parts.
+        context: What they share.
+        stopping: Tells whether a stop is asked for that is not confirmed: it says more.
+
+    Attributes:
+        stuck: A part could not end its motion: it is asked again at each tick.
+    """
+
+    def __init__(
+        self, controller: ArmController, context: Context, stopping: Callable[[], bool]
+    ) -> None:
+        self._controller = controller
+        self._context = context
+        self._stopping = stopping
+        self._ending = False
+        self._aborted: int | None = None
+        self._ended_s: float | None = None
+        self._was_lost = False
+        self.stuck = False
+
+    def end(self) -> None:
+        """End everything; where nothing moves, nothing is sent."""
+        if self._ending or self._context.connection.device is None:
+            return  # what fails in here is logged, and whoever reads that calls this
+        self._ending = True
+        try:
+            ways = (
+                self._end_gamepad,
+                self._end_jog,
+                self._end_runs,
+                self._end_single_motion,
+                self._end_gripper,
+            )
+            ended = [_succeeds(way) for way in ways]
+            self.stuck = not all(ended)
+            if self.stuck:
+                _succeeds(lambda: self._context.authority.cancelled(self._context.clock()))
+                _succeeds(self._abort_once)
+            else:
+                self._aborted = None
+        finally:
+            self._ending = False
+
+    def follow(self, now_s: float) -> None:
+        """Go on with what could not be ended yet; called at each tick."""
+        if self.stuck:
+            self.end()
+        if self._ended_s is None:
+            return
+        connection = self._context.connection
+        self._was_lost = self._was_lost or connection.link is LinkState.LOST
+        if now_s - self._ended_s > _OWED_S or connection.device is None:
+            self._ended_s, self._was_lost = None, False
+        elif self._was_lost and connection.link in _OPEN:
+            # the failure took the device along, and the end of the motion with it
+            self._ended_s, self._was_lost = None, False
+            if not self._context.authority.other.commands:
+                self._abort()
+
+    def _end_gamepad(self) -> None:
+        if "gamepad" in vars(self._controller):
+            self._controller.gamepad.lose(self._reason())
+
+    def _end_jog(self) -> None:
+        jogging = self._controller.jogging
+        if jogging.active:
+            self._note()
+            jogging.end(self._reason())
+
+    def _end_runs(self) -> None:
+        runs = self._controller.replayer, self._controller.player
+        ended = [_succeeds(lambda run=run: self._end_run(run)) for run in runs]
+        if not all(ended):
+            raise RuntimeError("a run could not be ended")
+
+    def _end_run(self, run: Execution) -> None:
+        if run.running:
+            self._note()
+            run.end(self._reason())
+
+    def _end_single_motion(self) -> None:
+        authority = self._context.authority
+        if (authority.under_way or authority.holds) and not self._stopping():
+            self._note()
+            cut_short(self._context)
+
+    def _end_gripper(self) -> None:
+        self._controller.gripper.end()
+
+    def _reason(self) -> Refusal:
+        """Why something ends; after a stop the arm is told nothing more."""
+        stopped = self._stopping()
+        return Refusal(RefusalCode.RUN_STOPPED if stopped else RefusalCode.PART_FAILED)
+
+    def _note(self) -> None:
+        self._ended_s, self._was_lost = self._context.clock(), False
+
+    def _abort_once(self) -> None:
+        try:
+            number = self._context.authority.number
+        except Exception:  # noqa: BLE001 - it may be what fails
+            number = 0
+        if number != self._aborted and not self._stopping():
+            self._aborted = number
+            self._abort()
+
+    def _abort(self) -> None:
+        connection = self._context.connection
+        device = connection.device
+        if device is not None and not device.listen_only:
+            frames = [Frame(_MOTION_COMMAND + offset, _ABORT) for offset in OFFSETS]
+            connection.send_urgent(frames)
+
+
+def _succeeds(act: Callable[[], object]) -> bool:
+    try:
+        act()
+    except Exception:  # noqa: BLE001 - whatever has failed before may fail again
+        _LOG.exception("A motion could not be ended by the part that drives it")
+        return False
+    return True

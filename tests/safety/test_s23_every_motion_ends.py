@@ -1,0 +1,356 @@
+"""S23: whatever fails, every motion of ours ends, unless what failed can drive nothing."""
+
+import contextlib
+import logging
+import tomllib
+from pathlib import Path
+
+import pytest
+from PySide6.QtCore import QObject, Signal
+from PySide6.QtWidgets import QApplication
+
+from armui.control.assessment_inputs import Assessor
+from armui.control.authority import Authority
+from armui.control.authority_watch import AuthorityWatch
+from armui.control.devices.gripper import GripperControl
+from armui.control.gamepad.pilot import GamepadPilot
+from armui.control.link.connection import Connection
+from armui.control.link.link_watch import LinkWatch
+from armui.control.motion.jog_path import JointJog
+from armui.control.motion.jogging import Jogging
+from armui.control.motion_end import DRIVE_NOTHING, MotionEnd, may_drive
+from armui.control.run.execution import Execution
+from armui.control.run.player import Player
+from armui.control.run.recorder import Recorder
+from armui.control.run.replayer import Replayer
+from armui.control.safety.recovery import Recovery
+from armui.control.safety.stopping import Stopping
+from armui.protocol.generation import Generation
+from armui.system import failures
+from armui.ui.shell.status_bar import StatusBar
+from armui.viewport.view import ArmView
+from tests.arm_rig import ArmRig
+from tests.control.under_way import OUT, replay_moving, run_moving
+from tests.failing import ERROR, failing, functions_of
+
+ABORT = bytes([0, 6, 0, 0, 0, 0, 0, 0])  # 0x150 byte 1: the trajectory command 6, end it
+STREAM = {0x155, 0x156, 0x157}
+AIMS = {*STREAM, 0x151, 0x152, 0x153, 0x154, 0x159}
+
+
+@pytest.fixture(autouse=True)
+def told(monkeypatch):
+    """Hooks in place, as in the program; pytest-qt's own come back after."""
+    monkeypatch.setattr(logging.getLogger("armui"), "propagate", False)
+    with failures.hooks():
+        yield
+
+
+class Slot(QObject):
+    """Has Qt call something, as it calls a slot."""
+
+    fired = Signal()
+
+    def call(self, act):
+        self.fired.connect(act)
+        self.fired.emit()
+        self.fired.disconnect(act)
+
+
+def single_motion(rig):
+    assert rig.controller.motion.send_joints(OUT) is None
+    rig.run(0.4)
+    assert rig.controller.operating_state.moving
+
+
+def jog(rig):
+    assert rig.controller.jogging.start(JointJog(1, 1)) is None
+    rig.run(0.4)
+    assert rig.controller.jogging.active
+
+
+MOTIONS = {"jog": jog, "run": run_moving, "replay": replay_moving, "single": single_motion}
+
+
+def fail_in_a_slot(rig):
+    """`StatusBar.retranslate_ui` has been made to fail."""
+    bar = rig.window.findChild(StatusBar)
+    Slot().call(lambda: bar.retranslate_ui())
+
+
+def drives(controller):
+    authority = controller._authority
+    return (
+        controller.jogging.active
+        or controller.player.running
+        or controller.replayer.running
+        or authority.under_way
+        or bool(authority.holds)
+    )
+
+
+def aborts(frames):
+    return [frame for frame in frames if bytes(frame.data) == ABORT]
+
+
+def rests_for_good(rig, seconds=0.7):
+    """Within 0.7 s the arm is at rest and stays there, and nothing sends it anywhere."""
+    rig.run(seconds)
+    rig.heard()
+    before = rig.firmware.joints_deg
+    rig.run(0.3)
+    aimed = {frame.arbitration_id for frame in rig.heard()} & AIMS
+    return not aimed and rig.firmware.joints_deg == pytest.approx(before, abs=0.01)
+
+
+# What is called at each tick -----------------------------------------------------------------------
+
+EACH_TICK = {
+    "Connection.advance": Connection.advance,
+    "Connection.offsets": Connection._another_answers,
+    "LinkWatch.follow_online": LinkWatch.follow_online,
+    "Stopping.advance": Stopping.advance,
+    "AuthorityWatch.advance": AuthorityWatch.advance,
+    "AuthorityWatch.observe": AuthorityWatch.observe,
+    "Assessor.assess": Assessor.assess,
+    "Authority.observe": Authority.observe,
+    "Authority.under_way": Authority.under_way.fget,
+    "LinkWatch.follow_handshake": LinkWatch.follow_handshake,
+    "Jogging.advance": Jogging.advance,
+    "Player.advance": Player.advance,
+    "Replayer.advance": Replayer.advance,
+    "Recorder.advance": Recorder.advance,
+    "GripperControl.advance": GripperControl.advance,
+    "Recovery.advance": Recovery.advance,
+}
+
+
+@pytest.mark.parametrize("place", EACH_TICK)
+def test_a_failure_at_every_tick_ends_each_motion_once(rig, place):
+    rig.ready()
+    for motion, begin in MOTIONS.items():
+        begin(rig)
+        rig.heard()
+        with failing(EACH_TICK[place]):
+            rig.run(0.3)
+            # once by its own way, and once more where something in that failed
+            assert len(aborts(rig.heard())) in {1, 2}, motion
+            assert rests_for_good(rig), motion
+        rig.run(0.1)
+        assert rig.controller.operating_state.cannot_move is None, motion
+
+
+@pytest.mark.parametrize("place", EACH_TICK)
+def test_no_motion_begins_while_something_fails(rig, place):
+    """It is refused, or ends with the next tick."""
+    rig.ready()
+    before = rig.firmware.joints_deg
+    with failing(EACH_TICK[place]):
+        rig.run(0.1)
+        for motion, begin in MOTIONS.items():
+            with contextlib.suppress(AssertionError, ArithmeticError):
+                begin(rig)
+            assert rests_for_good(rig), motion
+    assert rig.firmware.joints_deg == pytest.approx(before, abs=3.0)
+
+
+def test_in_generation_1_as_well(qapp, request):
+    rig = ArmRig(request.node.nodeid, Generation.ONE)
+    rig.ready()
+    for begin in MOTIONS.values():
+        begin(rig)
+        rig.heard()
+        with failing(Connection.advance):
+            rig.run(0.3)
+            assert len(aborts(rig.heard())) == 1
+            assert rests_for_good(rig)
+        rig.run(0.1)
+    rig.close()
+
+
+ENDS = {
+    "Jogging.stop": Jogging.stop,
+    "Jogging.end": Jogging.end,
+    "Jogging._let_go": Jogging._let_go,
+    "Jogging.active": Jogging.active.fget,
+    "Execution.end": Execution.end,
+    "Execution._fail": Execution._fail,
+    "Execution.running": Execution.running.fget,
+    "Authority.cancelled": Authority.cancelled,
+    "Authority.number": Authority.number.fget,
+    "GripperControl.end": GripperControl.end,
+    "GamepadPilot.lose": GamepadPilot.lose,
+    "MotionEnd._end_single_motion": MotionEnd._end_single_motion,
+}
+
+
+@pytest.mark.parametrize("place", ENDS)
+def test_what_cannot_end_its_own_motion_has_it_ended(app_driver, place):
+    """The arm is told once or twice, however often the part is asked again."""
+    rig = app_driver
+    rig.ready()
+    for motion, begin in MOTIONS.items():
+        begin(rig)
+        rig.heard()
+        with failing(ENDS[place], StatusBar.retranslate_ui):
+            fail_in_a_slot(rig)
+            rig.run(0.3)
+            assert len(aborts(rig.heard())) in {1, 2}, motion
+            assert rests_for_good(rig), motion
+            fail_in_a_slot(rig)
+            rig.run(0.1)
+            assert aborts(rig.heard()) == [], motion
+        rig.run(0.1)
+        assert rig.controller.operating_state.cannot_move is None, motion
+    with failing(ENDS[place], StatusBar.retranslate_ui):
+        fail_in_a_slot(rig)
+        rig.controller.emergency_stop()  # it is left alone
+        rig.run_until(lambda: "stop_confirmed" in rig.codes(), 1.0)
+
+
+def test_a_failure_ends_a_motion_of_the_gripper(any_driver):
+    rig = any_driver
+    rig.ready()
+    assert rig.controller.gripper.move(60.0, 1.0) is None
+    rig.run(0.3)
+    gripper = rig.firmware.gripper
+    at_failure = gripper.travel
+    assert 0.0 < at_failure < 50.0
+    with failing(StatusBar.retranslate_ui):
+        fail_in_a_slot(rig)
+    rig.run(2.0)
+    assert gripper.travel == pytest.approx(at_failure, abs=5.0)
+    assert gripper.enabled
+
+
+def test_a_failure_of_the_bus_thread_ends_the_motion_when_the_device_is_back(
+    app_driver, monkeypatch, qtbot
+):
+    rig = app_driver
+    rig.ready()
+    single_motion(rig)
+    rig.heard()
+    worker = rig.controller._connection._worker
+    monkeypatch.setattr(worker, "_take_in", None)  # calling it raises in the worker
+    rig.node.poll(0.02)
+    qtbot.waitUntil(lambda: "link_lost" in rig.codes())
+    monkeypatch.undo()
+    qtbot.waitUntil(lambda: "reconnected" in rig.codes())
+    rig.run_until(lambda: aborts(rig.heard()) != [], 1.0)
+    assert rests_for_good(rig)
+
+
+def test_a_failure_does_not_cut_the_motion_of_another_host(app_driver):
+    """Nothing of ours moves: nothing is sent."""
+    rig = app_driver
+    rig.ready()
+    rig.run(1.0)
+    rig.heard()
+    with failing(StatusBar.retranslate_ui):
+        for _ in range(20):
+            fail_in_a_slot(rig)
+            rig.step()
+    assert rig.heard() == []
+
+
+def test_a_failure_within_the_press_that_begins_a_motion_ends_it(app_driver):
+    """The slot of a notice fails before the run's first target is sent."""
+    rig = app_driver
+    rig.ready()
+    rig.controller.noticed.connect(lambda event: 1 / 0 if event.code == "run_started" else None)
+    run_moving_anyhow = Slot()
+    run_moving_anyhow.call(lambda: run_moving(rig))
+    assert not rig.controller.player.running
+    assert rests_for_good(rig)
+
+
+# Whose traceback ----------------------------------------------------------------------------------
+
+
+def test_the_contract_and_the_code_name_the_same_rooms():
+    project = Path(__file__).parents[2] / "pyproject.toml"
+    contracts = tomllib.loads(project.read_text(encoding="utf-8"))["tool"]["importlinter"]
+    (contract,) = [c for c in contracts["contracts"] if c["name"].startswith("Rooms that can")]
+    assert tuple(contract["source_modules"]) == DRIVE_NOTHING
+    assert {"can", "armui.control", "armui.bus.outbox", "armui.bus.worker"} <= set(
+        contract["forbidden_modules"]
+    )
+
+
+@pytest.mark.parametrize(
+    ("modules", "drives"),
+    [
+        ((), True),
+        (("armui.viewport.view",), False),
+        (("armui.viewport.view", "armui.system.atomic"), False),
+        (("armui.viewport.view", "armui.control.context"), True),
+        (("armui.viewports",), True),
+        (("armui.viewport",), False),
+        (("armui.ui.widgets.hold_guard",), True),
+        (("armui.app",), True),
+        (("armui.a_room_that_nobody_has_named",), True),
+    ],
+)
+def test_only_a_traceback_of_rooms_that_drive_nothing_ends_nothing(modules, drives):
+    assert may_drive(modules) is drives
+
+
+def test_a_failure_in_a_room_that_drives_nothing_ends_nothing(app_driver):
+    rig = app_driver
+    rig.ready()
+    single_motion(rig)
+    rig.heard()
+    with failing(ArmView.retranslate_ui):
+        Slot().call(lambda: rig.program.view.retranslate_ui())
+    rig.run(5.0)
+    assert aborts(rig.heard()) == []
+    assert rig.firmware.joints_deg[0] == pytest.approx(OUT[0], abs=0.1)
+    line = rig.find("failure_line")
+    assert ERROR in line.text()
+    assert "no motion was ended" in line.text()
+
+
+def handlers():
+    """Each method of each class of the program that some widget now seen is made of."""
+    kinds = {
+        kind
+        for widget in QApplication.allWidgets()
+        if widget.isVisible()
+        for kind in type(widget).__mro__
+        if kind.__module__.startswith("armui.")
+    }
+    return [
+        (kind, function)
+        for kind in sorted(kinds, key=lambda kind: (kind.__module__, kind.__name__))
+        for function in functions_of(kind)
+        if function.__name__.startswith("_on_") or function.__name__.endswith("Event")
+    ]
+
+
+@pytest.mark.parametrize("motion", MOTIONS)
+def test_any_slot_of_any_widget_that_fails_ends_the_motion(app_driver, motion):
+    rig = app_driver
+    rig.program.view.setVisible(True)
+    rig.ready()
+    for name in ("joint_status_button", "library_button"):
+        rig.click(name)
+    found = handlers()
+    assert len(found) > 60
+    ended = spared = 0
+    slot = Slot()
+    for kind, function in found:
+        if not drives(rig.controller):
+            rig.run_until(lambda: rig.controller.operating_state.cannot_move is None)
+            rig.run_until(lambda: rig.controller._authority.at_rest)
+            MOTIONS[motion](rig)
+        rig.heard()
+        arguments = [None] * (function.__code__.co_argcount - 1)
+        with failing(function):
+            slot.call(lambda f=function, a=arguments: f(None, *a))
+        harmless = not may_drive([kind.__module__])
+        assert drives(rig.controller) is harmless, function.__qualname__
+        spared, ended = spared + harmless, ended + (not harmless)
+        if drives(rig.controller):
+            rig.controller.end_motion(single=True)
+    assert ended > 50
+    assert spared > 0
