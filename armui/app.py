@@ -5,8 +5,8 @@ from __future__ import annotations
 import gc
 import logging
 import os
-import signal
 import sys
+import threading
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import replace
@@ -23,6 +23,7 @@ from armui.arm.refusal import Refusal
 from armui.control.arm_controller import ArmController
 from armui.control.events import Event, EventCode
 from armui.control.operating_state import LinkState, OperatingState
+from armui.ending import SystemEnd
 from armui.protocol.generation import Generation
 from armui.protocol.piper_model import PiperModel
 from armui.settings import Choices, Settings, SettingsStore, default_path
@@ -86,6 +87,8 @@ class Program:
     Attributes:
         controller, view, window: What its parts are.
         ended: Whether, after `shutdown`, no thread of ours runs any more.
+        closed: Set once the device is closed, as far as its driver lets it.
+        written: Set once the files are written and the processes ended, too.
     """
 
     def __init__(
@@ -108,6 +111,8 @@ class Program:
         apply_theme(app, Theme(settings.theme), before_windows=True)
         self.controller = controller
         self.ended = False
+        self.closed, self.written = threading.Event(), threading.Event()
+        self._is_down = False
         self._workers = workers
         self._files = files
         urdf = Path(settings.urdf_path) if settings.urdf_path else None
@@ -161,22 +166,27 @@ class Program:
 
         A driver may keep a thread of ours for longer than anybody waits: see `ended`.
         """
+        if self._is_down:
+            return
+        self._is_down = True
         self._unsubscribe()
         for name in failures.LOGGERS:
             logging.getLogger(name).removeHandler(self._failure_handler)
         self._app.removeEventFilter(self._stop_shortcut)
         self._stop_shortcut.deleteLater()
         self.ended = self.controller.shutdown()
+        self.closed.set()
+        self.view.shutdown()
+        self._workers.shutdown()
         if self._event_keeper is not None:
             self._event_keeper.close()
-        self._workers.shutdown()
         if self._files is not None:
             self._files.shutdown()
         if isinstance(self._files, FileThread):
             self.ended = self.ended and self._files.ended
-        self.view.shutdown()
         if self._neighbours is not None:
             self._neighbours.close()
+        self.written.set()
 
     def _on_failed(self, failure: Failure) -> None:
         """Motion ends first; then it is told."""
@@ -251,10 +261,25 @@ def _run(options: StartOptions) -> int:
         events=paths.logs(),
     )
     app.aboutToQuit.connect(program.shutdown)
-    _end_on_ctrl_c(app)
+    with SystemEnd(app, program) as system_end:
+        code = _run_window(app, program, store, options, system_end)
+    if not program.ended:
+        # a driver hangs: what it holds can be neither waited for nor destroyed
+        logging.shutdown()
+        os._exit(code)
+    return code
+
+
+def _run_window(
+    app: QApplication,
+    program: Program,
+    store: SettingsStore,
+    options: StartOptions,
+    system_end: SystemEnd,
+) -> int:
     program.window.show()
     _preload_when_idle(app, then=program.window.page_doings.reopen)
-    _GoingFirst(app, controller)
+    _GoingFirst(app, program.controller)
     device = chosen_device(options)
     if device is not None:
         # the bus waits for nothing: the picture is loaded in a process of its own
@@ -265,12 +290,8 @@ def _run(options: StartOptions) -> int:
     if options.replay is not None:
         program.window.open_replay(options.replay)
     keep_from_collector()
-    code = app.exec()
-    if not program.ended:
-        # a driver hangs: what it holds can be neither waited for nor destroyed
-        logging.shutdown()
-        os._exit(code)
-    return code
+    QTimer.singleShot(_CONNECTED_MS, app, system_end.watch_sleep)
+    return app.exec()
 
 
 def _preload_when_idle(app: QApplication, then: Callable[[], object]) -> None:
@@ -305,15 +326,6 @@ def keep_from_collector() -> None:
     if app is not None:
         GarbageSearch(app)
     QTimer.singleShot(_CONNECTED_MS, gc.freeze)
-
-
-def _end_on_ctrl_c(app: QApplication) -> None:
-    """End the program in good order when it is interrupted in its terminal."""
-    signal.signal(signal.SIGINT, lambda *_: app.exit(130))
-    # Python looks for signals only when it runs: let it run now and then
-    heartbeat = QTimer(app, interval=250)
-    heartbeat.timeout.connect(lambda: None)
-    heartbeat.start()
 
 
 def chosen_device(options: StartOptions) -> Device | None:

@@ -163,6 +163,7 @@ class RefusalCode(StrEnum):
     OTHER_HOST_STREAMS = "other_host_streams"  # frames
     OTHER_MODE = "other_mode"  # other_mode
     PART_FAILED = "part_failed"
+    SYSTEM_ENDS = "system_ends"
     PATH_BEYOND_LIMITS = "path_beyond_limits"  # joint, value, minimum, maximum, gone
     PATH_OUT_OF_REACH = "path_out_of_reach"  # gone
     PATH_SINGULAR = "path_singular"  # joint, gone

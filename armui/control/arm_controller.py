@@ -206,7 +206,7 @@ class ArmController(ControllerParts):
         Returns:
             Whether all threads have ended within two seconds: a driver may keep one.
         """
-        if self._authority.under_way and not self._lets_finish and not cut_short(self._context):
+        if self._authority.may_be_ours and not self._lets_finish and not cut_short(self._context):
             self._connection.wait_until_sent(_SENT_WITHIN_S)
         self.disconnect_device()
         closed = self._connection.end(_END_S)
@@ -281,6 +281,14 @@ class ArmController(ControllerParts):
         QTimer.singleShot(0, self, self._motion_end.end)
         return True
 
+    def end_all_motion(self) -> None:
+        """End every motion of this program, since the system is about to end it or to sleep."""
+        self._motion_end.end(RefusalCode.SYSTEM_ENDS)
+
+    def abort_from_any_thread(self) -> None:
+        """Tell the arm to end a motion of ours while the window's thread is held up."""
+        self._motion_end.abort_from_any_thread()
+
     def _on_part_failed(self) -> None:
         self._authority.failed = True
         self._motion_end.end()
@@ -340,7 +348,7 @@ class ArmController(ControllerParts):
             single: A single motion of this program, too.
         """
         self._end_driven()
-        if single and self._authority.under_way:
+        if single and self._authority.may_be_ours:
             cut_short(self._context)
         if self._authority.holds:
             self.planned_motion.command(TrajectoryCommand.ABORT)

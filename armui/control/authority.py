@@ -115,6 +115,19 @@ class Authority:
         return seen.now_s - command.sent_s < _TAKEN_IN_S or self._moves
 
     @property
+    def may_be_ours(self) -> bool:
+        """Tell whether a motion is under way, or held back, that this program may have begun.
+
+        An arm that goes on to a target of ours moves by our doing, also when that target has ended
+        to be one to start from, as after other limits were read; unless somebody else is known to
+        move it.
+        """
+        if self.under_way or self.holds:
+            return True
+        nobody_else = self.mover in {Mover.OURS, Mover.UNKNOWN}
+        return self._moves and nobody_else and self._cancelled_s is None
+
+    @property
     def mover(self) -> Mover:
         """Who moves the arm now."""
         seen = self._seen

@@ -104,16 +104,21 @@ class MotionEnd:
         self._context = context
         self._stopping = stopping
         self._ending = False
+        self._code = RefusalCode.PART_FAILED
         self._aborted: int | None = None
         self._ended_s: float | None = None
         self._was_lost = False
         self.stuck = False
 
-    def end(self) -> None:
-        """End everything; where nothing moves, nothing is sent."""
+    def end(self, code: RefusalCode = RefusalCode.PART_FAILED) -> None:
+        """End everything; where nothing moves, nothing is sent.
+
+        Args:
+            code: Why, for the operator.
+        """
         if self._ending or self._context.connection.device is None:
             return  # what fails in here is logged, and whoever reads that calls this
-        self._ending = True
+        self._ending, self._code = True, code
         try:
             ways = (
                 self._end_gamepad,
@@ -131,6 +136,13 @@ class MotionEnd:
                 self._aborted = None
         finally:
             self._ending = False
+
+    def abort_from_any_thread(self) -> None:
+        """Tell the arm to end a motion of ours; streams and runs go no further."""
+        authority = self._context.authority
+        authority.failed = True
+        if authority.command is not None or authority.may_be_ours:
+            self._abort()
 
     def follow(self, now_s: float) -> None:
         """Go on with what could not be ended yet; called at each tick."""
@@ -171,7 +183,7 @@ class MotionEnd:
 
     def _end_single_motion(self) -> None:
         authority = self._context.authority
-        if (authority.under_way or authority.holds) and not self._stopping():
+        if authority.may_be_ours and not self._stopping():
             self._note()
             cut_short(self._context)
 
@@ -181,7 +193,7 @@ class MotionEnd:
     def _reason(self) -> Refusal:
         """Why something ends; after a stop the arm is told nothing more."""
         stopped = self._stopping()
-        return Refusal(RefusalCode.RUN_STOPPED if stopped else RefusalCode.PART_FAILED)
+        return Refusal(RefusalCode.RUN_STOPPED if stopped else self._code)
 
     def _note(self) -> None:
         self._ended_s, self._was_lost = self._context.clock(), False

@@ -362,6 +362,18 @@ class MainWindow(Translated, KeepsFocus, QWidget):
         super().showEvent(event)
         self._show_in_view(self._controller.state)
 
+    def keep_drafts(self) -> None:
+        """Write down what is not saved of trajectories; the program may go on."""
+        self._trajectory_pages.keep_drafts()
+
+    def keep_work(self) -> None:
+        """Write down what is not saved, to be offered at the next start, without asking."""
+        for dialog in self._dialogs.values():
+            if isinstance(dialog, KeepsWork):
+                dialog.keep_work()
+        self._trajectory_pages.keep_work()
+        self._keeper.keep()
+
     def closeEvent(self, event: QCloseEvent) -> None:
         """Ask first while something is not saved, is under way, or the arm moves by itself."""
         operating_state = self._controller.operating_state
@@ -374,11 +386,7 @@ class MainWindow(Translated, KeepsFocus, QWidget):
             self._leave_arm_then(self, close)
             return
         self._unsubscribe()
-        for dialog in self._dialogs.values():
-            if isinstance(dialog, KeepsWork):
-                dialog.keep_work()
-        self._trajectory_pages.keep_work()
-        self._keeper.keep()
+        self.keep_work()
         self._workspace.close_windows()
         self._diagnosis.close()
         super().closeEvent(event)

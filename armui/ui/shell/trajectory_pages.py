@@ -86,6 +86,11 @@ class TrajectoryPages(QObject):
         """Show the page that records; the way back from it leads to the library."""
         self._made().open_recorder()
 
+    def keep_drafts(self) -> None:
+        """Write down what is not saved; the program may go on."""
+        if self._library is not None:
+            self._library.editors.keep_drafts()
+
     def keep_work(self) -> None:
         """The program ends: what is not saved is offered the next time."""
         if self._library is not None:

@@ -54,6 +54,10 @@ RUN_REFUSALS: Final = Texts("Refusal") | {
         "A part of the program has failed: every motion of this program ends, and none begins "
         "while it fails. Copy the details of the error, then start the program again."
     ),
+    RefusalCode.SYSTEM_ENDS: (
+        "The computer was about to sleep, or to end this program: the arm was told before to end "
+        "its motion."
+    ),
     RefusalCode.RUN_SETS_LAMPS: (
         "The run under way sets the lamps itself. Wait until it is done, or end the run first."
     ),

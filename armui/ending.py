@@ -1,0 +1,260 @@
+"""The system ends the program or sends the computer to sleep: motion ends before (safety S28).
+
+Signals (SIGTERM, SIGHUP, SIGINT; on Windows also a closed console), the end of a session
+(`QGuiApplication.commitDataRequest`), and sleep or shutdown as logind announces them on Linux.
+Threads of their own listen: a window that is held up does not keep the arm moving.
+
+Source: signal(7), ``signal.set_wakeup_fd``, systemd's inhibitor locks, SetConsoleCtrlHandler.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import logging
+import os
+import signal
+import socket
+import sys
+import threading
+import time
+from collections.abc import Callable
+from types import TracebackType
+from typing import TYPE_CHECKING, Any, Final, Self
+
+from PySide6.QtCore import QObject, Qt, Signal
+
+if sys.platform == "win32":
+    import ctypes
+
+if TYPE_CHECKING:
+    from PySide6.QtWidgets import QApplication
+
+    from armui.app import Program
+
+_LOG: Final = logging.getLogger(__name__)
+
+_SIGNALS: Final = ("SIGTERM", "SIGHUP", "SIGINT", "SIGBREAK")
+_BUSY_S: Final = 0.25
+"""A window that has not ended the motion by then is held up: the arm is told from here."""
+_CLOSED_S: Final = 0.9
+"""After this time the process ends, whatever keeps its bus open."""
+_FILES_S: Final = 10.0
+"""With the bus closed, files have so long to be written; a disk may hang."""
+_ANSWER_S: Final = 2.0
+_CONSOLE_CLOSED: Final = frozenset({2, 5, 6})  # CTRL_CLOSE_EVENT, _LOGOFF_EVENT, _SHUTDOWN_EVENT
+
+
+class SystemEnd(QObject):
+    """Ends the program when the system asks for it; a context, to be left when it has ended.
+
+    A signal that whoever started the program has it ignore, as ``nohup`` does, stays ignored.
+
+    Args:
+        app: Qt's application.
+        program: What is to end.
+        exit_now: Ends the process at once.
+    """
+
+    _asked = Signal(int)
+    _motion_asked = Signal()
+
+    def __init__(
+        self, app: QApplication, program: Program, exit_now: Callable[[int], object] = os._exit
+    ) -> None:
+        super().__init__()
+        self._app, self._program, self._exit_now = app, program, exit_now
+        self._asked.connect(self._on_asked, Qt.ConnectionType.QueuedConnection)
+        self._motion_asked.connect(self._end_motion, Qt.ConnectionType.QueuedConnection)
+        app.commitDataRequest.connect(self._on_session_ends)
+        self._motion_ended = threading.Event()
+        self._listening, self._wakes = socket.socketpair()
+        self._before: dict[int, Any] = {}
+        self._thread = threading.Thread(target=self._listen, name="armui-signals", daemon=True)
+        self._sleep_watch = SleepWatch(self.end_motion_in_time)
+
+    def __enter__(self) -> Self:
+        self._wakes.setblocking(False)
+        signal.set_wakeup_fd(self._wakes.fileno(), warn_on_full_buffer=False)
+        for name in _SIGNALS:
+            number = getattr(signal, name, None)
+            if number is not None and signal.getsignal(number) is not signal.SIG_IGN:
+                # the thread below is told by the system itself
+                self._before[number] = signal.signal(number, lambda *_: None)
+        if sys.platform == "win32":
+            self._follow_console()
+        self._thread.start()
+        return self
+
+    def __exit__(
+        self,
+        _kind: type[BaseException] | None,
+        _error: BaseException | None,
+        _trace: TracebackType | None,
+    ) -> None:
+        for number, handler in self._before.items():
+            signal.signal(number, handler)
+        signal.set_wakeup_fd(-1)
+        self._wakes.close()
+        self._thread.join(_BUSY_S)
+        self._sleep_watch.end()
+
+    def watch_sleep(self) -> None:
+        """Hear of sleep and shutdown beforehand, where there is somebody who tells."""
+        self._sleep_watch.start()
+
+    # In the window's thread -------------------------------------------------------------------
+
+    def _end_motion(self) -> None:
+        self._program.controller.end_all_motion()
+        self._motion_ended.set()
+
+    def _on_asked(self, number: int) -> None:
+        """As when the window is closed, but nobody is asked anything."""
+        self._end_motion()
+        self._program.window.keep_work()
+        self._program.shutdown()
+        self._app.exit(128 + number)
+
+    def _on_session_ends(self, _manager: object = None) -> None:
+        """The operator logs out, which another program may still call off."""
+        self._end_motion()
+        self._program.window.keep_drafts()
+
+    # In threads -------------------------------------------------------------------------------
+
+    def end_motion_in_time(self) -> None:
+        """Have the window end the motion, or, if it is held up, tell the arm from this thread."""
+        self._motion_ended.clear()
+        self._motion_asked.emit()
+        self._await_motion()
+
+    def _await_motion(self) -> None:
+        if not self._motion_ended.wait(_BUSY_S):
+            self._program.controller.abort_from_any_thread()
+
+    def _listen(self) -> None:
+        number = self._heard()
+        if number is None:
+            return
+        since_s = time.monotonic()
+        _LOG.info("The system ends the program: signal %d", number)
+        self._motion_ended.clear()
+        self._asked.emit(number)
+        self._await_motion()
+        closed = self._program.closed
+        if closed.wait(max(0.0, since_s + _CLOSED_S - time.monotonic())):
+            self._thread_waits_for_the_end()
+        self._exit_now(128 + number)
+
+    def _heard(self) -> int | None:
+        """The number of the first signal; ``None``: there will be none."""
+        try:
+            heard = self._listening.recv(1)
+        except OSError:
+            return None
+        return heard[0] if heard else None
+
+    def _thread_waits_for_the_end(self) -> None:
+        self._program.written.wait(_FILES_S)
+        time.sleep(_ANSWER_S)  # the process ends meanwhile, unless a native dialog keeps it
+
+    if sys.platform == "win32":
+
+        def _follow_console(self) -> None:
+            """A console that is closed ends the process when this handler returns."""
+
+            def on_event(kind: int) -> bool:
+                if kind in _CONSOLE_CLOSED:
+                    self._wakes.send(bytes([signal.SIGBREAK]))
+                    self._program.closed.wait(_CLOSED_S)
+                return kind in _CONSOLE_CLOSED
+
+            # Windows keeps nothing of it alive
+            self._handler = ctypes.WINFUNCTYPE(ctypes.c_int, ctypes.c_uint)(on_event)
+            ctypes.windll.kernel32.SetConsoleCtrlHandler(self._handler, 1)
+
+
+class SleepWatch:
+    """Holds up sleep and shutdown for the moment it takes to end the motion (logind, Linux).
+
+    Without D-Bus or logind nothing is heard, and nothing is said: most containers have none.
+
+    Args:
+        end_motion: Called in a thread; once it returns, the system goes on.
+        connect: Opens a connection to the system's bus.
+    """
+
+    def __init__(
+        self, end_motion: Callable[[], object], connect: Callable[[], Any] | None = None
+    ) -> None:
+        self._end_motion = end_motion
+        self._connect = connect or _system_bus
+        self._connection: Any = None
+        self._thread: threading.Thread | None = None
+        self._ending = False
+
+    def start(self) -> None:
+        """Begin to listen; only on Linux there is anything to hear."""
+        if sys.platform == "linux" and self._thread is None:
+            self._thread = threading.Thread(target=self._run, name="armui-sleep", daemon=True)
+            self._thread.start()
+
+    def end(self) -> None:
+        """Listen no more."""
+        self._ending = True
+        connection = self._connection
+        if connection is not None:
+            with contextlib.suppress(OSError):
+                connection.sock.shutdown(socket.SHUT_RDWR)  # wakes the thread
+        if self._thread is not None:
+            self._thread.join(_BUSY_S)
+
+    def _run(self) -> None:
+        try:
+            with self._connect() as connection:
+                self._connection = connection
+                if not self._ending:
+                    self._listen(connection)
+        except Exception as error:  # noqa: BLE001 - no bus, no logind, closed: nothing is to be heard
+            _LOG.debug("Sleep is not told beforehand: %s", error)
+
+    def _listen(self, connection: Any) -> None:
+        from jeepney import MatchRule, message_bus  # noqa: PLC0415 - for those who need it
+        from jeepney.wrappers import unwrap_msg  # noqa: PLC0415 - as above
+
+        for member in ("PrepareForSleep", "PrepareForShutdown"):
+            rule = MatchRule(
+                type="signal", interface=f"{_LOGIND}.Manager", path=_LOGIND_PATH, member=member
+            )
+            unwrap_msg(connection.send_and_get_reply(message_bus.AddMatch(rule), timeout=_ANSWER_S))
+        lock = self._inhibit(connection)
+        while not self._ending:
+            message = connection.receive()
+            fields = {field.name: value for field, value in message.header.fields.items()}
+            if fields.get("member") not in ("PrepareForSleep", "PrepareForShutdown"):
+                continue
+            if message.body[0]:
+                self._end_motion()
+                lock.close()
+            else:
+                lock = self._inhibit(connection)
+
+    def _inhibit(self, connection: Any) -> Any:
+        """Take a lock that delays sleep and shutdown, by up to five seconds, until it is closed."""
+        from jeepney import DBusAddress, new_method_call  # noqa: PLC0415 - as above
+        from jeepney.wrappers import unwrap_msg  # noqa: PLC0415 - as above
+
+        logind = DBusAddress(_LOGIND_PATH, _LOGIND, f"{_LOGIND}.Manager")
+        asked = ("sleep:shutdown", "armui", "The arm's motion is ended first", "delay")
+        call = new_method_call(logind, "Inhibit", "ssss", asked)
+        return unwrap_msg(connection.send_and_get_reply(call, timeout=_ANSWER_S))[0]
+
+
+_LOGIND: Final = "org.freedesktop.login1"
+_LOGIND_PATH: Final = "/org/freedesktop/login1"
+
+
+def _system_bus() -> Any:
+    from jeepney.io.blocking import open_dbus_connection  # noqa: PLC0415 - for those who need it
+
+    return open_dbus_connection(bus="SYSTEM", enable_fds=True)
