@@ -66,7 +66,7 @@ class SystemEnd(QObject):
         self._asked.connect(self._on_asked, Qt.ConnectionType.QueuedConnection)
         self._motion_asked.connect(self._end_motion, Qt.ConnectionType.QueuedConnection)
         app.commitDataRequest.connect(self._on_session_ends)
-        self._motion_ended = threading.Event()
+        self._motion_ended, self._is_asked = threading.Event(), threading.Event()
         self._listening, self._wakes = socket.socketpair()
         self._before: dict[int, Any] = {}
         self._thread = threading.Thread(target=self._listen, name="armui-signals", daemon=True)
@@ -95,8 +95,10 @@ class SystemEnd(QObject):
             signal.signal(number, handler)
         signal.set_wakeup_fd(-1)
         self._wakes.close()
-        self._thread.join(_BUSY_S)
         self._sleep_watch.end()
+        if not self._is_asked.is_set():  # else the thread sees to it that the process ends
+            self._thread.join(_BUSY_S)
+            self._listening.close()
 
     def watch_sleep(self) -> None:
         """Hear of sleep and shutdown beforehand, where there is somebody who tells."""
@@ -137,13 +139,15 @@ class SystemEnd(QObject):
         if number is None:
             return
         since_s = time.monotonic()
+        self._is_asked.set()
         _LOG.info("The system ends the program: signal %d", number)
         self._motion_ended.clear()
         self._asked.emit(number)
         self._await_motion()
         closed = self._program.closed
         if closed.wait(max(0.0, since_s + _CLOSED_S - time.monotonic())):
-            self._thread_waits_for_the_end()
+            self._program.written.wait(_FILES_S)
+            time.sleep(_ANSWER_S)  # the process ends meanwhile, unless a native dialog keeps it
         self._exit_now(128 + number)
 
     def _heard(self) -> int | None:
@@ -153,10 +157,6 @@ class SystemEnd(QObject):
         except OSError:
             return None
         return heard[0] if heard else None
-
-    def _thread_waits_for_the_end(self) -> None:
-        self._program.written.wait(_FILES_S)
-        time.sleep(_ANSWER_S)  # the process ends meanwhile, unless a native dialog keeps it
 
     if sys.platform == "win32":
 
@@ -219,25 +219,31 @@ class SleepWatch:
             _LOG.debug("Sleep is not told beforehand: %s", error)
 
     def _listen(self, connection: Any) -> None:
-        from jeepney import MatchRule, message_bus  # noqa: PLC0415 - for those who need it
+        from jeepney import HeaderFields, MatchRule, message_bus  # noqa: PLC0415 - where there is a bus
         from jeepney.wrappers import unwrap_msg  # noqa: PLC0415 - as above
 
-        for member in ("PrepareForSleep", "PrepareForShutdown"):
+        for member in _ANNOUNCED:
             rule = MatchRule(
                 type="signal", interface=f"{_LOGIND}.Manager", path=_LOGIND_PATH, member=member
             )
             unwrap_msg(connection.send_and_get_reply(message_bus.AddMatch(rule), timeout=_ANSWER_S))
-        lock = self._inhibit(connection)
-        while not self._ending:
-            message = connection.receive()
-            fields = {field.name: value for field, value in message.header.fields.items()}
-            if fields.get("member") not in ("PrepareForSleep", "PrepareForShutdown"):
-                continue
-            if message.body[0]:
-                self._end_motion()
+        lock = None
+        try:
+            lock = self._inhibit(connection)
+            while not self._ending:
+                message = connection.receive()
+                if message.header.fields.get(HeaderFields.member) not in _ANNOUNCED:
+                    continue
+                if message.body[0]:
+                    self._end_motion()
+                    if lock is not None:
+                        lock.close()
+                        lock = None
+                elif lock is None:
+                    lock = self._inhibit(connection)
+        finally:
+            if lock is not None:
                 lock.close()
-            else:
-                lock = self._inhibit(connection)
 
     def _inhibit(self, connection: Any) -> Any:
         """Take a lock that delays sleep and shutdown, by up to five seconds, until it is closed."""
@@ -252,6 +258,7 @@ class SleepWatch:
 
 _LOGIND: Final = "org.freedesktop.login1"
 _LOGIND_PATH: Final = "/org/freedesktop/login1"
+_ANNOUNCED: Final = ("PrepareForSleep", "PrepareForShutdown")
 
 
 def _system_bus() -> Any:

@@ -3,13 +3,14 @@
 Called with a port, a group and a state; see `begin`.
 """
 
+# ruff: noqa: C901, PLC0415 - the picture's process imports this file, too: all is loaded in `main`
+
 import json
 import sys
 import time
 
 
 def main() -> None:
-    # not above: the picture's process imports this file, too
     from contextlib import contextmanager
 
     import can
@@ -90,13 +91,6 @@ def main() -> None:
         elif state == "stuck":
             tell()
             time.sleep(20.0)
-        elif state == "draft":
-            edit(program)
-
-    def edit(program):
-        window = program.window
-        window.open_library_window()
-        program.window._trajectory_pages._library.editors.new_program()
 
     told = []
 

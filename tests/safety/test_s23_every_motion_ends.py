@@ -6,7 +6,8 @@ import tomllib
 from pathlib import Path
 
 import pytest
-from PySide6.QtCore import QObject, Signal
+from PySide6.QtCore import QObject, Qt, Signal
+from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
 from armui.control.assessment_inputs import Assessor
@@ -16,7 +17,8 @@ from armui.control.devices.gripper import GripperControl
 from armui.control.gamepad.pilot import GamepadPilot
 from armui.control.link.connection import Connection
 from armui.control.link.link_watch import LinkWatch
-from armui.control.motion.jog_path import JointJog
+from armui.control.motion.jog_path import JointJog, JointJogPath
+from armui.control.motion.jog_stream import JogStream
 from armui.control.motion.jogging import Jogging
 from armui.control.motion_end import DRIVE_NOTHING, MotionEnd, may_drive
 from armui.control.run.execution import Execution
@@ -27,9 +29,17 @@ from armui.control.safety.recovery import Recovery
 from armui.control.safety.stopping import Stopping
 from armui.protocol.generation import Generation
 from armui.system import failures
+from armui.ui.panels.jogging.jog_panel import JogPanel
+from armui.ui.panels.jogging.jog_signals import JogSignals
+from armui.ui.panels.jogging.joint_row import JointRow
+from armui.ui.panels.jogging.key_pad import KeyPad
+from armui.ui.panels.jogging.motion_panel import MotionPanel
 from armui.ui.shell.status_bar import StatusBar
+from armui.ui.widgets.hold_guard import HoldGuard
+from armui.ui.widgets.jog_button import JogButton
 from armui.viewport.view import ArmView
 from tests.arm_rig import ArmRig
+from tests.control.jogger import BENT_DEG, bend, hold
 from tests.control.under_way import OUT, replay_moving, run_moving
 from tests.failing import ERROR, failing, functions_of
 
@@ -75,7 +85,7 @@ MOTIONS = {"jog": jog, "run": run_moving, "replay": replay_moving, "single": sin
 def fail_in_a_slot(rig):
     """`StatusBar.retranslate_ui` has been made to fail."""
     bar = rig.window.findChild(StatusBar)
-    Slot().call(lambda: bar.retranslate_ui())
+    Slot().call(bar.retranslate_ui)
 
 
 def drives(controller):
@@ -103,7 +113,7 @@ def rests_for_good(rig, seconds=0.7):
     return not aimed and rig.firmware.joints_deg == pytest.approx(before, abs=0.01)
 
 
-# What is called at each tick -----------------------------------------------------------------------
+# What is called at each tick ----------------------------------------------------------------------
 
 EACH_TICK = {
     "Connection.advance": Connection.advance,
@@ -301,7 +311,7 @@ def test_a_failure_in_a_room_that_drives_nothing_ends_nothing(app_driver):
     single_motion(rig)
     rig.heard()
     with failing(ArmView.retranslate_ui):
-        Slot().call(lambda: rig.program.view.retranslate_ui())
+        Slot().call(rig.program.view.retranslate_ui)
     rig.run(5.0)
     assert aborts(rig.heard()) == []
     assert rig.firmware.joints_deg[0] == pytest.approx(OUT[0], abs=0.1)
@@ -354,3 +364,63 @@ def test_any_slot_of_any_widget_that_fails_ends_the_motion(app_driver, motion):
             rig.controller.end_motion(single=True)
     assert ended > 50
     assert spared > 0
+
+
+# What holds a jog ---------------------------------------------------------------------------------
+
+
+def by_keys(app_driver):
+    pad = app_driver.find("jog_key_pad")
+    pad.setFocus()
+    QTest.keyPress(pad, Qt.Key.Key_Space)
+    QTest.keyPress(pad, Qt.Key.Key_Q)
+
+    def release():
+        QTest.keyRelease(pad, Qt.Key.Key_Q)
+        QTest.keyRelease(pad, Qt.Key.Key_Space)
+
+    return release
+
+
+def by_button(app_driver):
+    button = app_driver.find("jog_plus_1")
+    app_driver.press(button)
+    return lambda: QTest.mouseRelease(button, Qt.MouseButton.LeftButton, pos=button.rect().center())
+
+
+_SHARED = (HoldGuard, JogPanel, MotionPanel, Jogging, JogStream, JointJogPath)
+HELD = {
+    "keys": (by_keys, (KeyPad, *_SHARED)),
+    "button": (by_button, (JogButton, JogSignals, JointRow, *_SHARED)),
+}
+
+
+@pytest.mark.timeout(300)
+@pytest.mark.parametrize("how", HELD)
+def test_a_jog_ends_on_release_whatever_method_of_what_holds_it_fails(app_driver, how):
+    press, kinds = HELD[how]
+    rig = app_driver
+    rig.window.activateWindow()
+    bend(rig)
+    box = rig.find("jog_step")
+    box.setCurrentIndex(box.findText("Continuous"))
+    rig.find("jog_keys_button").setChecked(how == "keys")
+    for kind in kinds:
+        for function in functions_of(kind):
+            rig.run_until(lambda: rig.controller.operating_state.cannot_move is None)
+            rig.run_until(lambda: rig.controller._authority.at_rest)
+            release = press(rig)
+            hold(rig, 0.1)
+            assert rig.controller.jogging.active, function.__qualname__
+            with failing(function):
+                release()
+                hold(rig, 0.2)
+                rig.heard()
+                before = rig.firmware.joints_deg
+                hold(rig, 0.1)
+                aimed = {frame.arbitration_id for frame in rig.heard()} & STREAM
+                assert not aimed, function.__qualname__
+                assert rig.firmware.joints_deg == pytest.approx(before, abs=0.01)
+            if rig.controller.state.angles_deg()[0] > 60.0:  # the limit would end it, too
+                assert rig.controller.motion.send_joints([0.0, *BENT_DEG[1:]]) is None
+                rig.run(3.0)

@@ -156,20 +156,6 @@ def test_a_jog_whose_part_fails_ends_and_the_stop_still_stops(any_driver, told, 
     arm.run_until(lambda: "stop_confirmed" in arm.codes(), 1.0)
 
 
-def test_a_part_that_drives_nothing_ends_no_motion(app_driver, told, monkeypatch):
-    app_driver.ready()
-    assert app_driver.controller.motion.send_joints([20.0, 10.0, -10.0, 0.0, 0.0, 0.0]) is None
-    app_driver.run_until(lambda: app_driver.controller.operating_state.moving)
-
-    def breaks():
-        raise ArithmeticError("of no motion")
-
-    monkeypatch.setattr(app_driver.controller.recorder, "advance", breaks)
-    app_driver.run(10.0)
-    assert app_driver.controller.state.angles_deg()[0] == pytest.approx(20.0, abs=0.1)
-    assert "ArithmeticError: of no motion" in app_driver.find("failure_line").text()
-
-
 def test_an_error_of_our_own_in_the_bus_thread_is_told_and_a_lost_device_is_not(
     rig, told, monkeypatch, qtbot
 ):
