@@ -19,7 +19,7 @@ import threading
 import time
 from collections.abc import Callable
 from types import TracebackType
-from typing import TYPE_CHECKING, Any, Final, Self
+from typing import TYPE_CHECKING, Any, Final, Protocol, Self
 
 from PySide6.QtCore import QObject, Qt, Signal
 
@@ -29,7 +29,8 @@ if sys.platform == "win32":
 if TYPE_CHECKING:
     from PySide6.QtWidgets import QApplication
 
-    from armui.app import Program
+    from armui.control.arm_controller import ArmController
+    from armui.ui.main_window import MainWindow
 
 _LOG: Final = logging.getLogger(__name__)
 
@@ -42,6 +43,18 @@ _FILES_S: Final = 10.0
 """With the bus closed, files have so long to be written; a disk may hang."""
 _ANSWER_S: Final = 2.0
 _CONSOLE_CLOSED: Final = frozenset({2, 5, 6})  # CTRL_CLOSE_EVENT, _LOGOFF_EVENT, _SHUTDOWN_EVENT
+
+
+class Program(Protocol):
+    """What is to end: see :class:`armui.app.Program`."""
+
+    controller: ArmController
+    window: MainWindow
+    closed: threading.Event
+    written: threading.Event
+
+    def shutdown(self) -> None:
+        """End the motion and every thread."""
 
 
 class SystemEnd(QObject):

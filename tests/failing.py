@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dis
 import inspect
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -25,8 +26,11 @@ def failing(*functions: FunctionType) -> Iterator[None]:
     codes = [function.__code__ for function in functions]
     with_error = _fails.__code__
     for function, code in zip(functions, codes, strict=True):
+        enclosed = len(code.co_freevars)
+        prologue = bytes([dis.opmap["COPY_FREE_VARS"], enclosed]) if enclosed else b""
         function.__code__ = code.replace(
-            co_code=with_error.co_code,
+            co_code=prologue + with_error.co_code,
+            co_cellvars=(),
             co_consts=with_error.co_consts,
             co_names=with_error.co_names,
             co_stacksize=with_error.co_stacksize,

@@ -39,7 +39,7 @@ from armui.ui.widgets.hold_guard import HoldGuard
 from armui.ui.widgets.jog_button import JogButton
 from armui.viewport.view import ArmView
 from tests.arm_rig import ArmRig
-from tests.control.jogger import BENT_DEG, bend, hold
+from tests.control.jogger import BENT_DEG, TICK_S, bend, hold
 from tests.control.under_way import OUT, replay_moving, run_moving
 from tests.failing import ERROR, failing, functions_of
 
@@ -405,6 +405,7 @@ def test_a_jog_ends_on_release_whatever_method_of_what_holds_it_fails(app_driver
     box = rig.find("jog_step")
     box.setCurrentIndex(box.findText("Continuous"))
     rig.find("jog_keys_button").setChecked(how == "keys")
+    slot = Slot()
     for kind in kinds:
         for function in functions_of(kind):
             rig.run_until(lambda: rig.controller.operating_state.cannot_move is None)
@@ -413,11 +414,13 @@ def test_a_jog_ends_on_release_whatever_method_of_what_holds_it_fails(app_driver
             hold(rig, 0.1)
             assert rig.controller.jogging.active, function.__qualname__
             with failing(function):
-                release()
-                hold(rig, 0.2)
+                slot.call(release)
+                for _ in range(20):
+                    slot.call(lambda: rig.step(TICK_S))
                 rig.heard()
                 before = rig.firmware.joints_deg
-                hold(rig, 0.1)
+                for _ in range(10):
+                    slot.call(lambda: rig.step(TICK_S))
                 aimed = {frame.arbitration_id for frame in rig.heard()} & STREAM
                 assert not aimed, function.__qualname__
                 assert rig.firmware.joints_deg == pytest.approx(before, abs=0.01)
