@@ -311,7 +311,8 @@ def test_a_failure_in_a_room_that_drives_nothing_ends_nothing(app_driver):
     single_motion(rig)
     rig.heard()
     with failing(ArmView.retranslate_ui):
-        Slot().call(rig.program.view.retranslate_ui)
+        Slot().call(lambda: rig.program.view.retranslate_ui(None))
+    assert "no motion was ended" in rig.find("failure_line").text()
     rig.run(5.0)
     assert aborts(rig.heard()) == []
     assert rig.firmware.joints_deg[0] == pytest.approx(OUT[0], abs=0.1)
