@@ -31,7 +31,7 @@ pytestmark = [
     pytest.mark.timeout(150),
 ]
 
-PORT = 46202
+PORT = 46212
 ABORT = (0x150, bytes([0, 6, 0, 0, 0, 0, 0, 0]))  # byte 1: the trajectory command 6, end it
 LONGEST_S = 1.0
 ROOT = Path(__file__).resolve().parents[2]
