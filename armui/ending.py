@@ -37,7 +37,8 @@ _LOG: Final = logging.getLogger(__name__)
 _SIGNALS: Final = ("SIGTERM", "SIGHUP", "SIGINT", "SIGBREAK")
 _BUSY_S: Final = 0.25
 """A window that has not ended the motion by then is held up: the arm is told from here."""
-_CLOSED_S: Final = 0.9
+_AGAIN_S: Final = 0.1
+_CLOSED_S: Final = 0.7
 """After this time the process ends, whatever keeps its bus open."""
 _FILES_S: Final = 10.0
 """With the bus closed, files have so long to be written; a disk may hang."""
@@ -79,7 +80,7 @@ class SystemEnd(QObject):
         self._asked.connect(self._on_asked, Qt.ConnectionType.QueuedConnection)
         self._motion_asked.connect(self._end_motion, Qt.ConnectionType.QueuedConnection)
         app.commitDataRequest.connect(self._on_session_ends)
-        self._motion_ended, self._is_asked = threading.Event(), threading.Event()
+        self._motion_ended = threading.Event()
         self._listening, self._wakes = socket.socketpair()
         self._before: dict[int, Any] = {}
         self._thread = threading.Thread(target=self._listen, name="armui-signals", daemon=True)
@@ -109,9 +110,8 @@ class SystemEnd(QObject):
         signal.set_wakeup_fd(-1)
         self._wakes.close()
         self._sleep_watch.end()
-        if not self._is_asked.is_set():  # else the thread sees to it that the process ends
-            self._thread.join(_BUSY_S)
-            self._listening.close()
+        self._thread.join(_BUSY_S)
+        self._listening.close()
 
     def watch_sleep(self) -> None:
         """Hear of sleep and shutdown beforehand, where there is somebody who tells."""
@@ -124,11 +124,12 @@ class SystemEnd(QObject):
         self._motion_ended.set()
 
     def _on_asked(self, number: int) -> None:
-        """As when the window is closed, but nobody is asked anything."""
+        """As when the window is closed, but nobody is asked, and nothing is taken to pieces."""
         self._end_motion()
         self._program.window.keep_work()
         self._program.shutdown()
-        self._app.exit(128 + number)
+        logging.shutdown()
+        self._exit_now(128 + number)
 
     def _on_session_ends(self, _manager: object = None) -> None:
         """The operator logs out, which another program may still call off."""
@@ -141,26 +142,25 @@ class SystemEnd(QObject):
         """Have the window end the motion, or, if it is held up, tell the arm from this thread."""
         self._motion_ended.clear()
         self._motion_asked.emit()
-        self._await_motion()
+        self._await_rest(time.monotonic() + _CLOSED_S)
 
-    def _await_motion(self) -> None:
-        if not self._motion_ended.wait(_BUSY_S):
-            self._program.controller.abort_from_any_thread()
+    def _await_rest(self, until_s: float) -> None:
+        self._motion_ended.wait(_BUSY_S)
+        abort, closed = self._program.controller.abort_from_any_thread, self._program.closed
+        while (left_s := until_s - time.monotonic()) > 0.0 and abort():
+            closed.wait(min(_AGAIN_S, left_s))
 
     def _listen(self) -> None:
         number = self._heard()
         if number is None:
             return
-        since_s = time.monotonic()
-        self._is_asked.set()
+        until_s = time.monotonic() + _CLOSED_S
         _LOG.info("The system ends the program: signal %d", number)
         self._motion_ended.clear()
         self._asked.emit(number)
-        self._await_motion()
-        closed = self._program.closed
-        if closed.wait(max(0.0, since_s + _CLOSED_S - time.monotonic())):
+        self._await_rest(until_s)
+        if self._program.closed.wait(max(0.0, until_s - time.monotonic())):
             self._program.written.wait(_FILES_S)
-            time.sleep(_ANSWER_S)  # the process ends meanwhile, unless a native dialog keeps it
         self._exit_now(128 + number)
 
     def _heard(self) -> int | None:

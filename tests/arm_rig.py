@@ -74,7 +74,11 @@ class ArmRig:
         self._codec = Codec(generation)
         self.device = Device("virtual", channel, None, simulated=True, generation=int(generation))
         self.controller = ArmController(
-            self._open, [self.device], find=list, clock=lambda: self.time_s
+            self._open,
+            [self.device],
+            find=list,
+            clock=lambda: self.time_s,
+            wait=self._pass,
         )
         self.events: list[Event] = []
         self.controller.noticed.connect(self.events.append)
@@ -147,6 +151,12 @@ class ArmRig:
     def step(self, dt_s: float = STEP_S) -> None:
         """Let time pass on both sides until each has heard what the other said."""
         self._settle_what_was_said()
+        self._pass(dt_s)
+        self.controller.tick()
+        self._settle_what_was_said()
+
+    def _pass(self, dt_s: float) -> None:
+        """Let time pass until the program has heard what the others said meanwhile."""
         self.time_s += dt_s
         for each in self.company:
             each.step(dt_s)
@@ -154,8 +164,6 @@ class ArmRig:
             with self._arm_bus.together():
                 self.node.poll(dt_s)
         self._settle()
-        self.controller.tick()
-        self._settle_what_was_said()
 
     def _settle_what_was_said(self) -> None:
         """As below, where no time has passed: nothing to wait for if nobody spoke since."""

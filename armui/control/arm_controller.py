@@ -6,6 +6,7 @@ heard and moves on whatever is under way.
 
 from __future__ import annotations
 
+import time
 from collections.abc import Callable, Collection, Sequence
 from datetime import datetime
 from typing import TYPE_CHECKING, Final
@@ -61,6 +62,7 @@ class ArmController(ControllerParts):
         clock: Monotonic time in seconds.
         wall: What the clock on the wall showed at such a time; by default of this computer.
         make_worker: Puts something else in the place of the bus: a log.
+        wait: Lets seconds pass, at the end of the program.
 
     Signals:
         state_changed: An :class:`ArmState`, at most 30 times a second, when something was heard.
@@ -84,11 +86,12 @@ class ArmController(ControllerParts):
         *,
         wall: Callable[[float], datetime] | None = None,
         make_worker: MakeWorker | None = None,
+        wait: Callable[[float], object] = time.sleep,
     ) -> None:
         super().__init__(parent)
         self.noticed.connect(self._on_noticed)  # before anybody who asks for the entry
         self._replays = make_worker is not None
-        self._clock, self._wall = clock, wall or wall_clock(clock)
+        self._clock, self._wall, self._wait = clock, wall or wall_clock(clock), wait
         self._finder = DeviceFinder(simulated, find, self)
         self._finder.found.connect(self.devices_found)
         self._finder.searching_changed.connect(self.searching_changed)
@@ -206,8 +209,9 @@ class ArmController(ControllerParts):
         Returns:
             Whether all threads have ended within two seconds: a driver may keep one.
         """
-        if self._authority.may_be_ours and not self._lets_finish and not cut_short(self._context):
-            self._connection.wait_until_sent(_SENT_WITHIN_S)
+        self._motion_end.end(RefusalCode.RUN_LEFT, single=not self._lets_finish)
+        self._motion_end.await_rest(self.tick, self._wait)
+        self._connection.wait_until_sent(_SENT_WITHIN_S)
         self.disconnect_device()
         closed = self._connection.end(_END_S)
         written = "sessions" not in vars(self) or self.sessions.end()
@@ -276,18 +280,23 @@ class ArmController(ControllerParts):
         """
         if not may_drive(modules):
             return False
-        self._motion_end.end()
-        # the failure may lie within the very call that goes on to begin a motion
-        QTimer.singleShot(0, self, self._motion_end.end)
+        if not self._motion_end.ending:  # else each that fails asks for another
+            self._motion_end.end()
+            # the failure may lie within the very call that goes on to begin a motion
+            QTimer.singleShot(0, self, self._motion_end.end)
         return True
 
     def end_all_motion(self) -> None:
         """End every motion of this program, since the system is about to end it or to sleep."""
         self._motion_end.end(RefusalCode.SYSTEM_ENDS)
 
-    def abort_from_any_thread(self) -> None:
-        """Tell the arm to end a motion of ours while the window's thread is held up."""
-        self._motion_end.abort_from_any_thread()
+    def abort_from_any_thread(self) -> bool:
+        """Tell the arm to end a motion of ours, also while the window's thread is held up.
+
+        Returns:
+            Whether there is one that is not known to have ended.
+        """
+        return self._motion_end.abort_from_any_thread()
 
     def _on_part_failed(self) -> None:
         self._authority.failed = True

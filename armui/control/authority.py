@@ -125,7 +125,12 @@ class Authority:
         if self.under_way or self.holds:
             return True
         nobody_else = self.mover in {Mover.OURS, Mover.UNKNOWN}
-        return self._moves and nobody_else and self._cancelled_s is None
+        return self._moves and nobody_else and not self.is_ending
+
+    @property
+    def is_ending(self) -> bool:
+        """Tell whether the arm was told to end its motion and is not measured at rest since."""
+        return self._cancelled_s is not None
 
     @property
     def mover(self) -> Mover:

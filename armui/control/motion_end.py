@@ -10,7 +10,10 @@ from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.control.operating_state import LinkState
 from armui.control.run.run_end import cut_short
+from armui.control.safety.standstill import why_not_still
+from armui.protocol import commands
 from armui.protocol.addressing import OFFSETS
+from armui.protocol.codes import TrajectoryCommand
 from armui.protocol.frame import Frame
 
 if TYPE_CHECKING:
@@ -68,6 +71,9 @@ _ABORT: Final = bytes([0, 6, 0, 0, 0, 0, 0, 0])
 """0x150 byte 1 = 6, 终止: written out, since the codec may be what fails."""
 _MOTION_COMMAND: Final = 0x150
 _OPEN: Final = frozenset({LinkState.ONLINE, LinkState.OFFLINE})
+_REST_WITHIN_S: Final = 0.5
+_AGAIN_S: Final = 0.1
+_LOOK_S: Final = 0.02
 _OWED_S: Final = 10.0
 """A lost device that comes back within this time is told that the motion has ended."""
 
@@ -94,6 +100,7 @@ class MotionEnd:
         stopping: Tells whether a stop is asked for that is not confirmed: it says more.
 
     Attributes:
+        ending: Something is being ended: what fails now is part of it.
         stuck: A part could not end its motion: it is asked again at each tick.
     """
 
@@ -103,29 +110,29 @@ class MotionEnd:
         self._controller = controller
         self._context = context
         self._stopping = stopping
-        self._ending = False
+        self.ending = False
         self._code = RefusalCode.PART_FAILED
         self._aborted: int | None = None
         self._ended_s: float | None = None
         self._was_lost = False
         self.stuck = False
 
-    def end(self, code: RefusalCode = RefusalCode.PART_FAILED) -> None:
+    def end(self, code: RefusalCode = RefusalCode.PART_FAILED, *, single: bool = True) -> None:
         """End everything; where nothing moves, nothing is sent.
 
         Args:
             code: Why, for the operator.
+            single: Single motions, of arm and gripper, too.
         """
-        if self._ending or self._context.connection.device is None:
+        if self.ending or self._context.connection.device is None:
             return  # what fails in here is logged, and whoever reads that calls this
-        self._ending, self._code = True, code
+        self.ending, self._code = True, code
         try:
             ways = (
                 self._end_gamepad,
                 self._end_jog,
                 self._end_runs,
-                self._end_single_motion,
-                self._end_gripper,
+                *((self._end_single_motion, self._end_gripper) if single else ()),
             )
             ended = [_succeeds(way) for way in ways]
             self.stuck = not all(ended)
@@ -135,14 +142,40 @@ class MotionEnd:
             else:
                 self._aborted = None
         finally:
-            self._ending = False
+            self.ending = False
 
-    def abort_from_any_thread(self) -> None:
-        """Tell the arm to end a motion of ours; streams and runs go no further."""
+    def abort_from_any_thread(self) -> bool:
+        """Tell the arm, once more, to end a motion of ours; streams and runs go no further.
+
+        Returns:
+            Whether there is one that is not known to have ended.
+        """
         authority = self._context.authority
         authority.failed = True
-        if authority.command is not None or authority.may_be_ours:
-            self._abort()
+        moves = authority.command is not None or authority.may_be_ours or authority.is_ending
+        return moves and not self._stopping() and _succeeds(self._abort)
+
+    def await_rest(self, look: Callable[[], None], wait: Callable[[float], object]) -> None:
+        """Tell the arm again to end its motion until it stands still, for half a second at most.
+
+        A frame may be lost on the way; soon nobody will be there to see that the arm moves on.
+
+        Args:
+            look: Takes in what was heard.
+            wait: Lets a time pass, in seconds.
+        """
+        authority, clock = self._context.authority, self._context.clock
+        began_s = told_s = clock()
+        for _ in range(round(_REST_WITHIN_S / _LOOK_S)):
+            now_s = clock()
+            still = now_s - began_s >= _AGAIN_S and why_not_still(self._context.state()) is None
+            if still or not authority.is_ending or now_s - began_s >= _REST_WITHIN_S:
+                return
+            if now_s - told_s >= _AGAIN_S:
+                told_s = now_s
+                self._abort()
+            wait(_LOOK_S)
+            look()
 
     def follow(self, now_s: float) -> None:
         """Go on with what could not be ended yet; called at each tick."""
@@ -210,9 +243,13 @@ class MotionEnd:
     def _abort(self) -> None:
         connection = self._context.connection
         device = connection.device
-        if device is not None and not device.listen_only:
+        if device is None or device.listen_only:
+            return
+        try:
+            frames = commands.trajectory_command(connection.codec, TrajectoryCommand.ABORT)
+        except Exception:  # noqa: BLE001 - it may be what fails
             frames = [Frame(_MOTION_COMMAND + offset, _ABORT) for offset in OFFSETS]
-            connection.send_urgent(frames)
+        connection.send_urgent(frames)
 
 
 def _succeeds(act: Callable[[], object]) -> bool:

@@ -43,9 +43,10 @@ class Failure:
 
 def key_of(error: BaseException) -> Key:
     """What two exceptions have in common that are the same failure: kind and place."""
-    frames = traceback.extract_tb(error.__traceback__)
-    place = (frames[-1].filename, frames[-1].lineno or 0) if frames else ("", 0)
-    return (type(error).__name__, *place)
+    file, line = "", 0
+    for frame, at in traceback.walk_tb(error.__traceback__):
+        file, line = frame.f_code.co_filename, at or 0
+    return (type(error).__name__, file, line)
 
 
 def is_our_own(error: BaseException) -> bool:
@@ -80,7 +81,11 @@ class FailureHandler(logging.Handler):
         key = key_of(error)
         self._counts[key] += 1
         try:
-            self._tell(_failure(record, error, self._counts[key]))
+            failure = _failure(record, error, self._counts[key])
+        except Exception:  # noqa: BLE001 - its own words may fail; where it came from is not known
+            failure = Failure(type(error).__name__, type(error).__name__, (), self._counts[key])
+        try:
+            self._tell(failure)
         except Exception:  # noqa: BLE001 - telling of a failure must not be another one
             self.handleError(record)
 

@@ -10,9 +10,12 @@ from PySide6.QtWidgets import QApplication
 
 from armui.arm.device import Device
 from armui.control.arm_controller import ArmController
+from armui.control.motion.jog_path import JointJog
+from armui.control.motion.jogging import Jogging
 from armui.control.operating_state import LinkState
 from armui.ui.dialogs.close_question import CloseQuestion
 from tests.arm_rig import TIMEOUT_MS
+from tests.failing import failing
 
 FAR = (60.0, 60.0, -60.0, 0.0, 0.0, 0.0)
 ABORT = bytes([0, 6, 0, 0, 0, 0, 0, 0])  # 0x150 byte 1: the trajectory command 6, end it
@@ -124,6 +127,59 @@ def test_ending_the_program_ends_a_single_motion(any_rig):
     rig.heard()
     rig.controller.shutdown()
     assert (0x150, ABORT) in frames(rig)
+
+
+def lose_aborts(rig, most):
+    """The arm does not hear the first ends of a motion that it is told."""
+    to_arm, lost = rig.node.link.to_arm, []
+
+    def without(frames, at_s):
+        reached = to_arm(frames, at_s)
+        for frame in [each for each in reached if bytes(each.data) == ABORT][: most - len(lost)]:
+            reached.remove(frame)
+            lost.append(frame)
+        return reached
+
+    rig.node.link.to_arm = without
+    return lost
+
+
+@pytest.mark.parametrize("missed", [0, 1, 3])
+def test_an_end_that_the_arm_did_not_hear_is_told_again(any_rig, missed):
+    rig = any_rig
+    rig.ready()
+    rig.controller.motion.set_speed_percent(20)
+    assert rig.controller.motion.send_joints(FAR) is None
+    rig.run(1.0)
+    rig.heard()
+    lost, began_s = lose_aborts(rig, missed), rig.time_s
+    rig.controller.shutdown()
+    assert len(lost) == missed
+    assert frames(rig).count((0x150, ABORT)) > missed
+    assert max(map(abs, rig.firmware.mechanics.speeds_deg_s)) < 1.0
+    assert rig.time_s - began_s < 0.55
+
+
+def test_an_arm_that_does_not_listen_is_told_for_half_a_second(rig):
+    rig.ready()
+    rig.controller.motion.set_speed_percent(20)
+    assert rig.controller.motion.send_joints(FAR) is None
+    rig.run(1.0)
+    rig.heard()
+    lost, began_s = lose_aborts(rig, 100), rig.time_s
+    rig.controller.shutdown()
+    assert len(lost) == frames(rig).count((0x150, ABORT)) == 5
+    assert rig.time_s - began_s == pytest.approx(0.5, abs=0.03)
+
+
+def test_a_jog_that_cannot_be_ended_does_not_keep_the_program_open(rig):
+    rig.ready()
+    assert rig.controller.jogging.start(JointJog(1, 1)) is None
+    rig.run(0.5)
+    with failing(Jogging.end):
+        assert rig.controller.shutdown()
+    assert rig.controller.operating_state.link is LinkState.NO_DEVICE
+    assert max(map(abs, rig.firmware.mechanics.speeds_deg_s)) < 1.0
 
 
 def test_at_rest_nothing_is_sent_at_the_end(any_rig):

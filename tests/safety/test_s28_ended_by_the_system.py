@@ -175,7 +175,7 @@ def test_a_window_that_is_held_up_does_not_keep_the_arm_moving(app_driver, syste
     thread.start()
     thread.join(5.0)
     assert not thread.is_alive()
-    assert len(aborts(app_driver)) == 1
+    assert 2 <= len(aborts(app_driver)) <= 6  # nobody sees whether the arm heard the first
     app_driver.run(1.0)
     assert at_rest(app_driver)
 
@@ -183,12 +183,14 @@ def test_a_window_that_is_held_up_does_not_keep_the_arm_moving(app_driver, syste
 def test_what_is_not_saved_is_kept_and_nobody_is_asked(app_driver, qapp):
     editor = Editor(app_driver, to(OUT))
     editor.type_into(0, PointColumn.DWELL, "2")
-    ending = SystemEnd(qapp, app_driver.program, pytest.fail)
+    codes = []
+    ending = SystemEnd(qapp, app_driver.program, codes.append)
     ending._on_asked(signal.SIGTERM)  # at once: the draft's own second has not passed
     assert editor.library.draft("Test").points[0].dwell_s == 2.0
     assert not [w for w in qapp.topLevelWidgets() if isinstance(w, ConfirmDialog) and w.isVisible()]
     assert app_driver.program.closed.is_set()
     assert app_driver.program.written.is_set()
+    assert codes == [128 + signal.SIGTERM]
     ending._listening.close()
     ending._wakes.close()
 
