@@ -1,9 +1,13 @@
 """How many examples hypothesis tries: as many as a check has time for, or a night."""
 
 import os
-from typing import Final
+import random
+from collections.abc import Iterable
+from typing import Final, TypeVar
 
 import hypothesis
+
+T = TypeVar("T")
 
 USUAL: Final = "armui"
 NIGHTLY: Final = "nightly"
@@ -15,6 +19,15 @@ _TIMES: Final = 20
 def examples(usual: int) -> int:
     """A number of examples by the profile in use."""
     return usual * _TIMES if PROFILE == NIGHTLY else usual
+
+
+def sample(cases: Iterable[T], usual: int, seed: object = "") -> list[T]:
+    """Return a few of many cases, always the same ones in the same order; every one at night."""
+    cases = list(cases)
+    if PROFILE == NIGHTLY or usual >= len(cases):
+        return cases
+    kept = sorted(random.Random(f"{usual} {seed}").sample(range(len(cases)), usual))
+    return [cases[place] for place in kept]
 
 
 def load_profile() -> None:

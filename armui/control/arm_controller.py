@@ -221,7 +221,7 @@ class ArmController(ControllerParts):
     def emergency_stop(self) -> None:
         """Stop the arm at once: past every other frame, whatever else is under way (0x150)."""
         self._stop.stop()
-        self._refresh()
+        self._parts.attempt("Assessor", self._refresh)
 
     def withdraw_stop(self) -> None:
         """A stop that the arm has not confirmed is wanted no more."""
@@ -231,7 +231,7 @@ class ArmController(ControllerParts):
     def halt_and_hold(self) -> Refusal | None:
         """End any motion with power on: the joints hold where they come to rest (0x150)."""
         refusal = self._stop.halt(self._end_all_motion)
-        self._refresh()
+        self._parts.attempt("Assessor", self._refresh)
         return refusal
 
     def stop_again_when_undone(self, on: bool) -> None:
@@ -280,7 +280,7 @@ class ArmController(ControllerParts):
         """
         if not may_drive(modules):
             return False
-        if not self._motion_end.ending:  # else each that fails asks for another
+        if not self._motion_end.busy:
             self._motion_end.end()
             # the failure may lie within the very call that goes on to begin a motion
             QTimer.singleShot(0, self, self._motion_end.end)
@@ -300,7 +300,8 @@ class ArmController(ControllerParts):
 
     def _on_part_failed(self) -> None:
         self._authority.failed = True
-        self._motion_end.end()
+        if not self._motion_end.busy:
+            self._motion_end.end()
 
     def _follow_stop(self, now_s: float) -> None:
         resuming = self.motors.busy is Busy.RESUMING

@@ -100,7 +100,6 @@ class MotionEnd:
         stopping: Tells whether a stop is asked for that is not confirmed: it says more.
 
     Attributes:
-        ending: Something is being ended: what fails now is part of it.
         stuck: A part could not end its motion: it is asked again at each tick.
     """
 
@@ -110,7 +109,7 @@ class MotionEnd:
         self._controller = controller
         self._context = context
         self._stopping = stopping
-        self.ending = False
+        self._ending = False
         self._code = RefusalCode.PART_FAILED
         self._aborted: int | None = None
         self._ended_s: float | None = None
@@ -124,9 +123,9 @@ class MotionEnd:
             code: Why, for the operator.
             single: Single motions, of arm and gripper, too.
         """
-        if self.ending or self._context.connection.device is None:
-            return  # what fails in here is logged, and whoever reads that calls this
-        self.ending, self._code = True, code
+        if self._ending or self._context.connection.device is None:
+            return
+        self._ending, self._code = True, code
         try:
             ways = (
                 self._end_gamepad,
@@ -142,7 +141,7 @@ class MotionEnd:
             else:
                 self._aborted = None
         finally:
-            self.ending = False
+            self._ending = False
 
     def abort_from_any_thread(self) -> bool:
         """Tell the arm, once more, to end a motion of ours; streams and runs go no further.
@@ -177,10 +176,18 @@ class MotionEnd:
             wait(_LOOK_S)
             look()
 
+    @property
+    def busy(self) -> bool:
+        """Tell whether motion is being ended, now or at the next tick, and a failure adds nothing.
+
+        What fails meanwhile is logged, and whoever reads that asks for an end once more.
+        """
+        return self._ending or self.stuck
+
     def follow(self, now_s: float) -> None:
         """Go on with what could not be ended yet; called at each tick."""
         if self.stuck:
-            self.end()
+            self.end(self._code)
         if self._ended_s is None:
             return
         connection = self._context.connection

@@ -23,6 +23,7 @@ from armui.sim.node import Node
 from armui.ui.dialogs.confirm_dialog import ConfirmDialog
 from armui.ui.trajectory.editor.points_model import PointColumn
 from tests.arm_rig import thin_out
+from tests.examples import sample
 from tests.operator_editor.actions import OUT, Editor, to
 from tests.test_window_process import LIMIT_MS, shared_memory_of, wait_for_the_end_of
 
@@ -99,17 +100,19 @@ def outside(tmp_path):
     outside.close()
 
 
+AT_NIGHT = [
+    ("run", signal.SIGHUP),
+    ("run", signal.SIGINT),
+    ("menu", signal.SIGTERM),
+    ("dialog", signal.SIGTERM),
+    ("busy", signal.SIGTERM),
+]
+"""Each starts a program: `HYPOTHESIS_PROFILE=nightly` has them, too."""
+
+
 @pytest.mark.parametrize(
     ("state", "by"),
-    [
-        ("run", signal.SIGTERM),
-        ("run", signal.SIGHUP),
-        ("run", signal.SIGINT),
-        ("menu", signal.SIGTERM),
-        ("dialog", signal.SIGTERM),
-        ("busy", signal.SIGTERM),
-        ("stuck", signal.SIGTERM),
-    ],
+    [("run", signal.SIGTERM), ("stuck", signal.SIGTERM), *sample(AT_NIGHT, 0)],
     ids=lambda value: value if isinstance(value, str) else value.name,
 )
 def test_a_signal_in_mid_motion_ends_it(outside, state, by):
