@@ -88,7 +88,7 @@ class Program:
         controller, view, window: What its parts are.
         ended: Whether, after `shutdown`, no thread of ours runs any more.
         closed: Set once the device is closed, as far as its driver lets it.
-        written: Set once the files are written and the processes ended, too.
+        written: Set once the files are written, too; then the processes are ended.
     """
 
     def __init__(
@@ -176,17 +176,17 @@ class Program:
         self._stop_shortcut.deleteLater()
         self.ended = self.controller.shutdown()
         self.closed.set()
-        self.view.shutdown()
-        self._workers.shutdown()
         if self._event_keeper is not None:
             self._event_keeper.close()
         if self._files is not None:
             self._files.shutdown()
         if isinstance(self._files, FileThread):
             self.ended = self.ended and self._files.ended
+        self.written.set()
+        self.view.shutdown()
+        self._workers.shutdown()
         if self._neighbours is not None:
             self._neighbours.close()
-        self.written.set()
 
     def _on_failed(self, failure: Failure) -> None:
         """Motion ends first; then it is told."""

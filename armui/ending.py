@@ -42,6 +42,8 @@ _CLOSED_S: Final = 0.7
 """After this time the process ends, whatever keeps its bus open."""
 _FILES_S: Final = 10.0
 """With the bus closed, files have so long to be written; a disk may hang."""
+_PROCESSES_S: Final = 0.2
+"""So much longer the window's thread has for ending its processes; they end without it, too."""
 _ANSWER_S: Final = 2.0
 _CONSOLE_CLOSED: Final = frozenset({2, 5, 6})  # CTRL_CLOSE_EVENT, _LOGOFF_EVENT, _SHUTDOWN_EVENT
 
@@ -161,6 +163,7 @@ class SystemEnd(QObject):
         self._await_rest(until_s)
         if self._program.closed.wait(max(0.0, until_s - time.monotonic())):
             self._program.written.wait(_FILES_S)
+            time.sleep(max(0.0, until_s + _PROCESSES_S - time.monotonic()))
         self._exit_now(128 + number)
 
     def _heard(self) -> int | None:
