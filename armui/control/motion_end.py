@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import logging
 from collections.abc import Callable, Collection
+from functools import partial
 from typing import TYPE_CHECKING, Final
 
 from armui.arm.refusal import Refusal
@@ -212,7 +213,7 @@ class MotionEnd:
 
     def _end_runs(self) -> None:
         runs = self._controller.replayer, self._controller.player
-        ended = [_succeeds(lambda run=run: self._end_run(run)) for run in runs]
+        ended = [_succeeds(partial(self._end_run, run)) for run in runs]
         if not all(ended):
             raise RuntimeError("a run could not be ended")
 

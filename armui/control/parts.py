@@ -64,7 +64,7 @@ class Parts:
         for part in (*self._parts, *self._last):
             self._have(type(part).__name__, part.forget)
 
-    def attempt(self, name: str, look: Callable[[], None], *, step: str = "") -> None:
+    def attempt(self, name: str, look: Callable[[], object], *, step: str = "") -> None:
         """Have something that is no part look at what was heard, as carefully.
 
         Args:
@@ -81,7 +81,7 @@ class Parts:
         for part in parts:
             self.attempt(type(part).__name__, part.advance)
 
-    def _have(self, name: str, act: Callable[[], None]) -> bool:
+    def _have(self, name: str, act: Callable[[], object]) -> bool:
         try:
             act()
         except Exception:  # noqa: BLE001 - whatever it was, a stop must reach the other parts

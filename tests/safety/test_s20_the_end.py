@@ -13,9 +13,10 @@ from armui.control.arm_controller import ArmController
 from armui.control.motion.jog_path import JointJog
 from armui.control.motion.jogging import Jogging
 from armui.control.operating_state import LinkState
+from armui.protocol.frame import Frame
 from armui.ui.dialogs.close_question import CloseQuestion
 from tests.arm_rig import TIMEOUT_MS
-from tests.failing import failing
+from tests.failing import failing, functions_of
 
 FAR = (60.0, 60.0, -60.0, 0.0, 0.0, 0.0)
 ABORT = bytes([0, 6, 0, 0, 0, 0, 0, 0])  # 0x150 byte 1: the trajectory command 6, end it
@@ -131,7 +132,8 @@ def test_ending_the_program_ends_a_single_motion(any_rig):
 
 def lose_aborts(rig, most):
     """The arm does not hear the first ends of a motion that it is told."""
-    to_arm, lost = rig.node.link.to_arm, []
+    to_arm = rig.node.link.to_arm
+    lost: list[Frame] = []
 
     def without(frames, at_s):
         reached = to_arm(frames, at_s)
@@ -176,7 +178,7 @@ def test_a_jog_that_cannot_be_ended_does_not_keep_the_program_open(rig):
     rig.ready()
     assert rig.controller.jogging.start(JointJog(1, 1)) is None
     rig.run(0.5)
-    with failing(Jogging.end):
+    with failing(*(each for each in functions_of(Jogging) if each.__name__ == "end")):
         assert rig.controller.shutdown()
     assert rig.controller.operating_state.link is LinkState.NO_DEVICE
     assert max(map(abs, rig.firmware.mechanics.speeds_deg_s)) < 1.0
