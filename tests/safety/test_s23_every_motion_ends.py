@@ -483,7 +483,7 @@ def test_a_jog_ends_on_release_whatever_method_of_what_holds_it_fails(app_driver
     press, release = prepare(rig)
     slot = Slot()
     for kind in kinds:
-        for function in sample(functions_of(kind), 1, kind.__name__):
+        for function in sample(functions_of(kind), 2, kind.__name__):
             rig.run_until(lambda: rig.controller.operating_state.cannot_move is None)
             rig.run_until(lambda: rig.controller._authority.at_rest)
             press()
