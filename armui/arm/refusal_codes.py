@@ -248,6 +248,8 @@ class RefusalCode(StrEnum):
     TEXT_UNCLOSED = "text_unclosed"
     TIME_BAD = "time_bad"
     TOO_FAST = "too_fast"  # joint, value, maximum
+    TOOL_TOO_FAST = "tool_too_fast"  # value, maximum
+    TOOL_TURNS_TOO_FAST = "tool_turns_too_fast"  # value, maximum
     TOOL_NOT_POSSIBLE = "tool_not_possible"
     URDF_BAD_JOINT = "urdf_bad_joint"
     URDF_ENDS_VIEW = "urdf_ends_view"

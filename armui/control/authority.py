@@ -29,6 +29,7 @@ from armui.protocol.codes import ArmStatusCode, ControlMode, MoveMode
 if TYPE_CHECKING:
     from armui.arm.limits import JointLimits
     from armui.arm.state import ArmState
+    from armui.control.safety.overspeed import ToolPace
     from armui.kinematics.poses import Matrix
 
 ARRIVED_DEG: Final = 0.5
@@ -99,7 +100,10 @@ class Authority:
             self.command = self.command._replace(sent_s=now_s)
         self._follow_hold(seen)
         self._follow_cancel(now_s)
-        self.overspeed = self._overspeed.observe(state, self._percent_shown, seen.factory_limits)
+        pace = None if self.command is None else self.command.pace
+        self.overspeed = self._overspeed.observe(
+            state, self._percent_shown, seen.factory_limits, pace
+        )
 
     @property
     def at_rest(self) -> bool:
@@ -112,7 +116,14 @@ class Authority:
         seen, command = self._seen, self.command
         if seen is None or command is None:
             return False
-        return seen.now_s - command.sent_s < _TAKEN_IN_S or self._moves
+        return seen.now_s - command.sent_s < _TAKEN_IN_S or self.moves
+
+    @property
+    def moves(self) -> bool:
+        """Whether the arm says that it has not reached its target, and is measured to move."""
+        seen = self._seen
+        status = None if seen is None else seen.state.status
+        return status is not None and not status.value.reached and not self.at_rest
 
     @property
     def may_be_ours(self) -> bool:
@@ -240,6 +251,7 @@ class Authority:
         joints_deg: Sequence[float] | None = None,
         tool: Matrix | None = None,
         leads_away: bool = False,
+        pace: ToolPace | None = None,
     ) -> MotionCommand:
         """A new command of ours takes the place of whatever was before.
 
@@ -251,12 +263,13 @@ class Authority:
             joints_deg: Six target angles, where it names them.
             tool: The target of the tool centre point, where it names it.
             leads_away: Whether the tool was measured elsewhere.
+            pace: Of a line or an arc: how fast the tool goes at 100 %.
         """
         self._end(End.REPLACED)
         self._number += 1
         target_deg = None if joints_deg is None else tuple(joints_deg)
         self.command = MotionCommand(
-            self._number, kind, now_s, speed_percent, target_deg, tool, leads_away
+            self._number, kind, now_s, speed_percent, target_deg, tool, leads_away, pace
         )
         self.arm_percent, self._mode_sent = speed_percent, (move_mode, now_s)
         self._cancelled_s, self.cancel_unheeded = None, False
@@ -285,7 +298,7 @@ class Authority:
             if self.command is not None:
                 self.command = self.command._replace(speed_percent=percent)
                 self._overspeed.restart()
-        elif seen is not None and (self.under_way or self._moves):
+        elif seen is not None and (self.under_way or self.moves):
             self.holds |= {Hold.SPEED_ZERO}
             self._zero_since_s = seen.now_s
 
@@ -341,13 +354,6 @@ class Authority:
         if command is None or command.kind is CommandKind.REPLAY or not self.under_way:
             return None
         return command.speed_percent
-
-    @property
-    def _moves(self) -> bool:
-        """Whether the arm says that it has not reached its target, and is measured to move."""
-        seen = self._seen
-        status = None if seen is None else seen.state.status
-        return status is not None and not status.value.reached and not self.at_rest
 
     def _what_ends(self, seen: Observation) -> End | None:
         command = self.command

@@ -13,11 +13,14 @@ from armui.control.authority import Authority
 from armui.control.events import EventCode
 from armui.control.motion.motion_command import CommandKind, End, MotionCommand
 from armui.control.operating_state import OperatingState, why_unreachable
+from armui.control.parameters.arm_model import planning_model
+from armui.control.safety.overspeed import tool_pace
 from armui.protocol import commands
 from armui.protocol.codes import ControlMode
 
 if TYPE_CHECKING:
     from armui.control.link.connection import Connection
+    from armui.control.safety.overspeed import ToolPace
     from armui.kinematics.poses import Matrix
     from armui.protocol.codes import MoveMode
     from armui.protocol.frame import Frame
@@ -80,6 +83,7 @@ class Context:
         joints_deg: Sequence[float] | None = None,
         tool: Matrix | None = None,
         leads_away: bool = False,
+        way: Sequence[Sequence[float]] = (),
         keep_s: float | None = None,
     ) -> MotionCommand | Refusal:
         """Send the frames of a new motion command, if this program may move the arm now.
@@ -92,6 +96,8 @@ class Context:
             joints_deg: Six target angles, where the command names them.
             tool: The target of the tool centre point, where the command names it.
             leads_away: Whether the tool was measured elsewhere.
+            way: Of a line or an arc, the poses of the flange that it is told by: what its speed is
+                compared with follows from them.
             keep_s: Frames that could not be sent within this time are dropped.
 
         Returns:
@@ -109,12 +115,19 @@ class Context:
             joints_deg=joints_deg,
             tool=tool,
             leads_away=leads_away,
+            pace=self._pace(way) if way else None,
         )
         self.connection.void(command.number)
         if not self.connection.send([*lead, *frames], keep_s, command.number):
             self.authority.end(End.NOT_SENT)
             return Refusal(RefusalCode.LINK_LOST)
         return command
+
+    def _pace(self, way: Sequence[Sequence[float]]) -> ToolPace | None:
+        """How fast a line or an arc is at 100 %, from where the joints are measured to stand."""
+        state = self.state()
+        start_deg = None if self.authority.moves else state.angles_deg()
+        return tool_pace(way, start_deg, planning_model(state, self.operating_state()))
 
     def send_on(
         self,

@@ -34,7 +34,7 @@ def test_a_recording_once_is_fine():
 
 
 def test_the_way_back_for_another_lap_is_checked():
-    assert "below_floor" in codes(recording(BACK, OVER, OUT), BACK, again=True)
+    assert "below_floor" in codes(recording(BACK, OVER, OUT), BACK, cycles=2)
 
 
 def test_the_same_points_as_a_trajectory_give_the_same_finding():
@@ -42,7 +42,7 @@ def test_the_same_points_as_a_trajectory_give_the_same_finding():
         Waypoint(MoveMode.MOVE_J, corner, speed_percent=15) for corner in (BACK, OVER, OUT)
     )
     assert "below_floor" not in codes(Trajectory("t", points=points), BACK)
-    assert "below_floor" in codes(Trajectory("t", points=points), BACK, again=True)
+    assert "below_floor" in codes(Trajectory("t", points=points), BACK, cycles=2)
 
 
 def test_the_approach_is_checked():
@@ -52,4 +52,4 @@ def test_the_approach_is_checked():
 @pytest.mark.parametrize("again", [False, True])
 def test_a_long_way_back_by_itself_is_no_finding(again):
     turned = (40.0, *OVER[1:])
-    assert codes(recording(OVER, turned), OVER, again=again) == set()
+    assert codes(recording(OVER, turned), OVER, cycles=2 if again else 1) == set()

@@ -14,6 +14,7 @@ def path(rows):
         places_mm=np.zeros((count, 3)),
         speeds_mm_s=np.zeros(count),
         rows=np.array(rows),
+        cycles=np.ones(count, dtype=np.int64),
     )
 
 

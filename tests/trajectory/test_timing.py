@@ -241,8 +241,8 @@ def test_the_nearest_way_within_the_limits_is_taken() -> None:
     free = plan_path(points, ARM, near)
     limited = plan_path(points, replace(ARM, limits=tuple(narrow)), near)
 
-    assert free.joints_deg[-1] == pytest.approx(near, abs=1e-6)
-    assert limited.joints_deg[-1] == pytest.approx(flipped, abs=1e-6)
+    assert free.joints_deg[-1] == pytest.approx(near, abs=1e-3)
+    assert limited.joints_deg[-1] == pytest.approx(flipped, abs=1e-3)
 
 
 def test_nothing_to_run_is_a_path_of_no_time() -> None:

@@ -21,6 +21,7 @@ def plan():
         places_mm=np.outer(np.linspace(0.0, 200.0, 21), (1.0, 0.0, 0.0)),
         speeds_mm_s=np.full(21, 100.0),
         rows=np.repeat([0, 1], [11, 10]),
+        cycles=np.ones(21, dtype=np.int64),
     )
 
 

@@ -198,7 +198,8 @@ class Cartesian(ControllerPart):
         codec, percent = context.connection.codec, self._motion.speed_percent
         frames = leading_mode(codec, context.state(), MoveMode.MOVE_C, percent)
         frames += commands.move_arc(codec, start, middle, end, speed_percent=percent)
-        return self._send(frames, MoveMode.MOVE_C, points[-1], EventCode.SENT_ARC, {})
+        way = (start, middle, end)
+        return self._send(frames, MoveMode.MOVE_C, points[-1], EventCode.SENT_ARC, {}, way=way)
 
     def check_arc(self, *points: Sequence[float]) -> Refusal | None:
         """Whether the arm stands at the start of an arc and can follow it to its end."""
@@ -235,10 +236,10 @@ class Cartesian(ControllerPart):
 
         codec, percent = context.connection.codec, self._motion.speed_percent
         frames = leading_mode(codec, context.state(), move_mode, percent)
-        frames += commands.move_pose(
-            codec, flange_pose(target, self.tool), speed_percent=percent, move_mode=move_mode
-        )
-        return self._send(frames, move_mode, target, code, figures)
+        flange = flange_pose(target, self.tool)
+        frames += commands.move_pose(codec, flange, speed_percent=percent, move_mode=move_mode)
+        way = (flange,) if move_mode is MoveMode.MOVE_L else ()
+        return self._send(frames, move_mode, target, code, figures, way=way)
 
     def _send(
         self,
@@ -247,6 +248,8 @@ class Cartesian(ControllerPart):
         target: Sequence[float],
         code: EventCode,
         figures: dict[str, object],
+        *,
+        way: Sequence[Sequence[float]],
     ) -> Refusal | None:
         from armui.kinematics.poses import pose_to_matrix  # noqa: PLC0415 - see above
 
@@ -258,6 +261,7 @@ class Cartesian(ControllerPart):
             speed_percent=self._motion.speed_percent,
             tool=pose_to_matrix(target),
             leads_away=self._leads_away(target),
+            way=way,
         )
         if isinstance(sent, Refusal):
             return context.refuse(sent)

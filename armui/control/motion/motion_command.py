@@ -12,6 +12,7 @@ if TYPE_CHECKING:
     from armui.arm.limits import JointLimits
     from armui.arm.other_hosts import OtherTraffic
     from armui.arm.state import ArmState
+    from armui.control.safety.overspeed import ToolPace
     from armui.kinematics.poses import Matrix
 
 
@@ -83,6 +84,7 @@ class MotionCommand(NamedTuple):
         tool: The target of the tool centre point, where the command names it.
         leads_away: Whether that is measurably elsewhere than the tool was when it was sent; the
             angles tell for themselves.
+        pace: Of a line or an arc: how fast the tool goes at 100 %.
     """
 
     number: int
@@ -92,6 +94,7 @@ class MotionCommand(NamedTuple):
     joints_deg: tuple[float, ...] | None = None
     tool: Matrix | None = None
     leads_away: bool = False
+    pace: ToolPace | None = None
 
 
 class Observation(NamedTuple):

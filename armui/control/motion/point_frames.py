@@ -43,6 +43,16 @@ def point_frames(
     )
 
 
+def tool_way(point: Waypoint, state: ArmState) -> tuple[Sequence[float], ...]:
+    """The poses of the flange that a line or an arc is told by; none for other motions."""
+    if point.move is MoveMode.MOVE_L:
+        return (point.target,)
+    start = state.end_pose()
+    if point.middle is None or start is None:
+        return ()
+    return start, point.middle, point.target
+
+
 def leading_mode(
     codec: Codec, state: ArmState, move_mode: MoveMode, speed_percent: int
 ) -> list[Frame]:

@@ -8,19 +8,27 @@ from armui.arm.model import ArmModel
 from armui.arm.models import model_data
 
 if TYPE_CHECKING:
+    from armui.arm.state import ArmState
     from armui.control.arm_controller import ArmController
+    from armui.control.operating_state import OperatingState
 
 HOME_DEG: Final = (0.0,) * 6
 
 
 def arm_model(controller: ArmController) -> ArmModel:
     """What is known of the arm that is connected, or of one as it leaves the factory."""
-    state = controller.state
-    handle = state.teaching_handle
-    tool_z_mm = controller.cartesian.tool[2]
-    data = model_data(controller.operating_state.model)
+    return planning_model(
+        controller.state, controller.operating_state, controller.cartesian.tool[2]
+    )
+
+
+def planning_model(state: ArmState, now: OperatingState, tool_z_mm: float = 0.0) -> ArmModel:
+    """The same of an arm as heard, with a tool that reaches so far beyond the flange."""
+    from armui.kinematics.arm_kinematics import Kinematics  # noqa: PLC0415 - numpy, scipy
+
+    handle, data = state.teaching_handle, model_data(now.model)
     return ArmModel(
-        limits=controller.operating_state.limits,
+        limits=now.limits,
         accelerations_deg_s2=tuple(
             factory if heard is None else heard.value
             for heard, factory in zip(
@@ -28,7 +36,7 @@ def arm_model(controller: ArmController) -> ArmModel:
             )
         ),
         end_limits=None if state.end_limits is None else state.end_limits.value,
-        kinematics=controller.cartesian.kinematics(),
+        kinematics=Kinematics(now.model_fit.geometry),
         tool_mm=tool_z_mm if tool_z_mm > 0.0 else data.gripper.reach_mm,
         gripper_turned_deg=data.gripper.turned_deg,
         stroke_mm=(handle.value.stroke_limit_mm or None) if handle is not None else None,

@@ -11,7 +11,12 @@ from armui.arm.refusal_codes import RefusalCode
 from armui.control.context import Context
 from armui.control.events import EventCode
 from armui.control.motion.motion_command import CommandKind
-from armui.control.motion.point_frames import action_frames, point_frames, why_not_possible
+from armui.control.motion.point_frames import (
+    action_frames,
+    point_frames,
+    tool_way,
+    why_not_possible,
+)
 from armui.control.run.arrival import Arrival, ArrivalWatch
 from armui.control.run.execution import Execution
 from armui.control.run.progress import ENDLESS, Progress, Run, RunPhase, RunSchedule
@@ -216,6 +221,7 @@ class Player(Execution):
             move_mode=point.move,
             speed_percent=percent,
             joints_deg=point.target if point.is_joint else None,
+            way=tool_way(point, self._context.state()),
         )
         if isinstance(sent, Refusal):
             self._fail(sent)

@@ -5,20 +5,41 @@ from __future__ import annotations
 import math
 from collections import deque
 from collections.abc import Sequence
-from typing import Final, NamedTuple
+from typing import TYPE_CHECKING, Final, NamedTuple
 
 from armui.arm.limits import JointLimits, plausible
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import ArmState
 
+if TYPE_CHECKING:
+    from armui.arm.model import ArmModel
+    from armui.kinematics.arm_kinematics import Kinematics
+
 _TOO_FAST: Final = 1.5
 _SLACK_DEG_S: Final = 2.0
 """What the trembling of the last digit and the bus's jitter can look like."""
+_SLACK_MM_S: Final = 3.0
+_TOOL_SLACK_DEG_S: Final = 2.0
+"""The same of the flange, at the end of the arm."""
 _FOR_S: Final = 0.1
 _HALF_S: Final = 0.05
 _BRAKING: Final = 0.95
 """A joint that gets slower is on its way to the speed it was told."""
+
+
+class ToolPace(NamedTuple):
+    """How fast a line or an arc leads the flange at 100 %: the most along its way.
+
+    Attributes:
+        kinematics: Of the arm that is measured.
+        linear_mm_s: Of its place.
+        angular_deg_s: Of its turning.
+    """
+
+    kinematics: Kinematics
+    linear_mm_s: float
+    angular_deg_s: float
 
 
 class _Sample(NamedTuple):
@@ -27,7 +48,7 @@ class _Sample(NamedTuple):
 
 
 class OverspeedWatch:
-    """Measures the joints' speeds over the last tenth of a second."""
+    """Measures the speeds of joints and tool over the last tenth of a second."""
 
     def __init__(self) -> None:
         self._samples: deque[_Sample] = deque()
@@ -37,18 +58,23 @@ class OverspeedWatch:
         self._samples.clear()
 
     def observe(
-        self, state: ArmState, percent: int | None, factory: Sequence[JointLimits]
+        self,
+        state: ArmState,
+        percent: int | None,
+        factory: Sequence[JointLimits],
+        pace: ToolPace | None = None,
     ) -> Refusal | None:
         """Take in what is measured.
 
         Args:
             state: The arm as heard.
-            percent: The speed shown for the motion under way, of each joint's highest; ``None``:
-                there is nothing to compare with.
+            percent: The speed shown for the motion under way, of its highest; ``None``: there is
+                nothing to compare with.
             factory: Of the arm's model: they stand in where the arm has told none.
+            pace: Of a line or an arc: how fast the tool goes at 100 %.
 
         Returns:
-            Which joint is too fast, or ``None``.
+            Which joint is too fast, or that the tool is, or ``None``.
         """
         angles_deg, last = state.angles_deg(), state.joints_deg[-1]
         if percent is None or angles_deg is None or last is None:
@@ -59,32 +85,99 @@ class OverspeedWatch:
             samples.append(_Sample(last.at_s, angles_deg))
         while len(samples) > 2 and samples[1].at_s <= last.at_s - _FOR_S:
             samples.popleft()
-        if samples[-1].at_s - samples[0].at_s < _FOR_S:
+        first, newest = samples[0], samples[-1]
+        if newest.at_s - first.at_s < _FOR_S:
             return None
-        return self._judge(state, percent, factory)
+        middle = next(each for each in samples if each.at_s >= newest.at_s - _HALF_S)
+        window = _Window(first, middle, newest)
+        refusal = _joint_too_fast(window, state, percent, factory)
+        if refusal is None and pace is not None:
+            refusal = _tool_too_fast(window, percent / 100.0, pace)
+        return refusal
 
-    def _judge(
-        self, state: ArmState, percent: int, factory: Sequence[JointLimits]
-    ) -> Refusal | None:
-        first, newest = self._samples[0], self._samples[-1]
-        middle = next(each for each in self._samples if each.at_s >= newest.at_s - _HALF_S)
-        speeds = _speeds_deg_s(first, newest)
-        before, after = _speeds_deg_s(first, middle), _speeds_deg_s(middle, newest)
-        for index, (limits, stands_in) in enumerate(zip(state.limits, factory, strict=True)):
-            known = limits is not None and plausible(limits.value)
-            highest = limits.value if limits is not None and known else stands_in
-            shown_deg_s = highest.max_speed_deg_s * percent / 100.0
-            too_fast = speeds[index] > _TOO_FAST * shown_deg_s + _SLACK_DEG_S
-            if too_fast and after[index] >= _BRAKING * before[index]:
-                return Refusal(
-                    RefusalCode.TOO_FAST,
-                    {
-                        "joint": index + 1,
-                        "value": round(speeds[index], 1),
-                        "maximum": round(shown_deg_s, 1),
-                    },
-                )
-        return None
+
+class _Window(NamedTuple):
+    """What was measured a tenth of a second ago, half of that ago, and last."""
+
+    first: _Sample
+    middle: _Sample
+    newest: _Sample
+
+
+def tool_pace(
+    way: Sequence[Sequence[float]], start_deg: Sequence[float] | None, arm: ArmModel
+) -> ToolPace | None:
+    """Return how fast the arm leads its flange along a line or an arc at 100 %.
+
+    Args:
+        way: Poses of the flange: the end of a line, or start, middle and end of an arc.
+        start_deg: Where the joints stand; ``None``: they move, and where the way begins is not
+            known yet. Then the limits of the tool are all that is known of its pace.
+        arm: The arm.
+    """
+    limits = arm.end_limits
+    most = None
+    if limits is not None:
+        angular_deg_s = math.degrees(limits.max_angular_speed_rad_s)
+        most = ToolPace(arm.kinematics, 1e3 * limits.max_linear_speed_m_s, angular_deg_s)
+    if start_deg is None:
+        return most
+    from armui.trajectory.planning.planning import single_pace  # noqa: PLC0415 - numpy, scipy
+
+    planned = single_pace(way, start_deg, arm)
+    return most if planned is None else ToolPace(arm.kinematics, *planned)
+
+
+def _joint_too_fast(
+    window: _Window, state: ArmState, percent: int, factory: Sequence[JointLimits]
+) -> Refusal | None:
+    speeds = _speeds_deg_s(window.first, window.newest)
+    before = _speeds_deg_s(window.first, window.middle)
+    after = _speeds_deg_s(window.middle, window.newest)
+    for index, (limits, stands_in) in enumerate(zip(state.limits, factory, strict=True)):
+        known = limits is not None and plausible(limits.value)
+        highest = limits.value if limits is not None and known else stands_in
+        shown_deg_s = highest.max_speed_deg_s * percent / 100.0
+        too_fast = speeds[index] > _TOO_FAST * shown_deg_s + _SLACK_DEG_S
+        if too_fast and after[index] >= _BRAKING * before[index]:
+            return Refusal(
+                RefusalCode.TOO_FAST,
+                {
+                    "joint": index + 1,
+                    "value": round(speeds[index], 1),
+                    "maximum": round(shown_deg_s, 1),
+                },
+            )
+    return None
+
+
+def _tool_too_fast(window: _Window, share: float, pace: ToolPace) -> Refusal | None:
+    speeds = _tool_speeds(window.first, window.newest, pace)
+    before = _tool_speeds(window.first, window.middle, pace)
+    after = _tool_speeds(window.middle, window.newest, pace)
+    for index, (code, highest, slack) in enumerate(
+        (
+            (RefusalCode.TOOL_TOO_FAST, pace.linear_mm_s, _SLACK_MM_S),
+            (RefusalCode.TOOL_TURNS_TOO_FAST, pace.angular_deg_s, _TOOL_SLACK_DEG_S),
+        )
+    ):
+        shown = share * highest
+        if speeds[index] > _TOO_FAST * shown + slack and after[index] >= _BRAKING * before[index]:
+            figures = {"value": round(speeds[index], 1), "maximum": round(shown, 1)}
+            return Refusal(code, figures)
+    return None
+
+
+def _tool_speeds(first: _Sample, last: _Sample, pace: ToolPace) -> tuple[float, float]:
+    """Return the flange's speeds in mm/s and °/s between two measurements."""
+    from armui.kinematics.poses import apart  # noqa: PLC0415 - numpy, scipy
+
+    span_s = last.at_s - first.at_s
+    if span_s <= 0.0:
+        return math.inf, math.inf
+    poses = (pace.kinematics.forward(each.joints_deg) for each in (first, last))
+    off_mm, off_deg = apart(*poses)
+    return off_mm / span_s, off_deg / span_s
 
 
 def _speeds_deg_s(first: _Sample, last: _Sample) -> Sequence[float]:

@@ -13,6 +13,7 @@ from armui.arm.limits import JOINTS
 from armui.arm.model import ArmModel
 from armui.kinematics.forward import flange_heights
 from armui.kinematics.singularity import NEAR_SINGULAR, margins, smallest_singular_values
+from armui.protocol.codes import MoveMode
 from armui.trajectory.planning.collision import collisions
 from armui.trajectory.planning.findings import Approach, Finding, FindingCode, Severity
 from armui.trajectory.planning.planned_path import PlannedPath
@@ -36,6 +37,8 @@ _OF_A_WAY: Final = frozenset(
     {FindingCode.PATH_BEYOND_LIMIT, FindingCode.PATH_OUT_OF_REACH, FindingCode.PATH_SINGULAR}
 )
 """Nothing of this is true of a point without where the arm comes from."""
+_ROUNDED_DEG: Final = 0.01
+"""So much of a joint's angle may be lost in a pose that is rounded to the steps of the bus."""
 _SPEED_SLACK: Final = 1.02
 _COLLISION_STEP_DEG: Final = 2.0
 
@@ -88,6 +91,7 @@ def check(
     else:
         slow = _by_row(path, [point.move in TOOL_MOVES for point in content.points])
         findings += _limits(path, slow, arm)
+        findings += _arcs_at_limits(path, [point.move for point in content.points], arm)
         findings += _near_singular(path, slow, arm)
         posed = [not point.is_joint and point.move not in TOOL_MOVES for point in content.points]
         findings += _large_turns(path, _by_row(path, posed))
@@ -108,7 +112,7 @@ def _tell_approach(findings: Sequence[Finding], path: PlannedPath) -> list[Findi
     first = int(path.rows[0]) if len(path.rows) else 0
     return [
         replace(one, approach=Approach.WAY)
-        if one.row == first and one.code in _OF_A_WAY and one.approach is None
+        if (one.row, one.cycle) == (first, 1) and one.code in _OF_A_WAY and one.approach is None
         else one
         for one in findings
     ]
@@ -136,7 +140,7 @@ def _limits(path: PlannedPath, led: Flags, arm: ArmModel) -> Iterator[Finding]:
     """
     low, high = bounds(arm)
     over = np.maximum(low - path.joints_deg, path.joints_deg - high)
-    last = np.append(np.diff(path.rows) != 0, True)
+    last = np.append(path.begins[1:], True)
     beyond = (over > 0.0).any(axis=1) & (led | last)
     for index in _worst(beyond, over.max(axis=1, initial=-np.inf), path.rows):
         joint = int(np.argmax(over[index]))
@@ -153,6 +157,21 @@ def _limits(path: PlannedPath, led: Flags, arm: ArmModel) -> Iterator[Finding]:
             FindingCode.TARGET_BEYOND_LIMIT if last[index] else FindingCode.PATH_BEYOND_LIMIT,
             figures,
         )
+
+
+def _arcs_at_limits(
+    path: PlannedPath, moves: Sequence[MoveMode], arm: ArmModel
+) -> Iterator[Finding]:
+    """The arm is told where an arc begins by a rounded pose, and goes there within its limits."""
+    arcs = _by_row(path, [move is MoveMode.MOVE_C for move in moves])
+    low, high = bounds(arm)
+    for index in np.flatnonzero(path.begins & arcs).tolist():
+        joints = path.joints_deg[index]
+        at = (joints < low + _ROUNDED_DEG) | (joints > high - _ROUNDED_DEG)
+        if at.any():
+            joint = int(np.argmax(at))
+            figures = {"joint": JOINTS[joint], "value": round(float(joints[joint]), 3)}
+            yield _at(path, index, FindingCode.ARC_AT_LIMIT, figures)
 
 
 def _near_singular(path: PlannedPath, led: Flags, arm: ArmModel) -> Iterator[Finding]:
@@ -172,7 +191,7 @@ def _near_singular(path: PlannedPath, led: Flags, arm: ArmModel) -> Iterator[Fin
 
 
 def _large_turns(path: PlannedPath, posed: Flags) -> Iterator[Finding]:
-    firsts = np.flatnonzero(np.diff(path.rows, prepend=-1) != 0)
+    firsts = np.flatnonzero(path.begins)
     lasts = np.append(firsts[1:], len(path.rows)) - 1
     turns = np.abs(path.joints_deg[lasts] - path.joints_deg[firsts])
     for which in np.flatnonzero((turns > LARGE_TURN_DEG).any(axis=1) & posed[lasts]).tolist():
@@ -182,12 +201,13 @@ def _large_turns(path: PlannedPath, posed: Flags) -> Iterator[Finding]:
 
 
 def _far_from_start(path: PlannedPath) -> Iterator[Finding]:
-    first_row = np.flatnonzero(path.rows == path.rows[0])
-    away = np.abs(path.joints_deg[first_row[-1]] - path.joints_deg[0])
+    further = np.flatnonzero(path.begins[1:])
+    last = int(further[0]) if len(further) else len(path.rows) - 1
+    away = np.abs(path.joints_deg[last] - path.joints_deg[0])
     joint = int(np.argmax(away))
     if away[joint] > FAR_FROM_START_DEG:
         figures = {"joint": JOINTS[joint], "value": round(float(away[joint]), 1)}
-        yield _at(path, int(first_row[-1]), FindingCode.FAR_FROM_START, figures)
+        yield _at(path, last, FindingCode.FAR_FROM_START, figures)
 
 
 def _below_floor(path: PlannedPath, arm: ArmModel) -> Iterator[Finding]:
@@ -219,7 +239,8 @@ def _collisions(path: PlannedPath, arm: ArmModel) -> Iterator[Finding]:
     )
     recorded = path.expected_s == ()
     rows = path.rows[looked_at]
-    end_of_first = int(np.flatnonzero(rows == rows[0])[-1])
+    to_first = (rows == rows[0]) & (path.cycles[looked_at] == 1)
+    end_of_first = int(np.flatnonzero(to_first)[-1])
     told: set[tuple[int, Approach | None]] = set()
     for which in sorted(hits):
         index = int(looked_at[which])
@@ -267,4 +288,5 @@ def _at(
         int(path.rows[index]),
         tuple(path.joints_deg[index].tolist()),
         tuple(path.places_mm[index].tolist()),
+        int(path.cycles[index]),
     )

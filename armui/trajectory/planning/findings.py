@@ -29,6 +29,8 @@ class FindingCode(StrEnum):
     PATH_SINGULAR = "path_singular"
     ARC_NO_CIRCLE = "arc_no_circle"
     START_UNKNOWN = "start_unknown"
+    NEVER_REPEATS = "never_repeats"
+    ARC_AT_LIMIT = "arc_at_limit"
     LINKS_COLLIDE = "links_collide"
     JOINT_TOO_FAST = "joint_too_fast"
     GRIPPER_BEYOND_STROKE = "gripper_beyond_stroke"
@@ -36,6 +38,7 @@ class FindingCode(StrEnum):
     NEAR_SINGULAR = "near_singular"
     FAR_FROM_START = "far_from_start"
     LARGE_TURN = "large_turn"
+    EITHER_WAY = "either_way"
     SAMPLE_JUMP = "sample_jump"
     TOOL_TOO_FAST = "tool_too_fast"
     BELOW_FLOOR = "below_floor"
@@ -49,6 +52,8 @@ SEVERITIES: Final[Mapping[FindingCode, Severity]] = {
     FindingCode.PATH_SINGULAR: Severity.ERROR,
     FindingCode.ARC_NO_CIRCLE: Severity.ERROR,
     FindingCode.START_UNKNOWN: Severity.ERROR,
+    FindingCode.NEVER_REPEATS: Severity.ERROR,
+    FindingCode.ARC_AT_LIMIT: Severity.ERROR,
     FindingCode.LINKS_COLLIDE: Severity.ERROR,
     FindingCode.JOINT_TOO_FAST: Severity.ERROR,
     FindingCode.GRIPPER_BEYOND_STROKE: Severity.ERROR,
@@ -56,6 +61,7 @@ SEVERITIES: Final[Mapping[FindingCode, Severity]] = {
     FindingCode.NEAR_SINGULAR: Severity.WARNING,
     FindingCode.FAR_FROM_START: Severity.WARNING,
     FindingCode.LARGE_TURN: Severity.WARNING,
+    FindingCode.EITHER_WAY: Severity.WARNING,
     FindingCode.SAMPLE_JUMP: Severity.WARNING,
     FindingCode.TOOL_TOO_FAST: Severity.WARNING,
     FindingCode.BELOW_FLOOR: Severity.WARNING,
@@ -85,6 +91,7 @@ class Finding:
         place_mm: Where the tip of the tool would be, if that is known.
         approach: Set where the arm's present pose, or the way from it, is at fault and not the
             point in the row.
+        cycle: In which cycle it happens first.
     """
 
     code: FindingCode
@@ -93,6 +100,7 @@ class Finding:
     joints_deg: tuple[float, ...] | None = None
     place_mm: tuple[float, ...] | None = None
     approach: Approach | None = None
+    cycle: int = 1
 
     @property
     def is_of_approach(self) -> bool:

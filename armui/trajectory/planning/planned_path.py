@@ -27,9 +27,11 @@ class PlannedPath:
         speeds_mm_s: (n,) how fast the tip goes.
         rows: (n,) the index of the point the arm is on its way to, or waits at; of a recording
             the index of the sample.
-        expected_s: How long each point takes from the one before, dwell included, 0 for those left
-            out; of a recording empty.
-        problems: Why points were left out: the arm cannot get there.
+        cycles: (n,) in which cycle that is, from 1.
+        expected_s: How long each point takes from the one before, dwell included: the longest of
+            all cycles, 0 for those left out; of a recording empty.
+        problems: What was found in planning: why points were left out, for the arm cannot get
+            there, and where it is not certain which way the arm takes.
     """
 
     times_s: Array
@@ -37,6 +39,7 @@ class PlannedPath:
     places_mm: Array
     speeds_mm_s: Array
     rows: Whole
+    cycles: Whole
     expected_s: tuple[float, ...] = ()
     problems: tuple[Finding, ...] = ()
 
@@ -44,6 +47,18 @@ class PlannedPath:
     def duration_s(self) -> float:
         """How long it takes in all."""
         return float(self.times_s[-1]) if len(self.times_s) else 0.0
+
+    @property
+    def first_cycle_s(self) -> float:
+        """How long the first cycle takes, from where the arm stands before it."""
+        first = self.times_s[self.cycles == 1]
+        return float(first[-1]) if len(first) else 0.0
+
+    @property
+    def begins(self) -> npt.NDArray[np.bool_]:
+        """(n,) whether each sample is the first on the way to a point, in whichever cycle."""
+        changes = (np.diff(self.rows) != 0) | (np.diff(self.cycles) != 0)
+        return np.concatenate((np.ones(min(1, len(self.rows)), dtype=bool), changes))
 
     def at(self, t_s: float) -> Joints:
         """Six angles so long after the start; before and after the path its ends.
@@ -60,14 +75,14 @@ class PlannedPath:
         return tuple((one + share * (other - one)).tolist())
 
     def ends(self) -> dict[int, int]:
-        """The index of the last sample of each row."""
-        lasts = np.flatnonzero(np.diff(self.rows, append=-1))
-        return dict(zip(self.rows[lasts].tolist(), lasts.tolist(), strict=True))
+        """Return the index of the last sample of each row, where the arm first comes to it."""
+        lasts = np.flatnonzero(np.append(self.begins[1:], True))[::-1] if len(self.rows) else []
+        return dict(sorted((int(self.rows[last]), int(last)) for last in lasts))
 
     def outline(self, most: int) -> Whole:
         """The indices of about so many samples, spread over all of them, and of each row's last."""
         step = max(1, len(self.rows) // most)
-        wanted = np.diff(self.rows, append=-1) != 0
+        wanted = np.append(self.begins[1:], True)
         wanted[::step] = True
         return np.flatnonzero(wanted)
 
@@ -83,15 +98,16 @@ def sampled_path(
     rows: Whole,
     arm: ArmModel,
     *,
+    cycles: Whole | None = None,
     expected_s: tuple[float, ...] = (),
     problems: tuple[Finding, ...] = (),
 ) -> PlannedPath:
     """A path with the places and the speeds of the tool's tip worked out."""
     arm_links = links(arm.kinematics.geometry, joints_deg)
     places = arm_links.flange + arm.tool_mm * arm_links.hand
-    return PlannedPath(
-        times_s, joints_deg, places, _speeds(times_s, places), rows, expected_s, problems
-    )
+    cycles = np.ones_like(rows) if cycles is None else cycles
+    speeds = _speeds(times_s, places)
+    return PlannedPath(times_s, joints_deg, places, speeds, rows, cycles, expected_s, problems)
 
 
 def _speeds(times_s: Array, places_mm: Array) -> Array:

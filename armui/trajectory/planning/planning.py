@@ -2,26 +2,45 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Final
 
 import numpy as np
+import numpy.typing as npt
 
 from armui.arm.model import ArmModel
 from armui.kinematics.inverse import missing_mm
 from armui.kinematics.poses import Joints, Matrix, pose_to_matrix
 from armui.kinematics.tool_path import Arc, ArcError
 from armui.trajectory.planning.findings import Finding, FindingCode
-from armui.trajectory.planning.stops import TOOL_MOVES, Route, Stops, choose, stops
+from armui.trajectory.planning.stops import TOOL_MOVES, Route, Stops, as_told, choose, stops
 from armui.trajectory.planning.tool_moves import Paths, PlannedToolMoves, plan_tool_moves
 from armui.trajectory.points.program import Waypoint
+
+Array = npt.NDArray[np.float64]
 
 _ROUNDS: Final = 3
 """So often the way is looked for anew without the points that cannot be reached."""
 _NO_WAY: Final = 1e-9
 """Transforms as much alike are one place."""
 _SAME_DEG: Final = 1e-6
+_SMALLEST_MM: Final = 0.5
+"""No nearer to each other are the points of an arc: within as much the arm counts as there."""
+_FLATTEST_MM: Final = 0.02
+"""And no nearer to a line: twenty of the steps in which the arm tells where it is."""
+_MOST_CYCLES: Final = 16
+"""A pose is held in eight ways at most: what differs between cycles for longer drifts."""
+_REPEATS_DEG: Final = 0.005
+"""Joints as near to where they were at the same point are on the same way: the arm rounds poses."""
+_LONGEST_MM: Final = 5000.0
+"""No arc longer than this stays within reach."""
+_ARC_STEPS: Final = 64
+_FEW_ROWS: Final = 16
+"""So many rows of a further cycle are looked at first,"""
+_MORE: Final = 4
+"""and so many times more each time."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -32,11 +51,98 @@ class Plan:
         route: From stop to stop.
         moves: The lines and arcs on it.
         problems: By stop, why it is left out.
+        known: How many stops it is right for: behind them a line or an arc ends elsewhere than the
+            route goes on.
     """
 
     route: Route
     moves: list[PlannedToolMoves]
     problems: dict[int, Finding]
+    known: int
+
+    def ends_deg(self) -> Array:
+        """Return the joints at each stop but the first, (stops, 6), NaN where it is left out."""
+        ends = self.route.ends_deg.copy()
+        for group in self.moves:
+            wanted = group.broken < 0
+            ends[group.stops[wanted]] = group.joints_deg[wanted, -1]
+        ends[list(self.problems)] = math.nan
+        return ends[1:]
+
+    def up_to(self, stop: int) -> Plan:
+        """Return the plan of the way to a stop and no further."""
+        unsure = {each: ways for each, ways in self.route.unsure.items() if each <= stop}
+        origins, ends_deg = self.route.origins[: stop + 1], self.route.ends_deg[: stop + 1]
+        route = Route(origins, ends_deg, [], unsure)
+        moves = [group.only(group.stops <= stop) for group in self.moves]
+        problems = {each: found for each, found in self.problems.items() if each <= stop}
+        return Plan(route, [each for each in moves if len(each.stops)], problems, stop)
+
+
+@dataclass(frozen=True, slots=True)
+class Leg:
+    """A part of the way of a run.
+
+    Attributes:
+        cycle: From 1.
+        first: The row its first stop is the point of.
+        plan: Of this part; it begins where the one before ends.
+    """
+
+    cycle: int
+    first: int
+    plan: Plan
+
+
+def plan_run(
+    points: Sequence[Waypoint], arm: ArmModel, start_deg: Sequence[float], first: int, cycles: int
+) -> tuple[list[Leg], Finding | None]:
+    """Plan a run as it is driven: every cycle begins where the one before has ended.
+
+    It ends where the joints come to a point as they came to it in an earlier cycle: all that
+    follows is known from there. A cycle that cannot be driven to its end is the last.
+
+    Args:
+        points: The trajectory.
+        arm: The arm.
+        start_deg: Where its joints are before.
+        first: The row to begin with.
+        cycles: How many; 0 without end.
+
+    Returns:
+        The parts of the way, and what is found if it does not repeat.
+    """
+    legs: list[Leg] = []
+    most = min(cycles, _MOST_CYCLES) if cycles else _MOST_CYCLES
+    visited = np.full((most, len(points), 6), math.nan) if most > 1 else None
+    joints: Sequence[float] = tuple(start_deg)
+    failed = False
+    for cycle in range(1, most + 1):
+        row = first if cycle == 1 else 0
+        size = len(points) if cycle == 1 else _FEW_ROWS
+        while row < len(points):
+            plan = plan_route(points[row : row + size], arm, joints)
+            ends = plan.ends_deg()[: plan.known]
+            count, repeats = plan.known, False
+            if visited is not None and cycle > 1:
+                before = visited[: cycle - 1, row : row + count]
+                same = (np.abs(before - ends) <= _REPEATS_DEG).all(axis=2).any(axis=0)
+                repeats = bool(same.any())
+                count = int(np.argmax(same)) + 1 if repeats else count
+            legs.append(Leg(cycle, row, plan.up_to(count)))
+            failed |= bool(legs[-1].plan.problems)
+            if repeats or (failed and cycle > 1):
+                return legs, None
+            if visited is not None:
+                visited[cycle - 1, row : row + count] = ends[:count]
+            come_to = ends[:count][~np.isnan(ends[:count, 0])]
+            joints = tuple(come_to[-1].tolist()) if len(come_to) else joints
+            row += count
+            size = max(_FEW_ROWS, _MORE * count)
+        if failed or not points:
+            return legs, None
+    unknown = cycles == 0 or cycles > most
+    return legs, Finding(FindingCode.NEVER_REPEATS, {"cycles": most}) if unknown else None
 
 
 def plan_route(points: Sequence[Waypoint], arm: ArmModel, start_deg: Sequence[float]) -> Plan:
@@ -53,13 +159,51 @@ def plan_route(points: Sequence[Waypoint], arm: ArmModel, start_deg: Sequence[fl
         moves = kept + plan_tool_moves(changed, arm)
         for group in moves:
             found |= _broken(group)
-        settled = _compare(route, moves, followed)
-        if not found and (settled or turn >= _ROUNDS):
+        off = _compare(route, moves, followed)
+        if not found and (off is None or turn >= _ROUNDS):
             break
         problems |= found
         if turn >= _ROUNDS - 1:
             problems |= _behind(points, problems)
-    return Plan(route, moves, problems)
+    return Plan(route, moves, problems, len(points) if off is None else off)
+
+
+def single_pace(
+    way: Sequence[Sequence[float]], start_deg: Sequence[float], arm: ArmModel
+) -> tuple[float, float] | None:
+    """Return how fast the flange goes along one line or arc at 100 %: the most, in mm/s and °/s.
+
+    Args:
+        way: Poses: the end of a line, or start, middle and end of an arc.
+        start_deg: Where the joints are.
+        arm: The arm.
+
+    Returns:
+        ``None`` where the arm cannot go this way, or there is none.
+    """
+    start = arm.kinematics.matrix(start_deg)
+    poses = [pose_to_matrix(pose) for pose in way]
+    try:
+        arc = Arc(start, *poses[1:]) if len(poses) > 1 else None
+    except ArcError:
+        return None
+    if arc is None and _same_place(start, poses[-1]):
+        return None
+    if arc is not None and arc.length_mm > _LONGEST_MM:
+        return None
+    starts_deg = np.array([start_deg], dtype=float)
+    paths = Paths(np.array([1]), start[None], poses[-1][None], starts_deg, [arc])
+    (move,) = plan_tool_moves(paths, arm, roughly=True)
+    if move.broken[0] >= 0:
+        return None
+    speed = float(move.speeds[0])
+    turn_deg = float(move.angles_deg[0])
+    if arc is not None:  # there the hand turns unevenly
+        turns = arc.poses(np.linspace(0.0, 1.0, _ARC_STEPS + 1))[:, :3, :3]
+        between = np.einsum("nji,njk->nik", turns[:-1], turns[1:])
+        cosines = (np.trace(between, axis1=1, axis2=2) - 1.0) / 2.0
+        turn_deg = _ARC_STEPS * float(np.degrees(np.arccos(np.clip(cosines, -1.0, 1.0))).max())
+    return speed * float(move.lengths_mm[0]), speed * turn_deg
 
 
 def _paths(
@@ -74,7 +218,8 @@ def _paths(
         arc = None
         if point.middle is not None:
             try:
-                arc = Arc(table.goals[origin], pose_to_matrix(point.middle), table.goals[stop])
+                middle = pose_to_matrix(as_told(point.middle))
+                arc = _arc(table.goals[origin], middle, table.goals[stop])
             except ArcError:
                 found[stop] = Finding(FindingCode.ARC_NO_CIRCLE, row=stop - 1)
                 continue
@@ -86,6 +231,23 @@ def _paths(
     wanted = np.array(chosen, dtype=np.int64)
     origins = route.origins[wanted]
     return Paths(wanted, table.goals[origins], table.goals[wanted], route.ends_deg[origins], arcs)
+
+
+def _arc(start: Matrix, middle: Matrix, end: Matrix) -> Arc:
+    """Return an arc that stays about the same where its points are known to a rounding only.
+
+    The arm is told where it stands as it measures it. Of two points upon one another the rounding
+    would say which way round the arc goes.
+
+    Raises:
+        ArcError: There is no such arc.
+    """
+    ways = (middle - start)[:3, 3], (end - middle)[:3, 3], (start - end)[:3, 3]
+    lengths = [float(np.linalg.norm(way)) for way in ways]
+    height = float(np.linalg.norm(np.cross(ways[0], ways[1]))) / max(*lengths, _SMALLEST_MM)
+    if min(lengths) < _SMALLEST_MM or height < _FLATTEST_MM:
+        raise ArcError("points too near to each other, or to a line, to tell where the arc goes")
+    return Arc(start, middle, end)
 
 
 def _kept(moves: list[PlannedToolMoves], paths: Paths) -> tuple[list[PlannedToolMoves], Paths]:
@@ -131,18 +293,22 @@ def _broken(group: PlannedToolMoves) -> dict[int, Finding]:
 
 def _compare(
     route: Route, moves: list[PlannedToolMoves], followed: dict[int, tuple[Joints, Joints]]
-) -> bool:
-    """Whether every line and arc ends where the route goes on; notes where it does."""
-    settled = True
+) -> int | None:
+    """Return the first line or arc that does not end where the route goes on; note where it does.
+
+    ``None``: each of them ends there.
+    """
+    first: int | None = None
     for group in moves:
         ends = group.joints_deg[:, -1]
         expected = route.ends_deg[group.stops]
         off = ~(np.abs(ends - expected) <= _SAME_DEG).all(axis=1)  # NaN is off too
         for index in np.flatnonzero(off & (group.broken < 0)).tolist():
-            settled = False
+            stop = int(group.stops[index])
+            first = stop if first is None else min(first, stop)
             start = tuple(group.joints_deg[index, 0].tolist())
-            followed[int(group.stops[index])] = (start, tuple(ends[index].tolist()))
-    return settled
+            followed[stop] = (start, tuple(ends[index].tolist()))
+    return first
 
 
 def _behind(points: Sequence[Waypoint], problems: dict[int, Finding]) -> dict[int, Finding]:

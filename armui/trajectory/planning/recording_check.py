@@ -37,7 +37,7 @@ def check_recorded(recording: Recording, path: PlannedPath, arm: ArmModel) -> It
         yield Finding(FindingCode.EMPTY)
         return
     joints_deg = recording.joints_deg
-    times_s = path.times_s[-len(joints_deg) :]
+    times_s = path.times_s[path.cycles == 1][-len(joints_deg) :]  # behind them is the way back
     low, high = bounds(arm)
     for joint, angles, limits in zip(JOINTS, joints_deg.T, arm.limits, strict=True):
         beyond = (angles < low[joint - 1]) | (angles > high[joint - 1])

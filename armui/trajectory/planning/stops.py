@@ -26,6 +26,10 @@ Whole = npt.NDArray[np.int64]
 
 TOOL_MOVES: Final = frozenset({MoveMode.MOVE_L, MoveMode.MOVE_C})
 """Motions that lead the tool along a path."""
+_UNSURE_DEG: Final = 0.5
+"""A run begins within as much of where the arm stood at the check."""
+_OTHER_WAY_DEG: Final = 5.0
+"""Ways that are less different lead the arm through about the same places."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -50,6 +54,7 @@ class Stops:
 def stops(points: Sequence[Waypoint], arm: ArmModel, start_deg: Sequence[float]) -> Stops:
     """The stops of a trajectory that begins where the joints are at `start_deg`."""
     targets = np.array([start_deg, *(point.target for point in points)], dtype=float)
+    targets[1:] = as_told(targets[1:])
     posed = np.array([False, *(not point.is_joint for point in points)])
     joints_deg = np.where(posed[:, None], math.nan, targets)
     goals = np.empty((len(targets), 4, 4))
@@ -59,6 +64,12 @@ def stops(points: Sequence[Waypoint], arm: ArmModel, start_deg: Sequence[float])
     low, high = bounds(arm)
     within = np.asarray(((ways >= low) & (ways <= high)).all(axis=2))
     return Stops(joints_deg, goals, ways, within, bends < FREE_DEG)
+
+
+def as_told(values: Array | Sequence[float]) -> Array:
+    """Return a target as the arm is told it: in whole steps of 0.001 mm or degrees."""
+    told: Array = np.round(np.array(values, dtype=float) / ANGLE_STEP_DEG) * ANGLE_STEP_DEG
+    return told
 
 
 def bounds(arm: ArmModel) -> tuple[Array, Array]:
@@ -77,11 +88,14 @@ class Route:
         origins: (n,) the stop each motion begins at; −1 for stops that are left out.
         ends_deg: (n, 6) the joints at each stop; NaN where it is not known.
         unreachable: Poses no way leads to.
+        unsure: Poses of MOVE P that two ways lead to, about equally near: the joint that turns
+            most differently, and how far in either.
     """
 
     origins: Whole
     ends_deg: Array
     unreachable: list[int]
+    unsure: dict[int, tuple[int, float, float]]
 
 
 def choose(
@@ -104,7 +118,7 @@ def choose(
         followed: By stop, the joints a tool move was followed from, and to.
     """
     count = len(points) + 1
-    route = Route(np.full(count, -1), np.full((count, 6), math.nan), [])
+    route = Route(np.full(count, -1), np.full((count, 6), math.nan), [], {})
     joints: Joints = tuple(table.joints_deg[0].tolist())
     route.ends_deg[0] = joints
     here = 0
@@ -113,7 +127,7 @@ def choose(
             continue
         end: Joints | None
         if point.is_joint:
-            end = point.target
+            end = tuple(table.joints_deg[stop].tolist())
         elif point.move in TOOL_MOVES:
             before = followed.get(stop)
             if before is not None and before[0] == joints:
@@ -126,7 +140,10 @@ def choose(
                     table.solutions_deg[stop],
                 )
         else:
-            end = _nearest(table, stop, joints, arm)
+            end, other = _nearest(table, stop, joints, arm)
+            if end is not None and other is not None:
+                joint = int(np.argmax(np.abs(np.array(end) - other)))
+                route.unsure[stop] = (joint + 1, end[joint], other[joint])
         route.origins[stop] = here
         if end is None:
             if np.isnan(table.solutions_deg[stop]).all():
@@ -137,17 +154,30 @@ def choose(
     return route
 
 
-def _nearest(table: Stops, stop: int, joints: Joints, arm: ArmModel) -> Joints | None:
-    """The nearest way to a pose, of those within the limits if there is one."""
+def _nearest(
+    table: Stops, stop: int, joints: Joints, arm: ArmModel
+) -> tuple[Joints | None, Joints | None]:
+    """The nearest way to a pose, of those within the limits if there is one.
+
+    And another one that is about as near: joints that stand a little elsewhere might take it.
+    """
     if table.stretched[stop]:
-        return _nearest_stretched(table.goals[stop], joints, arm)
+        return _nearest_stretched(table.goals[stop], joints, arm), None
     ways = table.solutions_deg[stop]
     off: Array = ways - np.array(joints)
     gaps = np.einsum("ij,ij->i", off, off)
     gaps[np.isnan(gaps)] = math.inf
     inside = np.where(table.within[stop], gaps, math.inf)
-    best = int(np.argmin(inside if np.isfinite(inside).any() else gaps))
-    return tuple(ways[best].tolist()) if math.isfinite(gaps[best]) else None
+    chosen = inside if np.isfinite(inside).any() else gaps
+    best = int(np.argmin(chosen))
+    if not math.isfinite(gaps[best]):
+        return None, None
+    near = np.sqrt(chosen) < math.sqrt(chosen[best]) + _UNSURE_DEG
+    if near.sum() > 1:
+        for other in np.flatnonzero(near).tolist():
+            if np.abs(ways[other] - ways[best]).max() > _OTHER_WAY_DEG:
+                return tuple(ways[best].tolist()), tuple(ways[other].tolist())
+    return tuple(ways[best].tolist()), None
 
 
 def _nearest_stretched(goal: Array, joints: Joints, arm: ArmModel) -> Joints | None:

@@ -7,7 +7,7 @@ joints and tool all along. Each point is begun when the one before is reached an
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Final
 
 import numpy as np
@@ -15,8 +15,9 @@ import numpy.typing as npt
 
 from armui.arm.model import ArmModel
 from armui.trajectory.planning import trapezoids
+from armui.trajectory.planning.findings import Finding, FindingCode
 from armui.trajectory.planning.planned_path import PlannedPath, sampled_path
-from armui.trajectory.planning.planning import Plan, plan_route
+from armui.trajectory.planning.planning import Leg, Plan, plan_run
 from armui.trajectory.points.program import Trajectory
 from armui.trajectory.samples.recording import Recording
 
@@ -28,6 +29,7 @@ APPROACH_PERCENT: Final = 15
 
 _STEP_DEG: Final = 2.5
 _FEWEST_STEPS: Final = 8
+_NO_ROWS: Final = np.empty(0, dtype=np.int64)
 _SLOWEST: Final = 0.05
 """Limits of 0 are taken as so many °/s and °/s²: the time is long, and known."""
 
@@ -38,22 +40,28 @@ def plan_path(
     start_deg: Sequence[float],
     *,
     speed_factor: float = 1.0,
+    first: int = 0,
+    cycles: int = 1,
 ) -> PlannedPath:
-    """Plans a trajectory or the replay of a recording.
+    """Plans a trajectory or the replay of a recording as it is driven.
+
+    Of several cycles it shows each until they repeat, of a recording the way back for the next.
 
     Args:
         content: What is run.
         arm: The arm.
         start_deg: Where its joints are before. A recording is approached from there.
         speed_factor: On the speed of every point, or on the recorded speed; above 0.
+        first: The index of the point to begin with, in the first cycle.
+        cycles: How many; 0 without end.
     """
     if isinstance(content, Recording):
-        return _replay(content, arm, start_deg, speed_factor)
-    plan = plan_route(content.points, arm, start_deg)
+        return _replay(content, arm, start_deg, speed_factor, again=cycles != 1)
+    legs, endless = plan_run(content.points, arm, start_deg, first, cycles)
     percents = np.array([point.speed_percent for point in content.points], dtype=float)
     shares = np.clip(np.round(percents * speed_factor), 1, 100) / 100.0
     dwells_s = np.array([point.dwell_s for point in content.points])
-    return _sampled(plan, arm, shares, dwells_s)
+    return _joined(legs, endless, arm, shares, dwells_s)
 
 
 @dataclass(frozen=True, slots=True)
@@ -74,15 +82,72 @@ class _Motions:
     counts: Whole
 
 
-def _sampled(plan: Plan, arm: ArmModel, shares: Array, dwells_s: Array) -> PlannedPath:
-    """A plan in samples.
+@dataclass(frozen=True, slots=True)
+class _Samples:
+    """A part of the way in samples.
+
+    Attributes:
+        times_s, joints_deg, rows: As in `PlannedPath`, from its own beginning.
+        expected_s: (points,) how long each takes, 0 for those left out.
+    """
+
+    times_s: Array
+    joints_deg: Array
+    rows: Whole
+    expected_s: Array
+
+
+def _joined(
+    legs: Sequence[Leg], endless: Finding | None, arm: ArmModel, shares: Array, dwells_s: Array
+) -> PlannedPath:
+    """All parts of the way, one behind the other.
 
     Args:
-        plan: Where the joints go.
+        legs: The parts.
+        endless: What was found of the cycles as a whole.
         arm: The arm.
         shares: (points,) of the highest speed.
         dwells_s: (points,) how long the arm stays.
     """
+    expected_s = np.zeros(len(shares))
+    times, joints, rows, cycles = [np.empty(0)], [np.empty((0, 6))], [_NO_ROWS], [_NO_ROWS]
+    problems = [] if endless is None else [endless]
+    begun_s = 0.0
+    for leg in legs:
+        here = slice(leg.first, leg.first + leg.plan.known)
+        part = _sampled(leg.plan, arm, shares[here], dwells_s[here])
+        times.append(begun_s + part.times_s)
+        joints.append(part.joints_deg)
+        rows.append(leg.first + part.rows)
+        cycles.append(np.full(len(part.rows), leg.cycle))
+        begun_s = float(times[-1][-1]) if len(part.times_s) else begun_s
+        expected_s[here] = np.maximum(expected_s[here], part.expected_s)
+        problems += (_placed(leg.plan.problems[stop], leg) for stop in sorted(leg.plan.problems))
+        for stop, (joint, one, other) in leg.plan.route.unsure.items():
+            figures = {"joint": joint, "value": round(one, 1), "other": round(other, 1)}
+            problems.append(_placed(Finding(FindingCode.EITHER_WAY, figures, stop - 1), leg))
+    return sampled_path(
+        np.concatenate(times),
+        np.concatenate(joints),
+        np.concatenate(rows),
+        arm,
+        cycles=np.concatenate(cycles),
+        expected_s=tuple(expected_s.tolist()),
+        problems=tuple(problems),
+    )
+
+
+def _placed(found: Finding, leg: Leg) -> Finding:
+    """A finding with its row in the trajectory."""
+    params = dict(found.params)
+    if "before" in params:
+        params["before"] = leg.first + int(params["before"])
+    row = None if found.row is None else leg.first + found.row
+    return replace(found, params=params, row=row, cycle=leg.cycle)
+
+
+def _sampled(plan: Plan, arm: ArmModel, shares: Array, dwells_s: Array) -> _Samples:
+    """A part of the way in samples; for the arguments see `_joined`."""
     motions = _motions(plan, arm, shares)
     _, accelerations = _limits(arm)
     dwells_s = dwells_s[motions.rows]
@@ -121,14 +186,8 @@ def _sampled(plan: Plan, arm: ArmModel, shares: Array, dwells_s: Array) -> Plann
     times_s[stays] += dwells_s[which[stays]]
     expected_s = np.zeros(len(shares))
     expected_s[motions.rows] = motions.lasting_s + dwells_s
-    return sampled_path(
-        np.maximum.accumulate(times_s + begins_s[which]),  # against rounding
-        joints,
-        motions.rows[which],
-        arm,
-        expected_s=tuple(expected_s.tolist()),
-        problems=tuple(plan.problems[stop] for stop in sorted(plan.problems)),
-    )
+    times_s = np.maximum.accumulate(times_s + begins_s[which])  # against rounding
+    return _Samples(times_s, joints, motions.rows[which], expected_s)
 
 
 def _motions(plan: Plan, arm: ArmModel, shares: Array) -> _Motions:
@@ -168,23 +227,42 @@ def _limits(arm: ArmModel) -> tuple[Array, Array]:
 
 
 def _replay(
-    recording: Recording, arm: ArmModel, start_deg: Sequence[float], speed_factor: float
+    recording: Recording,
+    arm: ArmModel,
+    start_deg: Sequence[float],
+    speed_factor: float,
+    *,
+    again: bool,
 ) -> PlannedPath:
-    """The approach to the first sample, which the arm waits for, then the samples in their time."""
+    """The approach to the first sample, which the arm waits for, then the samples in their time.
+
+    And, for another cycle, the way back to the first.
+    """
     samples = recording.joints_deg
     if not len(samples):
         return sampled_path(np.empty(0), np.empty((0, 6)), np.empty(0, dtype=np.int64), arm)
-    share = np.array([APPROACH_PERCENT / 100.0])
-    start, first = np.array([start_deg], dtype=float), samples[:1]
-    lasting_s, counts = _joint_moves(start, first, share, arm)
-    _, accelerations = _limits(arm)
-    even = trapezoids.even_speeds(first - start, lasting_s[:, None], accelerations)
-    times_s = np.linspace(0.0, float(lasting_s[0]), int(counts[0]))
-    approach = start + trapezoids.places(times_s[:, None], lasting_s, even, accelerations)
+    to_first_s, approach = _approach(np.array([start_deg], dtype=float), samples[:1], arm)
     recorded_s = (recording.times_s - recording.times_s[0]) / speed_factor
+    times = [to_first_s[:-1], to_first_s[-1] + recorded_s]
+    joints = [approach[:-1], samples]
+    rows = [np.zeros(len(approach) - 1, dtype=np.int64), np.arange(len(samples))]
+    if again:
+        back_s, back = _approach(samples[-1:], samples[:1], arm)
+        times.append(times[-1][-1] + back_s)
+        joints.append(back)
+        rows.append(np.zeros(len(back), dtype=np.int64))
+    cycles = np.repeat((1, 1, 2)[: len(rows)], [len(each) for each in rows])
     return sampled_path(
-        np.concatenate((times_s[:-1], lasting_s[0] + recorded_s)),
-        np.vstack((approach[:-1], samples)),
-        np.concatenate((np.zeros(len(times_s) - 1, dtype=np.int64), np.arange(len(samples)))),
-        arm,
+        np.concatenate(times), np.vstack(joints), np.concatenate(rows), arm, cycles=cycles
     )
+
+
+def _approach(start_deg: Array, first_deg: Array, arm: ArmModel) -> tuple[Array, Array]:
+    """Times and joints of the slow way to the first sample; (1, 6) each end."""
+    lasting_s, counts = _joint_moves(
+        start_deg, first_deg, np.array([APPROACH_PERCENT / 100.0]), arm
+    )
+    _, accelerations = _limits(arm)
+    even = trapezoids.even_speeds(first_deg - start_deg, lasting_s[:, None], accelerations)
+    times_s = np.linspace(0.0, float(lasting_s[0]), int(counts[0]))
+    return times_s, start_deg + trapezoids.places(times_s[:, None], lasting_s, even, accelerations)

@@ -122,8 +122,17 @@ class Paths:
         return poses
 
 
-def plan_tool_moves(paths: Paths, arm: ArmModel) -> list[PlannedToolMoves]:
-    """Follows lines and arcs as the arm does, and finds their pace."""
+def plan_tool_moves(
+    paths: Paths, arm: ArmModel, *, roughly: bool = False
+) -> list[PlannedToolMoves]:
+    """Follows lines and arcs as the arm does, and finds their pace.
+
+    Args:
+        paths: The ways of the flange.
+        arm: The arm.
+        roughly: Whether no path is looked at more finely: that is quick, and where joints turn fast
+            the pace is found too high rather than too low.
+    """
     if not len(paths.stops):
         return []
     lengths, angles = paths.sizes()
@@ -135,6 +144,7 @@ def plan_tool_moves(paths: Paths, arm: ArmModel) -> list[PlannedToolMoves]:
     for steps, wanted in _groups(coarse):
         moves = _followed(paths.only(wanted), arm, steps, units[wanted])
         fast = (_uneven(moves.joints_deg) | moves.singular) & (fine[wanted] > steps)
+        fast &= not roughly
         again.append(wanted[fast])
         done.append(moves.only(~fast))
     rest = np.concatenate(again)

@@ -36,6 +36,15 @@ _FINDINGS: Final = Texts("Finding") | {
         "This would begin where row {before} ends, and the arm does not come there. Change row "
         "{before} first."
     ),
+    FindingCode.NEVER_REPEATS: (
+        "Each of the first {cycles} cycles takes another way than those before, so that the next "
+        "ones cannot be checked. Give one of the points as joint angles (MOVE J), or run fewer "
+        "cycles."
+    ),
+    FindingCode.ARC_AT_LIMIT: (
+        "The arc begins with joint {joint} at its limit ({value}°): the arm may not find its way "
+        "there again. End the point before a little further in, or use MOVE L."
+    ),
     FindingCode.LINKS_COLLIDE: (
         "The arm would hit itself: {other} against {one}. Put another point between, or change "
         "the point."
@@ -59,6 +68,10 @@ _FINDINGS: Final = Texts("Finding") | {
         "Joint {joint} turns {value}° to hold this pose. If that is not meant, give the point as "
         "joint angles."
     ),
+    FindingCode.EITHER_WAY: (
+        "Two ways to hold this pose are about equally near: joint {joint} at {value}°, which was "
+        "checked, or at {other}°. Give the point as joint angles, so that it is certain which."
+    ),
     FindingCode.SAMPLE_JUMP: (
         "Joint {joint} jumps {value}° from the sample before. Trim the recording there, or record "
         "again."
@@ -80,6 +93,8 @@ _PARTS: Final = Texts("ArmPart") | {
     "hand": "the wrist",
     "gripper": "the gripper",
 }
+
+_CYCLES: Final = Texts("FindingCycle") | {"later": "From cycle {cycle} on: {text}"}
 
 CODES: Final = frozenset(_FINDINGS)
 """The findings there is a sentence for."""
@@ -108,7 +123,9 @@ def finding(found: Finding) -> str:
     text = _FINDINGS.text(found.code, params)
     if found.approach is Approach.WAY:
         return _APPROACH.text(found.approach, {"text": text})
-    return text
+    if found.cycle == 1:
+        return text
+    return _CYCLES.text("later", {"cycle": str(found.cycle), "text": text})
 
 
 def _text(value: float | str) -> str:

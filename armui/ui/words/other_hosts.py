@@ -50,6 +50,14 @@ OTHER_HOST_REFUSALS: Final = Texts("Refusal") | {
         "Joint {joint} moves at {value} °/s, where {maximum} °/s is shown. Set the speed again "
         "before the next motion."
     ),
+    RefusalCode.TOOL_TOO_FAST: (
+        "The tool moves at {value} mm/s, where {maximum} mm/s is shown. Set the speed again before "
+        "the next motion."
+    ),
+    RefusalCode.TOOL_TURNS_TOO_FAST: (
+        "The tool turns at {value} °/s, where {maximum} °/s is shown. Set the speed again before "
+        "the next motion."
+    ),
 }
 
 _MODES: Final = Texts("OtherMode") | {

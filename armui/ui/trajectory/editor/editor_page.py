@@ -262,7 +262,7 @@ class EditorPage(Page):
                 faults[finding.row] = faults.get(finding.row, False) or error
         self.model.show_faults(faults)
         self._say("")
-        if self.document.saved:
+        if self.document.saved and checked.whole:
             self._note_check(checked)
         self.preview_wanted.emit(checked)
 

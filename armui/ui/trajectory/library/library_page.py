@@ -308,13 +308,14 @@ class LibraryPage(Page):
 
     def _show_check(self, checked: Preflight, accept: Callable[[], object] | None) -> None:
         name = checked.content.name
-        length_s = checked.path.duration_s if checked.order.speed_factor == 1.0 else None
-        self._work.do(
-            lambda: self._library.mark(
-                name, check=checked.mark, length_s=length_s, arm=checked.order.arm.fingerprint
-            ),
-            refused=self._on_refused,
-        )
+        length_s = checked.path.first_cycle_s if checked.order.speed_factor == 1.0 else None
+        if checked.whole:
+            self._work.do(
+                lambda: self._library.mark(
+                    name, check=checked.mark, length_s=length_s, arm=checked.order.arm.fingerprint
+                ),
+                refused=self._on_refused,
+            )
         self._found_of = name
         self.refresh()
         self._say("")

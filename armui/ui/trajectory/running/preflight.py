@@ -101,6 +101,11 @@ class Preflight:
         return sum(finding.severity is Severity.ERROR for finding in self.findings)
 
     @property
+    def whole(self) -> bool:
+        """Whether all rows were looked at: a run from a later row, once, leaves some out."""
+        return not self.order.first or self.order.cycles != 1
+
+    @property
     def mark(self) -> Check:
         """The check mark it gives what was checked, wherever the arm is."""
         of_content = [one.severity for one in self.findings if not one.is_of_approach]
@@ -165,7 +170,7 @@ class Checks:
             start_deg(self._controller),
             options.speed_factor,
             options.first,
-            options.cycles != 1,
+            options.cycles,
         )
         clock = QElapsedTimer()
         clock.start()
