@@ -74,6 +74,7 @@ class Authority:
         self._zero_since_s = 0.0
         self._mode_sent: tuple[MoveMode, float] | None = None
         self._limits: tuple[JointLimits | None, ...] = ()
+        self._braking: tuple[float, int] | None = None
         self.other = OtherCommand()
         self.command: MotionCommand | None = None
         self.ended: End | None = None
@@ -101,9 +102,10 @@ class Authority:
         self._follow_hold(seen)
         self._follow_cancel(now_s)
         pace = None if self.command is None else self.command.pace
-        self.overspeed = self._overspeed.observe(
-            state, self._percent_shown, seen.factory_limits, pace
-        )
+        shown, braking = self._percent_shown, self._braking
+        if shown is not None and braking is not None and now_s < braking[0]:
+            shown = max(shown, braking[1])
+        self.overspeed = self._overspeed.observe(state, shown, seen.factory_limits, pace)
 
     @property
     def at_rest(self) -> bool:
@@ -265,6 +267,11 @@ class Authority:
             leads_away: Whether the tool was measured elsewhere.
             pace: Of a line or an arc: how fast the tool goes at 100 %.
         """
+        before = self.command
+        self._braking = None
+        if before is not None and before.pace is not None and self.moves:
+            percent = before.speed_percent
+            self._braking = now_s + before.pace.slowed_within_s(percent), percent
         self._end(End.REPLACED)
         self._number += 1
         target_deg = None if joints_deg is None else tuple(joints_deg)
@@ -295,8 +302,13 @@ class Authority:
         self.arm_percent = percent
         seen = self._seen
         if percent > 0:
-            if self.command is not None:
-                self.command = self.command._replace(speed_percent=percent)
+            command = self.command
+            if command is not None:
+                before = command.speed_percent
+                if command.pace is not None and seen is not None and percent < before:
+                    until_s = seen.now_s + command.pace.slowed_within_s(before - percent)
+                    self._braking = until_s, before
+                self.command = command._replace(speed_percent=percent)
                 self._overspeed.restart()
         elif seen is not None and (self.under_way or self.moves):
             self.holds |= {Hold.SPEED_ZERO}

@@ -56,12 +56,11 @@ from armui.trajectory.samples.recording import Recording
 from armui.ui import words
 from armui.ui.words.findings import finding as finding_text
 
-STEP_S: Final = 0.1
+STEP_S: Final = 0.25
 """Between two looks at an arm that runs points by itself."""
 STREAM_S: Final = 0.02
 """And at one that is told 50 targets a second."""
 MOST_POINTS: Final = 12
-_MOST_CYCLES: Final = 4
 _WITHIN_S: Final = 3600.0
 
 REFUSED_BY_THE_ARM: Final = frozenset(
@@ -196,7 +195,8 @@ class Driver:
         )
 
     def run(self, way: Way, checked: CheckOutcome) -> Progress:
-        """Drive a way to its end, or to the end of the cycles looked at; how it ended."""
+        """Drive a way to its end, or a cycle further than was looked at; how it ended."""
+        most = int(checked.path.cycles.max(initial=1)) + 1
         content, part = way.content, self.player
         if isinstance(content, Recording):
             part = self.replayer
@@ -219,7 +219,7 @@ class Driver:
         while part.progress.phase not in OVER:
             if part.progress.phase is RunPhase.WAITING:
                 part.go_on()
-            if part.progress.cycle > _MOST_CYCLES + way.first and way.cycles == ENDLESS:
+            if part.progress.cycle > most and way.cycles == ENDLESS:
                 return part.progress
             assert self.now_s - begun_s < _WITHIN_S, "the run does not end"
             self.step()
@@ -296,7 +296,12 @@ def judge(way: Way) -> Judged:
     if not faulty:
         return Judged(findings, cycles, progress, f"refused at {first}, but the arm does it")
     told = (first[0], (first[1] or 0) + 1)
-    if at[:2] != told:
+    rounded = {
+        (each.cycle, (each.row or 0) + 1)
+        for each in errors
+        if each.code is FindingCode.ARC_AT_LIMIT
+    }
+    if at[:2] != told and at[:2] not in rounded:
         return Judged(findings, cycles, progress, f"refused at {told}, the arm fails at {at}")
     return Judged(findings, cycles, progress)
 
@@ -356,7 +361,7 @@ class Ways:
             self._generation,
             cycles=draw.choice((1, 2, 2, 3, ENDLESS)),
             first=draw.choice((0, 0, draw.randrange(max(1, len(points))))),
-            speed_factor=draw.choice((0.3, 1.0, 1.0, 2.0)),
+            speed_factor=draw.choice((0.5, 1.0, 1.0, 2.0)),
             step_by_step=draw.random() < 0.2,
         )
 
@@ -415,7 +420,7 @@ class Ways:
                 else GripperOpening(draw.uniform(0.0, 60.0))
             )
         rest = {
-            "speed_percent": draw.choice((100, 100, 50, draw.randint(5, 100))),
+            "speed_percent": draw.choice((100, 100, 50, draw.randint(20, 100))),
             "dwell_s": draw.choice((0.0, 0.0, 0.0, 0.3)),
             "gripper": gripper,
         }
@@ -465,11 +470,15 @@ def main() -> int:
     kinds: Counter[str] = Counter()
     found: Counter[str] = Counter()
     cycles: Counter[int] = Counter()
-    wrong, begun_s = 0, time.monotonic()
+    wrong, later, begun_s = 0, 0, time.monotonic()
     for seed, way, result in judged(range(options.seed, options.seed + options.count)):
         kinds[result.kind] += 1
         found.update({each.code for each in result.findings})
         cycles[result.cycles] += 1
+        later += min((each.cycle for each in result.findings), default=1) > 1
+        if (seed - options.seed) % 100 == 99:
+            sys.stdout.write(f"{dict(kinds)}, wrong {wrong}\n")
+            sys.stdout.flush()
         if result.wrong:
             wrong += 1
             count = len(getattr(way.content, "points", ()))
@@ -479,6 +488,7 @@ def main() -> int:
             )
             sys.stdout.flush()
     sys.stdout.write(f"{dict(kinds)}\ncycles looked at: {dict(sorted(cycles.items()))}\n")
+    sys.stdout.write(f"with findings of a later cycle only: {later}\n")
     sys.stdout.write(f"findings: {dict(found.most_common())}\n")
     sys.stdout.write(f"wrong: {wrong} of {options.count} in {time.monotonic() - begun_s:.0f} s\n")
     del application

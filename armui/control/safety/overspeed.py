@@ -22,6 +22,9 @@ _SLACK_DEG_S: Final = 2.0
 _SLACK_MM_S: Final = 3.0
 _TOOL_SLACK_DEG_S: Final = 2.0
 """The same of the flange, at the end of the arm."""
+_UNKNOWN_RAMP_S: Final = 1.0
+_TAKEN_UP_S: Final = 0.2
+"""By then a percentage that was sent shows in what is measured."""
 _FOR_S: Final = 0.1
 _HALF_S: Final = 0.05
 _BRAKING: Final = 0.95
@@ -35,11 +38,17 @@ class ToolPace(NamedTuple):
         kinematics: Of the arm that is measured.
         linear_mm_s: Of its place.
         angular_deg_s: Of its turning.
+        ramp_s: How long it brakes from there to rest.
     """
 
     kinematics: Kinematics
     linear_mm_s: float
     angular_deg_s: float
+    ramp_s: float
+
+    def slowed_within_s(self, percent: float) -> float:
+        """Return how long it may take until the tool is slower by so many percent."""
+        return self.ramp_s * percent / 100.0 + _TAKEN_UP_S
 
 
 class _Sample(NamedTuple):
@@ -119,7 +128,8 @@ def tool_pace(
     most = None
     if limits is not None:
         angular_deg_s = math.degrees(limits.max_angular_speed_rad_s)
-        most = ToolPace(arm.kinematics, 1e3 * limits.max_linear_speed_m_s, angular_deg_s)
+        linear_mm_s = 1e3 * limits.max_linear_speed_m_s
+        most = ToolPace(arm.kinematics, linear_mm_s, angular_deg_s, _UNKNOWN_RAMP_S)
     if start_deg is None:
         return most
     from armui.trajectory.planning.planning import single_pace  # noqa: PLC0415 - numpy, scipy

@@ -142,7 +142,7 @@ def _limits(path: PlannedPath, led: Flags, arm: ArmModel) -> Iterator[Finding]:
     over = np.maximum(low - path.joints_deg, path.joints_deg - high)
     last = np.append(path.begins[1:], True)
     beyond = (over > 0.0).any(axis=1) & (led | last)
-    for index in _worst(beyond, over.max(axis=1, initial=-np.inf), path.rows):
+    for index in _worst(beyond, over.max(axis=1, initial=-np.inf), path):
         joint = int(np.argmax(over[index]))
         limits = arm.limits[joint]
         figures = {
@@ -179,7 +179,7 @@ def _near_singular(path: PlannedPath, led: Flags, arm: ArmModel) -> Iterator[Fin
     nearness = np.zeros(len(path.rows))
     geometry = arm.kinematics.geometry
     nearness[places] = -margins(geometry, path.joints_deg[places])
-    nearest = np.array(list(_worst(led, nearness, path.rows)), dtype=np.int64)
+    nearest = np.array(list(_worst(led, nearness, path)), dtype=np.int64)
     if not len(nearest):
         return
     smallest = smallest_singular_values(geometry, path.joints_deg[nearest])
@@ -214,7 +214,7 @@ def _below_floor(path: PlannedPath, arm: ArmModel) -> Iterator[Finding]:
     flanges_mm = flange_heights(arm.kinematics.geometry, path.joints_deg)
     heights = np.minimum(path.places_mm[:, 2], flanges_mm)
     below = FLOOR_MM - heights
-    for index in _worst(below > 0.0, below, path.rows, path.expected_s == ()):
+    for index in _worst(below > 0.0, below, path):
         yield _at(path, index, FindingCode.BELOW_FLOOR, {"value": round(float(below[index]), 1)})
 
 
@@ -225,7 +225,7 @@ def _tool_too_fast(path: PlannedPath, free: Flags, arm: ArmModel) -> Iterator[Fi
     most = 1e3 * arm.end_limits.max_linear_speed_m_s
     speeds = path.speeds_mm_s
     fast = free & (speeds > _SPEED_SLACK * most)
-    for index in _worst(fast, speeds, path.rows, path.expected_s == ()):
+    for index in _worst(fast, speeds, path):
         figures = {"value": round(float(speeds[index])), "maximum": round(most)}
         yield _at(path, index, FindingCode.TOOL_TOO_FAST, figures)
 
@@ -261,13 +261,16 @@ def _collisions(path: PlannedPath, arm: ArmModel) -> Iterator[Finding]:
             yield replace(found, approach=approach)
 
 
-def _worst(mask: Flags, badness: Array, rows: Whole, on_end: bool = False) -> Iterable[int]:
-    """The worst sample of each row that is marked; of a recording, of each run of samples."""
+def _worst(mask: Flags, badness: Array, path: PlannedPath) -> Iterable[int]:
+    """The worst sample of each way to a point that is marked; of a recording, of each run of them.
+
+    Those of an earlier cycle come first.
+    """
     marked = np.flatnonzero(mask)
     if not len(marked):
         return []
-    groups = rows[marked]
-    if on_end:
+    groups = np.cumsum(path.begins)[marked]
+    if path.expected_s == ():
         groups = np.cumsum(np.diff(marked, prepend=marked[0]) > 1)
     order = np.lexsort((-badness[marked], groups))
     _, firsts = np.unique(groups[order], return_index=True)

@@ -170,8 +170,10 @@ def plan_route(points: Sequence[Waypoint], arm: ArmModel, start_deg: Sequence[fl
 
 def single_pace(
     way: Sequence[Sequence[float]], start_deg: Sequence[float], arm: ArmModel
-) -> tuple[float, float] | None:
+) -> tuple[float, float, float] | None:
     """Return how fast the flange goes along one line or arc at 100 %: the most, in mm/s and °/s.
+
+    And how many seconds it takes to brake from there.
 
     Args:
         way: Poses: the end of a line, or start, middle and end of an arc.
@@ -203,7 +205,8 @@ def single_pace(
         between = np.einsum("nji,njk->nik", turns[:-1], turns[1:])
         cosines = (np.trace(between, axis1=1, axis2=2) - 1.0) / 2.0
         turn_deg = _ARC_STEPS * float(np.degrees(np.arccos(np.clip(cosines, -1.0, 1.0))).max())
-    return speed * float(move.lengths_mm[0]), speed * turn_deg
+    ramp_s = speed / float(move.accelerations[0])
+    return speed * float(move.lengths_mm[0]), speed * turn_deg, ramp_s
 
 
 def _paths(
