@@ -1,9 +1,25 @@
 """S12: the arm is never faster than the window shows because of order or loss."""
 
+import math
+from dataclasses import replace
+
 import pytest
 
 from armui.control.motion.jog_path import JointJog
+from armui.control.run.progress import Run
+from armui.control.safety.overspeed import tool_pace
+from armui.protocol import commands
+from armui.protocol.codes import ControlMode, MoveMode
 from armui.protocol.frame import Frame
+from armui.protocol.generation import Generation
+from armui.protocol.piper_model import PiperModel
+from armui.trajectory.planning.findings import Severity
+from armui.trajectory.planning.preflight import CheckRequest, preflight
+from armui.trajectory.points.program import Waypoint
+from tests.family import MODELS
+from tests.safety.ways import STREAM_S, Driver, Ways
+from tests.trajectory.arms import ARM, pose_near
+from tests.trajectory.arms import HERE as TOOL_HERE
 
 HERE = (0.0, 30.0, -30.0, 0.0, 0.0, 0.0)
 FAR = (140.0, 30.0, -30.0, 0.0, 0.0, 0.0)
@@ -111,3 +127,94 @@ def test_the_percentage_told_is_the_one_shown(ready):
     rig.step()
 
     assert rig.heard() == [Frame(0x151, bytes.fromhex("01 01 2A 00 00 00 00 00"))]
+
+
+LINE_START = (0.0, 70.0, -60.0, 0.0, 30.0, 0.0)
+DIRECTIONS = {"X": (120, 0, 0), "-X": (-120, 0, 0), "Y": (0, 150, 0), "Z": (0, 0, 120)}
+
+
+def lost_mode_word(percent, by_mm, arc=False, generation=Generation.TWO, model=PiperModel.PIPER):
+    """A line or an arc sent at this percentage to an arm that last heard of 100 %.
+
+    Returns:
+        The driver, how far the tool came, what its percentage means for its speed, and how fast
+        it was in any tenth of a second.
+    """
+    driver = Driver(LINE_START, model, generation, STREAM_S)
+    kinematics = driver.arm_model().kinematics
+    start = kinematics.forward(LINE_START)
+    end = tuple(round(a + b, 3) for a, b in zip(start, (*by_mm, 0, 0, 0), strict=True))
+    aside = (by_mm[0] / 2 + 15, by_mm[1] / 2 + 15, by_mm[2] / 2 - 15)
+    middle = tuple(round(a + b, 3) for a, b in zip(start, (*aside, 0, 0, 0), strict=True))
+    move = MoveMode.MOVE_C if arc else MoveMode.MOVE_L
+    point = Waypoint(move, end, middle=middle if arc else None, speed_percent=percent)
+    driver.bus.send(
+        commands.set_mode(
+            driver.bus.codec,
+            control_mode=ControlMode.CAN_CONTROL,
+            move_mode=move,
+            speed_percent=100,
+        )
+    )
+    driver.step()
+    driver.bus.lost = frozenset({0x151})
+    assert driver.player.start(Run("line", (point,), (10.0,))) is None
+    shown_mm_s = driver.authority.command.pace.linear_mm_s * percent / 100.0
+    places = [start[:3]]
+    while driver.player.running or len(places) < 100:
+        driver.step()
+        places.append(kinematics.forward(driver.state().angles_deg())[:3])
+    fastest_mm_s = max(math.dist(a, b) / 0.1 for a, b in zip(places, places[5:], strict=False))
+    return driver, math.dist(places[-1], places[0]), shown_mm_s, fastest_mm_s
+
+
+@pytest.mark.usefixtures("qapp")
+@pytest.mark.parametrize("arc", [False, True], ids=["line", "arc"])
+@pytest.mark.parametrize("direction", DIRECTIONS)
+@pytest.mark.parametrize("percent", [5, 20, 50])
+def test_a_line_or_an_arc_whose_mode_words_are_lost_is_ended(percent, direction, arc):
+    """A line never comes near the joints' highest speeds: the tool's own tells."""
+    driver, gone_mm, shown_mm_s, fastest_mm_s = lost_mode_word(percent, DIRECTIONS[direction], arc)
+    reason = driver.player.progress.reason
+    if percent == 50 and reason is None:  # too short a way to come to be too fast
+        assert fastest_mm_s <= 1.5 * shown_mm_s + 3.0
+        return
+    assert reason.code in {"tool_too_fast", "too_fast"}
+    if reason.code == "tool_too_fast":
+        assert reason.params["maximum"] == pytest.approx(shown_mm_s, abs=0.1)
+        assert reason.params["value"] > 1.5 * shown_mm_s
+    assert gone_mm < 0.9 * math.dist(DIRECTIONS[direction], (0, 0, 0))
+
+
+@pytest.mark.usefixtures("qapp")
+@pytest.mark.parametrize("model", MODELS)
+@pytest.mark.parametrize("generation", Generation)
+def test_so_it_is_with_each_arm(model, generation):
+    driver, gone_mm, *_ = lost_mode_word(20, (0, 150, 0), generation=generation, model=model)
+    assert driver.player.progress.reason.code in {"tool_too_fast", "too_fast"}
+    assert gone_mm < 135.0
+
+
+@pytest.mark.usefixtures("qapp")
+@pytest.mark.parametrize("seed", [5000, 5009])
+def test_a_way_at_its_own_speed_is_left_alone(seed):
+    """Runs and replays at every percentage, looked at as often as the program does."""
+    way = Ways(seed).way()
+    driver = Driver(way.start_deg, way.model, way.generation, STREAM_S)
+    request = CheckRequest(
+        way.content, driver.arm_model(), way.start_deg, way.speed_factor, way.first, 1
+    )
+    checked = preflight(request)
+    assert not [each for each in checked.findings if each.severity is Severity.ERROR]
+    assert driver.run(replace(way, cycles=1), checked).reason is None
+
+
+def test_what_a_line_is_compared_with_is_how_the_arm_goes_there():
+    """1 m/s at 100 % is the tool's limit; so short a line never reaches it."""
+    way = pose_near(TOOL_HERE, (0, 150, 0))
+    pace = tool_pace((way,), TOOL_HERE, ARM)
+    assert 100.0 < pace.linear_mm_s < 1000.0
+    assert pace.angular_deg_s < 0.1
+    unknown = tool_pace((way,), None, ARM)
+    assert (unknown.linear_mm_s, round(unknown.angular_deg_s, 1)) == (1000.0, 57.3)
+    assert tool_pace((way,), None, replace(ARM, end_limits=None)) is None
