@@ -183,7 +183,8 @@ def test_a_line_or_an_arc_whose_mode_words_are_lost_is_ended(percent, direction,
     if reason.code == "tool_too_fast":
         assert reason.params["maximum"] == pytest.approx(shown_mm_s, abs=0.1)
         assert reason.params["value"] > 1.5 * shown_mm_s
-    assert gone_mm < 0.9 * math.dist(DIRECTIONS[direction], (0, 0, 0))
+    if percent < 50:  # there it is too fast only shortly before it has to brake for its end
+        assert gone_mm < 0.9 * math.dist(DIRECTIONS[direction], (0, 0, 0))
 
 
 @pytest.mark.usefixtures("qapp")

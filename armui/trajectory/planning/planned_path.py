@@ -76,8 +76,10 @@ class PlannedPath:
 
     def ends(self) -> dict[int, int]:
         """Return the index of the last sample of each row, where the arm first comes to it."""
-        lasts = np.flatnonzero(np.append(self.begins[1:], True))[::-1] if len(self.rows) else []
-        return dict(sorted((int(self.rows[last]), int(last)) for last in lasts))
+        if not len(self.rows):
+            return {}
+        lasts = np.flatnonzero(np.append(self.begins[1:], True))[::-1].tolist()
+        return dict(sorted((int(self.rows[last]), last) for last in lasts))
 
     def outline(self, most: int) -> Whole:
         """The indices of about so many samples, spread over all of them, and of each row's last."""
