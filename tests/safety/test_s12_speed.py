@@ -163,7 +163,9 @@ def lost_mode_word(percent, by_mm, arc=False, generation=Generation.TWO, model=P
     places = [start[:3]]
     while driver.player.running or len(places) < 100:
         driver.step()
-        places.append(kinematics.forward(driver.state().angles_deg())[:3])
+        angles_deg = driver.state().angles_deg()
+        assert angles_deg is not None
+        places.append(kinematics.forward(angles_deg)[:3])
     fastest_mm_s = max(math.dist(a, b) / 0.1 for a, b in zip(places, places[5:], strict=False))
     return driver, math.dist(places[-1], places[0]), shown_mm_s, fastest_mm_s
 

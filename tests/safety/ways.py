@@ -13,7 +13,7 @@ import sys
 import time
 from collections import Counter
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Final
 from unittest.mock import Mock
 
@@ -197,7 +197,8 @@ class Driver:
     def run(self, way: Way, checked: CheckOutcome) -> Progress:
         """Drive a way to its end, or a cycle further than was looked at; how it ended."""
         most = int(checked.path.cycles.max(initial=1)) + 1
-        content, part = way.content, self.player
+        content = way.content
+        part: Player | Replayer = self.player
         if isinstance(content, Recording):
             part = self.replayer
             replay = Replay(content, way.speed_factor, way.cycles, checked.profile)
@@ -394,7 +395,9 @@ class Ways:
             for angle, each, low, high in zip(self._middle, off, self._low, self._high, strict=True)
         )
 
-    def _pose(self, joints_deg: Sequence[float], mm: float = 0.0, deg: float = 0.0) -> tuple:
+    def _pose(
+        self, joints_deg: Sequence[float], mm: float = 0.0, deg: float = 0.0
+    ) -> tuple[float, ...]:
         pose = list(self._kinematics.forward(joints_deg))
         for axis in range(3):
             pose[axis] += self._random.uniform(-mm, mm)
@@ -412,21 +415,23 @@ class Ways:
                 *(MoveMode.MOVE_C,) * 2,
             )
         )
-        gripper = None
+        gripper: GripperAngle | GripperOpening | None = None
         if draw.random() < 0.1:
             gripper = (
                 GripperAngle(draw.uniform(0.0, 60.0))
                 if self._generation is Generation.ONE
                 else GripperOpening(draw.uniform(0.0, 60.0))
             )
-        rest = {
-            "speed_percent": draw.choice((100, 100, 50, draw.randint(20, 100))),
-            "dwell_s": draw.choice((0.0, 0.0, 0.0, 0.3)),
-            "gripper": gripper,
-        }
+        told = Waypoint(
+            move,
+            here,
+            speed_percent=draw.choice((100, 100, 50, draw.randint(20, 100))),
+            dwell_s=draw.choice((0.0, 0.0, 0.0, 0.3)),
+            gripper=gripper,
+        )
         there = self._near()
         if move is MoveMode.MOVE_J:
-            return Waypoint(move, there, **rest), there
+            return replace(told, target=there), there
         if move is MoveMode.MOVE_P or draw.random() < 0.3:
             target = self._pose(there)
         else:
@@ -434,7 +439,7 @@ class Ways:
             mm, deg = draw.choice(((40.0, 10.0), (120.0, 0.0), (150.0, 40.0), (0.0, 60.0)))
             target = self._pose(here, mm, deg)
         middle = self._pose(here, 60.0, 10.0) if move is MoveMode.MOVE_C else None
-        return Waypoint(move, target, middle=middle, **rest), there
+        return replace(told, target=target, middle=middle), there
 
     def _recording(self, first_deg: tuple[float, ...]) -> Recording:
         """Some seconds of smooth motion."""
@@ -453,7 +458,9 @@ class Ways:
         return Recording("way", samples=samples)
 
 
-def judged(seeds: Iterator[int] | range, model: PiperModel | None = None) -> Iterator[tuple]:
+def judged(
+    seeds: Iterator[int] | range, model: PiperModel | None = None
+) -> Iterator[tuple[int, Way, Judged]]:
     """Each seed, its way and what became of it."""
     for seed in seeds:
         way = Ways(seed, model).way()
