@@ -130,6 +130,17 @@ def test_an_arm_that_does_not_follow_is_noticed(ready):
     assert replayer.progress.reason.code == RefusalCode.REPLAY_LAGGING
 
 
+def test_a_joint_may_be_as_late_as_the_one_that_brakes_longest(ready):
+    """The joints arrive together: joint 6, at 164 °/s, takes more than half a second to brake."""
+    fast = wave(seconds=2.2)
+    swing = -np.cos(np.pi * fast.times_s / 2.2)
+    fast.samples[:, 1], fast.samples[:, 6] = 30.0 * swing, 115.0 * swing
+    replayer = ready.controller.replayer
+    assert replayer.start(Replay(fast)) is None
+    ready.run_until(over(ready))
+    assert (phase(ready), replayer.progress.reason) == (RunPhase.DONE, None)
+
+
 @pytest.mark.parametrize(
     ("replay", "code"),
     [

@@ -79,18 +79,18 @@ class Replay:
         """How far an arm that follows may be behind: what its own braking explains, and a bit.
 
         An arm that brakes late for a target that has turned round already is no obstacle's work:
-        the fastest of the last second counts.
+        the fastest of the last second counts. Joints arrive together: all take as long to brake as
+        the one that takes longest.
         """
         last = self._cursor.index_at(at_s * self.factor)
         first = self._cursor_behind.index_at((at_s - _LAG_MEMORY_S) * self.factor)
         highest = self.known.speeds_deg_s[first : last + 1].max(axis=0)
         speeds = (self.factor * highest).tolist()
-        return tuple(
-            _LAG_SLACK_DEG
-            + _LAG_S * speed
-            + speed**2 / (2.0 * (heard.value if heard is not None else _ACCELERATION_DEG_S2))
+        braking_s = max(
+            speed / (heard.value if heard is not None else _ACCELERATION_DEG_S2)
             for speed, heard in zip(speeds, state.accelerations_deg_s2, strict=True)
         )
+        return tuple(_LAG_SLACK_DEG + (_LAG_S + braking_s / 2.0) * speed for speed in speeds)
 
 
 def why_not(replay: Replay, operating_state: OperatingState) -> Refusal | None:
