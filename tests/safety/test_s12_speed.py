@@ -132,13 +132,17 @@ def test_the_percentage_told_is_the_one_shown(ready):
 LINE_START = (0.0, 70.0, -60.0, 0.0, 30.0, 0.0)
 DIRECTIONS = {"X": (120, 0, 0), "-X": (-120, 0, 0), "Y": (0, 150, 0), "Z": (0, 0, 120)}
 
+MOST_FAST = 3
+"""Looks at a motion that is too fast before it is ended, 20 ms apart: behind its start a tenth of a
+second of readings must be there first, and they come a little off their time."""
+
 
 def lost_mode_word(percent, by_mm, arc=False, generation=Generation.TWO, model=PiperModel.PIPER):
     """A line or an arc sent at this percentage to an arm that last heard of 100 %.
 
     Returns:
-        The driver, how far the tool came, what its percentage means for its speed, and how fast
-        it was in any tenth of a second.
+        The driver, what the percentage means for the tool in mm/s, and how fast it was in each
+        tenth of a second until it came to its end or was ended.
     """
     driver = Driver(LINE_START, model, generation, STREAM_S)
     kinematics = driver.arm_model().kinematics
@@ -160,14 +164,19 @@ def lost_mode_word(percent, by_mm, arc=False, generation=Generation.TWO, model=P
     driver.bus.lost = frozenset({0x151})
     assert driver.player.start(Run("line", (point,), (10.0,))) is None
     shown_mm_s = driver.authority.command.pace.linear_mm_s * percent / 100.0
-    places = [start[:3]]
-    while driver.player.running or len(places) < 100:
+    places = [start[:3]] * 5
+    while driver.player.running:
         driver.step()
         angles_deg = driver.state().angles_deg()
         assert angles_deg is not None
         places.append(kinematics.forward(angles_deg)[:3])
-    fastest_mm_s = max(math.dist(a, b) / 0.1 for a, b in zip(places, places[5:], strict=False))
-    return driver, math.dist(places[-1], places[0]), shown_mm_s, fastest_mm_s
+    speeds = [math.dist(a, b) / 0.1 for a, b in zip(places, places[5:], strict=False)]
+    return driver, shown_mm_s, speeds
+
+
+def too_fast(speeds, shown_mm_s):
+    """Those at which a motion is ended; 3 mm/s is what the last digit of six joints can tremble."""
+    return [speed for speed in speeds if speed > 1.5 * shown_mm_s + 3.0]
 
 
 @pytest.mark.usefixtures("qapp")
@@ -175,27 +184,42 @@ def lost_mode_word(percent, by_mm, arc=False, generation=Generation.TWO, model=P
 @pytest.mark.parametrize("direction", DIRECTIONS)
 @pytest.mark.parametrize("percent", [5, 20, 50])
 def test_a_line_or_an_arc_whose_mode_words_are_lost_is_ended(percent, direction, arc):
-    """A line never comes near the joints' highest speeds: the tool's own tells."""
-    driver, gone_mm, shown_mm_s, fastest_mm_s = lost_mode_word(percent, DIRECTIONS[direction], arc)
+    """A line never comes near the joints' highest speeds: the tool's own tells.
+
+    At 50 % it is ended only where the way is long enough to be too fast on it.
+    """
+    driver, shown_mm_s, speeds = lost_mode_word(percent, DIRECTIONS[direction], arc)
     reason = driver.player.progress.reason
-    if percent == 50 and reason is None:  # too short a way to come to be too fast
-        assert fastest_mm_s <= 1.5 * shown_mm_s + 3.0
-        return
-    assert reason.code in {"tool_too_fast", "too_fast"}
-    if reason.code == "tool_too_fast":
+    fast = too_fast(speeds, shown_mm_s)
+    assert len(fast) <= MOST_FAST
+    if percent < 50 or fast:
+        assert reason.code in {"tool_too_fast", "too_fast"}
+    else:
+        assert reason is None
+    if fast and reason.code == "tool_too_fast":
         assert reason.params["maximum"] == pytest.approx(shown_mm_s, abs=0.1)
-        assert reason.params["value"] > 1.5 * shown_mm_s
-    if percent < 50:  # there it is too fast only shortly before it has to brake for its end
-        assert gone_mm < 0.9 * math.dist(DIRECTIONS[direction], (0, 0, 0))
+        assert 1.5 * shown_mm_s < reason.params["value"] <= fast[-1] + 0.1
+
+
+@pytest.mark.usefixtures("qapp")
+@pytest.mark.parametrize("arc", [False, True], ids=["line", "arc"])
+@pytest.mark.parametrize("direction", DIRECTIONS)
+def test_what_a_percentage_means_for_the_tool_is_what_the_arm_does(direction, arc):
+    """A line of 120 mm may be too short to come to its speed; an arc is slower, and comes to it."""
+    driver, shown_mm_s, speeds = lost_mode_word(100, DIRECTIONS[direction], arc)
+    assert driver.player.progress.reason is None
+    assert max(speeds) <= 1.01 * shown_mm_s
+    if arc or direction == "Y":
+        assert max(speeds) >= 0.99 * shown_mm_s
 
 
 @pytest.mark.usefixtures("qapp")
 @pytest.mark.parametrize("model", MODELS)
 @pytest.mark.parametrize("generation", Generation)
 def test_so_it_is_with_each_arm(model, generation):
-    driver, gone_mm, *_ = lost_mode_word(20, (0, 150, 0), generation=generation, model=model)
+    driver, shown_mm_s, speeds = lost_mode_word(20, (0, 150, 0), False, generation, model)
     assert driver.player.progress.reason.code in {"tool_too_fast", "too_fast"}
-    assert gone_mm < 135.0
+    assert 1 <= len(too_fast(speeds, shown_mm_s)) <= MOST_FAST
 
 
 @pytest.mark.usefixtures("qapp")
