@@ -1,6 +1,8 @@
 """S12: the arm is never faster than the window shows because of order or loss."""
 
 import math
+import subprocess
+import sys
 from dataclasses import replace
 
 import pytest
@@ -245,3 +247,26 @@ def test_what_a_line_is_compared_with_is_how_the_arm_goes_there():
     unknown = tool_pace((way,), None, ARM)
     assert (unknown.linear_mm_s, round(unknown.angular_deg_s, 1)) == (1000.0, 57.3)
     assert tool_pace((way,), None, replace(ARM, end_limits=None)) is None
+
+
+LOADED_BY_A_LINE = """
+import sys
+from unittest.mock import Mock
+from armui.control.motion.cartesian import Cartesian
+from armui.control.safety.overspeed import tool_pace
+from tests.trajectory.arms import ARM, HERE, pose_near
+
+Cartesian.prepare(Mock())
+before = set(sys.modules)
+assert tool_pace((pose_near(HERE, (0, 150, 0)),), HERE, ARM) is not None
+assert tool_pace((HERE, pose_near(HERE, (0, 50, 20)), pose_near(HERE, (0, 99, 0))), HERE, ARM)
+print(*sorted(set(sys.modules) - before))
+"""
+
+
+def test_the_first_line_finds_loaded_what_its_pace_is_found_with():
+    """It is loaded before the device is opened: a quarter of a second, in the GUI thread."""
+    told = subprocess.run(
+        [sys.executable, "-c", LOADED_BY_A_LINE], capture_output=True, text=True, check=True
+    )
+    assert told.stdout.split() == []

@@ -64,6 +64,7 @@ class Cartesian(ControllerPart):
     def prepare(self) -> None:
         """Load what computes with poses, before there is an arm that must not wait for it."""
         from armui.arm.models import all_models  # noqa: PLC0415 - see above
+        from armui.trajectory.planning import planning  # noqa: F401, PLC0415 - the pace of a line
 
         all_models()  # an arm is compared with each of them: files, which are read now
         self.kinematics()
