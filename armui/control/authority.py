@@ -267,11 +267,10 @@ class Authority:
             leads_away: Whether the tool was measured elsewhere.
             pace: Of a line or an arc: how fast the tool goes at 100 %.
         """
-        before = self.command
-        self._braking = None
-        if before is not None and before.pace is not None and self.moves:
-            percent = before.speed_percent
-            self._braking = now_s + before.pace.slowed_within_s(percent), percent
+        if self.moves:
+            self._slow_down(0, now_s)
+        else:
+            self._braking = None
         self._end(End.REPLACED)
         self._number += 1
         target_deg = None if joints_deg is None else tuple(joints_deg)
@@ -304,10 +303,8 @@ class Authority:
         if percent > 0:
             command = self.command
             if command is not None:
-                before = command.speed_percent
-                if command.pace is not None and seen is not None and percent < before:
-                    until_s = seen.now_s + command.pace.slowed_within_s(before - percent)
-                    self._braking = until_s, before
+                if seen is not None:
+                    self._slow_down(percent, seen.now_s)
                 self.command = command._replace(speed_percent=percent)
                 self._overspeed.restart()
         elif seen is not None and (self.under_way or self.moves):
@@ -352,6 +349,17 @@ class Authority:
         self.command = None
         self.ended = reason
         self._number += 1
+
+    def _slow_down(self, percent: int, now_s: float) -> None:
+        """Give a line or an arc the time to brake: until then it may be as fast as it was."""
+        command = self.command
+        if command is None or command.pace is None:
+            return
+        before = command.speed_percent
+        if self._braking is not None and now_s < self._braking[0]:
+            before = max(before, self._braking[1])
+        if percent < before:
+            self._braking = now_s + command.pace.slowed_within_s(before - percent), before
 
     def _forget(self) -> None:
         self.other.reconnected()

@@ -123,7 +123,7 @@ class Context:
             return Refusal(RefusalCode.LINK_LOST)
         return command
 
-    def _pace(self, way: Sequence[Sequence[float]]) -> ToolPace | None:
+    def _pace(self, way: Sequence[Sequence[float]]) -> ToolPace:
         """How fast a line or an arc is at 100 %, from where the joints are measured to stand."""
         state = self.state()
         start_deg = None if self.authority.moves else state.angles_deg()

@@ -246,7 +246,40 @@ def test_what_a_line_is_compared_with_is_how_the_arm_goes_there():
     assert pace.angular_deg_s < 0.1
     unknown = tool_pace((way,), None, ARM)
     assert (unknown.linear_mm_s, round(unknown.angular_deg_s, 1)) == (1000.0, 57.3)
-    assert tool_pace((way,), None, replace(ARM, end_limits=None)) is None
+    unheard = tool_pace((way,), None, replace(ARM, end_limits=None))
+    assert (unheard.linear_mm_s, unheard.angular_deg_s) == (math.inf, math.inf)
+
+
+@pytest.mark.usefixtures("qapp")
+@pytest.mark.parametrize("slower", [(5,), (20,), (60, 5), (60, 50, 5)])
+@pytest.mark.parametrize("known", [True, False], ids=["its pace known", "nothing known"])
+def test_a_line_slowed_on_its_way_is_given_the_time_to_brake(known, slower, monkeypatch):
+    """It brakes along its way, more gently than its joints can."""
+    if not known:
+        unknown = tool_pace((), None, replace(ARM, end_limits=None))
+        monkeypatch.setattr("armui.control.context.tool_pace", lambda *_: unknown)
+    driver = Driver(LINE_START, step_s=STREAM_S)
+    end = driver.arm_model().kinematics.forward(LINE_START)
+    point = Waypoint(MoveMode.MOVE_L, (end[0], end[1] + 250.0, *end[2:]), speed_percent=100)
+    assert driver.player.start(Run("line", (point,), (10.0,))) is None
+    for _ in range(40):
+        driver.step()
+    for percent in slower:
+        driver.bus.send(
+            commands.set_mode(
+                driver.bus.codec,
+                control_mode=ControlMode.CAN_CONTROL,
+                move_mode=MoveMode.MOVE_L,
+                speed_percent=percent,
+            )
+        )
+        driver.authority.told_percent(percent)
+        for _ in range(4):
+            driver.step()
+    for _ in range(100):
+        driver.step()
+    assert driver.player.progress.reason is None
+    assert driver.player.running
 
 
 LOADED_BY_A_LINE = """

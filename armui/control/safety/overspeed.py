@@ -115,21 +115,22 @@ class _Window(NamedTuple):
 
 def tool_pace(
     way: Sequence[Sequence[float]], start_deg: Sequence[float] | None, arm: ArmModel
-) -> ToolPace | None:
+) -> ToolPace:
     """Return how fast the arm leads its flange along a line or an arc at 100 %.
 
     Args:
         way: Poses of the flange: the end of a line, or start, middle and end of an arc.
         start_deg: Where the joints stand; ``None``: they move, and where the way begins is not
-            known yet. Then the limits of the tool are all that is known of its pace.
+            known yet. Then the limits of the tool are all that is known of its pace; before they
+            are heard there is nothing to compare it with but the joints.
         arm: The arm.
     """
     limits = arm.end_limits
-    most = None
+    most = ToolPace(arm.kinematics, math.inf, math.inf, _UNKNOWN_RAMP_S)
     if limits is not None:
         angular_deg_s = math.degrees(limits.max_angular_speed_rad_s)
         linear_mm_s = 1e3 * limits.max_linear_speed_m_s
-        most = ToolPace(arm.kinematics, linear_mm_s, angular_deg_s, _UNKNOWN_RAMP_S)
+        most = most._replace(linear_mm_s=linear_mm_s, angular_deg_s=angular_deg_s)
     if start_deg is None:
         return most
     from armui.trajectory.planning.planning import single_pace  # noqa: PLC0415 - numpy, scipy
