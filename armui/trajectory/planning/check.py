@@ -103,6 +103,9 @@ def check(
         findings += _tool_too_fast(path, ~slow, arm)
         findings += _collisions(path, arm)
         findings = _tell_approach(findings, path)
+    if any(each.cycle > 1 and each.severity is Severity.ERROR for each in findings):
+        # what ends a later cycle says why they do not repeat
+        findings = [each for each in findings if each.code is not FindingCode.NEVER_REPEATS]
     findings.sort(key=lambda each: (-1 if each.row is None else each.row, each.severity.value))
     return Report(tuple(findings), path)
 
