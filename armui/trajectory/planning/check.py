@@ -294,5 +294,5 @@ def _at(
         int(path.rows[index]),
         tuple(path.joints_deg[index].tolist()),
         tuple(path.places_mm[index].tolist()),
-        int(path.cycles[index]),
+        cycle=int(path.cycles[index]),
     )
