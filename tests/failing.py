@@ -2,47 +2,57 @@
 
 from __future__ import annotations
 
-import dis
 import inspect
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from functools import cached_property
-from types import FunctionType
-from typing import NoReturn
+from types import CodeType, FunctionType
+from typing import Any
 
 ERROR = "made to fail"
 
 
-def _fails() -> NoReturn:
-    raise ArithmeticError("made to fail")
+def _code_that_fails(enclosed: int) -> CodeType:
+    """Return code that raises at once, for a function that uses so many variables around it."""
+    names = ", ".join(f"v{number}" for number in range(enclosed))
+    source = (
+        f"def outer({names}):\n def fails(*_arguments, **_more):\n"
+        f"  ({names}{',' if enclosed else ''})\n  raise ArithmeticError({ERROR!r})\n return fails"
+    )
+    namespace: dict[str, Any] = {}
+    exec(source, namespace)
+    code: CodeType = namespace["outer"](*range(enclosed)).__code__
+    return code
 
 
 @contextmanager
-def failing(*functions: FunctionType) -> Iterator[None]:
+def failing(*functions: Callable[..., Any]) -> Iterator[None]:
     """Have functions raise `ArithmeticError` whenever they are called, as their first act.
 
     What they are made of is exchanged: the traceback names their own module.
     """
-    codes = [function.__code__ for function in functions]
-    with_error = _fails.__code__
-    for function, code in zip(functions, codes, strict=True):
-        enclosed = len(code.co_freevars)
-        prologue = bytes([dis.opmap["COPY_FREE_VARS"], enclosed]) if enclosed else b""
-        function.__code__ = code.replace(
-            co_code=prologue + with_error.co_code,
-            co_cellvars=(),
-            co_consts=with_error.co_consts,
-            co_names=with_error.co_names,
-            co_stacksize=with_error.co_stacksize,
-            co_exceptiontable=with_error.co_exceptiontable,
-            # its one instruction more has no place in a line
-            co_linetable=(b"\xf8" if enclosed else b"") + with_error.co_linetable,
+    own = [each for each in functions if isinstance(each, FunctionType)]
+    assert len(own) == len(functions)
+    codes = [function.__code__ for function in own]
+    for function, code in zip(own, codes, strict=True):
+        function.__code__ = _code_that_fails(len(code.co_freevars)).replace(
+            co_filename=code.co_filename,
+            co_firstlineno=code.co_firstlineno,
+            co_name=code.co_name,
+            co_qualname=code.co_qualname,
         )
     try:
         yield
     finally:
-        for function, code in zip(functions, codes, strict=True):
+        for function, code in zip(own, codes, strict=True):
             function.__code__ = code
+
+
+def getter(kind: type, name: str) -> FunctionType:
+    """Return the function behind a property of a class."""
+    found = vars(kind)[name].fget
+    assert isinstance(found, FunctionType)
+    return found
 
 
 def functions_of(kind: type) -> list[FunctionType]:

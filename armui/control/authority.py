@@ -138,7 +138,7 @@ class Authority:
         if self.under_way or self.holds:
             return True
         nobody_else = self.mover in {Mover.OURS, Mover.UNKNOWN}
-        return self._moves and nobody_else and not self.is_ending
+        return self.moves and nobody_else and not self.is_ending
 
     @property
     def is_ending(self) -> bool:

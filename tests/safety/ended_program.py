@@ -8,6 +8,7 @@ Called with a port, a group and a state; see `begin`.
 import json
 import sys
 import time
+from typing import Any
 
 
 def main() -> None:
@@ -48,7 +49,7 @@ def main() -> None:
             bus.send, bus.recv = send_noted, receive_others
             yield bus
 
-    app.open_device = without_echo
+    setattr(app, "open_device", without_echo)  # noqa: B010 - a stand-in
 
     class Driven(app.Program):
         def __init__(self, *arguments, **more):
@@ -92,22 +93,22 @@ def main() -> None:
             tell()
             time.sleep(20.0)
 
-    told = []
+    told: list[bool] = []
 
     def tell():
         if not told:
             told.append(True)
             print(json.dumps({"picture": programs[0].view._client.pid}), flush=True)
 
-    programs = []
+    programs: list[Any] = []
     make = Driven.__init__
 
     def remember(self, *arguments, **more):
         programs.append(self)
         make(self, *arguments, **more)
 
-    Driven.__init__ = remember
-    app.Program = Driven
+    setattr(Driven, "__init__", remember)  # noqa: B010 - as above
+    setattr(app, "Program", Driven)  # noqa: B010 - as above
     sys.exit(app.run(StartOptions()))
 
 

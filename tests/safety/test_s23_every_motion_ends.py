@@ -7,7 +7,9 @@ every kind of motion, for half an hour.
 import contextlib
 import logging
 import tomllib
+from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 import pytest
 from PySide6.QtCore import QObject, Qt, Signal
@@ -51,7 +53,7 @@ from tests.arm_rig import ArmRig
 from tests.control.jogger import BENT_DEG, TICK_S, bend, hold
 from tests.control.under_way import BACK, OUT, replay_moving, run_moving, to
 from tests.examples import sample
-from tests.failing import ERROR, failing, functions_of
+from tests.failing import ERROR, failing, functions_of, getter
 from tests.gamepad.pads import PAD, Pads, switch_on
 from tests.gamepad.piloting import pick_up
 from tests.operator_editor.actions import Editor
@@ -129,7 +131,7 @@ def rests_for_good(rig, seconds=0.7):
 
 # What is called at each tick ----------------------------------------------------------------------
 
-EACH_TICK = {
+EACH_TICK: dict[str, Callable[..., Any]] = {
     "Connection.advance": Connection.advance,
     "Connection.offsets": Connection._another_answers,
     "LinkWatch.follow_online": LinkWatch.follow_online,
@@ -138,7 +140,7 @@ EACH_TICK = {
     "AuthorityWatch.observe": AuthorityWatch.observe,
     "Assessor.assess": Assessor.assess,
     "Authority.observe": Authority.observe,
-    "Authority.under_way": Authority.under_way.fget,
+    "Authority.under_way": getter(Authority, "under_way"),
     "LinkWatch.follow_handshake": LinkWatch.follow_handshake,
     "Jogging.advance": Jogging.advance,
     "Player.advance": Player.advance,
@@ -194,16 +196,16 @@ def test_in_generation_1_as_well(qapp, request):
     rig.close()
 
 
-ENDS = {
+ENDS: dict[str, Callable[..., Any]] = {
     "Jogging.stop": Jogging.stop,
     "Jogging.end": Jogging.end,
     "Jogging._let_go": Jogging._let_go,
-    "Jogging.active": Jogging.active.fget,
+    "Jogging.active": getter(Jogging, "active"),
     "Execution.end": Execution.end,
     "Execution._fail": Execution._fail,
-    "Execution.running": Execution.running.fget,
+    "Execution.running": getter(Execution, "running"),
     "Authority.cancelled": Authority.cancelled,
-    "Authority.number": Authority.number.fget,
+    "Authority.number": getter(Authority, "number"),
     "GripperControl.end": GripperControl.end,
     "GamepadPilot.lose": GamepadPilot.lose,
     "MotionEnd._end_single_motion": MotionEnd._end_single_motion,

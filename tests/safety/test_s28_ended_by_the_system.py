@@ -10,6 +10,7 @@ import sys
 import threading
 import time
 from pathlib import Path
+from typing import Any
 
 import can
 import pytest
@@ -20,8 +21,8 @@ from armui.ending import SleepWatch, SystemEnd
 from armui.protocol.generation import Generation
 from armui.sim.firmware import Firmware
 from armui.sim.node import Node
+from armui.trajectory.points.cells import PointColumn
 from armui.ui.dialogs.confirm_dialog import ConfirmDialog
-from armui.ui.trajectory.editor.points_model import PointColumn
 from tests.arm_rig import thin_out
 from tests.examples import sample
 from tests.operator_editor.actions import OUT, Editor, to
@@ -43,7 +44,11 @@ class Outside:
 
     def __init__(self, tmp_path):
         self.group = f"239.74.163.{os.getpid() % 200 + 20}"
-        options = {"interface": "udp_multicast", "channel": self.group, "port": PORT}
+        options: dict[str, Any] = {
+            "interface": "udp_multicast",
+            "channel": self.group,
+            "port": PORT,
+        }
         self.arm_bus, self.ear = can.Bus(**options), can.Bus(**options)
         self.firmware = Firmware(Generation.TWO)
         thin_out(self.firmware)  # datagrams are lost where a busy computer does not read them
@@ -146,9 +151,9 @@ def system_end(qapp, app_driver):
     assert app_driver.controller.motion.send_joints(FAR) is None
     app_driver.run(0.5)
     app_driver.heard()
-    ends = []
+    ends: list[int] = []
     system_end = SystemEnd(qapp, app_driver.program, ends.append)
-    system_end.ends = ends
+    setattr(system_end, "ends", ends)  # noqa: B010 - for the tests alone
     yield system_end
     system_end._listening.close()
     system_end._wakes.close()
@@ -186,7 +191,7 @@ def test_a_window_that_is_held_up_does_not_keep_the_arm_moving(app_driver, syste
 def test_what_is_not_saved_is_kept_and_nobody_is_asked(app_driver, qapp):
     editor = Editor(app_driver, to(OUT))
     editor.type_into(0, PointColumn.DWELL, "2")
-    codes = []
+    codes: list[int] = []
     ending = SystemEnd(qapp, app_driver.program, codes.append)
     ending._on_asked(signal.SIGTERM)  # at once: the draft's own second has not passed
     assert editor.library.draft("Test").points[0].dwell_s == 2.0
@@ -212,7 +217,7 @@ class Logind:
 
     def __init__(self):
         self.happened = []
-        self.messages = queue.Queue()
+        self.messages: queue.Queue[Any] = queue.Queue()
         self.sock = self
 
     def __enter__(self):
