@@ -74,7 +74,7 @@ def test_zoomed_out_curves_are_loaded_and_say_so_meanwhile(replay, log, monkeypa
     assert missing.text == "Loading: 0 %"
     assert missing.begin_s == pytest.approx(START_S, abs=0.1)
     assert missing.end_s == pytest.approx(START_S + 2.5, abs=0.1)
-    replay.driver.wait(lambda: board.panes[0].graph.curves._missing == missing)
+    replay.driver.wait(lambda: board.panes[0].graphs[0].curves._missing == missing)
 
     go_on.set()
     replay.driver.wait(lambda: board._missing is None)

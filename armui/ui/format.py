@@ -22,8 +22,13 @@ def number(value: float | None, decimals: int = DECIMALS) -> str:
 
 def with_unit(value: float | None, unit: str, decimals: int = DECIMALS) -> str:
     """A figure with its unit; a degree sign stands close to it."""
-    gap = "" if unit == "°" else " "
-    return NOTHING if value is None else f"{number(value, decimals)}{gap}{unit}"
+    return NOTHING if value is None else append_unit(number(value, decimals), unit)
+
+
+def append_unit(figure: str, unit: str) -> str:
+    """Return a written figure with its unit, if it has one."""
+    gap = "" if unit in {"", "°"} else " "
+    return f"{figure}{gap}{unit}"
 
 
 def angle(value_deg: float | None) -> str:

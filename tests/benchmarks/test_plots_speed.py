@@ -67,7 +67,12 @@ def ours(telemetry, clock, span_s):
         board.draw(clock.time_s)
         QApplication.processEvents()
         spent_ms.append(1e3 * (time.thread_time() - began_s))
-    drawn = sum(len(each) for pane in board.panes for _pen, each in pane.graph.curves._curves)
+    drawn = sum(
+        len(each)
+        for pane in board.panes
+        for graph in pane.graphs
+        for _pen, each in graph.curves._curves
+    )
     assert drawn >= 60
     board.hide()
     board.deleteLater()

@@ -117,6 +117,7 @@ DIALOG_SCENES = (
     DialogScene("plots-why-stopped", "collision", plots.why_stopped),
     DialogScene("plots-cursors", "stopped", plots.cursors),
     DialogScene("plots-hot", "run", plots.hot),
+    DialogScene("plots-units", "run", plots.units),
     DialogScene("family", "no-device", family.family),
     DialogScene("export", "online", exports.export),
     DialogScene("export-under-way", "no-device", exports.export_under_way),

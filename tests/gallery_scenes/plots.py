@@ -29,7 +29,7 @@ def _window(app_driver: AppDriver, name: str, span_s: float) -> PlotPage:
 
 def _drawn(app_driver: AppDriver, window: PlotPage) -> QWidget:
     window.bar.refresh()
-    app_driver.wait(lambda: window.board.panes[0].graph.width_px > 100)
+    app_driver.wait(lambda: window.board.panes[0].graphs[0].width_px > 100)
     window.board.draw(window.board.now_s())
     for pane in window.board.panes:
         pane.show_values(window.board.now_s())
@@ -53,6 +53,14 @@ def cursors(app_driver: AppDriver) -> QWidget:
     board.frame.zoom(board.now_s(), -3.2, -0.4)
     board.show_cursors(wanted=True)
     app_driver.wait(lambda: board.built)
+    return _drawn(app_driver, window)
+
+
+def units(app_driver: AppDriver) -> QWidget:
+    window = _window(app_driver, "tool", 5.0)
+    angle_and_more = ("arm.joint_angle.2", "arm.motor_current.2", "arm.motor_temperature.2")
+    window.board.show_plots((angle_and_more, *SETS["tool"][:1], SETS["tool"][4], ("bus.bus_load",)))
+    app_driver.wait(lambda: window.board.built)
     return _drawn(app_driver, window)
 
 

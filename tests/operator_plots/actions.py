@@ -74,8 +74,8 @@ class Plots:
 
     def place(self, plot, time_s, share=0.5):
         """A place in a plot: a time on the axis, and a share of its height from above."""
-        graph = self.board.panes[plot].graph
-        low, high = self.board.panes[plot].heights
+        graph = self.board.panes[plot].graphs[0]
+        low, high = graph.heights
         at = graph.box.mapViewToScene(QPointF(time_s, high - share * (high - low)))
         return graph.viewport(), graph.mapFromScene(at)
 

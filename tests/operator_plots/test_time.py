@@ -10,7 +10,7 @@ from tests.operator_plots.actions import trigger
 
 
 def ranges(plots):
-    return [tuple(pane.graph.box.viewRange()[0]) for pane in plots.board.panes]
+    return [tuple(pane.graphs[0].box.viewRange()[0]) for pane in plots.board.panes]
 
 
 def turn(viewport, place, notches, modifier=Qt.KeyboardModifier.NoModifier):
@@ -46,18 +46,18 @@ def test_a_frame_zooms_every_plot_and_undo_leads_back(plots):
 
 
 def test_a_high_frame_zooms_the_figures_of_its_plot_alone(plots):
-    before = plots.board.panes[1].heights
-    low, high = plots.board.panes[0].heights
+    before = plots.board.panes[1].graphs[0].heights
+    low, high = plots.board.panes[0].graphs[0].heights
     plots.drag_in(0, (-20.0, 0.2), (-2.0, 0.9))
     plots.draw()
-    shown = plots.board.panes[0].heights
+    shown = plots.board.panes[0].graphs[0].heights
     assert shown[0] == pytest.approx(low + 0.1 * (high - low), abs=0.05 * (high - low))
     assert shown[1] == pytest.approx(low + 0.8 * (high - low), abs=0.05 * (high - low))
-    assert plots.board.panes[1].heights == before
+    assert plots.board.panes[1].graphs[0].heights == before
     pane = plots.board.panes[0]
     trigger(plots.menu_at(pane, QPoint(300, 70)), "Fit the height")
     plots.draw()
-    assert plots.board.panes[0].heights == (low, high)
+    assert plots.board.panes[0].graphs[0].heights == (low, high)
     assert not plots.board.frame.live
 
 
@@ -81,11 +81,11 @@ def test_the_wheel_shows_a_longer_time(plots):
 
 
 def test_the_wheel_with_control_shows_more_of_the_figures(plots):
-    low, high = plots.board.panes[0].heights
+    low, high = plots.board.panes[0].graphs[0].heights
     viewport, place = plots.place(0, -10.0, 0.5)
     turn(viewport, place, -1, Qt.KeyboardModifier.ControlModifier)
     plots.draw()
-    shown = plots.board.panes[0].heights
+    shown = plots.board.panes[0].graphs[0].heights
     assert shown[1] - shown[0] == pytest.approx(1.25 * (high - low))
 
 

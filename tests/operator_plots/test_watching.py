@@ -29,7 +29,7 @@ def test_it_opens_with_what_was_asked_and_what_was_done(plots):
     }
     pane = plots.board.panes[0]
     measured, commanded, other = (
-        pane.graph.curves._curves[place][1] for place in range(3)
+        pane.graphs[0].curves._curves[place][1] for place in range(3)
     )  # fmt: skip
     assert len(measured) >= 1
     assert len(commanded) == 1
@@ -38,7 +38,7 @@ def test_it_opens_with_what_was_asked_and_what_was_done(plots):
     begin, end = commanded[0].first().x(), commanded[0].last().x()
     assert end == pytest.approx(plots.board.now_s())
     assert plots.board.now_s() - begin == pytest.approx(4.0, abs=0.1)
-    low, high = pane.heights
+    low, high = pane.graphs[0].heights
     assert low < 0.0
     assert high > 20.0
 
@@ -48,7 +48,7 @@ def test_a_stop_ends_the_command_that_stood(plots):
     plots.driver.run(1.0)
     plots.draw()
     assert plots.values(0)["own.joint_angle.1"] == "—"
-    (piece,) = plots.board.panes[0].graph.curves._curves[1][1]
+    (piece,) = plots.board.panes[0].graphs[0].curves._curves[1][1]
     assert plots.board.now_s() - piece.last().x() == pytest.approx(1.0, abs=0.1)
 
 
@@ -68,13 +68,13 @@ def test_what_is_not_heard_any_more_looks_so(plots, app_driver):
     plots.draw()
     entry = plots.board.panes[0].legend.entries[0]
     assert entry.stale
-    pieces = plots.board.panes[0].graph.curves._curves[0][1]
+    pieces = plots.board.panes[0].graphs[0].curves._curves[0][1]
     assert plots.board.now_s() - pieces[-1].last().x() == pytest.approx(2.0, abs=0.1)
     app_driver.powered = True
     app_driver.run(1.0)
     plots.draw()
     # a gap, not a line across it
-    pieces = plots.board.panes[0].graph.curves._curves[0][1]
+    pieces = plots.board.panes[0].graphs[0].curves._curves[0][1]
     ends = sorted((piece.first().x(), piece.last().x()) for piece in pieces)
     assert any(second[0] - first[1] > 1.5 for first, second in pairwise(ends))
 
@@ -93,7 +93,12 @@ def test_sets_answer_a_question(plots, text, name):
     plots.draw()
     assert plots.keys() == [list(plot) for plot in SETS[name]]
     assert any(value != "—" for value in plots.values(0).values())
-    assert all(math.isfinite(end) for pane in plots.board.panes for end in pane.heights)
+    assert all(
+        math.isfinite(end)
+        for pane in plots.board.panes
+        for graph in pane.graphs
+        for end in graph.heights
+    )
 
 
 def test_a_quantity_is_dragged_from_the_list_into_a_plot(plots):
@@ -228,3 +233,47 @@ def test_the_stop_key_works_here(plots, key):
     assert popup is not None
     QTest.keyPress(popup, key)
     assert stops == [1, 1]
+
+
+def axis_texts(graph):
+    """What stands on an axis, from below."""
+    low, high = graph.heights
+    axis, length_px = graph._figures, graph.box.rect().height()
+    spacing, values = axis.tickValues(low, high, length_px)[0]
+    return axis.tickStrings(values, 1.0, spacing)
+
+
+def test_every_unit_has_an_axis_that_names_it(plots):
+    """0.005 A under 40° in one plot is a curve and no flat line."""
+    mixed = ["arm.joint_angle.1", "arm.motor_current.2", "arm.motor_temperature.1"]
+    plots.board.show_plots([[*mixed, "arm.joint_angle.2"], ["arm.arm_status"], ["bus.bus_load"]])
+    plots.wait_built()
+    plots.draw()
+    pane, status, load = plots.board.panes
+    assert [graph.unit for graph in pane.graphs] == ["°", "A", "°C"]
+    assert [len(graph.curves._curves) for graph in pane.graphs] == [2, 1, 1]
+    for graph in (*pane.graphs, *load.graphs):
+        texts = axis_texts(graph)
+        assert texts
+        assert all(text.endswith(graph.unit) for text in texts)
+        figures = [y for _pen, lines in graph.curves._curves for line in lines for y in ys(line)]
+        low, high = graph.heights
+        assert low < min(figures) <= max(figures) < high
+    currents = pane.graphs[1].heights
+    assert currents[1] - currents[0] < 5.0
+    assert all(text == text.strip() for text in axis_texts(status.graphs[0]))
+    # each is looked at by itself, and all are fitted at once
+    before = [graph.heights for graph in pane.graphs]
+    pane.graphs[1].box.turned_height.emit(0.5, 0.0)
+    plots.draw()
+    after = [graph.heights for graph in pane.graphs]
+    assert (after[0], after[2]) == (before[0], before[2])
+    assert after[1][1] - after[1][0] == pytest.approx(0.5 * (before[1][1] - before[1][0]))
+    plots.board.show_all_heights(0)
+    plots.draw()
+    assert [graph.heights for graph in pane.graphs] == before
+
+
+def ys(line):
+    """The figures of a line."""
+    return [line[place].y() for place in range(line.size())]

@@ -34,10 +34,10 @@ def test_a_pause_keeps_the_moment():
 def test_zooming_stands_still_and_is_undone_step_by_step():
     frame = TimeFrame()
     frame.zoom(100.0, -20.0, -10.0)
-    frame.zoom(105.0, -12.0, -15.0, plot=2, heights=(1.0, 2.0))
+    frame.zoom(105.0, -12.0, -15.0, axis=(2, "A"), heights=(1.0, 2.0))
     assert ends(frame) == (-15.0, -12.0)
     assert frame.edge_s(200.0) == 100.0
-    assert frame.shown.ranges == {2: (1.0, 2.0)}
+    assert frame.shown.ranges == {(2, "A"): (1.0, 2.0)}
     frame.undo()
     assert ends(frame) == (-20.0, -10.0)
     assert frame.shown.ranges == {}

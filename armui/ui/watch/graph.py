@@ -11,15 +11,18 @@ from PySide6.QtGui import QColor, QPen
 from PySide6.QtWidgets import QGraphicsGridLayout, QGraphicsRectItem, QWidget
 
 from armui.ui.watch.curves_item import CurvesItem
+from armui.ui.watch.heights import AutoHeight
 from armui.ui.watch.time_axis import FigureAxis, TimeAxis
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from armui.ui.theme import Colors
+    from armui.ui.watch.heights import Extent
+    from armui.ui.watch.time_frame import Range, Shown
 
-AXIS_PX: Final = 64
-"""Room for the figures on the left: the same in every plot, so that their times stand in line."""
+AXIS_PX: Final = 76
+"""Room on the left for figures and unit: the same in every plot, so that their times align."""
 _TIMES_PX: Final = 5
 
 _GRAB_PX: Final = 6.0
@@ -135,14 +138,19 @@ class TimeViewBox(pg.ViewBox):  # type: ignore[misc]
 
 
 class Graph(pg.GraphicsView):  # type: ignore[misc]
-    """One plot without its title.
+    """The curves of one unit in a plot.
+
+    Args:
+        unit: As its axis names it; "" for codes and bare numbers.
 
     Attributes:
+        unit: As given.
         box: Where the mouse works.
         curves: What is drawn.
+        heights: What of the figures is shown.
     """
 
-    def __init__(self, parent: QWidget | None = None) -> None:
+    def __init__(self, unit: str = "", parent: QWidget | None = None) -> None:
         super().__init__(parent, useOpenGL=False, background="#ffffff")
         self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         self.setContextMenuPolicy(Qt.ContextMenuPolicy.NoContextMenu)
@@ -151,7 +159,10 @@ class Graph(pg.GraphicsView):  # type: ignore[misc]
         self.box = TimeViewBox()
         self.curves = CurvesItem()
         self.box.addItem(self.curves, ignoreBounds=True)
-        self._figures = FigureAxis()
+        self.unit = unit
+        self.heights: Range = (0.0, 1.0)
+        self._height = AutoHeight(unit)
+        self._figures = FigureAxis(unit)
         self._times = TimeAxis()
         self._figures.linkToView(self.box)
         self._times.linkToView(self.box)
@@ -185,15 +196,16 @@ class Graph(pg.GraphicsView):  # type: ignore[misc]
         self._draw_grid()
         self.box.set_frame_color(colors.accent)
 
-    def show_range(
-        self, begin_s: float, end_s: float, low: float, high: float, *, codes: bool = False
-    ) -> None:
-        """What the axes show; codes have no figures between the whole ones."""
+    def show_heights(self, shown: Shown, zoomed: Range | None, extent: Extent | None) -> None:
+        """Show a time, and of the figures what was zoomed into or else where the curves are."""
+        self.heights = zoomed or self._height.fit(extent, codes=not self.unit)
+        self._show_range(shown.begin_s, shown.end_s, *self.heights)
+
+    def _show_range(self, begin_s: float, end_s: float, low: float, high: float) -> None:
         wanted = (begin_s, end_s, low, high)
         if wanted == self._range or not all(map(math.isfinite, wanted)):
             return
         self._range = wanted
-        self._figures.whole = codes
         self.box.setRange(xRange=(begin_s, end_s), yRange=(low, high), padding=0.0)
         self.curves.set_bounds(QRectF(begin_s, low, end_s - begin_s, high - low))
         self._draw_grid()

@@ -28,7 +28,8 @@ if TYPE_CHECKING:
 
     from armui.telemetry.store import Telemetry
     from armui.ui.watch.curves_item import Missing
-    from armui.ui.watch.time_frame import Range
+    from armui.ui.watch.graph import Graph
+    from armui.ui.watch.time_frame import Axis, Range
 
 PICTURE_MS: Final = 80
 """Twelve pictures a second, fewer of a long time."""
@@ -175,24 +176,25 @@ class PlotBoard(QWidget):
             place = len(self.panes)
             pane = self._new_pane(place, self.plot_layout.plots[place])
             self.panes.append(pane)
-            self._stack.insertWidget(place, pane, 1)
+            self._stack.insertWidget(place, pane, len(pane.graphs))
             QTimer.singleShot(_BREATH_MS, self, self._build_next)
         self._choose(self.chosen)
         self.draw_soon()
 
     def _new_pane(self, place: int, keys: tuple[str, ...]) -> PlotPane:
         pane = PlotPane(self.telemetry, self._book, place, keys, self._column)
-        box = pane.graph.box
         pane.dropped.connect(lambda what, source: self.take(what, source, place))
         pane.menu_wanted.connect(partial(self.menu_wanted.emit, place))
         pane.pressed.connect(partial(self._choose, place))
-        box.framed.connect(partial(self._on_framed, place))
-        box.turned.connect(self._on_turned)
-        box.turned_height.connect(partial(self._on_turned_height, place))
-        box.panned.connect(self._on_panned)
-        box.cursor_dragged.connect(self._on_cursor_dragged)
-        box.clicked.connect(self._on_clicked)
-        box.let_go.connect(self.frame.settle)
+        for graph in pane.graphs:
+            box, axis = graph.box, (place, graph.unit)
+            box.framed.connect(partial(self._on_framed, axis))
+            box.turned.connect(self._on_turned)
+            box.turned_height.connect(partial(self._on_turned_height, graph, axis))
+            box.panned.connect(self._on_panned)
+            box.cursor_dragged.connect(self._on_cursor_dragged)
+            box.clicked.connect(self._on_clicked)
+            box.let_go.connect(self.frame.settle)
         return pane
 
     def _choose(self, place: int) -> None:
@@ -230,7 +232,8 @@ class PlotBoard(QWidget):
 
     def show_all_heights(self, place: int) -> None:
         """Fit a plot's height to its curves again."""
-        self.frame.zoom_height(place, None)
+        for graph in self.panes[place].graphs:
+            self.frame.zoom_height((place, graph.unit), None)
         self.frame.settle()
         self._frame_moved()
 
@@ -241,17 +244,17 @@ class PlotBoard(QWidget):
         self._frame_moved()
         self._cursors_moved()
 
-    def _on_framed(self, place: int, begin_s: float, end_s: float, heights: Range | None) -> None:
-        self.frame.zoom(self.now_s(), begin_s, end_s, place, heights)
+    def _on_framed(self, axis: Axis, begin_s: float, end_s: float, heights: Range | None) -> None:
+        self.frame.zoom(self.now_s(), begin_s, end_s, axis, heights)
         self._frame_moved()
 
     def _on_turned(self, factor: float, at_s: float) -> None:
         self.frame.wheel(factor, at_s)
         self._frame_moved()
 
-    def _on_turned_height(self, place: int, factor: float, at: float) -> None:
-        low, high = self.panes[place].heights
-        self.frame.zoom_height(place, (at - (at - low) * factor, at + (high - at) * factor))
+    def _on_turned_height(self, graph: Graph, axis: Axis, factor: float, at: float) -> None:
+        low, high = graph.heights
+        self.frame.zoom_height(axis, (at - (at - low) * factor, at + (high - at) * factor))
         self._frame_moved()
 
     def _on_panned(self, by_s: float) -> None:
@@ -318,7 +321,7 @@ class PlotBoard(QWidget):
 
     def _period_ms(self) -> int:
         """Until the curves have moved by two pixels: more pictures would show nothing new."""
-        width_px = self.panes[0].graph.width_px if self.panes else 1
+        width_px = self.panes[0].graphs[0].width_px if self.panes else 1
         period_ms = round(1e3 * _STEP_PX * self.frame.shown.span_s / width_px)
         return min(max(period_ms, PICTURE_MS), _SLOWEST_MS)
 
@@ -357,7 +360,7 @@ class PlotBoard(QWidget):
 
     def _draw_pane(self, pane: PlotPane, now_s: float) -> None:
         shown, edge_s = self.frame.shown, self.frame.edge_s(now_s)
-        pane.advance(shown, edge_s, now_s, shown.ranges.get(self.panes.index(pane)))
+        pane.advance(shown, edge_s, now_s)
         pane.show_missing(self._missing)
         pane.show_cursors(self.cursors_s, edge_s)
         at_zero = clock_time(self.telemetry.wall_time(edge_s)).partition(".")[0]

@@ -76,11 +76,7 @@ class PlotExport(FileExport):
         board = self._board
         now_s, shown = board.now_s(), board.frame.shown
         edge_s = board.frame.edge_s(now_s)
-        plots = [
-            plot
-            for place, pane in enumerate(board.panes)
-            for plot in pane.as_figure(shown, edge_s, now_s, shown.ranges.get(place))
-        ]
+        plots = [plot for pane in board.panes for plot in pane.as_figure(shown, edge_s, now_s)]
         cursors = [
             (name, at_s - edge_s)
             for name, at_s in zip(CURSOR_NAMES, board.cursors_s, strict=True)

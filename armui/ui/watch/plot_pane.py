@@ -1,4 +1,4 @@
-"""One plot: its legend, its axes, its curves."""
+"""One plot: its legend, and for each unit axes and curves."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ if TYPE_CHECKING:
     from armui.telemetry.store import Telemetry
     from armui.ui.watch.curve_shapes import Line
     from armui.ui.watch.curves_item import Missing
-    from armui.ui.watch.time_frame import Range, Shown
+    from armui.ui.watch.time_frame import Shown
 
 _LIGHT_CURVES: Final = (
     *("#1763d2", "#b35c00", "#18864a", "#8a3ffc", "#00808a", "#b0257f"),
@@ -61,6 +61,11 @@ class PlotPane(QWidget):
         book: Has the lines of its curves.
         place: Which of the plots it is.
         keys: Of the quantities.
+
+    Attributes:
+        quantities: What is drawn.
+        graphs: One below the other, one for each unit: 0.005 A would lie flat under 40°.
+        legend: Names and values.
 
     Signals:
         dropped: Keys of quantities that are to be drawn here, and the plot they come from or
@@ -86,26 +91,27 @@ class PlotPane(QWidget):
         self._telemetry = telemetry
         self.quantities: tuple[Quantity, ...] = tuple(QUANTITIES[key] for key in keys)
         self._book = book
-        self._height = AutoHeight(self.unit)
+        self._place = place
         self._shown: Shown | None = None
         self._chosen = False
-        self.heights: Range = (0.0, 1.0)
         self.legend = Legend(place, self)
-        self.graph = Graph(self)
-        self.graph.setMinimumHeight(LEAST_PX)
+        units = dict.fromkeys(each.unit for each in self.quantities)
+        self.graphs = tuple(Graph(unit, self) for unit in units)
         self.setAcceptDrops(True)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
-        in_column(self.legend, (self.graph, 1), on=self, spacing=0, margins=(8, 4, 4, 2))
-        self.graph.box.clicked.connect(lambda _at: self.pressed.emit())
+        in_column(
+            self.legend,
+            *((graph, 1) for graph in self.graphs),
+            on=self,
+            spacing=0,
+            margins=(8, 4, 4, 2),
+        )
+        for graph in self.graphs:
+            graph.setMinimumHeight(LEAST_PX)
+            graph.box.clicked.connect(lambda _at: self.pressed.emit())
         self.legend.chosen.connect(lambda _key: self.pressed.emit())
         self._take_colors()
         self.show_values(telemetry.now_s())
-
-    @property
-    def unit(self) -> str:
-        """The unit of its curves, where they have one in common."""
-        units = {each.unit for each in self.quantities}
-        return next(iter(units)) if len(units) == 1 else ""
 
     @property
     def curve_colors(self) -> dict[str, str]:
@@ -117,55 +123,52 @@ class PlotPane(QWidget):
 
     # Drawing ----------------------------------------------------------------------------------
 
-    def advance(self, shown: Shown, edge_s: float, now_s: float, heights: Range | None) -> None:
+    def advance(self, shown: Shown, edge_s: float, now_s: float) -> None:
         """Draw a time.
 
         Args:
-            shown: Which, from its edge.
+            shown: Which, from its edge, and what of the figures.
             edge_s: Monotonic time of the edge.
             now_s: The present.
-            heights: What of the figures is shown; ``None``: all of them.
         """
         begin_s, end_s = edge_s + shown.begin_s, min(edge_s + shown.end_s, now_s)
-        colors, curves, extents = self.curve_colors, [], []
-        for each in self.quantities:
-            pieces, extent = self._book.curve(
-                each, begin_s, max(end_s, begin_s), self.graph.width_px
-            )
-            curves.append(DrawnCurve(colors[each.key], pieces))
-            extents.append(extent)
-        codes = all(not each.unit for each in self.quantities)
-        self.heights = heights or self._height.fit(together(extents), codes=codes)
-        self.graph.show_range(shown.begin_s, shown.end_s, *self.heights, codes=codes)
-        self.graph.curves.show_curves(curves, edge_s)
+        colors = self.curve_colors
+        for graph in self.graphs:
+            curves, extents = [], []
+            for each in self.quantities:
+                if each.unit == graph.unit:
+                    pieces, extent = self._book.curve(
+                        each, begin_s, max(end_s, begin_s), graph.width_px
+                    )
+                    curves.append(DrawnCurve(colors[each.key], pieces))
+                    extents.append(extent)
+            zoomed = shown.ranges.get((self._place, graph.unit))
+            graph.show_heights(shown, zoomed, together(extents))
+            graph.curves.show_curves(curves, edge_s)
 
-    def as_figure(
-        self, shown: Shown, edge_s: float, now_s: float, heights: Range | None
-    ) -> list[FigurePlot]:
+    def as_figure(self, shown: Shown, edge_s: float, now_s: float) -> list[FigurePlot]:
         """Return the same for a picture on paper: for each unit an axis of its own.
 
         Args:
-            shown: Which time, from its edge.
+            shown: Which time, from its edge, and what of the figures.
             edge_s: Monotonic time of the edge.
             now_s: The present.
-            heights: What of the figures is shown, if the curves have one unit; ``None``: all.
         """
         begin_s, end_s = edge_s + shown.begin_s, min(edge_s + shown.end_s, now_s)
         book: CurveBook[Line] = CurveBook(self._telemetry, lambda times, figures: (times, figures))
         book.show(self.quantities)
         title, short = names.in_common(self.quantities)
         plots = []
-        for unit in dict.fromkeys(each.unit for each in self.quantities):
+        for graph in self.graphs:
+            unit = graph.unit
             colored, curves, extents = [], [], []
             for place, (each, name) in enumerate(zip(self.quantities, short, strict=True)):
                 if each.unit == unit:
-                    pieces, extent = book.curve(
-                        each, begin_s, max(end_s, begin_s), self.graph.width_px
-                    )
+                    pieces, extent = book.curve(each, begin_s, max(end_s, begin_s), graph.width_px)
                     colored.append((name, _LIGHT_CURVES[place % len(_LIGHT_CURVES)]))
                     curves.append(pieces)
                     extents.append(extent)
-            own = heights if unit == self.unit else None
+            own = shown.ranges.get((self._place, unit))
             fitted = own or AutoHeight(unit).fit(together(extents), codes=not unit)
             plots.append(FigurePlot(colored, curves, fitted, title, unit))
         return plots
@@ -185,18 +188,21 @@ class PlotPane(QWidget):
 
     def show_cursors(self, at_s: Sequence[float | None], edge_s: float) -> None:
         """Draw the cursors at monotonic times."""
-        self.graph.box.cursors = [None if each is None else each - edge_s for each in at_s]
-        self.graph.curves.show_cursors(at_s, colors_of(self).text)
+        for graph in self.graphs:
+            graph.box.cursors = [None if each is None else each - edge_s for each in at_s]
+            graph.curves.show_cursors(at_s, colors_of(self).text)
 
     def show_missing(self, missing: Missing | None) -> None:
         """Mark a time of which the curves are not there yet."""
-        self.graph.curves.show_missing(missing, colors_of(self).border)
+        for graph in self.graphs:
+            graph.curves.show_missing(missing, colors_of(self).border)
 
     def ends_px(self, of: QWidget) -> tuple[float, float]:
         """Where the time begins and ends, in another widget."""
-        left = self.graph.mapFromScene(self.graph.box.sceneBoundingRect().topLeft())
-        begin = of.mapFromGlobal(self.graph.mapToGlobal(left)).x()
-        return float(begin), float(begin + self.graph.width_px)
+        graph = self.graphs[0]
+        left = graph.mapFromScene(graph.box.sceneBoundingRect().topLeft())
+        begin = of.mapFromGlobal(graph.mapToGlobal(left)).x()
+        return float(begin), float(begin + graph.width_px)
 
     # Qt's events ------------------------------------------------------------------------------
 
@@ -248,7 +254,8 @@ class PlotPane(QWidget):
         painter.end()
 
     def _take_colors(self) -> None:
-        self.graph.set_colors(colors_of(self))
+        for graph in self.graphs:
+            graph.set_colors(colors_of(self))
 
     def changeEvent(self, event: QEvent) -> None:
         """Follow the language and the colours."""

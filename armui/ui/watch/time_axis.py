@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from typing import Final
+from typing import Any, Final
 
 import pyqtgraph as pg
 
+from armui.ui.format import append_unit
 from armui.ui.watch.round_figures import round_step
 
 _STEPS_S: Final = (
@@ -48,19 +49,25 @@ class TimeAxis(pg.AxisItem):  # type: ignore[misc]
 
 
 class FigureAxis(pg.AxisItem):  # type: ignore[misc]
-    """Round figures, with room between them.
+    """Round figures with their unit, and room between them.
 
-    Attributes:
-        whole: There are none between the whole ones: codes.
+    Args:
+        unit: Of the figures; "": codes, with no figures between the whole ones.
     """
 
-    def __init__(self) -> None:
+    def __init__(self, unit: str) -> None:
         super().__init__("left", maxTickLength=-4)
         self.enableAutoSIPrefix(False)
-        self.whole = False
+        self._unit = unit
 
     def tickSpacing(self, *span_and_length: float) -> list[tuple[float, float]]:  # noqa: N802
         """One kind of tick: of the smallest and the largest figure, and the length in pixels."""
         low, high, length_px = span_and_length
         step = round_step(low, high, max(1, round(length_px / _FIGURE_PX)))
-        return [(max(step, 1.0) if self.whole else step or 1.0, 0.0)]
+        return [(step or 1.0 if self._unit else max(step, 1.0), 0.0)]
+
+    def tickStrings(self, *values_scale_spacing: Any) -> list[str]:  # noqa: N802
+        """Figures with their unit, as everywhere else."""
+        return [
+            append_unit(each, self._unit) for each in super().tickStrings(*values_scale_spacing)
+        ]

@@ -16,6 +16,8 @@ _SHORTEST_S: Final = 0.02
 _MOST_UNDONE: Final = 100
 
 Range = tuple[float, float]
+Axis = tuple[int, str]
+"""The figures of one unit in one plot: the place of the plot, and the unit."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -25,13 +27,13 @@ class Shown:
     Attributes:
         edge_s: The moment that counts as zero on the time axis; ``None``: the present.
         begin_s, end_s: The ends of the axis, in seconds from that moment.
-        ranges: Plots whose figures the operator has zoomed into, by their place.
+        ranges: What the operator has zoomed into of the figures on an axis.
     """
 
     edge_s: float | None = None
     begin_s: float = -FIRST_SPAN_S
     end_s: float = 0.0
-    ranges: Mapping[int, Range] = field(default_factory=dict)
+    ranges: Mapping[Axis, Range] = field(default_factory=dict)
 
     @property
     def span_s(self) -> float:
@@ -90,23 +92,23 @@ class TimeFrame:
         now_s: float,
         begin_s: float,
         end_s: float,
-        plot: int = 0,
+        axis: Axis = (0, ""),
         heights: Range | None = None,
     ) -> None:
-        """Show a part of the time, and of one plot a part of its height; it stands still then."""
+        """Show a part of the time, and of one axis a part of its figures; it stands still then."""
         begin_s, end_s = min(begin_s, end_s), min(max(begin_s, end_s), 0.0)
         if end_s - begin_s < _SHORTEST_S:
             return
         ranges = dict(self._shown.ranges)
         if heights is not None and heights[0] < heights[1]:
-            ranges[plot] = heights
+            ranges[axis] = heights
         self._go(Shown(self.edge_s(now_s), begin_s, end_s, ranges))
 
-    def zoom_height(self, plot: int, heights: Range | None) -> None:
-        """Show a part of one plot's height; ``None``: all of it."""
-        ranges = {place: each for place, each in self._shown.ranges.items() if place != plot}
+    def zoom_height(self, axis: Axis, heights: Range | None) -> None:
+        """Show a part of the figures on one axis; ``None``: all of them."""
+        ranges = {key: each for key, each in self._shown.ranges.items() if key != axis}
         if heights is not None and heights[0] < heights[1]:
-            ranges[plot] = heights
+            ranges[axis] = heights
         self._go(replace(self._shown, ranges=ranges), stepping=True)
 
     def wheel(self, factor: float, at_s: float) -> None:

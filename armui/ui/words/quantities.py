@@ -141,8 +141,7 @@ def quantity_value(what: Quantity, value: float | None) -> str:
         return word
     if not what.unit:
         return fmt.number(value, 3 if what.kind.startswith("mit") else 0)
-    figure = fmt.number(value, _DECIMALS.get(what.unit, fmt.DECIMALS))
-    return f"{figure}{'' if what.unit == '°' else ' '}{what.unit}"
+    return fmt.with_unit(value, what.unit, _DECIMALS.get(what.unit, fmt.DECIMALS))
 
 
 def quantity_difference(what: Quantity, difference: float | None) -> str:
