@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from typing import Final
 
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QEvent, Qt
 from PySide6.QtGui import QContextMenuEvent, QMoveEvent, QShowEvent
 from PySide6.QtWidgets import QDialog, QWidget
 
 from armui.control.arm_controller import ArmController
-from armui.ui.dialogs.placing import place
+from armui.ui.dialogs.placing import FRAME, place
 from armui.ui.widgets.curve_menu import offer_curves
 from armui.ui.widgets.halt_button import HaltButton
 from armui.ui.widgets.keeps_focus import KeepsFocus
@@ -73,6 +73,17 @@ class ArmDialog(Translated, KeepsFocus, QDialog):
         super().showEvent(event)
         if not event.spontaneous() and self.focusWidget() in {None, self.halt_button}:
             self.go_on_from(self.stop_button, forward=True)
+
+    def event(self, event: QEvent) -> bool:
+        """Grow where text goes on below and would be cut; Qt counts the height of one line only."""
+        done = super().event(event)
+        if event.type() == QEvent.Type.LayoutRequest and self.isVisible():
+            room = self.screen().availableGeometry().marginsRemoved(FRAME)
+            needed = min(self.heightForWidth(self.width()), room.height())
+            if needed > self.height():
+                self.resize(self.width(), needed)
+                self.move(self.x(), max(room.top(), min(self.y(), room.bottom() - needed)))
+        return done
 
     def moveEvent(self, event: QMoveEvent) -> None:
         """Where the operator has put it, it opens again."""

@@ -18,6 +18,8 @@ from armui.ui.widgets.text_label import text_label
 from armui.ui.words.text import Text
 
 if TYPE_CHECKING:
+    from PySide6.QtGui import QShowEvent
+
     from armui.control.arm_controller import ArmController
 
 _COLUMN_GAP_PX: Final = 36
@@ -59,7 +61,7 @@ class SectionsDialog(ArmDialog):
     ) -> None:
         super().__init__(controller, parent)
         self._texts: list[tuple[QLabel, Text]] = []
-        page = QWidget()
+        self._page = page = QWidget()
         columns = in_row(on=page, spacing=_COLUMN_GAP_PX, margins=(0, 0, 8, 0))
         for sections in (left, right):
             grid = empty_grid(gaps=gaps_px)
@@ -94,6 +96,13 @@ class SectionsDialog(ArmDialog):
                 self._texts.append((left, what))
             else:
                 left.setText(what)
+
+    def showEvent(self, event: QShowEvent) -> None:
+        """Let the lines be as high as their text in the fonts of the style sheet."""
+        super().showEvent(event)
+        layout = self._page.layout()
+        if layout is not None:
+            layout.invalidate()
 
     def retranslate_ui(self) -> None:
         """Put every word into the operator's language."""
