@@ -1,7 +1,8 @@
 """A random walk over the windows: ``python -m tests.window_walk --steps 3000 --seed 1``.
 
 An operator who clicks everywhere: panels, pages, windows, taken out and put back, restarts, sizes,
-languages and themes. After each step the program is looked at, see `faults`.
+languages and themes, and now and then a stop, which the arm must hear whatever is shown. After each
+step the program is looked at, see `faults`.
 """
 
 from __future__ import annotations
@@ -43,6 +44,7 @@ from armui.trajectory.library.store import Library
 from armui.trajectory.points.program import Trajectory
 from armui.ui.actions.places import PANELS
 from armui.ui.actions.window_actions import WindowActions
+from armui.ui.dialogs.confirm_dialog import ConfirmDialog
 from armui.ui.shell.page_window import PageWindow
 from armui.ui.widgets.elided_label import ElidedLabel
 from armui.ui.widgets.stop_button import StopButton
@@ -53,6 +55,11 @@ SIZES = ((1024, 720), (1280, 800), (1440, 900), (1920, 1080), (2560, 1440), (384
 """Of the main window, in pixels."""
 CONTROLS = (QAbstractButton, QAbstractSpinBox, QComboBox, QLineEdit)
 _SLACK_PX = 2
+_KINDS = {
+    "panel": 4, "page": 4, "take_out": 3, "put_back": 3, "size": 3, "dialog": 3, "close": 3,
+    "language": 0.5, "theme": 0.3, "restart": 0.4, "back": 1, "editor": 1, "lists": 3, "stop": 1,
+}  # fmt: skip
+"""Of steps, and how often each is taken."""
 
 
 class Walk:
@@ -105,19 +112,47 @@ class Walk:
 
     # Steps ------------------------------------------------------------------------------------
 
-    def step(self) -> list[str]:
-        """Take one; returns what is wrong after it."""
-        kinds = {
-            "panel": 4, "page": 4, "take_out": 3, "put_back": 3, "size": 3, "dialog": 3,
-            "close": 3, "language": 0.5, "theme": 0.3, "restart": 0.4, "back": 1, "editor": 1,
-        }  # fmt: skip
-        (kind,) = self._random.choices(list(kinds), list(kinds.values()))
+    def step(self, kind: str = "") -> list[str]:
+        """Take one of a kind, by default any; returns what is wrong after it."""
+        kind = kind or self._random.choices(list(_KINDS), list(_KINDS.values()))[0]
         self.names.append(kind)
-        getattr(self, f"_{kind}")()
+        before = set(shown_windows())
+        found: list[str] = getattr(self, f"_{kind}")() or []
         self._settle(self.driver)
-        found = [f"exception: {each}" for each in self._failures]
+        found += [f"exception: {each}" for each in self._failures]
         self._failures.clear()
+        for window in shown_windows():
+            if window not in before and isinstance(window, QDialog) and not window.focusWidget():
+                found.append(f"{_path(window)}: opened without focus")
         return found + faults(self.driver)
+
+    def _lists(self) -> list[str]:
+        return [each for window in shown_windows() for each in short_lists(window)]
+
+    def _stop(self) -> list[str]:
+        """Stop from any window, by its button or by the key; a stopped arm is recovered."""
+        stops = [
+            (window, button)
+            for window in shown_windows()
+            for button in window.findChildren(StopButton)
+            if button.window() is window and button.isVisible()
+        ]
+        window, button = self._random.choice(stops)
+        by_key = self._random.random() < 0.5
+        self.names[-1] += f" {window.objectName() or type(window).__name__} {by_key=}"
+        self.driver.heard()
+        if by_key:
+            QTest.keyClick(window.focusWidget() or window, Qt.Key.Key_F12)
+        else:
+            self.driver.click(button)
+        self.driver.run(0.04)
+        heard = [(each.arbitration_id, each.data[0]) for each in self.driver.heard()]
+        questions = [each for each in shown_windows() if isinstance(each, ConfirmDialog)]
+        if not by_key and questions:  # the arm has stopped: it is asked first
+            self.names[-1] += " recovers"
+            self.driver.confirm()
+            return []
+        return [] if (0x150, 1) in heard else [f"{_path(window)}: {by_key=}, no stop at the arm"]
 
     def _click(self, name: str) -> None:
         found = [
@@ -217,7 +252,12 @@ _WINDOWS = {Qt.WindowType.Window, Qt.WindowType.Dialog}
 
 
 def faults(driver: AppDriver) -> list[str]:
-    """What is wrong in the windows that are seen, in words; nothing that a scroll bar reaches."""
+    """Return what is wrong in the windows that are seen, in words; nothing a scroll bar reaches.
+
+    The keyboard may be with nobody: `KeepsFocus` takes it from a control that goes away and gives
+    it to no other, lest the space bar presses what the operator never chose. It must not be lost:
+    Tab goes on from there. A window that opens has it, see `Walk.step`; the stop's key needs none.
+    """
     found = []
     for window in shown_windows():
         for widget in window.findChildren(QWidget):
@@ -232,7 +272,6 @@ def faults(driver: AppDriver) -> list[str]:
             found.append(f"{_path(window)}: stop out of reach")
     active = QApplication.activeWindow()
     if active is not None and QApplication.focusWidget() is None:
-        # what went away gives the keyboard to nobody, and Tab goes on from there
         QTest.keyClick(active, Qt.Key.Key_Tab)
         if QApplication.focusWidget() is None:
             found.append(f"{_path(active)}: no focus, and Tab leads nowhere")
@@ -353,12 +392,6 @@ def main() -> int:
                     size = walk.driver.window.size().toTuple()
                     language = walk.driver.store.settings.language
                     print(f"{each} [{size} {language}]\n    {where}", flush=True)
-            if number % 5 == 0:
-                for window in shown_windows():
-                    for each in short_lists(window):
-                        if counted[each] == 0:
-                            print(each, flush=True)
-                        counted[each] += 1
             if number % 100 == 99:
                 print(f"{number + 1} steps, {time.monotonic() - began_s:.0f} s", flush=True)
         walk.close()
