@@ -87,8 +87,8 @@ class Walk:
         driver.repeat_nothing()
         library = Library(driver.library_folder)
         if not library.entries():
-            for each in ("one", "two"):
-                library.save(Trajectory(each, points=(POINT, POINT)))
+            for each, points in (("one", (POINT, POINT)), ("empty", ())):
+                library.save(Trajectory(each, points=points))
         driver.connect()
         driver.window.page_doings.reopen()
         self._settle(driver)
@@ -172,7 +172,7 @@ class Walk:
         self._click(f"{self._random.choice(names)}_button")
 
     def _editor(self) -> None:
-        self.driver.window._trajectory_pages.open_editor(self._random.choice(("one", "two")))
+        self.driver.window._trajectory_pages.open_editor(self._random.choice(("one", "empty")))
 
     def _back(self) -> None:
         self._click(self._random.choice(("page_back", "drawer_fold", "page_crumb")))
@@ -339,6 +339,7 @@ def _cut(widget: QWidget) -> str:
             and not widget.icon().isNull()
         )
         short = needed - widget.width()
+        short = max(short, widget.fontMetrics().height() - widget.height())
         return f"{short} px of {widget.text()!r} cut" if short > 0 and not only_icon else ""
     if isinstance(widget, QComboBox) and widget.currentText():
         needed = widget.fontMetrics().horizontalAdvance(widget.currentText())

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Final
 
-from PySide6.QtCore import QPoint, QRect, Qt, Signal
+from PySide6.QtCore import QEvent, QPoint, QRect, Qt, Signal
 from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QSplitter, QWidget
 
@@ -87,12 +87,25 @@ class WorkArea(QSplitter):
     def fit(self) -> None:
         """Give each its width, as far as there is room."""
         room = self.width() - self.handleWidth()
-        left = self._pages if self.shows_pages else self._panels
+        _left, least = self._least()
         wanted = round(self.page_share * room) if self.shows_pages else self.panel_px
-        least = max(left.minimumWidth(), left.minimumSizeHint().width())
         width = max(least, min(wanted, room - self._view.minimumWidth()))
         of_panels, of_pages = (0, width) if self.shows_pages else (width, 0)
         self.setSizes([of_panels, of_pages, max(0, room - width)])
+
+    def _least(self) -> tuple[QWidget, int]:
+        """Return what is left of the picture, and how wide it must be."""
+        left = self._pages if self.shows_pages else self._panels
+        return left, max(left.minimumWidth(), left.minimumSizeHint().width())
+
+    def event(self, event: QEvent) -> bool:
+        """Another page, or the same with other controls, may need more width."""
+        done = super().event(event)
+        if event.type() == QEvent.Type.LayoutRequest:
+            left, least = self._least()
+            if left.width() < min(least, self.width() - self._view.minimumWidth()):
+                self.fit()
+        return done
 
     def left_of_picture(self) -> QRect:
         """The room between the window's left edge and the picture, in pixels of the desktop."""

@@ -1,4 +1,4 @@
-"""Pages or panels in one place, one of them seen; what is too high for the room scrolls."""
+"""Pages or panels in one place, one of them seen; what is too large for the room scrolls."""
 
 from __future__ import annotations
 
@@ -62,13 +62,13 @@ class StackArea(QScrollArea):
         self.setWidgetResizable(True)
         self.setFrameShape(QFrame.Shape.NoFrame)
         self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
-        self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.setWidget(self._room)
         self._room.setAutoFillBackground(False)
 
     def minimumSizeHint(self) -> QSize:
-        """As wide as what is seen needs; as low as may be."""
-        return QSize(self._room.minimumSizeHint().width(), 0)
+        """As wide as what is seen needs beside the scroll bar; as low as may be."""
+        bar_px = self.verticalScrollBar().sizeHint().width()
+        return QSize(self._room.minimumSizeHint().width() + bar_px, 0)
 
 
 class PageStack(StackArea):

@@ -13,6 +13,7 @@ from armui.ui.widgets.translated import Translated
 
 _WIDEST_PX: Final = 520
 _SIDE_PX: Final = 24
+_GAP_PX: Final = 10
 
 
 class TableHint(Translated, QWidget):
@@ -31,8 +32,12 @@ class TableHint(Translated, QWidget):
         self._text = text_label(name, rank="muted", wraps=True, plain=True)
         for label in (self._title, self._text):
             label.setAlignment(Qt.AlignmentFlag.AlignHCenter)
-        layout = in_column(STRETCH, on=self, spacing=10)
-        for widget in (self._title, self._text, *buttons):
+        self._choices = QWidget()
+        choices = in_column(on=self._choices, spacing=_GAP_PX, margins=0)
+        for button in buttons:
+            choices.addWidget(button, 0, Qt.AlignmentFlag.AlignHCenter)
+        layout = in_column(STRETCH, on=self, spacing=_GAP_PX, margins=0)
+        for widget in (self._title, self._text, self._choices):
             layout.addWidget(widget, 0, Qt.AlignmentFlag.AlignHCenter)
         layout.addStretch(2)
         table.viewport().installEventFilter(self)
@@ -49,6 +54,14 @@ class TableHint(Translated, QWidget):
         for label in (self._title, self._text):
             # in the middle of a layout a label does not get the height of its lines by itself
             label.setFixedSize(width, label.heightForWidth(width))
+        # in a low table the title comes first, and the buttons, which the bar has too, last
+        room = self._viewport.height() - self._title.height()
+        for widget, needed in (
+            (self._text, self._text.height()),
+            (self._choices, self._choices.sizeHint().height()),
+        ):
+            room -= needed + _GAP_PX
+            widget.setVisible(room >= 0)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         """Be as large as the rows' place."""
