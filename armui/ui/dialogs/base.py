@@ -79,7 +79,9 @@ class ArmDialog(Translated, KeepsFocus, QDialog):
         done = super().event(event)
         if event.type() == QEvent.Type.LayoutRequest and self.isVisible():
             room = self.screen().availableGeometry().marginsRemoved(FRAME)
-            needed = min(self.heightForWidth(self.width()), room.height())
+            layout = self.layout()
+            least = 0 if layout is None else layout.minimumHeightForWidth(self.width())
+            needed = min(least, room.height())
             if needed > self.height():
                 self.resize(self.width(), needed)
                 self.move(self.x(), max(room.top(), min(self.y(), room.bottom() - needed)))

@@ -64,6 +64,7 @@ class StackArea(QScrollArea):
         self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         self.setWidget(self._room)
         self._room.setAutoFillBackground(False)
+        stack.currentChanged.connect(self.updateGeometry)
 
     def minimumSizeHint(self) -> QSize:
         """As wide as what is seen needs beside the scroll bar; as low as may be."""
