@@ -42,6 +42,7 @@ class Operator:
         self.library.open_trajectory("Test")
         self.window = app_driver.page(EditorPage)
         app_driver.wait(self.window.isActiveWindow)
+        self.child("run_speed", QSpinBox).setValue(100)  # a first run would begin at 20 %
 
     @property
     def progress(self):

@@ -11,6 +11,7 @@ from armui.ui.trajectory.editor.editor_page import EditorPage
 from armui.ui.trajectory.editor.leave_question import LeaveQuestion
 from armui.ui.trajectory.library.library_work import LibraryWork
 from armui.ui.trajectory.running.preflight import Checks
+from armui.ui.trajectory.running.run_bar import RunChoices
 from tests.app_driver import AtOnce
 from tests.operator_editor.actions import CTRL, notes
 
@@ -84,6 +85,7 @@ def test_changes_survive_a_crash(editor):
     again = EditorPage(
         editor.app_driver.controller,
         Checks(editor.app_driver.controller, Background(AtOnce())),
+        RunChoices(),
         LibraryWork(editor.library, Background(AtOnce()), editor.window),
         editor.library.load("Test"),
         draft=editor.library.draft("Test"),

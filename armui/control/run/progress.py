@@ -37,6 +37,11 @@ OVER = frozenset({RunPhase.IDLE, RunPhase.DONE, RunPhase.STOPPED, RunPhase.FAILE
 """The arm is not under the run's control."""
 
 
+def sent_percent(own_percent: int, speed_factor: float) -> int:
+    """Return the speed percentage a point is sent with: its own times that of the run, 1–100."""
+    return min(100, max(1, round(own_percent * speed_factor)))
+
+
 @dataclass(frozen=True, slots=True)
 class Run:
     """What the operator wants to have run.
@@ -61,7 +66,7 @@ class Run:
 
     def speed_percent(self, index: int) -> int:
         """What a point is sent with."""
-        return min(100, max(1, round(self.points[index].speed_percent * self.speed_factor)))
+        return sent_percent(self.points[index].speed_percent, self.speed_factor)
 
 
 @dataclass(frozen=True, slots=True)

@@ -12,7 +12,7 @@ import json
 import math
 import os
 from collections.abc import Collection
-from dataclasses import dataclass, replace
+from dataclasses import asdict, dataclass, replace
 from datetime import datetime
 from pathlib import Path
 from typing import Any, Final, Literal, NamedTuple, get_args
@@ -21,6 +21,7 @@ from armui.arm.refusal import Refusal
 from armui.system.atomic import write_whole
 from armui.system.files import read_file
 from armui.trajectory.files import Content, TrajectoryFileError
+from armui.trajectory.library.run_options import RunOptions
 from armui.trajectory.samples.recording import Recording
 
 Kind = Literal["points", "recording", "draft"]
@@ -28,7 +29,7 @@ Kind = Literal["points", "recording", "draft"]
 Check = Literal["ok", "warnings", "errors"]
 """How the check before running ended."""
 
-_VERSION: Final = 1
+_VERSION: Final = 2
 
 _MOST_BYTES: Final = 64_000_000
 """More than a hundred thousand entries need; a larger file is not read."""
@@ -55,6 +56,8 @@ class IndexEntry:
         damage: What is wrong with its file; ``None`` where nothing is.
         note: What it is for.
         checked_for: The `ArmModel.fingerprint` that the check was made for.
+        ran_with: How it was run last; ``None`` where it is not known to have run.
+        speeds: The lowest and the highest speed percentage of its points; ``None`` without points.
     """
 
     name: str
@@ -66,6 +69,8 @@ class IndexEntry:
     damage: TrajectoryFileError | None = None
     note: str = ""
     checked_for: str = ""
+    ran_with: RunOptions | None = None
+    speeds: tuple[int, int] | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -89,7 +94,9 @@ def entry_of(content: Content) -> IndexEntry:
     if isinstance(content, Recording):
         length = content.duration_s
         return IndexEntry(name, "recording", len(content.samples), length, modified, note=note)
-    return IndexEntry(name, "points", len(content.points), None, modified, note=note)
+    percents = [point.speed_percent for point in content.points]
+    speeds = (min(percents), max(percents)) if percents else None
+    return IndexEntry(name, "points", len(percents), None, modified, note=note, speeds=speeds)
 
 
 class Stamp(NamedTuple):
@@ -180,6 +187,8 @@ def _pack(entry: IndexEntry) -> dict[str, Any]:
         "check": entry.check,
         "note": entry.note,
         "checked_for": entry.checked_for,
+        "ran_with": None if entry.ran_with is None else asdict(entry.ran_with),
+        "speeds": entry.speeds,
     }
     if (damage := entry.damage) is not None:
         reason = damage.reason
@@ -196,7 +205,12 @@ def _unpack(data: dict[str, Any]) -> dict[str, tuple[Stamp, IndexEntry]]:
     for file, (size, time_ns, number, fields) in data["files"].items():
         damage = fields.pop("damage", None)
         fields["modified"] = datetime.fromisoformat(fields["modified"])
-        entry = IndexEntry(**fields)
+        ran_with, speeds = fields.pop("ran_with"), fields.pop("speeds")
+        entry = IndexEntry(
+            **fields,
+            ran_with=None if ran_with is None else RunOptions(**ran_with),
+            speeds=None if speeds is None else tuple(speeds),
+        )
         if damage is not None:
             code, params, line, column, name = damage
             _require(isinstance(code, str) and isinstance(params, dict) and isinstance(name, str))
@@ -222,7 +236,13 @@ def _is_sound(entry: IndexEntry) -> bool:
         and (length_s is None or (isinstance(length_s, int | float) and 0 <= length_s < math.inf))
         and entry.modified.tzinfo is not None
         and (entry.check is None or entry.check in get_args(Check))
+        and (entry.ran_with is None or entry.ran_with.is_sound)
+        and (entry.speeds is None or _are_percents(entry.speeds))
     )
+
+
+def _are_percents(speeds: tuple[int, ...]) -> bool:
+    return len(speeds) == 2 and all(isinstance(one, int) and 1 <= one <= 100 for one in speeds)
 
 
 def _can_be_shown(text: str) -> bool:

@@ -27,6 +27,7 @@ from armui.trajectory.library.drafts import Drafts, is_draft
 from armui.trajectory.library.errors import LibraryError, on_disk
 from armui.trajectory.library.file_names import file_stem, folded, free_stem
 from armui.trajectory.library.index import Check, IndexEntry, Listing, Stamp, entry_of
+from armui.trajectory.library.run_options import RunOptions
 from armui.trajectory.library.stored_files import FileStore, StoredFile, name_inside, suffix_of
 from armui.trajectory.points.program import LONGEST_NAME, Trajectory, check_name, check_trajectory
 from armui.trajectory.samples.recording import Recording, check_recording
@@ -267,6 +268,8 @@ class Library:
                 length_s=entry.length_s,
                 arm=entry.checked_for,
             )
+            if entry.ran_with is not None:
+                self.note_run(names.get(entry.name, ""), entry.ran_with)
         return tuple(names.values())
 
     def _put_back(self, file: str, place: Path) -> str:
@@ -313,6 +316,18 @@ class Library:
         if entry.kind == "points":
             entry = replace(entry, length_s=length_s)
         self._file_store.mark(kept, entry)
+
+    def note_run(self, name: str, options: RunOptions) -> None:
+        """Note that a trajectory was run, and how; nothing is noted of one that is gone.
+
+        Args:
+            name: Which.
+            options: How; the next run begins at the first row again.
+        """
+        kept = self._scan().get(name)
+        if kept is not None and kept.entry.damage is None:
+            entry = replace(kept.entry, ran_with=replace(options, first=0))
+            self._file_store.mark(kept, entry)
 
     # Drafts ---------------------------------------------------------------------------------------
 
@@ -432,7 +447,9 @@ class Library:
             with contextlib.suppress(OSError):
                 path = path.rename(fitting)
         with on_disk(RefusalCode.LIBRARY_UNREADABLE, str(self._folder)):
-            self._met[content.name] = self._file_store.note(path, entry_of(content))
+            ran_with = None if old is None else old.entry.ran_with
+            entry = replace(entry_of(content), ran_with=ran_with)
+            self._met[content.name] = self._file_store.note(path, entry)
         self._bases[content.name] = content.modified
         return displaced
 

@@ -33,7 +33,7 @@ from armui.ui.trajectory.editor.point_edits import Outcome, PointEdits
 from armui.ui.trajectory.editor.points_model import PointsModel
 from armui.ui.trajectory.editor.points_table import PointsTable
 from armui.ui.trajectory.running.preflight import Checks, Preflight
-from armui.ui.trajectory.running.run_bar import RunBar
+from armui.ui.trajectory.running.run_bar import RunBar, RunChoices
 from armui.ui.widgets.buttons import named
 from armui.ui.widgets.layouts import fill
 from armui.ui.widgets.message_line import MessageLine
@@ -41,6 +41,7 @@ from armui.ui.widgets.page import Page
 
 if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
+    from armui.trajectory.library.run_options import RunOptions
     from armui.ui.trajectory.library.library_work import LibraryWork
 
 _OF_POINTS: Final = ("go_to", "find", "check")
@@ -55,6 +56,7 @@ class EditorPage(Page):
     Args:
         controller: Knows where the arm is, moves it and runs what is edited.
         checks: Checks what is edited.
+        choices: How it is run.
         work: Keeps the trajectory in the library.
         trajectory: As it is kept.
         draft: Changes of it that an earlier run of the program could not save.
@@ -77,6 +79,7 @@ class EditorPage(Page):
         self,
         controller: ArmController,
         checks: Checks,
+        choices: RunChoices,
         work: LibraryWork,
         trajectory: Trajectory,
         *,
@@ -99,7 +102,9 @@ class EditorPage(Page):
         self._note.setMinimumWidth(_NOTE_PX)
         self._message = named("editor_message", MessageLine(keeps_room=False))
         self._findings = FindingsPane()
-        self._run_bar = RunBar(controller, checks, lambda then: then(self.document.trajectory()))
+        self._run_bar = RunBar(
+            controller, checks, choices, lambda then: then(self.document.trajectory())
+        )
         self._actions = EditorActions(self, self.table, self._handlers())
         EditorHint(self.table, self._actions)
         everywhere = QShortcut(self._actions.keys("insert_measured"), self)
@@ -163,6 +168,7 @@ class EditorPage(Page):
             lambda reason: self._say(words.refusal(reason), Level.WARNING)
         )
         self._run_bar.progressed.connect(self._on_progress)
+        self._run_bar.started.connect(self._on_started)
         self._jog.insert_wanted.connect(self.insert_current)
         self._jog.refused.connect(self._on_jogged)
         self._findings.row_wanted.connect(self.table.select_row)
@@ -249,7 +255,13 @@ class EditorPage(Page):
     def _show_count(self) -> None:
         count = len(self.document.points)
         empty = Refusal(RefusalCode.RUN_EMPTY, {"name": self.document.name})
-        self._run_bar.show_content(count, nothing=None if count else empty)
+        percents = [point.speed_percent for point in self.document.points]
+        self._run_bar.show_content(
+            self.document.name,
+            count,
+            speeds=(min(percents), max(percents)) if percents else None,
+            nothing=None if count else empty,
+        )
         for name in _OF_POINTS:
             self._actions.allow(name, "" if count else words.refusal(empty))
 
@@ -277,6 +289,10 @@ class EditorPage(Page):
             lambda _: self.saved.emit(),
             self._show_failure,
         )
+
+    def _on_started(self, name: str, options: RunOptions) -> None:
+        """Have the library keep how it was run."""
+        self._work.do(lambda: self._library.note_run(name, options), refused=self._show_failure)
 
     def _on_progress(self, progress: Progress) -> None:
         ours = progress.name == self.document.name

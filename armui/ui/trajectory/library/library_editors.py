@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from armui.trajectory.samples.recording import Recording
     from armui.ui.background import Background
     from armui.ui.trajectory.running.preflight import Checks
+    from armui.ui.trajectory.running.run_bar import RunChoices
 
 
 class LibraryEditors(QObject):
@@ -29,6 +30,7 @@ class LibraryEditors(QObject):
         background: Where what takes long is done.
         checks: Checks what is edited.
         work: Reads and keeps it.
+        choices: How each trajectory is run.
         parent: The library's page.
 
     Signals:
@@ -53,12 +55,15 @@ class LibraryEditors(QObject):
         background: Background,
         checks: Checks,
         work: LibraryWork,
+        *,
+        choices: RunChoices,
         parent: QObject,
     ) -> None:
         super().__init__(parent)
         self._controller = controller
         self._background = background
         self._checks = checks
+        self._choices = choices
         self._work = work
         self._library = work.library
         self._editors: dict[str, EditorPage] = {}
@@ -135,7 +140,9 @@ class LibraryEditors(QObject):
             self._editors[name].open()
             return
         work = LibraryWork(self._library, self._background, self)
-        editor = EditorPage(self._controller, self._checks, work, trajectory, draft=draft)
+        editor = EditorPage(
+            self._controller, self._checks, self._choices, work, trajectory, draft=draft
+        )
         if aside:
             editor.say_aside()
         self._editors[name] = editor

@@ -16,6 +16,7 @@ from armui.control.operating_state import OperatingState
 from armui.control.parameters.arm_model import arm_model
 from armui.control.run.progress import Progress
 from armui.trajectory.files import Content
+from armui.trajectory.library.run_options import RunOptions
 from armui.trajectory.library.store import IndexEntry, Library, Listing
 from armui.ui import words
 from armui.ui.background import Background
@@ -36,7 +37,7 @@ from armui.ui.trajectory.library.library_work import LibraryWork
 from armui.ui.trajectory.library.undo_button import UndoButton
 from armui.ui.trajectory.recording.recording_page import RecordingPage
 from armui.ui.trajectory.running.preflight import Checks, Preflight
-from armui.ui.trajectory.running.run_bar import RunBar
+from armui.ui.trajectory.running.run_bar import RunBar, RunChoices
 from armui.ui.widgets.buttons import named
 from armui.ui.widgets.flow import in_flow
 from armui.ui.widgets.layouts import fill
@@ -76,7 +77,10 @@ class LibraryPage(Page):
         self._work.do(library.tidy)
         self._presence = LibraryPresence(library.folder)
         self._company = LibraryCompany()
-        self.editors = LibraryEditors(controller, background, self._checks, self._work, self)
+        self._choices = RunChoices(self)
+        self.editors = LibraryEditors(
+            controller, background, self._checks, self._work, choices=self._choices, parent=self
+        )
         self._model = LibraryModel(self)
         self._shown = LibraryFilter(self._model, self)
         self._bar = LibraryBar()
@@ -91,7 +95,7 @@ class LibraryPage(Page):
         self._findings = FindingsPane()
         self._found_of = ""
         """The name of what the findings are about."""
-        self._run_bar = RunBar(controller, self._checks, self._to_run)
+        self._run_bar = RunBar(controller, self._checks, self._choices, self._to_run)
         self._lay_out()
         self._connect()
         self.retranslate_ui()
@@ -148,6 +152,7 @@ class LibraryPage(Page):
             lambda reason: self._say(words.refusal(reason), Level.WARNING)
         )
         self._run_bar.progressed.connect(self._on_progress)
+        self._run_bar.started.connect(self._on_started)
 
     # The list ---------------------------------------------------------------------------------
 
@@ -179,6 +184,7 @@ class LibraryPage(Page):
     ) -> None:
         names = self._chosen_names() if choose is None else list(choose)
         self._show_marks()
+        self._choices.follow(listing.entries, self.editors.__contains__)
         changed = self._model.show(listing.entries, listing.drafts)
         self._watch.follow(exists=listing.exists)
         self._company.show_others(others)
@@ -244,10 +250,9 @@ class LibraryPage(Page):
             nothing = Refusal(RefusalCode.NO_ROWS_CHOSEN)
         elif one.count == 0:
             nothing = Refusal(RefusalCode.RUN_EMPTY, {"name": one.name})
-        count = 0 if one is None else one.count
-        self._run_bar.show_content(count, recording=recording, nothing=nothing)
+        name, count, speeds = ("", 0, None) if one is None else (one.name, one.count, one.speeds)
+        self._run_bar.show_content(name, count, speeds=speeds, recording=recording, nothing=nothing)
         if chosen:  # while the list is made anew, nothing is chosen for a moment
-            name = "" if one is None else one.name
             self._run_bar.drop_check(but=name)
             if name != self._found_of:
                 self._drop_findings()
@@ -333,6 +338,9 @@ class LibraryPage(Page):
                 name=progress.name, row=progress.index + 1, reason=words.refusal(progress.reason)
             )
             self._say(text, Level.FAULT)
+
+    def _on_started(self, name: str, options: RunOptions) -> None:
+        self._work.do(lambda: self._library.note_run(name, options), refused=self._on_refused)
 
     def _create(self) -> None:
         self._actions.create(self.editors.open_editor)

@@ -15,6 +15,7 @@ from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.control.events import Level
 from armui.control.operating_state import OperatingState
+from armui.trajectory.library.run_options import RunOptions
 from armui.trajectory.library.store import Library
 from armui.trajectory.samples import thin
 from armui.trajectory.samples.recording import Recording
@@ -23,7 +24,6 @@ from armui.ui.background import Job
 from armui.ui.trajectory.editor.leave_question import LeaveQuestion
 from armui.ui.trajectory.library.library_work import LibraryWork
 from armui.ui.trajectory.running.preflight import Checks, Preflight
-from armui.ui.trajectory.running.run_options import RunOptions
 from armui.ui.trajectory.text import duration
 from armui.ui.widgets.buttons import named, push_button
 from armui.ui.widgets.figure_field import FigureField

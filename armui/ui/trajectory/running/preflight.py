@@ -20,10 +20,10 @@ if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
     from armui.control.link.arm_mark import ArmMark
     from armui.trajectory.files import Content
+    from armui.trajectory.library.run_options import RunOptions
     from armui.trajectory.library.store import Check
     from armui.trajectory.planning.planned_path import PlannedPath
     from armui.ui.background import Background
-    from armui.ui.trajectory.running.run_options import RunOptions
 
 _SAME_PLACE_DEG: Final = 0.5
 """An arm at rest is heard to tremble by some hundredths."""

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from functools import partial
 from typing import Final, NamedTuple
 
-from PySide6.QtCore import Qt, Signal
+from PySide6.QtCore import QObject, QSignalBlocker, Qt, Signal
 from PySide6.QtGui import QHideEvent, QShowEvent
 from PySide6.QtWidgets import QCheckBox, QComboBox, QLabel, QSpinBox, QWidget
 
@@ -15,12 +15,19 @@ from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.control.arm_controller import ArmController
 from armui.control.operating_state import OperatingState, StopState
-from armui.control.run.progress import ENDLESS, Progress
+from armui.control.run.progress import ENDLESS, Progress, sent_percent
 from armui.trajectory.files import Content
+from armui.trajectory.library.run_options import (
+    FASTEST_FACTOR,
+    FIRST_RUN_FACTOR,
+    MOST_CYCLES,
+    RunOptions,
+)
+from armui.trajectory.library.store import IndexEntry
+from armui.trajectory.planning.timing import APPROACH_PERCENT
 from armui.ui import words
 from armui.ui.actions.keys import keys_of, listen_for
 from armui.ui.trajectory.running.preflight import CheckJob, Checks, Preflight
-from armui.ui.trajectory.running.run_options import RunOptions
 from armui.ui.trajectory.running.runner import Runner, ended_early
 from armui.ui.widgets.buttons import named, push_button, show_primary
 from armui.ui.widgets.enable_or_explain import enable_or_explain
@@ -29,8 +36,6 @@ from armui.ui.widgets.text_label import text_label
 from armui.ui.widgets.translated import Translated
 
 _ONCE, _TIMES, _LOOP = range(3)
-_MOST_CYCLES: Final = 9999
-_FASTEST_PERCENT: Final = 200
 _SPIN_PX: Final = 34
 _SEND_KEY: Final = keys_of("editor.send")
 _SURPRISING_S: Final = 2.0
@@ -51,12 +56,66 @@ class _Started(NamedTuple):
     left: int
 
 
+class RunChoices(QObject):
+    """One set of run options a trajectory, wherever it is shown and run.
+
+    Signals:
+        changed: The name of a trajectory whose options, or whose first run, are others now.
+    """
+
+    changed = Signal(str)
+
+    def __init__(self, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._options: dict[str, RunOptions] = {}
+        self._ran: set[str] = set()
+
+    def of(self, name: str) -> RunOptions:
+        """Return the options of a trajectory; slow ones where it is not known to have run."""
+        return self._options.get(name, RunOptions(speed_factor=FIRST_RUN_FACTOR))
+
+    def has_run(self, name: str) -> bool:
+        """Tell whether a trajectory is known to have run."""
+        return name in self._ran
+
+    def choose(self, name: str, options: RunOptions) -> None:
+        """Take over what the operator has chosen."""
+        if name and options != self.of(name):
+            self._options[name] = options
+            self.changed.emit(name)
+
+    def note_run(self, name: str) -> None:
+        """Take over that a trajectory runs."""
+        self._ran.add(name)
+        self.changed.emit(name)
+
+    def follow(self, entries: Sequence[IndexEntry], is_open: Callable[[str], bool]) -> None:
+        """Take over from the library how trajectories were run, of each when it is first seen.
+
+        Later nothing but the operator changes what the widgets show, no other program.
+
+        Args:
+            entries: All there are; what was chosen for others is forgotten.
+            is_open: Tells whether a trajectory is open in an editor, saved or not.
+        """
+        kept = {entry.name for entry in entries}
+        for name in self._options.keys() | self._ran:
+            if name not in kept and not is_open(name):
+                self._options.pop(name, None)
+                self._ran.discard(name)
+        for entry in entries:
+            self._options.setdefault(entry.name, entry.ran_with or self.of(entry.name))
+            if entry.ran_with is not None and entry.name not in self._ran:
+                self.note_run(entry.name)
+
+
 class RunBar(Translated, QWidget):
     """Runs what its page gives it; how far that has come is told by the :class:`RunStrip`.
 
     Args:
         controller: Runs it.
         checks: Checks it before.
+        choices: How each trajectory is run; shared by all pages that run it.
         content: Hands on what would be run now, once it is read; ``None`` if there is nothing,
             which it says itself.
 
@@ -65,22 +124,28 @@ class RunBar(Translated, QWidget):
             else ``None``.
         refused: A :class:`Refusal`.
         progressed: A :class:`Progress`.
+        started: The name of what begins to run, and its :class:`RunOptions`.
     """
 
     checked = Signal(object, object)
     refused = Signal(object)
     progressed = Signal(object)
+    started = Signal(str, object)
 
     def __init__(
         self,
         controller: ArmController,
         checks: Checks,
+        choices: RunChoices,
         content: Callable[[Callable[[Content | None], object]], object],
     ) -> None:
         super().__init__()
         self._controller = controller
         self._checks = checks
+        self._shared = choices
         self._content = content
+        self._name = ""
+        self._speeds: tuple[int, int] | None = None
         self._job: CheckJob | None = None
         self._reading: object | None = None
         self._recording = False
@@ -93,7 +158,11 @@ class RunBar(Translated, QWidget):
         self._send.clicked.connect(self._on_send)
         self._call_off.clicked.connect(lambda _checked=False: self.drop_check())
         self._resume.clicked.connect(self._on_resume)
-        self._cycles.currentIndexChanged.connect(self._show_usable)
+        self._cycles.currentIndexChanged.connect(self._on_chosen)
+        for spin in (self._times, self._speed, self._first):
+            spin.valueChanged.connect(self._on_chosen)
+        self._steps.toggled.connect(self._on_chosen)
+        choices.changed.connect(self._on_shared)
         self._runner.progressed.connect(self._on_progress)
         controller.operating_state_changed.connect(self._on_operating_state)
         self.retranslate_ui()
@@ -105,12 +174,13 @@ class RunBar(Translated, QWidget):
         self._resume = push_button("run_resume", on_enter=False)
         self._cycles = named("run_cycles", QComboBox())
         self._cycles.addItems(["", "", ""])
-        self._times = _spin("run_times", _MOST_CYCLES, 3)
-        self._speed = _spin("run_speed", _FASTEST_PERCENT, 100)
+        self._times = _spin("run_times", MOST_CYCLES, 3)
+        self._speed = _spin("run_speed", round(100 * FASTEST_FACTOR), round(100 * FIRST_RUN_FACTOR))
         self._speed.setSuffix(" %")
         self._first = _spin("run_first", 1, 1)
         self._speed_label, self._first_label = QLabel(), QLabel()
         self._steps = named("run_steps", QCheckBox())
+        self._effective = text_label("run_effective", rank="muted")
         self._choices = (self._cycles, self._times, self._speed, self._first, self._steps)
 
     def _lay_out(self) -> None:
@@ -121,7 +191,7 @@ class RunBar(Translated, QWidget):
             on=self,
             spacing_px=8,
         )
-        for widget in (self._state, self._call_off, self._resume, self._send):
+        for widget in (self._effective, self._state, self._call_off, self._resume, self._send):
             flow.push(widget)
 
     # What the operator wants ------------------------------------------------------------------
@@ -131,17 +201,28 @@ class RunBar(Translated, QWidget):
         listen_for("editor.send", page, self._send.click).setAutoRepeat(False)
 
     def show_content(
-        self, count: int, *, recording: bool = False, nothing: Refusal | None = None
+        self,
+        name: str,
+        count: int,
+        *,
+        speeds: tuple[int, int] | None = None,
+        recording: bool = False,
+        nothing: Refusal | None = None,
     ) -> None:
         """Fit the choices to what would be run.
 
         Args:
+            name: Its own; "" while there is nothing.
             count: How many points it has.
+            speeds: The lowest and the highest speed percentage of its points.
             recording: Whether it has none, because it is a recording.
             nothing: Why there is nothing to be run.
         """
+        self._name, self._speeds = name, speeds
         self._recording, self._nothing = recording, nothing
-        self._first.setMaximum(max(1, count))
+        with QSignalBlocker(self._first):
+            self._first.setMaximum(max(1, count))
+        self._on_shared(name)
         for widget in (self._from_row, self._steps):
             widget.setVisible(not recording)
         self._show_usable()
@@ -215,6 +296,52 @@ class RunBar(Translated, QWidget):
             not recording and self._steps.isChecked(),
         )
 
+    def _on_chosen(self, *_: object) -> None:
+        self._shared.choose(self._name, self._options())
+        self._show_usable()
+
+    def _on_shared(self, name: str) -> None:
+        """Show what was chosen for the trajectory, on whichever page."""
+        if not name or name != self._name:
+            return
+        wanted = self._shared.of(name)
+        if wanted != self._options():
+            blocked = [QSignalBlocker(widget) for widget in self._choices]
+            often = {1: _ONCE, ENDLESS: _LOOP}.get(wanted.cycles, _TIMES)
+            self._cycles.setCurrentIndex(often)
+            if often == _TIMES:
+                self._times.setValue(wanted.cycles)
+            self._speed.setValue(round(100 * wanted.speed_factor))
+            self._first.setValue(wanted.first + 1)
+            self._steps.setChecked(wanted.step_by_step)
+            del blocked
+        self._show_usable()
+
+    def _show_effective(self) -> None:
+        """Say how fast the arm is told to go: of all speeds on the window, the one that counts."""
+        factor = self._speed.value() / 100.0
+        if self._recording:
+            text = self.tr("Effective: {percent} % of the recorded speed")
+            text = text.format(percent=self._speed.value())
+            tip = self.tr("The first sample is approached at {percent} %.")
+            tip = tip.format(percent=APPROACH_PERCENT)
+        else:
+            low, high = (sent_percent(one, factor) for one in self._speeds or (1, 1))
+            figures = f"{low} %" if low == high else f"{low}–{high} %"
+            text = self.tr("Effective speed {percent}").format(percent=figures)
+            tip = self.tr("The speed of each row × that of the run, 1–100 %; all rows.")
+        lines = [tip, self.tr("The speed in the top bar does not change a run.")]
+        if not self._shared.has_run(self._name):
+            text = self.tr("{text} · first run").format(text=text)
+            begin = self.tr(
+                "“{name}” is not known to have run: its speed begins at {percent} %. Watch it once "
+                "before you choose more."
+            )
+            lines.append(begin.format(name=self._name, percent=round(100 * FIRST_RUN_FACTOR)))
+        self._effective.setText(text)
+        self._effective.setToolTip("\n".join(lines))
+        self._effective.setVisible(bool(self._name) and (self._recording or bool(self._speeds)))
+
     def stand_back(self, wanted: bool) -> None:
         """Whether something else on the page is done more often than running it."""
         show_primary(self._send, wanted=not wanted)
@@ -278,6 +405,9 @@ class RunBar(Translated, QWidget):
             refusal = self._runner.start(checked)
         if refusal is not None:
             self.refused.emit(refusal)
+            return
+        self._shared.note_run(checked.content.name)
+        self.started.emit(checked.content.name, self._options())
 
     # How far it has come ----------------------------------------------------------------------
 
@@ -308,6 +438,7 @@ class RunBar(Translated, QWidget):
         why_not = self._why_not()
         for choice in self._choices:  # the run under way has its own
             choice.setEnabled(not self._runner.running)
+        self._show_effective()
         self._times.setVisible(self._cycles.currentIndex() == _TIMES)
         reason = self.tr("Checking…") if checking else why_not
         enable_or_explain(self._send, reason, self.tr("Checks it and runs it"), key=_SEND_KEY)
