@@ -1,4 +1,4 @@
-"""S12: beside 发送 stands how fast the arm is told to go; each trajectory has one set of options."""
+"""S12: beside 发送 stands how fast the arm is told to go; a trajectory has one set of options."""
 
 from PySide6.QtWidgets import QSpinBox, QWidget
 

@@ -338,9 +338,10 @@ class RunBar(Translated, QWidget):
                 "before you choose more."
             )
             lines.append(begin.format(name=self._name, percent=round(100 * FIRST_RUN_FACTOR)))
-        self._effective.setText(text)
-        self._effective.setToolTip("\n".join(lines))
-        self._effective.setVisible(bool(self._name) and (self._recording or bool(self._speeds)))
+        known = bool(self._name) and (self._recording or self._speeds is not None)
+        # it is always there, so that 发送 stays in its place
+        self._effective.setText(text if known else "")
+        self._effective.setToolTip("\n".join(lines) if known else "")
 
     def stand_back(self, wanted: bool) -> None:
         """Whether something else on the page is done more often than running it."""
