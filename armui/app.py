@@ -123,6 +123,7 @@ class Program:
         apply_theme(app, Theme(settings.theme))
         self._stop_shortcut = StopShortcut(app, self.controller, self.window)
         controller.stop_again_when_undone(settings.stop_again)
+        controller.jog_floor.lowest_mm = settings.jog_floor_mm
         controller.model_watch.assume(last_model(settings.models))
         self._node_keeper = NodeKeeper(controller, KeptModels(store))
         controller.session_choices = partial(_session_choices, store)
@@ -209,6 +210,7 @@ class Program:
         if settings.language != self._settings.language:
             self._translator.set_language(settings.language)
         self.controller.stop_again_when_undone(settings.stop_again)
+        self.controller.jog_floor.lowest_mm = settings.jog_floor_mm
         self.controller.on_sessions_chosen()
         self._settings = settings
 

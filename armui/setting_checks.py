@@ -30,6 +30,8 @@ JOG_STEP_MIN_DEG: Final = 0.001
 """The resolution of an angle on the bus."""
 JOG_STEP_MAX_DEG: Final = 30.0
 
+JOG_FLOOR_MOST_MM: Final = 500
+
 TRAIL_LONGEST_S: Final = 600
 
 ROTATE_MIN_MB: Final = 1
@@ -51,6 +53,7 @@ def check(name: str, value: object) -> Refusal | None:
         "theme": value in get_args(ThemeName),
         "mountings": _are_of_arms(value, get_args(MountingName)),
         "stop_again": isinstance(value, bool),
+        "jog_floor_mm": value is None or _is_whole(value, -JOG_FLOOR_MOST_MM, JOG_FLOOR_MOST_MM),
         "urdf_path": value is None or _is_path(value),
         "session_folder": value is None or _is_path(value),
         "session_format": value in get_args(SessionFormat),

@@ -57,6 +57,7 @@ class Choices(TypedDict, total=False):
     tool: tuple[float, ...]
     mountings: Mapping[str, MountingName]
     stop_again: bool
+    jog_floor_mm: int | None
     session_folder: str | None
     session_format: SessionFormat
     session_rotate_mb: int
@@ -86,6 +87,7 @@ class Settings:
         mountings: What each arm was told last of how it is mounted, by the adapter's serial number
             with the arm's node number.
         stop_again: An emergency stop that another host undoes is sent again by itself.
+        jog_floor_mm: The least height of the fingertip over the base plane for jogs; ``None``: any.
         session_folder: Where sessions are recorded; ``None``: in the user's folder for data.
         session_format: The suffix of their files.
         session_rotate_mb: A file that is as large is followed by another.
@@ -110,6 +112,7 @@ class Settings:
     tool: tuple[float, ...] = (0.0,) * 6
     mountings: Mapping[str, MountingName] = field(default_factory=dict)
     stop_again: bool = False
+    jog_floor_mm: int | None = None
     session_folder: str | None = None
     session_format: SessionFormat = ".blf"
     session_rotate_mb: int = 100

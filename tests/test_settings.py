@@ -43,6 +43,7 @@ def test_a_change_is_there_in_the_next_run(path: Path) -> None:
         "urdf_path": None,
         "tool": [0.0] * 6,
         "stop_again": False,
+        "jog_floor_mm": None,
         "session_folder": None,
         "session_format": ".blf",
         "session_rotate_mb": 100,

@@ -102,6 +102,7 @@ class RefusalCode(StrEnum):
     JOG_SINGULAR = "jog_singular"  # joint
     JOG_STEP_NOT_A_NUMBER = "jog_step_not_a_number"
     JOG_STEP_OUT_OF_RANGE = "jog_step_out_of_range"
+    JOG_TOO_LOW = "jog_too_low"  # value, minimum
     JOG_UNDER_WAY = "jog_under_way"
     JOINT_NOT_A_NUMBER = "joint_not_a_number"  # joint, value
     JOINT_OUT_OF_LIMITS = "joint_out_of_limits"  # joint, value, minimum, maximum

@@ -62,6 +62,7 @@ class AssessmentInputs:
     tasks: ActiveTasks = field(default_factory=ActiveTasks)
     stop_lapsed: bool = False
     model_fit: ModelFit = field(default_factory=ModelFit)
+    below_base_mm: int | None = None
     offsets: OffsetFollower = field(default_factory=OffsetFollower)
 
 
@@ -127,6 +128,7 @@ def assess(state: ArmState, around: AssessmentInputs, now_s: float) -> Operating
         addressing=around.offsets.addressing,
         control_certain=around.offsets.certain,
         model_fit=around.model_fit,
+        below_base_mm=around.below_base_mm,
         teaching_input=around.link in (LinkState.OFFLINE, LinkState.ONLINE)
         and is_fresh(state.foreign_targets_s, now_s)
         and not _controller_heard(state, now_s),

@@ -88,6 +88,7 @@ class Assessor:
             generation=connection.generation,
             offsets=connection.offsets,
             model_fit=controller.model_watch.fit(),
+            below_base_mm=controller.jog_floor.below_base_mm(controller.state),
             authority=self._watch.authority,
             other_host=self._watch.report(),
             tasks=ActiveTasks(

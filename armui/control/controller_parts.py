@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, Signal
 
+from armui.control.motion.jog_floor import JogFloor
 from armui.control.motion.joint_motion import Motion
 from armui.control.motion.motion_command import End
 
@@ -72,21 +73,26 @@ class ControllerParts(QObject):
     @cached_property
     def motion(self) -> Motion:
         """Moves the joints."""
-        return Motion(self._context)
+        return Motion(self._context, self.jog_floor)
+
+    @cached_property
+    def jog_floor(self) -> JogFloor:
+        """Knows how low the arm reaches, and how low a jog may take it."""
+        return JogFloor(self._context, lambda: self.cartesian.tool)
 
     @cached_property
     def cartesian(self) -> Cartesian:
         """Moves the tool."""
         from armui.control.motion.cartesian import Cartesian
 
-        return Cartesian(self._context, self.motion)
+        return Cartesian(self._context, self.motion, self.jog_floor)
 
     @cached_property
     def jogging(self) -> Jogging:
         """Moves joints and tool while something is held."""
         from armui.control.motion.jogging import Jogging
 
-        return Jogging(self._context, self.motion, self.cartesian)
+        return Jogging(self._context, self.motion, self.cartesian, self.jog_floor)
 
     @cached_property
     def gamepad(self) -> GamepadPilot:

@@ -127,6 +127,8 @@ class OperatingState:
         addressing: The identifier offsets in use (0x470).
         control_certain: Whether the arm is known to take commands under them.
         model_fit: Which arm of the family was chosen, and whether what the arm tells fits it.
+        below_base_mm: By how much flange or fingertip is measured below the plane the arm stands
+            on; ``None``: neither is.
         teaching_input: Commands are heard and no feedback: the arm is a teaching input (0x470).
     """
 
@@ -164,6 +166,7 @@ class OperatingState:
     addressing: Addressing = field(default_factory=Addressing)
     control_certain: bool = True
     model_fit: ModelFit = field(default_factory=ModelFit)
+    below_base_mm: int | None = None
 
     @property
     def unreachable(self) -> Refusal | None:

@@ -11,6 +11,7 @@ from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter, QPixmap
 from armui.viewport.palette import ScenePalette
 
 _NOT_HEARD = "—"
+_HEIGHT = 2
 _POSE = (("X", "mm"), ("Y", "mm"), ("Z", "mm"), ("RX", "°"), ("RY", "°"), ("RZ", "°"))
 _JOINTS = tuple((f"J{number}", "°") for number in range(1, 7))
 _WIDEST_NAME, _WIDEST_FIGURE, _WIDEST_UNIT = "RX ", "-0000.000", " mm"
@@ -31,12 +32,14 @@ class HudValues(NamedTuple):
         angles_deg: six joint angles.
         pose_stale: the pose is no longer fresh.
         angles_stale: the angles are no longer fresh.
+        too_low: flange or fingertip is below the plane the arm stands on: the height is amber.
     """
 
     pose: tuple[float, ...] | None = None
     angles_deg: tuple[float, ...] | None = None
     pose_stale: bool = False
     angles_stale: bool = False
+    too_low: bool = False
 
 
 def hud_font(base: QFont) -> QFont:
@@ -102,8 +105,10 @@ class Hud:
             (values.pose, values.pose_stale),
             (values.angles_deg, values.angles_stale),
         ):
-            painter.setPen(QColor(palette.muted if stale or numbers is None else palette.text))
+            calm = QColor(palette.muted if stale or numbers is None else palette.text)
             for line, figure in enumerate(figures(numbers)):
+                low = values.too_low and numbers is values.pose and line == _HEIGHT
+                painter.setPen(QColor(palette.warning) if low else calm)
                 place = QPointF(right - self._width_px(figure), top + line * line_px)
                 if self._is_tabular:
                     painter.drawText(place, figure)

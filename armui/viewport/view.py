@@ -122,10 +122,20 @@ class ArmView(LookingView):
         self._look_at(self._state._replace(stale=True))
         self._set_hud(self._hud._replace(angles_deg=None, angles_stale=True))
 
-    def set_pose(self, pose: Sequence[float] | None, stale: bool = False) -> None:
-        """Show the measured end pose: X, Y, Z in mm, RX, RY, RZ in degrees; None: never heard."""
+    def set_pose(
+        self, pose: Sequence[float] | None, stale: bool = False, *, too_low: bool = False
+    ) -> None:
+        """Show the measured end pose.
+
+        Args:
+            pose: X, Y, Z in mm, RX, RY, RZ in degrees; None: never heard.
+            stale: it is no longer fresh.
+            too_low: flange or fingertip is below the plane the arm stands on.
+        """
         self._set_hud(
-            self._hud._replace(pose=None if pose is None else tuple(pose), pose_stale=stale)
+            self._hud._replace(
+                pose=None if pose is None else tuple(pose), pose_stale=stale, too_low=too_low
+            )
         )
 
     def set_theme(self, palette: ScenePalette) -> None:

@@ -7299,6 +7299,10 @@ The other program must have ended.</source>
         <source>The replay is paused. Hold “Continue” for 1 s under Teaching, or terminate it.</source>
         <translation>示教轨迹已暂停。可在【示教】中按住“继续执行”1 秒，或终止执行。</translation>
     </message>
+    <message>
+        <source>The fingertip is {value} mm below the plane the arm stands on. Jog upwards unless there is nothing there. Settings have a lowest height for jogs.</source>
+        <translation>末端在底座平面以下 {value} mm。除非那里没有物体，请向上点动。“设置”中可选点动的最低高度。</translation>
+    </message>
 </context>
 <context>
     <name>Refusal</name>
@@ -8350,6 +8354,10 @@ The other program must have ended.</source>
         <source>The part of the program that drove it has failed: the arm was told to end its motion. Copy the details of the error, then start the program again.</source>
         <translation>驱动该运动的程序部分已出错：已命令机械臂结束运动。请复制错误详细信息，然后重新启动程序。</translation>
     </message>
+    <message>
+        <source>The fingertip would come to {value} mm; jogs end at {minimum} mm, as chosen under Settings. Jog upwards.</source>
+        <translation>末端将到 {value} mm；按“设置”中的选择，点动止于 {minimum} mm。请向上点动。</translation>
+    </message>
 </context>
 <context>
     <name>ReplayEventBar</name>
@@ -9020,6 +9028,10 @@ The other program must have ended.</source>
         <source>models of the arms</source>
         <translation>机械臂型号</translation>
     </message>
+    <message>
+        <source>lowest height for jogs</source>
+        <translation>点动最低高度</translation>
+    </message>
 </context>
 <context>
     <name>SettingsDialog</name>
@@ -9114,6 +9126,14 @@ The other program must have ended.</source>
     <message>
         <source>Built-in model of the {model}</source>
         <translation>{model} 内置模型</translation>
+    </message>
+    <message>
+        <source>Over the plane the arm stands on: 0 mm is the plane, negative is below it. Single steps, buttons, keys and gamepad keep to it; an arm that is lower may only go up.</source>
+        <translation>相对底座平面：0 mm 为该平面，负值在其下。单步、按钮、按键和手柄都遵守；已低于此高度的机械臂只能向上。</translation>
+    </message>
+    <message>
+        <source>Jogs end at a lowest height of the fingertip</source>
+        <translation>点动止于末端最低高度</translation>
     </message>
 </context>
 <context>

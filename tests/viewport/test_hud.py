@@ -132,3 +132,14 @@ def test_digits_of_any_font_stand_in_cells_of_one_width(qapp, monkeypatch):
         proportional._draw_in_cells(painter(), QPointF(), text)
     ends = [(places[0].x(), places[4].x()) for places in drawn.values()]
     assert ends[0] == ends[1]  # sign and decimal point
+
+
+def test_a_height_below_the_base_plane_is_amber(qapp):
+    values = (1.0,) * 6
+
+    def colors(image: QImage) -> set[str]:
+        places = ((x, y) for x in range(image.width()) for y in range(image.height()))
+        return {QColor(image.pixel(x, y)).name() for x, y in places}
+
+    assert LIGHT.warning not in colors(paint(HudValues(values, values)))
+    assert LIGHT.warning in colors(paint(HudValues(values, values, too_low=True)))

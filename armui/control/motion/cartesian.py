@@ -24,6 +24,7 @@ from armui.protocol.codes import MoveMode
 # The kinematics and what stands on it bring numpy and scipy along. They are loaded when the first
 # pose is asked for: the window starts without them.
 if TYPE_CHECKING:
+    from armui.control.motion.jog_floor import JogFloor
     from armui.control.motion.joint_motion import Motion
     from armui.kinematics.arm_kinematics import Kinematics
     from armui.kinematics.poses import Matrix, Pose
@@ -47,14 +48,16 @@ class Cartesian(ControllerPart):
     Args:
         context: What the parts of the controller share.
         motion: Owns the speed.
+        floor: Knows how low a step may lead.
 
     Attributes:
         tool: The tool centre point in the flange: X, Y, Z in mm, RX, RY, RZ in degrees. The arm
             knows nothing of it: it is told, and tells, where the flange is.
     """
 
-    def __init__(self, context: Context, motion: Motion) -> None:
+    def __init__(self, context: Context, motion: Motion, floor: JogFloor) -> None:
         self._context = context
+        self._floor = floor
         self._motion = motion
         self._model: Kinematics | None = None
         self.tool: tuple[float, ...] = _NO_TOOL
@@ -174,7 +177,12 @@ class Cartesian(ControllerPart):
         if measured_deg is None:
             return self._context.refuse(Refusal(RefusalCode.JOINTS_UNKNOWN))
         measured = poses.tool_matrix(self.kinematics().matrix(measured_deg), self.tool)
-        target = poses.shifted(self._base(measured), axis, amount, frame)
+        base = self._base(measured)
+        target = poses.shifted(base, axis, amount, frame)
+        ahead, now = (poses.flange_matrix(each, self.tool) for each in (target, base))
+        refusal = self._floor.why_pose_lower(ahead, now)
+        if refusal is not None:
+            return self._context.refuse(refusal)
         unit = "mm" if axis < LINEAR_AXES else "°"
         figures: dict[str, object] = {"axis": AXES[axis], "step": f"{amount:+g} {unit}"}
         return self._move(

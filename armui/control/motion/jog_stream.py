@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Final
 
 from armui.arm.refusal import Refusal
@@ -32,14 +32,20 @@ class JogStream:
         base_deg: Six angles the way begins at.
         measured_deg: Where the joints are then. What lies between the two is the joints' sag
             under load, and no lead.
+        why_barred: Returns why the setpoint may not go from the second six angles to the first.
 
     Attributes:
         setpoint_deg: What the arm is to be sent to now.
     """
 
     def __init__(
-        self, way: JogPath, base_deg: Sequence[float], measured_deg: Sequence[float]
+        self,
+        way: JogPath,
+        base_deg: Sequence[float],
+        measured_deg: Sequence[float],
+        why_barred: Callable[[Sequence[float], Sequence[float]], Refusal | None] = lambda *_: None,
     ) -> None:
+        self._why_barred = why_barred
         self.setpoint_deg = tuple(base_deg)
         self._way = way
         self._sag_deg = tuple(a - b for a, b in zip(base_deg, measured_deg, strict=True))
@@ -85,6 +91,9 @@ class JogStream:
                 return _why_too_fast(joint)
             share = min(share, self._share_by_lead(ahead_deg, measured_deg, pace))
             if share >= 1.0:
+                barred = self._why_barred(ahead_deg, self.setpoint_deg)
+                if barred is not None:
+                    return barred
                 self._gone += way
                 self.setpoint_deg = ahead_deg
                 return None

@@ -42,6 +42,7 @@ Jog = JointJog | ToolJog | SteeredJog
 if TYPE_CHECKING:
     from armui.arm.state import ArmState
     from armui.control.motion.cartesian import Cartesian
+    from armui.control.motion.jog_floor import JogFloor
     from armui.control.motion.joint_motion import Motion
 
 _TICK_MS: Final = 10
@@ -84,10 +85,14 @@ class Jogging(ControllerPart):
         context: What the parts of the controller share.
         motion: Owns the speed.
         cartesian: Knows the tool and the kinematics.
+        floor: Knows how low a jog may lead.
     """
 
-    def __init__(self, context: Context, motion: Motion, cartesian: Cartesian) -> None:
+    def __init__(
+        self, context: Context, motion: Motion, cartesian: Cartesian, floor: JogFloor
+    ) -> None:
         self._context = context
+        self._floor = floor
         self._motion = motion
         self._cartesian = cartesian
         self._rest = RestWatch(QUIET_DEG, QUIET_S)
@@ -220,7 +225,9 @@ class Jogging(ControllerPart):
                 self._end(Refusal(RefusalCode.STILL_MOVING))
             return
         base_deg = self._context.authority.joint_base_deg() or measured_deg
-        hold.stream = JogStream(self._way(hold.jog, base_deg), base_deg, measured_deg)
+        hold.stream = JogStream(
+            self._way(hold.jog, base_deg), base_deg, measured_deg, self._floor.why_lower
+        )
 
     def _way(self, jog: Jog, base_deg: Sequence[float]) -> JogPath:
         limits = self._context.operating_state().limits

@@ -10,6 +10,7 @@ from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.control.context import Context, ControllerPart
 from armui.control.events import EventCode
+from armui.control.motion.jog_floor import JogFloor
 from armui.control.motion.motion_command import CommandKind
 from armui.control.requests import reports
 from armui.control.safety import interlocks
@@ -26,12 +27,17 @@ _SETTLE_S: Final = 0.3
 class Motion(ControllerPart):
     """Joint motions, and the speed of every motion.
 
+    Args:
+        context: What the parts of the controller share.
+        floor: Knows how low a step may lead.
+
     Attributes:
         speed_percent: What motions are sent with, of the arm's maximum.
     """
 
-    def __init__(self, context: Context) -> None:
+    def __init__(self, context: Context, floor: JogFloor) -> None:
         self._context = context
+        self._floor = floor
         self.speed_percent = _FIRST_SPEED_PERCENT
 
     @property
@@ -87,6 +93,9 @@ class Motion(ControllerPart):
             )
         target_deg = list(base_deg)
         target_deg[joint - 1] = round(target_deg[joint - 1] + delta_deg, 3)
+        refusal = self._floor.why_step_lower(target_deg, base_deg)
+        if refusal is not None:
+            return context.refuse(refusal)
         return self._move(target_deg, EventCode.JOGGED, joint=joint, target=target_deg[joint - 1])
 
     def jog_lagging(self, joint: int, step_deg: float) -> bool:

@@ -206,6 +206,12 @@ def moves(view: RecoveryView) -> bool:
     return view.operating_state.moving or view.operating_state.running
 
 
+def below_base(view: RecoveryView) -> Params | None:
+    """Tell by how much the arm reaches below the plane it stands on."""
+    below = view.operating_state.below_base_mm
+    return None if below is None else {"value": below}
+
+
 def near_rest(view: RecoveryView) -> bool:
     """Led by hand, and near the rest pose."""
     farthest = farthest_from_rest(view.state) if view.in_drag_mode else None

@@ -22,6 +22,7 @@ from armui.control.run.progress import RunPhase
 from armui.control.safety.recovery_conditions import (
     Applies,
     RecoveryView,
+    below_base,
     drivers,
     far_from_rest,
     has_code,
@@ -290,6 +291,7 @@ _RULES: Final = (
     _Rule(StepKind.RUN_PAUSED, Level.WARNING, None, run_is(RunPhase.PAUSED)),
     _Rule(StepKind.RUN_WAITS, Level.INFO, None, run_is(RunPhase.WAITING)),
     _Rule(StepKind.RUNNING, Level.INFO, None, run_is(RunPhase.MOVING, RunPhase.DWELLING)),
+    _Rule(StepKind.BELOW_BASE, Level.WARNING, None, below_base),
     _Rule(StepKind.MOVING, Level.INFO, None, when(moves)),
     _Rule(StepKind.READY, Level.DONE, None, when(lambda _view: True)),
 )

@@ -114,6 +114,7 @@ class StepKind(enum.Enum):
     RUN_PAUSED = "run_paused"
     RUN_WAITS = "run_waits"
     RUNNING = "running"
+    BELOW_BASE = "below_base"  # value
     MOVING = "moving"
     READY = "ready"
 
@@ -123,6 +124,7 @@ UNHINDERED: Final = frozenset(
         StepKind.RUN_PAUSED,
         StepKind.RUN_WAITS,
         StepKind.RUNNING,
+        StepKind.BELOW_BASE,
         StepKind.MOVING,
         StepKind.READY,
     }

@@ -217,8 +217,13 @@ def _below_floor(path: PlannedPath, arm: ArmModel) -> Iterator[Finding]:
     flanges_mm = flange_heights(arm.kinematics.geometry, path.joints_deg)
     heights = np.minimum(path.places_mm[:, 2], flanges_mm)
     below = FLOOR_MM - heights
+    changes = np.flatnonzero(np.diff(path.rows))
+    only_way = below[changes[0] if len(changes) else -1] <= 0.0
     for index in _worst(below > 0.0, below, path):
-        yield _at(path, index, FindingCode.BELOW_FLOOR, {"value": round(float(below[index]), 1)})
+        figures = {"value": round(float(below[index]), 1)}
+        found = _at(path, index, FindingCode.BELOW_FLOOR, figures)
+        on_way = only_way and (found.row, found.cycle) == (int(path.rows[0]), 1)
+        yield replace(found, approach=Approach.WAY) if on_way else found
 
 
 def _tool_too_fast(path: PlannedPath, free: Flags, arm: ArmModel) -> Iterator[Finding]:

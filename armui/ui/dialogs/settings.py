@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import TYPE_CHECKING, Final
 
-from PySide6.QtCore import Qt, Signal
+from PySide6.QtCore import QSignalBlocker, Qt, Signal
 from PySide6.QtGui import QHideEvent, QShowEvent
 from PySide6.QtWidgets import (
     QCheckBox,
@@ -13,6 +13,7 @@ from PySide6.QtWidgets import (
     QGridLayout,
     QLabel,
     QLineEdit,
+    QSpinBox,
     QWidget,
 )
 
@@ -76,6 +77,8 @@ class SettingsDialog(ArmDialog):
         self.theme_box.activated.connect(self._on_theme)
         self.jog_step_edit.editingFinished.connect(self._on_jog_step)
         self.stop_again_box.clicked.connect(self._on_stop_again)
+        self.jog_floor_box.clicked.connect(self._on_jog_floor)
+        self.jog_floor_spin.valueChanged.connect(self._on_jog_floor)
         self.browse_button.clicked.connect(self._on_browse)
         self.built_in_button.clicked.connect(self._on_built_in)
         self.diagnosis_button.clicked.connect(self.diagnosis_wanted)
@@ -96,6 +99,13 @@ class SettingsDialog(ArmDialog):
         self._jog_label, self.jog_step_edit, self._jog_hint = QLabel(), QLineEdit(), QLabel()
         self._urdf_label, self._urdf_name = QLabel(), named("urdf_name", ElidedLabel())
         self.stop_again_box = named("stop_again_box", QCheckBox())
+        self.jog_floor_box = named("jog_floor_box", QCheckBox())
+        self.jog_floor_spin = named("jog_floor_spin", QSpinBox())
+        most = setting_checks.JOG_FLOOR_MOST_MM
+        self.jog_floor_spin.setRange(-most, most)
+        self.jog_floor_spin.setSingleStep(10)
+        self.jog_floor_spin.setSuffix(" mm")
+        self.jog_floor_spin.setKeyboardTracking(False)
         self.browse_button, self.built_in_button = (push_button(on_enter=False) for _ in range(2))
         self.diagnosis_button = push_button("diagnosis_button", on_enter=False)
         self.about_arm_button = push_button("about_arm_button", on_enter=False)
@@ -114,6 +124,8 @@ class SettingsDialog(ArmDialog):
         _add_row(grid, self._language_label, self.language_box)
         _add_row(grid, self._theme_label, self.theme_box)
         _add_row(grid, self._jog_label, self.jog_step_edit, self._jog_hint)
+        row = in_row(self.jog_floor_box, self.jog_floor_spin, STRETCH, spacing=8)
+        grid.addLayout(row, grid.rowCount(), 1)
         _add_row(grid, self._urdf_label, self._urdf_name)
         row = in_row(self.browse_button, self.built_in_button, STRETCH, spacing=8)
         grid.addLayout(row, grid.rowCount(), 1)
@@ -146,6 +158,14 @@ class SettingsDialog(ArmDialog):
             "Such a stop is always told as a fault. With this, it is also sent again by itself."
         )
         caption(self.stop_again_box, text, tip=tip)
+        text = self.tr("Jogs end at a lowest height of the fingertip")
+        tip = self.tr(
+            "Over the plane the arm stands on: 0 mm is the plane, negative is below it. Single "
+            "steps, buttons, keys and gamepad keep to it; an arm that is lower may only go up."
+        )
+        caption(self.jog_floor_box, text, tip=tip)
+        self.jog_floor_spin.setAccessibleName(text)
+        self.jog_floor_spin.setToolTip(tip)
         self.browse_button.setText(self.tr("Browse…"))
         self.built_in_button.setText(self.tr("Use the built-in one"))
         self._gamepad_label.setText(self.tr("Gamepad, SpaceMouse"))
@@ -177,6 +197,11 @@ class SettingsDialog(ArmDialog):
         self.language_box.setCurrentIndex(self.language_box.findData(now.language))
         self.theme_box.setCurrentIndex(self.theme_box.findData(now.theme))
         self.stop_again_box.setChecked(now.stop_again)
+        self.jog_floor_box.setChecked(now.jog_floor_mm is not None)
+        self.jog_floor_spin.setEnabled(now.jog_floor_mm is not None)
+        if now.jog_floor_mm is not None:
+            with QSignalBlocker(self.jog_floor_spin):
+                self.jog_floor_spin.setValue(now.jog_floor_mm)
         if not self._jog_step_wrong:
             self.jog_step_edit.setText(f"{now.jog_step_deg:g}°")
         model = model_data(self._controller.operating_state.model).name
@@ -205,6 +230,12 @@ class SettingsDialog(ArmDialog):
 
     def _on_stop_again(self) -> None:
         self._show_problem(self._store.change(stop_again=self.stop_again_box.isChecked()))
+
+    def _on_jog_floor(self, *_: object) -> None:
+        on = self.jog_floor_box.isChecked()
+        self.jog_floor_spin.setEnabled(on)
+        height = self.jog_floor_spin.value() if on else None
+        self._show_problem(self._store.change(jog_floor_mm=height))
 
     def _on_gamepad(self) -> None:
         from armui.ui.gamepad.gamepad_dialog import GamepadDialog  # noqa: PLC0415 - faster start

@@ -25,4 +25,5 @@ def show_in_view(view: ArmView, state: ArmState, operating_state: OperatingState
     else:
         gripper_mm = None if state.gripper is None else state.gripper.value.opening_mm
         view.set_joints(angles_deg, gripper_mm, stale=joints_stale)
-    view.set_pose(state.end_pose(), stale=pose_stale)
+    too_low = operating_state.below_base_mm is not None
+    view.set_pose(state.end_pose(), stale=pose_stale, too_low=too_low)

@@ -101,6 +101,10 @@ _REFUSALS: Final = Texts("Refusal") | {
     ),
     RefusalCode.JOG_AT_LIMIT: "Joint {joint} is at its limit of {limit}°. Jog the other way.",
     RefusalCode.JOG_OUT_OF_REACH: "The arm reaches no further this way. Jog in another direction.",
+    RefusalCode.JOG_TOO_LOW: (
+        "The fingertip would come to {value} mm; jogs end at {minimum} mm, as chosen under "
+        "Settings. Jog upwards."
+    ),
     RefusalCode.JOG_SINGULAR: (
         "The arm is at a singular pose: joint {joint} would have to turn far too fast. Jog "
         "another way, or turn joint 5 away from 0° under Motion control."

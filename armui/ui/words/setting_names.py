@@ -10,6 +10,7 @@ SETTING_NAMES: Final = Texts("SettingName") | {
     "language": "language",
     "theme": "theme",
     "jog_step_deg": "jog step",
+    "jog_floor_mm": "lowest height for jogs",
     "models": "models of the arms",
     "urdf_path": "robot description",
     "tool": "tool centre point",

@@ -147,6 +147,10 @@ _SENTENCES: Final = Texts("RecoveryStep") | {
     StepKind.RUN_PAUSED: "Paused: hold “Continue” for 1 s",
     StepKind.RUN_WAITS: "Waiting: press “Next step”",
     StepKind.RUNNING: "A trajectory is running",
+    StepKind.BELOW_BASE: (
+        "The fingertip is {value} mm below the plane the arm stands on. Jog upwards unless there "
+        "is nothing there. Settings have a lowest height for jogs."
+    ),
     StepKind.MOVING: "The arm is moving",
     StepKind.READY: "Ready",
 }

@@ -1,0 +1,96 @@
+"""How low the arm reaches, and how low a jog may take it.
+
+Heights are of the base frame: 0 mm is the plane the arm stands on. The lowest of flange and
+fingertip counts, as in the check before a run.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING, Final
+
+from armui.arm.models import model_data
+from armui.arm.refusal import Refusal
+from armui.arm.refusal_codes import RefusalCode
+
+if TYPE_CHECKING:
+    from armui.arm.state import ArmState
+    from armui.control.context import Context
+    from armui.kinematics.poses import Matrix
+    from armui.protocol.piper_model import PiperModel
+
+_PLACES: Final = 16
+"""A step is looked at in so many places: a circle may have its lowest point on the way."""
+_SAME_MM: Final = 1e-6
+
+
+def reach_mm(tool: Sequence[float], model: PiperModel) -> float:
+    """Return how far the tip of the tool is beyond the flange: the tool's, else the gripper's."""
+    return tool[2] if tool[2] > 0.0 else model_data(model).gripper.reach_mm
+
+
+class JogFloor:
+    """Ends jogs and steps that lead lower than the operator has chosen.
+
+    Args:
+        context: Knows the arm's geometry.
+        tool: Returns the tool centre point in the flange.
+
+    Attributes:
+        lowest_mm: The least height of the fingertip for jogs; ``None``: any.
+    """
+
+    def __init__(self, context: Context, tool: Callable[[], Sequence[float]]) -> None:
+        self._context = context
+        self._tool = tool
+        self.lowest_mm: int | None = None
+
+    def height_mm(self, joints_deg: Sequence[float]) -> float:
+        """Return the height of flange or fingertip at six angles, whichever is lower."""
+        from armui.kinematics.forward import flange_rows  # noqa: PLC0415 - numpy, loaded when asked for
+
+        fit = self._context.operating_state().model_fit
+        rows = flange_rows(fit.geometry, joints_deg)
+        return self._lowest(rows[11], rows[10])
+
+    def _lowest(self, flange_mm: float, hand_up: float) -> float:
+        model = self._context.operating_state().model
+        return flange_mm + min(0.0, reach_mm(self._tool(), model) * hand_up)
+
+    def below_base_mm(self, state: ArmState) -> int | None:
+        """Return by how much the measured arm reaches below its base plane, or ``None``."""
+        joints_deg = state.angles_deg()
+        if joints_deg is None:
+            return None
+        below = round(-self.height_mm(joints_deg))
+        return below if below > 0 else None
+
+    def why_lower(self, ahead_deg: Sequence[float], now_deg: Sequence[float]) -> Refusal | None:
+        """Return why a jog does not go on to six angles; an arm below its limit may come up."""
+        if self.lowest_mm is None:
+            return None
+        return self._why(self.height_mm(ahead_deg), lambda: self.height_mm(now_deg))
+
+    def why_step_lower(self, end_deg: Sequence[float], now_deg: Sequence[float]) -> Refusal | None:
+        """Return why a step to six angles is not taken: somewhere on its way it is too low."""
+        if self.lowest_mm is None:
+            return None
+        parts = [part / _PLACES for part in range(1, _PLACES + 1)]
+        lowest = min(
+            self.height_mm([a + part * (b - a) for a, b in zip(now_deg, end_deg, strict=True)])
+            for part in parts
+        )
+        return self._why(lowest, lambda: self.height_mm(now_deg))
+
+    def why_pose_lower(self, flange: Matrix, now: Matrix) -> Refusal | None:
+        """Return why the flange does not step to a place on a straight line."""
+        if self.lowest_mm is None:
+            return None
+        ahead, here = (self._lowest(each[2][3], each[2][2]) for each in (flange, now))
+        return self._why(ahead, lambda: here)
+
+    def _why(self, ahead_mm: float, here_mm: Callable[[], float]) -> Refusal | None:
+        lowest = self.lowest_mm
+        if lowest is None or ahead_mm >= lowest or ahead_mm > here_mm() + _SAME_MM:
+            return None
+        return Refusal(RefusalCode.JOG_TOO_LOW, {"value": round(ahead_mm, 1), "minimum": lowest})
