@@ -25,6 +25,7 @@ class ArmModel:
         tool_mm: How far the gripper reaches beyond the flange.
         stroke_mm: How far the gripper opens; ``None`` if that is not known.
         gripper_turned_deg: How the gripper is mounted, about the flange's Z axis.
+        kind: The model and its zeros; "": nothing is said of trajectories of other arms.
     """
 
     limits: tuple[JointLimits, ...]
@@ -34,6 +35,7 @@ class ArmModel:
     tool_mm: float
     stroke_mm: float | None = None
     gripper_turned_deg: float = 0.0
+    kind: str = ""
 
     @property
     def fingerprint(self) -> str:

@@ -58,6 +58,17 @@ class ModelFit(NamedTuple):
         return model_data(self.chosen).geometry_with(older_zeros=self.older_zeros)
 
     @property
+    def kind(self) -> str:
+        """Return the model and its zeros, as trajectories name the arm they were taught on."""
+        name = model_data(self.chosen).name
+        return f"{name} (zeros before S-V1.6-3)" if self.older_zeros else name
+
+    @property
+    def taught_on(self) -> str:
+        """Return the kind for what is taught now; "" while what is heard has not confirmed it."""
+        return self.kind if self.fitting is not None and self.chosen in self.fitting else ""
+
+    @property
     def confirmed(self) -> bool:
         """Whether the chosen model fits, and no other."""
         return self.fitting == frozenset({self.chosen})

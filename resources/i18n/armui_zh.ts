@@ -1820,6 +1820,10 @@
         <source>“{name}” has been saved since these unsaved changes were kept: they are not put over it. They are in the library under “Recently deleted…”.</source>
         <translation>“{name}”在这些未保存的更改之后又保存过：未用它们覆盖，可在轨迹库的“最近删除…”中找回。</translation>
     </message>
+    <message>
+        <source>This was taught on another arm: {taught}. Chosen is {arm}.</source>
+        <translation>此轨迹在另一种机械臂上示教：{taught}。当前选择的是 {arm}。</translation>
+    </message>
 </context>
 <context>
     <name>EnableButton</name>
@@ -2700,6 +2704,10 @@
     <message>
         <source>Two ways to hold this pose are about equally near: joint {joint} at {value}°, which was checked, or at {other}°. Give the point as joint angles, so that it is certain which.</source>
         <translation>到达该位姿有两种远近相当的姿态：关节 {joint} 为 {value}°（已检查）或 {other}°。请改用关节角度表示该点，以确定采用哪一种。</translation>
+    </message>
+    <message>
+        <source>This was taught on another arm: {taught}; connected is {arm}. The same joint angles may hold the tool elsewhere. It was checked for {arm}, and nothing was converted. Watch the preview before you accept this.</source>
+        <translation>此轨迹在另一种机械臂上示教：{taught}；当前为 {arm}。同样的关节角可能使末端在别处。已按 {arm} 检查，未做任何换算。请先看预览再接受。</translation>
     </message>
 </context>
 <context>
@@ -6291,6 +6299,10 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     <message>
         <source>Comment</source>
         <translation>注释</translation>
+    </message>
+    <message>
+        <source>Arm it was taught on</source>
+        <translation>示教所用机械臂</translation>
     </message>
 </context>
 <context>

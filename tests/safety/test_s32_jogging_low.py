@@ -12,8 +12,8 @@ from armui.kinematics.forward import flange_rows
 from armui.trajectory.planning.check import check
 from armui.trajectory.planning.findings import Approach
 from armui.ui import words
-from armui.ui.words import findings
 from armui.ui.dialogs.settings import SettingsDialog
+from armui.ui.words import findings
 from tests.control.jogger import BENT_DEG, bend, hold
 from tests.family import PIPER
 from tests.moments import now

@@ -61,7 +61,7 @@ class Recorder(QObject, ControllerPart):
             return self._context.refuse(refusal)
         from armui.control.run.sample_store import SampleStore  # noqa: PLC0415 - numpy, faster start
 
-        self._samples = SampleStore()
+        self._samples = SampleStore(self._context.operating_state().model_fit.taught_on)
         self.dropped = 0
         ring = self._context.connection.samples
         ring.take()

@@ -27,11 +27,13 @@ class Recorded:
         name: What it is to be called.
         chunks: One after the other, as the samples of a `Recording`.
         ended: When it was.
+        taught_on: The arm it was recorded of; "": not known.
     """
 
     name: str
     chunks: tuple[Array, ...]
     ended: datetime
+    taught_on: str = ""
 
     @property
     def count(self) -> int:
@@ -45,14 +47,22 @@ class Recorded:
             name: Another name for it.
         """
         return Recording(
-            name or self.name, samples=np.concatenate(self.chunks), modified=self.ended
+            name or self.name,
+            samples=np.concatenate(self.chunks),
+            modified=self.ended,
+            taught_on=self.taught_on,
         )
 
 
 class SampleStore:
-    """Takes samples; the time of the first one is 0."""
+    """Takes samples; the time of the first one is 0.
 
-    def __init__(self) -> None:
+    Args:
+        taught_on: The arm they are of, as `ModelFit.taught_on` tells.
+    """
+
+    def __init__(self, taught_on: str = "") -> None:
+        self._taught_on = taught_on
         self._full: list[Array] = []
         self._chunk: Array = np.empty((_CHUNK, COLUMN_COUNT))
         self._used = 0
@@ -80,4 +90,4 @@ class SampleStore:
         if not len(self):
             return None
         chunks = (*self._full, self._chunk[: self._used])
-        return Recorded(name, chunks, datetime.now().astimezone())
+        return Recorded(name, chunks, datetime.now().astimezone(), self._taught_on)

@@ -50,6 +50,8 @@ def write(content: Content) -> str:
         "note": content.note,
         "modified": content.modified.isoformat(),
     }
+    if content.taught_on:
+        head["taught_on"] = content.taught_on
     if isinstance(content, Trajectory):
         head["closing_comments"] = list(content.closing)
         key, items = "points", [_dump(_point_fields(point)) for point in content.points]
@@ -117,6 +119,7 @@ def _content(whole: Fields, name: str) -> Content:
     common = {
         "name": whole.text("name", name),
         "note": whole.text("note", ""),
+        "taught_on": whole.text("taught_on", ""),
         "modified": parse_time(whole.text("modified", "1970-01-01"), 0, 0),
     }
     if kind == _KINDS[0]:

@@ -89,6 +89,8 @@ def _header(content: Content) -> Iterator[str]:
     yield f"name: {_text(content.name)}\n"
     if content.note:
         yield f"note: {_text(content.note)}\n"
+    if content.taught_on:
+        yield f"taught_on: {_text(content.taught_on)}\n"
     yield f"modified: {content.modified.isoformat()}\n\n"
 
 
@@ -138,7 +140,7 @@ def _read_header(lines: list[str]) -> tuple[dict[str, Any], int, list[str]]:
             raise broken(RefusalCode.OPTION_TWICE, index + 1, 1, value=key)
         if key == "modified":
             fields[key] = parse_time(value, index + 1, column)
-        elif key in ("name", "note"):
+        elif key in ("name", "note", "taught_on"):
             fields[key] = read_text(value, index + 1, column)
         else:
             raise broken(RefusalCode.HEADER_UNKNOWN, index + 1, 1, value=key)

@@ -31,7 +31,12 @@ def write(recording: Recording) -> bytes:
     """
     verify(recording)
     header = json.dumps(
-        {"name": recording.name, "note": recording.note, "modified": recording.modified.isoformat()}
+        {
+            "name": recording.name,
+            "note": recording.note,
+            "modified": recording.modified.isoformat(),
+            "taught_on": recording.taught_on,
+        }
     )
     stream = io.BytesIO()
     np.savez(stream, header=np.array(header), samples=recording.samples)
@@ -50,6 +55,7 @@ def read(data: bytes) -> Content:
             samples = _array(_member(archive, _SAMPLES))
         fields = Fields(json.loads(str(header)))
         name, note = fields.text("name"), fields.text("note")
+        taught_on = fields.text("taught_on", "")
         modified = parse_time(fields.text("modified"), 0, 0)
     except TrajectoryFileError:
         raise
@@ -59,7 +65,7 @@ def read(data: bytes) -> Content:
         raise broken(RefusalCode.FILE_DAMAGED, text=str(error)) from error
     if samples.ndim != 2 or samples.shape[1] != COLUMN_COUNT or samples.dtype.kind != "f":
         raise broken(RefusalCode.FILE_DAMAGED, text=f"samples {samples.dtype} {samples.shape}")
-    return verified(Recording(name, note, samples.astype(np.float64), modified))
+    return verified(Recording(name, note, samples.astype(np.float64), modified, taught_on))
 
 
 def name_in(file: BinaryIO) -> str | None:

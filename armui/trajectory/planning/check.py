@@ -82,6 +82,9 @@ def check(
     """
     path = plan_path(content, arm, start_deg) if path is None else path
     findings = list(path.problems)
+    if content.taught_on and arm.kind and content.taught_on != arm.kind:
+        kinds = {"taught": content.taught_on, "arm": arm.kind}
+        findings.append(Finding(FindingCode.OTHER_ARM, kinds))
     if isinstance(content, Recording):
         findings += check_recorded(content, path, arm)
         slow = np.zeros(len(path.rows), dtype=bool)

@@ -42,6 +42,7 @@ class FindingCode(StrEnum):
     SAMPLE_JUMP = "sample_jump"
     TOOL_TOO_FAST = "tool_too_fast"
     BELOW_FLOOR = "below_floor"
+    OTHER_ARM = "other_arm"
 
 
 SEVERITIES: Final[Mapping[FindingCode, Severity]] = {
@@ -65,6 +66,7 @@ SEVERITIES: Final[Mapping[FindingCode, Severity]] = {
     FindingCode.SAMPLE_JUMP: Severity.WARNING,
     FindingCode.TOOL_TOO_FAST: Severity.WARNING,
     FindingCode.BELOW_FLOOR: Severity.WARNING,
+    FindingCode.OTHER_ARM: Severity.WARNING,
 }
 """Every code of a finding. A finding names the figures its sentence shows, in their units."""
 

@@ -163,6 +163,7 @@ class Trajectory:
         points: In the order they are run.
         modified: When it was last changed, with its time zone.
         closing: Comment lines after the last point of its file.
+        taught_on: The arm it was taught on, as `ModelFit.kind` tells; "": not known.
     """
 
     name: str
@@ -170,10 +171,11 @@ class Trajectory:
     points: tuple[Waypoint, ...] = ()
     modified: datetime = datetime(1970, 1, 1, tzinfo=UTC)
     closing: tuple[str, ...] = ()
+    taught_on: str = ""
 
     def __reduce__(self) -> tuple[object, ...]:
         """To another process its points go as bare figures, in a fraction of the time."""
-        rest = (self.name, self.note, self.modified, self.closing)
+        rest = (self.name, self.note, self.modified, self.closing, self.taught_on)
         return _unpacked, (list(map(_FIELDS_OF, self.points)), *rest)
 
 
@@ -186,9 +188,10 @@ def _unpacked(
     note: str,
     modified: datetime,
     closing: tuple[str, ...],
+    taught_on: str,
 ) -> Trajectory:
     """The other way round than :meth:`Trajectory.__reduce__`."""
-    return Trajectory(name, note, tuple(starmap(Waypoint, points)), modified, closing)
+    return Trajectory(name, note, tuple(starmap(Waypoint, points)), modified, closing, taught_on)
 
 
 def check_figure(field: str, value: float) -> Refusal | None:
@@ -272,6 +275,7 @@ def check_trajectory(trajectory: Trajectory) -> tuple[int, Refusal] | None:
         The row of the point, from 1, or 0 for the trajectory itself, and the reason.
     """
     refusal = check_name(trajectory.name) or check_text("note", trajectory.note)
+    refusal = refusal or check_text("taught_on", trajectory.taught_on, lines=1)
     for comment in trajectory.closing:
         refusal = refusal or check_text("comment", comment, lines=1)
     if refusal is not None:

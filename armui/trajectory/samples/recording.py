@@ -33,12 +33,14 @@ class Recording:
         samples: (n, 8): time in s, from 0 up and never back; six joint angles in degrees; the
             gripper's opening in mm, NaN where it was not recorded.
         modified: When it was last changed, with its time zone.
+        taught_on: The arm it was taught on, as `ModelFit.kind` tells; "": not known.
     """
 
     name: str
     note: str = ""
     samples: Array = field(default_factory=lambda: np.empty((0, COLUMN_COUNT)))
     modified: datetime = datetime(1970, 1, 1, tzinfo=UTC)
+    taught_on: str = ""
 
     @property
     def times_s(self) -> Array:

@@ -131,4 +131,10 @@ def to_points(recording: Recording, limits: Sequence[JointLimits]) -> Trajectory
         Waypoint(MoveMode.MOVE_J, tuple(round(angle, 3) for angle in row), speed_percent=speed)
         for row, speed in zip(angles.tolist(), [30, *speeds], strict=False)
     )
-    return Trajectory(recording.name, recording.note, points, recording.modified)
+    return Trajectory(
+        recording.name,
+        recording.note,
+        points,
+        recording.modified,
+        taught_on=recording.taught_on,
+    )

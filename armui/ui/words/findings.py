@@ -80,6 +80,11 @@ _FINDINGS: Final = Texts("Finding") | {
         "The tool would go at {value} mm/s; its limit is {maximum} mm/s, and the arm does not keep "
         "it here by itself. Lower the speed."
     ),
+    FindingCode.OTHER_ARM: (
+        "This was taught on another arm: {taught}; connected is {arm}. The same joint angles may "
+        "hold the tool elsewhere. It was checked for {arm}, and nothing was converted. Watch the "
+        "preview before you accept this."
+    ),
     FindingCode.BELOW_FLOOR: (
         "The tool would be {value} mm below the plane the arm stands on. Accept this only if there "
         "is nothing."

@@ -136,6 +136,7 @@ _FIGURES: Final = Texts("PointFigure") | {
     "note": "Note",
     "name": "Name",
     "comment": "Comment",
+    "taught_on": "Arm it was taught on",
 }
 _OF_FIGURES: Final = ("point_", "text_", "columns_")
 """How the codes begin whose field is a figure of a point, and not a word of a file."""

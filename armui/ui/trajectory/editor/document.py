@@ -81,6 +81,16 @@ class Document(QObject):
         self.stack.push(_Edit(self, change, label))
         return True
 
+    def note_taught(self, arm: str) -> None:
+        """Take over on which arm the first point was taught; what others hold stays as it is."""
+        if arm and len(self.points) == 1 and not self._trajectory.taught_on:
+            self._trajectory = replace(self._trajectory, taught_on=arm)
+
+    @property
+    def taught_on(self) -> str:
+        """The arm it was taught on; "" where that is not known."""
+        return self._trajectory.taught_on
+
     def set_note(self, note: str, label: str) -> None:
         """Change what the trajectory is for."""
         if note != self.note:

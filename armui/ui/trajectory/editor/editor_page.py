@@ -116,6 +116,10 @@ class EditorPage(Page):
         self._lay_out()
         self._connect()
         self.retranslate_ui()
+        arm = controller.operating_state.model_fit.kind
+        if trajectory.taught_on not in {"", arm}:
+            text = self.tr("This was taught on another arm: {taught}. Chosen is {arm}.")
+            self._say(text.format(taught=trajectory.taught_on, arm=arm), Level.WARNING)
         if draft is not None:
             self._take_draft(draft)
         self._show_count()

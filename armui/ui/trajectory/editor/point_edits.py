@@ -59,7 +59,11 @@ class PointEdits(QObject):
     def insert_measured(self) -> Outcome:
         """Where the arm is now, below the chosen rows."""
         point = self._measured(self._plain(self._table.rows()[-1:]))
-        return point if isinstance(point, Refusal) else self._insert(self._below(), [point])
+        if isinstance(point, Refusal):
+            return point
+        self._insert(self._below(), [point])
+        self._document.note_taught(self._controller.operating_state.model_fit.taught_on)
+        return None
 
     def replace_by_measured(self) -> Outcome:
         """Where the arm is now, in the chosen rows; speed, dwell and actions stay."""
