@@ -4374,6 +4374,14 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
         <source>Note</source>
         <translation>备注</translation>
     </message>
+    <message>
+        <source>This was taught on another arm: {taught}. Chosen is {arm}.</source>
+        <translation>此轨迹在另一种机械臂上示教：{taught}。当前选择的是 {arm}。</translation>
+    </message>
+    <message>
+        <source>! other arm</source>
+        <translation>! 其他机械臂</translation>
+    </message>
 </context>
 <context>
     <name>LibraryPage</name>

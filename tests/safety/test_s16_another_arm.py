@@ -72,6 +72,10 @@ def test_it_does_not_run_unless_accepted(app_driver):
     operator = Operator(app_driver)
     operator.window.leave()
     Library(app_driver.library_folder).save(Trajectory("Other", points=(to(OUT),), taught_on=X))
+    operator.library.refresh()
+    model = operator.library._model
+    shown = {model.data(model.index(row, column)) for row in range(2) for column in range(5)}
+    assert "! other arm" in shown
     operator.library.open_trajectory("Other")
     operator.window = editor = operator.library.editors.used
     assert "PiPER X" in editor.findChild(QWidget, "editor_message").text()

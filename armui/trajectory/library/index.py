@@ -57,6 +57,7 @@ class IndexEntry:
         note: What it is for.
         checked_for: The `ArmModel.fingerprint` that the check was made for.
         ran_with: How it was run last; ``None`` where it is not known to have run.
+        taught_on: The arm it was taught on; "": not known.
         speeds: The lowest and the highest speed percentage of its points; ``None`` without points.
     """
 
@@ -71,6 +72,7 @@ class IndexEntry:
     checked_for: str = ""
     ran_with: RunOptions | None = None
     speeds: tuple[int, int] | None = None
+    taught_on: str = ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -93,10 +95,14 @@ def entry_of(content: Content) -> IndexEntry:
     name, note, modified = content.name, content.note, content.modified
     if isinstance(content, Recording):
         length = content.duration_s
-        return IndexEntry(name, "recording", len(content.samples), length, modified, note=note)
+        count, taught_on = len(content.samples), content.taught_on
+        return IndexEntry(
+            name, "recording", count, length, modified, note=note, taught_on=taught_on
+        )
     percents = [point.speed_percent for point in content.points]
     speeds = (min(percents), max(percents)) if percents else None
-    return IndexEntry(name, "points", len(percents), None, modified, note=note, speeds=speeds)
+    entry = IndexEntry(name, "points", len(percents), None, modified, note=note, speeds=speeds)
+    return replace(entry, taught_on=content.taught_on)
 
 
 class Stamp(NamedTuple):
@@ -189,6 +195,7 @@ def _pack(entry: IndexEntry) -> dict[str, Any]:
         "checked_for": entry.checked_for,
         "ran_with": None if entry.ran_with is None else asdict(entry.ran_with),
         "speeds": entry.speeds,
+        "taught_on": entry.taught_on,
     }
     if (damage := entry.damage) is not None:
         reason = damage.reason
@@ -228,7 +235,7 @@ def _is_sound(entry: IndexEntry) -> bool:
     return (
         all(
             isinstance(text, str) and _can_be_shown(text)
-            for text in (entry.name, entry.note, entry.checked_for)
+            for text in (entry.name, entry.note, entry.checked_for, entry.taught_on)
         )
         and entry.kind in get_args(Kind)
         and isinstance(entry.count, int)

@@ -182,7 +182,7 @@ class Trajectory:
 _FIELDS_OF: Final = attrgetter(*(field.name for field in fields(Waypoint)))
 
 
-def _unpacked(
+def _unpacked(  # noqa: PLR0917 - as pickle hands them on
     points: Iterable[tuple[Any, ...]],
     name: str,
     note: str,

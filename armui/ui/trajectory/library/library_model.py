@@ -56,6 +56,7 @@ class LibraryModel(TableModel):
         self._rows: Sequence[IndexEntry] = ()
         self._drafts: frozenset[str] = frozenset()
         self._arm = ""
+        self._kind = ""
         self._sort_keys: dict[tuple[int, int], tuple[Any, ...]] = {}
 
     def is_unsaved(self, name: str) -> bool:
@@ -77,15 +78,16 @@ class LibraryModel(TableModel):
         self.endResetModel()
         return True
 
-    def show_for(self, arm: str) -> None:
+    def show_for(self, arm: str, kind: str) -> None:
         """Show only marks of checks that were made for an arm.
 
         Args:
             arm: Its `ArmModel.fingerprint`.
+            kind: Its `ArmModel.kind`: what was taught on another one is told.
         """
         if arm == self._arm:
             return
-        self._arm = arm
+        self._arm, self._kind = arm, kind
         self._sort_keys.clear()
         if self._rows:
             column = LibraryColumn.CHECK
@@ -143,7 +145,14 @@ class LibraryModel(TableModel):
                 "Unsaved changes of a trajectory that was never saved, or whose file is gone. Open "
                 "it to save it, or delete it."
             )
+        if self._is_of_other_arm(entry):
+            text = self.tr("This was taught on another arm: {taught}. Chosen is {arm}.")
+            told = text.format(taught=entry.taught_on, arm=self._kind)
+            return "\n".join(filter(None, (told, entry.note)))
         return entry.note
+
+    def _is_of_other_arm(self, entry: IndexEntry) -> bool:
+        return bool(entry.taught_on and self._kind) and entry.taught_on != self._kind
 
     def _check(self, entry: IndexEntry) -> str:
         """A sign and a word: a state is never told by one of them alone."""
@@ -157,7 +166,9 @@ class LibraryModel(TableModel):
         if entry.kind == "draft":
             return self.tr("! not saved")
         mark = self._mark(entry)
-        return fmt.NOTHING if mark is None else words_of[mark]
+        if mark is None:
+            return self.tr("! other arm") if self._is_of_other_arm(entry) else fmt.NOTHING
+        return words_of[mark]
 
     def titles(self) -> Sequence[str]:
         """From left to right."""

@@ -205,7 +205,8 @@ class LibraryPage(Page):
 
     def _show_marks(self) -> None:
         """A check of another arm, or of this one with other limits, says nothing."""
-        self._model.show_for(arm_model(self._controller).fingerprint)
+        arm = arm_model(self._controller)
+        self._model.show_for(arm.fingerprint, arm.kind)
 
     def _uncover(self, names: Sequence[str]) -> None:
         """What is new is seen, even if it is not what was searched for."""
