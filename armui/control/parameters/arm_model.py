@@ -39,7 +39,7 @@ def planning_model(state: ArmState, now: OperatingState, tool_z_mm: float = 0.0)
         kinematics=Kinematics(now.model_fit.geometry),
         tool_mm=tool_z_mm if tool_z_mm > 0.0 else data.gripper.reach_mm,
         gripper_turned_deg=data.gripper.turned_deg,
-        kind=controller.operating_state.model_fit.kind,
+        kind=now.model_fit.kind,
         stroke_mm=(handle.value.stroke_limit_mm or None) if handle is not None else None,
     )
 
