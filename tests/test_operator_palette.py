@@ -6,11 +6,10 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QAbstractButton, QPushButton, QToolButton
 
 from armui.ui.actions.catalogue import actions, is_dangerous
-from armui.ui.actions.command import Need
+from armui.ui.actions.command import always, while_editing
 from armui.ui.actions.keys import SHORTCUTS
 from armui.ui.actions.palette import CommandPalette
 from armui.ui.actions.places import MOVABLE, PANELS, PLACES
-from armui.ui.actions.reasons import why_not
 from armui.ui.actions.shortcut_list import ShortcutList
 from armui.ui.dialogs.confirm_dialog import ConfirmDialog
 from armui.ui.dialogs.keycap import KeyCap
@@ -228,13 +227,13 @@ def test_a_button_that_is_not_seen_has_the_reason_it_has_when_it_is(app_driver, 
         app_driver.click(f"menu_{panel}")
         app_driver.run_until(lambda: not app_driver.controller.settings.busy)
         for action in actions():
-            told = action.place == panel and action.need is not Need.NOTHING
-            if not told or action.need is Need.EDITING:
+            if action.place != panel or action.does in {always, while_editing}:
                 continue
             button = app_driver.find(action.target)
             said = "" if button.isEnabled() else button.toolTip()
-            if said != why_not(action, app_driver.controller):
-                wrong[action.name] = (said, why_not(action, app_driver.controller))
+            reason = action.why_not(app_driver.controller.operating_state)
+            if said != reason:
+                wrong[action.name] = (said, reason)
     assert wrong == {}
 
 

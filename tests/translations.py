@@ -43,7 +43,7 @@ def lupdate(ts: Path) -> None:
 
 
 def _of_tables(source: Path) -> Iterator[tuple[str, str]]:
-    """Context and text of every entry of tables like ``Texts("Refusal") | {…}`` in a file."""
+    """Context and text of the tables like ``Texts("Refusal") | {…}`` and operations of a file."""
     for table in ast.walk(ast.parse(source.read_text(encoding="utf-8"))):
         match table:
             case ast.BinOp(
@@ -53,6 +53,11 @@ def _of_tables(source: Path) -> Iterator[tuple[str, str]]:
                 for text in texts:
                     if isinstance(text, ast.Constant):
                         yield context, str(text.value)
+            case ast.Call(
+                func=ast.Name(id="operation"),
+                args=[ast.Constant(), ast.Constant(value=str(title)), *_],
+            ):
+                yield "Operation", title
 
 
 def _of_value_tables() -> list[tuple[str, str]]:

@@ -37,6 +37,7 @@ class ActiveTasks(NamedTuple):
     altering: str | None = None
     run_sets_lamps: bool = False
     run_phase: RunPhase = RunPhase.IDLE
+    pending: frozenset[str] = frozenset()
 
 
 @dataclass(frozen=True, slots=True)
@@ -115,6 +116,11 @@ def assess(state: ArmState, around: AssessmentInputs, now_s: float) -> Operating
         cancel_unheeded=authority.cancel_unheeded,
         altering=tasks.altering,
         run_sets_lamps=tasks.run_sets_lamps,
+        pending=tasks.pending,
+        status=None if state.status is None else state.status.value,
+        angles_known=state.angles_deg() is not None,
+        pose_known=state.end_pose() is not None,
+        gripper_heard=state.gripper is not None and is_fresh(state.gripper.at_s, now_s),
         cannot_enable=no_command,
         limits=tuple(
             limits or factory for limits, factory in zip(read, factory_limits, strict=True)

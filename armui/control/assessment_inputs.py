@@ -66,6 +66,17 @@ class Assessor:
             controller.operating_state_changed.emit(operating_state)
         return self.read()
 
+    def _pending(self) -> frozenset[str]:
+        controller = self._controller
+        busy = {
+            "clearing_error": controller.joint_errors.busy,
+            "end_reports": controller.end_reports.busy,
+            "linkage": controller.linkage.busy,
+            "settings": controller.settings.busy,
+            "teaching": controller.teaching.pending is not None,
+        }
+        return frozenset(part for part, is_busy in busy.items() if is_busy)
+
     def _inputs(self, now_s: float) -> AssessmentInputs:
         """What the program knows beside the arm's feedback at monotonic time ``now_s``."""
         controller, connection, emergency_stop = (
@@ -98,5 +109,6 @@ class Assessor:
                 recording=controller.recorder.recording,
                 altering=controller.transactions.altering,
                 run_sets_lamps=controller.player.sets_lamps,
+                pending=self._pending(),
             ),
         )

@@ -18,6 +18,7 @@ from armui.control.motion.motion_command import (
     MotionCommand,
     Mover,
     Observation,
+    why_held,
 )
 from armui.control.safety.hearing import limp, taught, why_silent
 from armui.control.safety.interlocks import MOVABLE_STATUSES
@@ -177,9 +178,7 @@ class Authority:
 
     def why_held(self) -> Refusal | None:
         """The motion that is held back in the arm, as a reason against another one."""
-        if Hold.PAUSE in self.holds:
-            return Refusal(RefusalCode.PLAN_PAUSED)
-        return Refusal(RefusalCode.HELD_AT_ZERO) if self.holds else None
+        return why_held(self.holds)
 
     @property
     def held_target_deg(self) -> tuple[float, ...] | None:

@@ -38,6 +38,7 @@ if TYPE_CHECKING:
     from armui.control.motion.cartesian import Cartesian
     from armui.control.motion.jogging import Jogging
     from armui.control.motion.planned_motion import PlannedMotion
+    from armui.control.operations.operation import Operations
     from armui.control.parameters.arm_settings import ArmSettings
     from armui.control.requests.transactions import TransactionQueue
     from armui.control.run.player import Player
@@ -299,6 +300,17 @@ class ControllerParts(QObject):
             self.model_watch,
             self.happenings,
         )
+
+    @cached_property
+    def operations(self) -> Operations:
+        """All that an operator can do to the arm, by its ids."""
+        from armui.control.operations.operation import Operations
+
+        parts = (self.motors, self.joint_errors, self.zeroing, self.lights, self.gripper)
+        more = (self.linkage, self.end_reports, self.mounting, self.teaching, self.settings)
+        motions = (self.motion, self.cartesian, self.jogging, self.planned_motion)
+        runs = (self.player, self.replayer, self.recorder)
+        return Operations((*parts, *more, *motions, *runs))
 
     # What more than one part ends -------------------------------------------------------------
 

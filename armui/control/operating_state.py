@@ -13,8 +13,8 @@ from armui.arm.model_check import ModelFit
 from armui.arm.models import model_data
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
-from armui.arm.state import Six
-from armui.control.motion.motion_command import Hold, Mover
+from armui.arm.state import Six, Status
+from armui.control.motion.motion_command import Hold, Mover, why_held
 from armui.control.run.progress import RunPhase
 from armui.protocol.addressing import Addressing
 from armui.protocol.generation import Generation
@@ -111,6 +111,12 @@ class OperatingState:
         recording: The program records where the arm goes.
         altering: What of the arm is being set that a motion counts on; ``None``: nothing.
         run_sets_lamps: The run under way tells something by the lamps.
+        pending: The parts whose last request the arm has not answered yet, by the names that
+            the reason ``BUSY`` has for them.
+        status: The arm's status as last heard (0x2A1), however old.
+        angles_known: All six joint angles have been heard.
+        pose_known: The pose of the flange has been heard.
+        gripper_heard: The gripper is heard.
         limits: Of each joint, as read from the arm where ``limits_read``, else the factory's.
         speed_percent: What motions are sent with.
         cannot_send_motion: Why no motion frame at all may be sent: the arm is not heard, or
@@ -161,6 +167,11 @@ class OperatingState:
     cancel_unheeded: bool = False
     altering: str | None = None
     run_sets_lamps: bool = False
+    pending: frozenset[str] = frozenset()
+    status: Status | None = None
+    angles_known: bool = False
+    pose_known: bool = False
+    gripper_heard: bool = False
     generation: Generation | None = None
     teaching_input: bool = False
     addressing: Addressing = field(default_factory=Addressing)
@@ -183,6 +194,15 @@ class OperatingState:
         """Whether the connection sends nothing but an operator's stop."""
         return self.device is not None and self.device.listen_only
 
+    def why_pending(self, part: str) -> Refusal | None:
+        """Return the reason that a part still waits for the arm's answer, or ``None``."""
+        return Refusal(RefusalCode.BUSY, {"what": part}) if part in self.pending else None
+
+    @property
+    def held(self) -> Refusal | None:
+        """The motion that is held back in the arm, as a reason against another one."""
+        return why_held(self.holds)
+
     @property
     def occupied(self) -> Refusal | None:
         """Why the arm must be left as it is: its limits, zeros, identifiers, load and drivers.
@@ -194,22 +214,8 @@ class OperatingState:
             return Refusal(RefusalCode.RUN_UNDER_WAY)
         if self.jogging:
             return Refusal(RefusalCode.JOG_UNDER_WAY)
-        if Hold.PAUSE in self.holds:
-            return Refusal(RefusalCode.PLAN_PAUSED)
-        if self.holds:
-            return Refusal(RefusalCode.HELD_AT_ZERO)
+        if self.held is not None:
+            return self.held
         if self.other_host is None or self.teaching_input:
             return None  # a teaching input sends commands itself
         return self.other_host.reason
-
-    @property
-    def cannot_set_lamps(self) -> Refusal | None:
-        """Why no lamp may be set, or ``None``: they move nothing, but a run may signal by them."""
-        if self.unreachable is None and self.run_sets_lamps:
-            return Refusal(RefusalCode.RUN_SETS_LAMPS)
-        return self.unreachable
-
-    @property
-    def cannot_switch_on(self) -> Refusal | None:
-        """Why motors must not be enabled, or ``None``: they may. To disable is always possible."""
-        return self.cannot_enable or self.occupied

@@ -2,6 +2,7 @@
 
 from armui.arm.refusal_codes import RefusalCode
 from armui.control.authority import Authority
+from armui.control.devices.zeroing import why_not_zero
 from tests.company import OtherHost
 from tests.sim.talk import target
 
@@ -17,7 +18,7 @@ def test_reading_looks_at_nothing_and_tells_nobody(rig, monkeypatch):
     assert rig.controller.operating_state is before
     assert rig.controller.recovery.why_not(rig.controller.recovery.step) is None
     assert rig.controller.cartesian.why_unknown() is None
-    assert rig.controller.zeroing.why_not() is None
+    assert why_not_zero(before) is None
     assert (seen, told) == ([], [])
 
 

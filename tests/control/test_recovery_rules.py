@@ -17,7 +17,7 @@ from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import ArmState, DriverSlow, Reading, Status
 from armui.control.assessment import ActiveTasks, AssessmentInputs, assess
 from armui.control.authority import Authority
-from armui.control.devices.teaching_phase import why_not
+from armui.control.devices.teaching_phase import why_not_teach
 from armui.control.events import Level
 from armui.control.motion.motion_command import Hold, Observation
 from armui.control.operating_state import (
@@ -225,7 +225,7 @@ def is_valid(action: Action, state: ArmState, now: OperatingState) -> bool:
         Action.LEAD_BY_HAND: TeachingState.START_RECORDING,
     }
     if action in commanded:
-        return why_not(commanded[action], state, now) is None
+        return why_not_teach(now, commanded[action]) is None
     if action is Action.RESUME:
         return now.stop is StopState.STOPPED
     if action is Action.ENABLE:

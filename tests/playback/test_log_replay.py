@@ -12,6 +12,7 @@ from pytestqt.qtbot import QtBot
 import armui.bus.playback
 from armui.arm.device import RecordedArm
 from armui.arm.refusal_codes import RefusalCode
+from armui.control.devices.linkage import why_not_link
 from armui.control.log_replay import LogReplay
 from armui.control.operating_state import LinkState
 from armui.protocol.frame import Frame
@@ -138,7 +139,7 @@ def test_everything_that_would_be_sent_is_refused_with_words(
         controller.motors.resume(),
         controller.joint_errors.clear(1),
         controller.lights.set(1, 1, 0, 0, 0) if hasattr(controller.lights, "set") else None,
-        controller.linkage.why_not(),
+        why_not_link(controller.operating_state),
     ]
 
     told = [each for each in refusals if each is not None]

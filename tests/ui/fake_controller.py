@@ -14,7 +14,6 @@ from armui.arm.parameters import Batch, Parameter
 from armui.arm.refusal import Refusal
 from armui.arm.state import ArmState
 from armui.control.devices.gripper_ranges import Figures, figures_of
-from armui.control.devices.teaching_phase import why_not
 from armui.control.events import Event, Level
 from armui.control.link.arm_mark import ArmMark
 from armui.control.motion.jog_path import JointJog, ToolJog
@@ -79,11 +78,22 @@ class FakeController(QObject):
 
     def hear(self, state: ArmState) -> None:
         self.state = state
+        self.be(self.operating_state)
         self.state_changed.emit(state)
 
     def be(self, new: OperatingState) -> None:
-        self.operating_state = new
-        self.operating_state_changed.emit(new)
+        state, pending = self.state, self.teaching.pending
+        told = replace(
+            new,
+            status=None if state.status is None else state.status.value,
+            angles_known=state.angles_deg() is not None,
+            pose_known=state.end_pose() is not None,
+            gripper_heard=state.gripper is not None,
+            pending=frozenset() if pending is None else frozenset({"teaching"}),
+        )
+        if told != self.operating_state:
+            self.operating_state = told
+            self.operating_state_changed.emit(told)
 
     def be_ready(self, angles_deg: Sequence[float] = (0.0,) * 6) -> None:
         self.be(operating_state())
@@ -271,9 +281,6 @@ class FakeTeaching:
         self._controller = controller
         self.pending: TeachingState | None = None
 
-    def why_not(self, command: TeachingState) -> Refusal | None:
-        return why_not(command, self._controller.state, self._controller.operating_state)
-
     def command(self, command: TeachingState) -> Refusal | None:
         return self._controller._asked("teach", command)
 
@@ -284,9 +291,6 @@ class FakePlannedMotion:
     def __init__(self, controller: FakeController) -> None:
         self._controller = controller
         self.paused = False
-
-    def why_not(self, command: TrajectoryCommand) -> Refusal | None:
-        return self._controller.operating_state.unreachable
 
     def command(self, command: TrajectoryCommand) -> Refusal | None:
         return self._controller._asked("plan", command)
@@ -317,12 +321,6 @@ class FakeZeroing:
 
     def __init__(self, controller: FakeController) -> None:
         self._controller = controller
-
-    def why_not(self) -> Refusal | None:
-        return (
-            self._controller.operating_state.cannot_enable
-            or self._controller.operating_state.occupied
-        )
 
     def stands_as(self, before: ArmState, joint: int = ALL_JOINTS) -> bool:
         return True
@@ -381,9 +379,6 @@ class FakeGripper:
 
     def why_no_angle(self) -> Refusal | None:
         return None
-
-    def why_not(self, *, moving: bool, letting_go: bool = False) -> Refusal | None:
-        return self._controller.operating_state.cannot_enable
 
     def learn_stroke(self) -> None:
         pass

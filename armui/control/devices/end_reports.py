@@ -10,6 +10,8 @@ from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import ArmState
 from armui.control.context import Context
 from armui.control.events import EventCode
+from armui.control.operating_state import OperatingState
+from armui.control.operations.operation import operation
 from armui.control.requests.transactions import ReadBack, Transaction, TransactionQueue
 from armui.protocol import commands
 from armui.protocol.codes import EndLoad, SettingIndex
@@ -18,57 +20,74 @@ _SILENT_S: Final = 0.3
 """After so long without one, the frames 0x481–0x486 have ended."""
 
 
+def why_not_switch(now: OperatingState) -> Refusal | None:
+    """Tell why the feedback of the end's motion may not be switched."""
+    if now.unreachable is not None:
+        return now.unreachable
+    if now.generation is None:
+        return Refusal(RefusalCode.GENERATION_UNKNOWN)
+    return now.why_pending("end_reports")
+
+
+def why_no_load(now: OperatingState) -> Refusal | None:
+    """Tell why the arm may not be told a load."""
+    return why_not_switch(now) or _why_in_use(now)
+
+
+def _why_in_use(now: OperatingState) -> Refusal | None:
+    if now.occupied is not None:
+        return now.occupied
+    return Refusal(RefusalCode.LOAD_WHILE_MOVING) if now.moving else None
+
+
 class EndReports:
     """Tells the arm its load, and switches 0x481–0x486 until the frames themselves show it.
 
     Args:
         context: What the parts of the controller share.
         transactions: Carries out commands that are answered.
+
+    Attributes:
+        busy: A command has been sent and its end is not known.
     """
 
     def __init__(self, context: Context, transactions: TransactionQueue) -> None:
         self._context = context
         self._transactions = transactions
-        self._busy = False
+        self.busy = False
 
+    @operation("end_load.set", "Tell the load", why_no_load)
     def set_load(self, load: EndLoad) -> Refusal | None:
         """Tell the arm that it carries nothing, half or the full payload.
 
         The arm answers and cannot be asked for it: the answer is all there is to know.
         """
         context = self._context
-        context.refresh()
-        refusal = self._why_not() or self.why_no_load()
+        refusal = why_no_load(context.refresh())
         if refusal is not None:
             return context.refuse(refusal)
-        self._busy = True
+        self.busy = True
         context.tell(EventCode.LOAD_SENT, load=int(load))
         self._transactions.submit(
             Transaction(
                 commands.set_load(context.connection.codec, load),
                 partial(self._after_load, load),
                 SettingIndex.PARAMETER_COMMAND,
-                recheck=self.why_no_load,
+                recheck=lambda: _why_in_use(context.operating_state()),
                 ends_with_stop=True,
                 alters="end_reports",
             )
         )
         return None
 
-    def why_no_load(self) -> Refusal | None:
-        """The reason that lies in what the arm is doing against telling it a load."""
-        operating_state = self._context.operating_state()
-        if operating_state.occupied is not None:
-            return operating_state.occupied
-        return Refusal(RefusalCode.LOAD_WHILE_MOVING) if operating_state.moving else None
-
+    @operation("end_load.report", "Switch the feedback of the end's motion", why_not_switch)
     def switch(self, *, on: bool) -> Refusal | None:
         """Switch the feedback of the end's speed and acceleration; the frames decide."""
         context = self._context
-        refusal = self._why_not()
+        refusal = why_not_switch(context.refresh())
         if refusal is not None:
             return context.refuse(refusal)
-        self._busy = True
+        self.busy = True
         context.tell(EventCode.END_FEEDBACK_SENT)
         self._transactions.submit(
             Transaction(
@@ -82,19 +101,15 @@ class EndReports:
         )
         return None
 
-    def _why_not(self) -> Refusal | None:
-        busy = Refusal(RefusalCode.BUSY, {"what": "end_reports"}) if self._busy else None
-        return self._context.why_unknown() or busy
-
     def _after_load(self, load: EndLoad, refusal: Refusal | None) -> None:
-        self._busy = False
+        self.busy = False
         if refusal is None:
             self._context.tell(EventCode.LOAD_ANSWERED, load=int(load))
         else:
             self._context.tell(EventCode.LOAD_FAILED, reason=refusal)
 
     def _after_switch(self, on: bool, refusal: Refusal | None) -> None:
-        self._busy = False
+        self.busy = False
         if refusal is not None:
             self._context.tell(EventCode.END_FEEDBACK_FAILED, reason=refusal)
         else:

@@ -11,10 +11,12 @@ from armui.arm.parameters import Parameter
 from armui.arm.quirks import why_not_by_firmware
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
-from armui.arm.state import ArmState, is_fresh
+from armui.arm.state import ArmState
 from armui.control.context import Context, ControllerPart
 from armui.control.devices.gripper_ranges import Figures, check, figures_of
 from armui.control.events import EventCode
+from armui.control.operating_state import OperatingState
+from armui.control.operations.operation import operation
 from armui.control.parameters.arm_settings import ArmSettings
 from armui.control.parameters.setting_cell import CellState
 from armui.control.requests.request import Request, RequestOutcome
@@ -51,6 +53,55 @@ class _Travel:
     moved_s: float
     unit: str
     effort: float
+
+
+def why_not_gripper(
+    now: OperatingState, *, moving: bool = False, letting_go: bool = False
+) -> Refusal | None:
+    """Tell why the gripper may not be commanded.
+
+    Args:
+        now: What the operator can do.
+        moving: Whether the command moves it or lets it hold.
+        letting_go: Whether it takes its power: it may hold a finger, so a run is no reason
+            against it; the run ends.
+    """
+    refusal = now.cannot_enable
+    if refusal is None and now.generation is None:
+        refusal = Refusal(RefusalCode.GENERATION_UNKNOWN)
+    if refusal is None and not now.gripper_heard:
+        refusal = Refusal(RefusalCode.GRIPPER_SILENT)
+    if refusal is None and not now.control_certain:
+        refusal = Refusal(RefusalCode.CONTROL_OFFSET_UNKNOWN)
+    if refusal is None and now.running and not letting_go:
+        refusal = Refusal(RefusalCode.RUN_UNDER_WAY)
+    if refusal is not None or not moving:
+        return refusal
+    no_motion = now.cannot_send_motion or now.held
+    if no_motion is not None:
+        return no_motion
+    mode = None if now.status is None else now.status.control_mode
+    if mode is None or mode in _OBEYS:
+        return None
+    return Refusal(RefusalCode.OTHER_CONTROL, {"mode": mode})
+
+
+def why_not_move_gripper(now: OperatingState) -> Refusal | None:
+    """Tell why the gripper may not be moved or switched on."""
+    return why_not_gripper(now, moving=True)
+
+
+def why_not_set_zero(now: OperatingState) -> Refusal | None:
+    """Tell why the gripper's zero may not be set; generation 1 has no frame for it."""
+    refusal = why_not_gripper(now)
+    if refusal is None and now.generation is not Generation.TWO:
+        return Refusal(RefusalCode.GRIPPER_NO_ZERO)
+    return refusal
+
+
+def why_not_let_go(now: OperatingState) -> Refusal | None:
+    """Tell why the gripper's power may not be taken."""
+    return why_not_gripper(now, letting_go=True)
 
 
 class GripperControl(ControllerPart):
@@ -100,38 +151,6 @@ class GripperControl(ControllerPart):
         generation, state = self._context.connection.generation, self._context.state()
         return figures_of(generation, state, by_angle=self.tells_angle)
 
-    def why_not(self, *, moving: bool, letting_go: bool = False) -> Refusal | None:
-        """The reason against a command now, or ``None``.
-
-        Args:
-            moving: Whether the command moves it or lets it hold.
-            letting_go: Whether it takes its power: it may hold a finger, so a run is no reason
-                against it; the run ends.
-        """
-        context = self._context
-        operating_state, state = context.operating_state(), context.state()
-        if operating_state.cannot_enable is not None:
-            return operating_state.cannot_enable
-        if context.connection.generation is None:
-            return Refusal(RefusalCode.GENERATION_UNKNOWN)
-        if state.gripper is None or not is_fresh(state.gripper.at_s, context.clock()):
-            return Refusal(RefusalCode.GRIPPER_SILENT)
-        if not operating_state.control_certain:
-            return Refusal(RefusalCode.CONTROL_OFFSET_UNKNOWN)
-        if operating_state.running and not letting_go:
-            return Refusal(RefusalCode.RUN_UNDER_WAY)
-        if not moving:
-            return None
-        no_motion = context.authority.why_not()
-        if no_motion is not None:
-            return no_motion
-        mode = None if state.status is None else state.status.value.control_mode
-        return (
-            None
-            if mode is None or mode in _OBEYS
-            else Refusal(RefusalCode.OTHER_CONTROL, {"mode": mode})
-        )
-
     def learn_stroke(self) -> None:
         """Ask once for the stroke the arm allows (0x47E), where it can be asked."""
         connection = self._context.connection
@@ -141,6 +160,9 @@ class GripperControl(ControllerPart):
 
     # What the operator wants ------------------------------------------------------------------
 
+    @operation(
+        "gripper.move", "Move the gripper", why_not_move_gripper, moves=True, shown_first=True
+    )
     def move(self, travel: float, effort: float) -> Refusal | None:
         """Open or close it; the same frame enables it (0x159).
 
@@ -153,9 +175,8 @@ class GripperControl(ControllerPart):
             ``None`` if it is on its way, or why nothing was sent.
         """
         figures = self.figures
-        self._context.refresh()
         refusal = (
-            self.why_not(moving=True)
+            why_not_move_gripper(self._context.refresh())
             or check(figures.travel, travel)
             or check(figures.effort, effort)
         )
@@ -171,10 +192,12 @@ class GripperControl(ControllerPart):
         self._context.tell(EventCode.GRIPPER_SENT, value=travel, unit=figures.travel.unit)
         return None
 
+    @operation("gripper.enable", "Enable the gripper", why_not_move_gripper)
     def enable(self, effort: float) -> Refusal | None:
         """Give it power where it is."""
-        self._context.refresh()
-        refusal = self.why_not(moving=True) or check(self.figures.effort, effort)
+        refusal = why_not_move_gripper(self._context.refresh()) or check(
+            self.figures.effort, effort
+        )
         heard = self._heard()
         if refusal is not None or heard is None:
             return self._context.refuse(refusal or Refusal(RefusalCode.GRIPPER_SILENT))
@@ -183,10 +206,10 @@ class GripperControl(ControllerPart):
         self._start("enable", frames, lambda gripper: gripper.enabled)
         return None
 
+    @operation("gripper.disable", "Disable the gripper", why_not_let_go)
     def disable(self) -> Refusal | None:
         """Take its power: it lets go of what it holds. A run under way ends."""
-        self._context.refresh()
-        refusal = self.why_not(moving=False, letting_go=True)
+        refusal = why_not_let_go(self._context.refresh())
         if refusal is not None:
             return self._context.refuse(refusal)
         self._end_run(Refusal(RefusalCode.RUN_LET_GO))
@@ -194,10 +217,10 @@ class GripperControl(ControllerPart):
         self._start("disable", frames, lambda gripper: not gripper.enabled)
         return None
 
+    @operation("gripper.clear_error", "Clear the gripper's error", why_not_gripper)
     def clear_error(self) -> Refusal | None:
         """Clear its driver's error; it stays without power until it is enabled or moved."""
-        self._context.refresh()
-        refusal = self.why_not(moving=False)
+        refusal = why_not_gripper(self._context.refresh())
         if refusal is not None:
             return self._context.refuse(refusal)
         frames = commands.clear_gripper_error(self._context.connection.codec)
@@ -211,12 +234,10 @@ class GripperControl(ControllerPart):
             return False
         return abs(now.value.travel - then.value.travel) <= _THERE
 
+    @operation("gripper.set_zero", "Set the gripper's zero", why_not_set_zero)
     def set_zero(self) -> Refusal | None:
         """Make where it stands its zero, in generation 2; it has no power afterwards."""
-        self._context.refresh()
-        refusal = self.why_not(moving=False)
-        if refusal is None and self._context.connection.generation is not Generation.TWO:
-            refusal = Refusal(RefusalCode.GRIPPER_NO_ZERO)
+        refusal = why_not_set_zero(self._context.refresh())
         if refusal is not None:
             return self._context.refuse(refusal)
         frames = commands.set_gripper_zero(self._context.connection.codec)

@@ -8,10 +8,16 @@ from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.control.context import Context
 from armui.control.events import EventCode
-from armui.control.operating_state import why_unreachable
+from armui.control.operating_state import OperatingState
+from armui.control.operations.operation import operation
 from armui.control.requests.transactions import Transaction, TransactionQueue
 from armui.protocol import commands
 from armui.protocol.codes import SettingIndex
+
+
+def why_not_clear(now: OperatingState) -> Refusal | None:
+    """Tell why the errors of the drivers may not be cleared; one after the other may be."""
+    return now.unreachable or now.occupied
 
 
 class JointErrors:
@@ -36,19 +42,11 @@ class JointErrors:
         """Whether an answer is awaited."""
         return self._joint is not None
 
-    def why_not(self) -> Refusal | None:
-        """The reason against clearing an error now, or ``None``; one after the other may be."""
-        context = self._context
-        return (
-            why_unreachable(context.connection.link, context.connection.device)
-            or context.operating_state().occupied
-        )
-
+    @operation("joints.clear_error", "Clear errors of the drivers", why_not_clear)
     def clear(self, joint: int) -> Refusal | None:
         """Ask a joint (1–6, 7 all) to clear its error: ``None`` if it is on its way, or why not."""
         context = self._context
-        context.refresh()
-        refusal = self.why_not()
+        refusal = why_not_clear(context.refresh())
         if refusal is None and self._joint is not None:
             refusal = Refusal(RefusalCode.BUSY, {"what": "clearing_error"})
         if refusal is not None:
@@ -60,7 +58,7 @@ class JointErrors:
                 commands.clear_joint_error(context.connection.codec, joint),
                 partial(self._on_finished, joint),
                 SettingIndex.JOINT_SETTING,
-                recheck=self.why_not,
+                recheck=lambda: why_not_clear(context.operating_state()),
                 alters="clearing_error",
             )
         )

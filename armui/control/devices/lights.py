@@ -10,6 +10,8 @@ from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.control.context import Context
 from armui.control.events import EventCode
+from armui.control.operating_state import OperatingState
+from armui.control.operations.operation import operation
 from armui.protocol import commands
 from armui.protocol.codes import ALL_LAMPS
 
@@ -23,6 +25,13 @@ RANGES: Final[Mapping[str, range]] = {
 """What each figure of the command may be; a lamp may be :data:`ALL_LAMPS` as well."""
 
 _COUNTS: Final = 256
+
+
+def why_no_lamps(now: OperatingState) -> Refusal | None:
+    """Tell why no lamp may be set: lamps move nothing, but a run may signal by them."""
+    if now.unreachable is None and now.run_sets_lamps:
+        return Refusal(RefusalCode.RUN_SETS_LAMPS)
+    return now.unreachable
 
 
 class Lights:
@@ -40,6 +49,7 @@ class Lights:
         self._context = context
         self._counter = 0
 
+    @operation("lamps.set", "Set the lamps of a joint", why_no_lamps)
     def set_light(self, joint: int, lamp: int, red: int, green: int, blue: int) -> Refusal | None:
         """Colour a lamp of a joint.
 
@@ -53,7 +63,7 @@ class Lights:
         Returns:
             ``None`` if it is on its way, or why nothing was sent.
         """
-        refusal = self._context.refresh().cannot_set_lamps or check_light(
+        refusal = why_no_lamps(self._context.refresh()) or check_light(
             joint=joint, lamp=lamp, red=red, green=green, blue=blue
         )
         if refusal is None:

@@ -9,13 +9,35 @@ from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.control.context import Context, ControllerPart
 from armui.control.events import EventCode
-from armui.control.operating_state import LinkState, why_only_heard, why_unreachable
+from armui.control.operating_state import (
+    LinkState,
+    OperatingState,
+    why_only_heard,
+    why_unreachable,
+)
+from armui.control.operations.operation import Consent, operation
 from armui.control.requests.transactions import Transaction, TransactionQueue
 from armui.protocol import commands
 from armui.protocol.addressing import OFFSETS, Addressing
 from armui.protocol.codes import LinkageRole, SettingIndex
 
 _NO_OFFSET: Final = Addressing()
+
+
+def why_not_link(now: OperatingState) -> Refusal | None:
+    """Tell why role and offsets may not be set; an arm that is silent may be told."""
+    if (refusal := why_only_heard(now.device)) is not None:
+        return refusal
+    if now.link is not LinkState.OFFLINE and (refusal := why_unreachable(now.link)) is not None:
+        return refusal
+    return now.why_pending("linkage") or _why_in_use(now)
+
+
+def _why_in_use(now: OperatingState) -> Refusal | None:
+    """Tell what the arm does that a change of its identifiers would cut off."""
+    if now.occupied is not None:
+        return now.occupied
+    return Refusal(RefusalCode.LINKAGE_WHILE_MOVING) if now.moving else None
 
 
 class LinkageControl(ControllerPart):
@@ -27,15 +49,19 @@ class LinkageControl(ControllerPart):
     Args:
         context: What the parts of the controller share.
         transactions: Carries out commands that are answered.
+
+    Attributes:
+        busy: A setting has been sent and its end is not known.
     """
 
     def __init__(self, context: Context, transactions: TransactionQueue) -> None:
         self._context = context
         self._transactions = transactions
-        self._busy = False
+        self.busy = False
         self._used = _NO_OFFSET
         self._was_known = True
 
+    @operation("linkage.set", "Set role and identifiers", why_not_link, consent=Consent.PRESS)
     def set(
         self,
         role: LinkageRole,
@@ -58,8 +84,7 @@ class LinkageControl(ControllerPart):
             ``None`` if it is on its way, or why nothing was sent.
         """
         context = self._context
-        context.refresh()
-        refusal = self.why_not()
+        refusal = why_not_link(context.refresh())
         for name, offset in (
             ("feedback_offset", feedback_offset),
             ("control_offset", control_offset),
@@ -71,7 +96,7 @@ class LinkageControl(ControllerPart):
                 )
         if refusal is not None:
             return context.refuse(refusal)
-        self._busy = True
+        self.busy = True
         frames = commands.set_linkage(
             context.connection.codec,
             role,
@@ -91,37 +116,19 @@ class LinkageControl(ControllerPart):
                 frames,
                 partial(self._on_finished, role),
                 SettingIndex.LINKAGE_SETTING,
-                recheck=self._why_in_use,
+                recheck=lambda: _why_in_use(context.operating_state()),
                 alters="linkage",
             )
         )
+        context.refresh()
         return None
 
     def release(self) -> Refusal | None:
         """The way back: a motion output arm without offsets (0xFC)."""
         return self.set(LinkageRole.MOTION_OUTPUT)
 
-    def why_not(self) -> Refusal | None:
-        """The reason against a setting now, or ``None``: it may be made."""
-        context = self._context
-        link = context.connection.link
-        if (refusal := why_only_heard(context.operating_state().device)) is not None:
-            return refusal
-        if link is not LinkState.OFFLINE and (refusal := why_unreachable(link)) is not None:
-            return refusal
-        if self._busy:
-            return Refusal(RefusalCode.BUSY, {"what": "linkage"})
-        return self._why_in_use()
-
-    def _why_in_use(self) -> Refusal | None:
-        """What the arm does that a change of its identifiers would cut off."""
-        operating_state = self._context.operating_state()
-        if operating_state.occupied is not None:
-            return operating_state.occupied
-        return Refusal(RefusalCode.LINKAGE_WHILE_MOVING) if operating_state.moving else None
-
     def _on_finished(self, role: LinkageRole, refusal: Refusal | None) -> None:
-        self._busy = False
+        self.busy = False
         if refusal is not None:
             self._context.tell(EventCode.LINKAGE_FAILED, reason=refusal)
             return

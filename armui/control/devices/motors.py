@@ -11,13 +11,33 @@ from armui.arm.state import ArmState
 from armui.control.context import Context, ControllerPart
 from armui.control.events import EventCode
 from armui.control.motion.motion_command import End
-from armui.control.operating_state import Busy, StopState, why_only_heard
+from armui.control.operating_state import Busy, OperatingState, StopState, why_only_heard
+from armui.control.operations.operation import Consent, operation
 from armui.control.requests import reports
 from armui.control.requests.request import Request, RequestOutcome
 from armui.control.safety.emergency_stop import is_stopped
 from armui.protocol import commands
 from armui.protocol.codes import ALL_JOINTS
 from armui.protocol.frame import Frame
+
+
+def why_not_enable(now: OperatingState) -> Refusal | None:
+    """Tell why motors must not be enabled; to disable them is possible whatever is under way."""
+    return now.cannot_enable or now.occupied
+
+
+def why_not_disable(now: OperatingState) -> Refusal | None:
+    """Tell why motors cannot be disabled."""
+    return now.cannot_enable
+
+
+def why_not_resume(now: OperatingState) -> Refusal | None:
+    """Tell why the stop cannot be ended: there is none, or another arm might drop (0x150)."""
+    if now.stop is not StopState.STOPPED:
+        return Refusal(RefusalCode.NOT_STOPPED)
+    if (refusal := why_only_heard(now.device)) is not None:
+        return refusal
+    return None if now.control_certain else Refusal(RefusalCode.CONTROL_OFFSET_UNKNOWN)
 
 
 class Motors(ControllerPart):
@@ -40,10 +60,12 @@ class Motors(ControllerPart):
         """What the arm has been told and has not shown yet."""
         return self._busy
 
+    @operation("motors.enable", "Enable motors", why_not_enable)
     def enable(self, joint: int = ALL_JOINTS) -> Refusal | None:
         """Enable a motor, or all six with 7 (0x471), again until the drivers say that it is on."""
         return self._switch(joint, on=True)
 
+    @operation("motors.disable", "Disable motors", why_not_disable, consent=Consent.PRESS)
     def disable(self, joint: int = ALL_JOINTS) -> Refusal | None:
         """Disable a motor, or all six with 7 (0x471): the arm DROPS.
 
@@ -51,22 +73,13 @@ class Motors(ControllerPart):
         """
         return self._switch(joint, on=False)
 
-    def why_not_resume(self) -> Refusal | None:
-        """The reason against ending the stop: there is none, or another arm might drop (0x150)."""
-        operating_state = self._context.operating_state()
-        if operating_state.stop is not StopState.STOPPED:
-            return Refusal(RefusalCode.NOT_STOPPED)
-        if (refusal := why_only_heard(operating_state.device)) is not None:
-            return refusal
-        return (
-            None if operating_state.control_certain else Refusal(RefusalCode.CONTROL_OFFSET_UNKNOWN)
-        )
-
+    @operation(
+        "motors.resume", "Resume after the emergency stop", why_not_resume, consent=Consent.PRESS
+    )
     def resume(self) -> Refusal | None:
         """End the emergency stop: power is cut at once, the arm DROPS; then it must be enabled."""
         context = self._context
-        context.refresh()
-        refusal = self.why_not_resume()
+        refusal = why_not_resume(context.refresh())
         if refusal is not None:
             return context.refuse(refusal)
         context.tell(EventCode.RESUME_SENT)
@@ -103,7 +116,7 @@ class Motors(ControllerPart):
     def _switch(self, joint: int, *, on: bool) -> Refusal | None:
         context = self._context
         operating_state = context.refresh()
-        refusal = operating_state.cannot_switch_on if on else operating_state.cannot_enable
+        refusal = (why_not_enable if on else why_not_disable)(operating_state)
         if refusal is not None:
             return context.refuse(refusal)
         if not on:

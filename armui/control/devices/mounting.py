@@ -8,6 +8,7 @@ from armui.arm.quirks import why_not_by_firmware
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.control.events import EventCode
+from armui.control.operations.operation import operation
 from armui.control.safety.standstill import why_moving
 from armui.protocol import commands
 from armui.protocol.codes import Mounting
@@ -17,6 +18,22 @@ if TYPE_CHECKING:
     from collections.abc import Callable
 
     from armui.control.context import Context
+    from armui.control.operating_state import OperatingState
+
+
+def why_not_mount(now: OperatingState) -> Refusal | None:
+    """Tell why the arm may not be told its mounting; its firmware and its speed come on top."""
+    if now.unreachable is not None:
+        return now.unreachable
+    if now.generation is None:
+        return Refusal(RefusalCode.GENERATION_UNKNOWN)
+    if now.generation is Generation.ONE:
+        return Refusal(RefusalCode.SETTING_NOT_KEPT, {"generation": 1})
+    if now.occupied is not None:
+        return now.occupied
+    if not now.control_certain:
+        return Refusal(RefusalCode.CONTROL_OFFSET_UNKNOWN)
+    return now.cannot_send_motion or now.held
 
 
 class MountingControl:
@@ -31,6 +48,7 @@ class MountingControl:
         self._context = context
         self._speed_percent = speed_percent
 
+    @operation("mounting.tell", "Tell how the arm is mounted", why_not_mount)
     def tell(self, mounting: Mounting) -> Refusal | None:
         """Tell it now: ``None``, or why nothing was sent. Whether it took it nobody can ask."""
         context = self._context
@@ -59,18 +77,11 @@ class MountingControl:
     def why_not(self, mounting: Mounting) -> Refusal | None:
         """The reason against telling it now, or ``None``."""
         context = self._context
-        operating_state = context.operating_state()
-        refusal = context.why_unknown()
-        if refusal is None and context.connection.generation is Generation.ONE:
-            refusal = Refusal(RefusalCode.SETTING_NOT_KEPT, {"generation": 1})
-        refusal = refusal or self.why_not_by_firmware(mounting)
-        if refusal is not None:
-            return refusal
-        if operating_state.occupied is not None:
-            return operating_state.occupied
-        if not operating_state.control_certain:
-            return Refusal(RefusalCode.CONTROL_OFFSET_UNKNOWN)
-        return context.authority.why_not() or why_moving(context.state())
+        return (
+            why_not_mount(context.operating_state())
+            or self.why_not_by_firmware(mounting)
+            or why_moving(context.state())
+        )
 
     def why_not_by_firmware(self, mounting: Mounting) -> Refusal | None:
         """The reason that lies in the arm's firmware against a mounting, or ``None``."""

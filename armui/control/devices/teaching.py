@@ -6,11 +6,11 @@ from collections.abc import Callable, Mapping
 from typing import Final
 
 from armui.arm.refusal import Refusal
-from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import ArmState
 from armui.control.context import Context, ControllerPart
-from armui.control.devices.teaching_phase import TeachingPhase, phase_of, why_not
+from armui.control.devices.teaching_phase import TeachingPhase, phase_of, why_not_teach
 from armui.control.events import EventCode
+from armui.control.operations.operation import operation
 from armui.control.requests.request import Request, RequestOutcome
 from armui.protocol import commands
 from armui.protocol.codes import TeachingState
@@ -51,17 +51,11 @@ class TeachingControl(ControllerPart):
         """The command the arm has not shown yet."""
         return self._pending
 
-    def why_not(self, command: TeachingState) -> Refusal | None:
-        """The reason against a command now, or ``None``: it may be given."""
-        if self._pending is not None:
-            return Refusal(RefusalCode.BUSY, {"what": "teaching"})
-        return why_not(command, self._context.state(), self._context.operating_state())
-
+    @operation("teaching.command", "Command drag teaching", why_not_teach, moves=True)
     def command(self, command: TeachingState) -> Refusal | None:
         """Give a command of 0x150 byte 2: ``None`` if it is on its way, or why it is not."""
         context = self._context
-        context.refresh()
-        refusal = self.why_not(command)
+        refusal = why_not_teach(context.refresh(), command)
         if refusal is not None:
             return context.refuse(refusal)
         context.tell(EventCode.TEACHING_SENT, command=int(command))
@@ -73,6 +67,7 @@ class TeachingControl(ControllerPart):
             else Request(context, frames, _shows(command), _ANSWER_S, attempts=1)
         )
         self._request.advance()
+        context.refresh()
         return None
 
     def advance(self) -> None:

@@ -118,30 +118,28 @@ def farthest_from_rest(state: ArmState) -> tuple[int, float] | None:
     return joint + 1, angles_deg[joint]
 
 
-def why_not(
-    command: TeachingState, state: ArmState, operating_state: OperatingState
-) -> Refusal | None:
-    """The reason against a command of 0x150 byte 2 now, or ``None``: it makes sense."""
-    refusal = interlocks.why_no_command(
-        operating_state.unreachable, operating_state.stop, operating_state.busy
+def why_not_teach(now: OperatingState, command: TeachingState) -> Refusal | None:
+    """Tell why a command of 0x150 byte 2 may not be given, or makes no sense."""
+    refusal = now.why_pending("teaching") or interlocks.why_no_command(
+        now.unreachable, now.stop, now.busy
     )
-    if refusal is None and not operating_state.control_certain:
+    if refusal is None and not now.control_certain:
         refusal = Refusal(RefusalCode.CONTROL_OFFSET_UNKNOWN)
     if refusal is not None:
         return refusal
-    if state.status is None:
+    status = now.status
+    if status is None:
         return Refusal(RefusalCode.JOINTS_UNKNOWN)
-    status = state.status.value
     phase = phase_of(status)
     if phase not in _SUITS[command]:
         return Refusal(_UNSUITED[phase])
     if command not in _ASKS_MUCH:
         return None
-    refusal = operating_state.occupied or operating_state.cannot_send_motion
+    refusal = now.occupied or now.cannot_send_motion
     if refusal is not None:
         return refusal
     if phase is TeachingPhase.OFF and status.control_mode not in interlocks.MOVABLE_MODES:
         return Refusal(RefusalCode.OTHER_CONTROL, {"mode": status.control_mode})
     if status.arm_status not in _SOUND:
         return Refusal(RefusalCode.ARM_FAULT, {"status": status.arm_status})
-    return interlocks.why_not_enabled(operating_state.enabled)
+    return interlocks.why_not_enabled(now.enabled)

@@ -16,6 +16,7 @@ from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import ArmState
 from armui.control.devices import teaching_phase
 from armui.control.events import EventCode
+from armui.control.operations.operation import Consent, operation
 from armui.control.requests.transactions import ReadBack, Transaction, TransactionQueue
 from armui.control.safety.interlocks import joint_list, why_no_command
 from armui.control.safety.standstill import why_not_still
@@ -26,6 +27,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable
 
     from armui.control.context import Context
+    from armui.control.operating_state import OperatingState
     from armui.protocol.codec import Message
 
 _AT_ZERO_DEG: Final = 0.5
@@ -33,6 +35,19 @@ _SAME_PLACE_DEG: Final = 0.5
 """A joint that has moved less since the press stands where the operator put it."""
 _LONGEST_S: Final = 0.3
 """By then the new zero must show in the angles; a moment after the answer they may be old ones."""
+
+
+def why_not_zero(now: OperatingState) -> Refusal | None:
+    """Tell why no zero may be set, as far as it lies in what is under way.
+
+    What was planned, recorded or paused with the old zero would be gone on with under the new.
+    """
+    refusal = now.cannot_enable or now.occupied
+    if refusal is None and now.recording:
+        refusal = Refusal(RefusalCode.BUSY, {"what": "recording"})
+    if refusal is not None or now.status is None:
+        return refusal
+    return teaching_phase.why_under_way(teaching_phase.phase_of(now.status))
 
 
 class Zeroing:
@@ -57,24 +72,12 @@ class Zeroing:
         """Whether a zero has been sent and its end is not known."""
         return self._busy
 
-    def why_not(self) -> Refusal | None:
-        """The reason against a new zero that lies in what is under way, or ``None``.
-
-        What was planned, recorded or paused with the old zero would be gone on with under the new.
-        """
-        operating_state, state = self._context.operating_state(), self._context.state()
-        refusal = operating_state.cannot_enable or operating_state.occupied
-        if refusal is None and operating_state.recording:
-            refusal = Refusal(RefusalCode.BUSY, {"what": "recording"})
-        if refusal is not None or state.status is None:
-            return refusal
-        return teaching_phase.why_under_way(teaching_phase.phase_of(state.status.value))
-
     def stands_as(self, before: ArmState, joint: int = ALL_JOINTS) -> bool:
         """Tell whether a joint (1–6, 7 all) stands where it stood when its zero was spoken of."""
         joints = JOINTS if joint == ALL_JOINTS else (joint,)
         return _why_elsewhere(joints, before, self._context.connection.newest) is None
 
+    @operation("joints.set_zero", "Set zeros", why_not_zero, consent=Consent.PRESS)
     def set_zero(self, joint: int = ALL_JOINTS) -> Refusal | None:
         """Make the present position of a joint (1–6, 7 all) its zero.
 
@@ -84,8 +87,9 @@ class Zeroing:
         context = self._context
         state = context.state()
         joints = JOINTS if joint == ALL_JOINTS else (joint,)
-        context.refresh()
-        refusal = self.why_not() or why_not_still(state) or self._why_unheard(joints)
+        refusal = (
+            why_not_zero(context.refresh()) or why_not_still(state) or self._why_unheard(joints)
+        )
         if refusal is not None:
             return context.refuse(refusal)
         self._before_zeroing()

@@ -15,8 +15,10 @@ from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import ArmState
 from armui.control.context import Context, ControllerPart
 from armui.control.events import EventCode
+from armui.control.motion.joint_motion import why_not_move
 from armui.control.motion.motion_command import CommandKind
 from armui.control.motion.point_frames import leading_mode
+from armui.control.operations.operation import operation
 from armui.kinematics.axes import AXES, LINEAR_AXES, JogFrame
 from armui.protocol import commands
 from armui.protocol.codes import MoveMode
@@ -151,12 +153,14 @@ class Cartesian(ControllerPart):
         line = Line(model.matrix(start_deg), poses.pose_to_matrix(flange))
         return check_path(model, line, start_deg, limits)
 
+    @operation("tool.move", "Move the tool to a pose", why_not_move, moves=True, shown_first=True)
     def move(self, target: Sequence[float], move_mode: MoveMode) -> Refusal | None:
         """Send the tool centre point to a pose, with MOVE P or on a straight line with MOVE L."""
         code = EventCode.SENT_LINE if move_mode is MoveMode.MOVE_L else EventCode.SENT_POSE
         figures: dict[str, object] = dict(zip(map(str.lower, AXES), target, strict=True))
         return self._move(target, move_mode, code, figures)
 
+    @operation("tool.step", "Move the tool by a step", why_not_move, moves=True)
     def step(self, axis: int, amount: float, frame: JogFrame) -> Refusal | None:
         """Move the tool centre point by a step, on a straight line.
 
@@ -189,6 +193,7 @@ class Cartesian(ControllerPart):
             poses.matrix_to_pose(target), MoveMode.MOVE_L, EventCode.STEPPED_TOOL, figures
         )
 
+    @operation("tool.arc", "Move the tool along an arc", why_not_move, moves=True, shown_first=True)
     def move_arc(self, *points: Sequence[float]) -> Refusal | None:
         """Move on the arc through three poses of the tool centre point (MOVE C).
 

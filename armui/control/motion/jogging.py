@@ -24,8 +24,10 @@ from armui.control.events import EventCode
 from armui.control.motion.jog_pace import accelerations, pace
 from armui.control.motion.jog_path import JogPath, JointJog, JointJogPath, ToolJog, ToolJogPath
 from armui.control.motion.jog_stream import JogStream
+from armui.control.motion.joint_motion import why_not_move
 from armui.control.motion.motion_command import CommandKind, MotionCommand
 from armui.control.motion.steered_path import SteeredJog, SteeredToolPath
+from armui.control.operations.operation import Consent, operation
 from armui.control.safety.standstill import QUIET_DEG, QUIET_S, RestWatch
 from armui.kinematics.axes import AXES, JogFrame
 from armui.protocol import commands
@@ -113,6 +115,7 @@ class Jogging(ControllerPart):
         hold = self._hold
         return hold.jog if hold is not None and isinstance(hold.jog, SteeredJog) else None
 
+    @operation("jog.begin", "Jog", why_not_move, moves=True, consent=Consent.HELD)
     def start(self, jog: Jog) -> Refusal | None:
         """Begin to move, and go on until :meth:`stop`; a jog under way ends.
 

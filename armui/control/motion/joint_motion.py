@@ -12,6 +12,8 @@ from armui.control.context import Context, ControllerPart
 from armui.control.events import EventCode
 from armui.control.motion.jog_floor import JogFloor
 from armui.control.motion.motion_command import CommandKind
+from armui.control.operating_state import OperatingState
+from armui.control.operations.operation import operation
 from armui.control.requests import reports
 from armui.control.safety import interlocks
 from armui.protocol import commands
@@ -22,6 +24,16 @@ _FIRST_SPEED_PERCENT: Final = 30
 _LAG_STEPS: Final = 2
 _SETTLE_S: Final = 0.3
 """So long after a command of ours the operator's speed is not given back yet."""
+
+
+def why_not_move(now: OperatingState) -> Refusal | None:
+    """Tell why the joints may not be sent anywhere."""
+    return now.cannot_move
+
+
+def why_no_speed(now: OperatingState) -> Refusal | None:
+    """Tell why the speed of motions may not be set; without an arm it waits for one."""
+    return Refusal(RefusalCode.RUN_UNDER_WAY) if now.running else None
 
 
 class Motion(ControllerPart):
@@ -46,6 +58,7 @@ class Motion(ControllerPart):
         command = self._context.authority.command
         return None if command is None else command.joints_deg
 
+    @operation("motion.set_speed", "Set the speed of motions", why_no_speed)
     def set_speed_percent(self, percent: float) -> Refusal | None:
         """Set the speed of motions, 0–100 % of the arm's maximum (0x151 byte 2).
 
@@ -57,8 +70,8 @@ class Motion(ControllerPart):
         if not 0 <= percent <= 100:
             return context.refuse(Refusal(RefusalCode.SPEED_OUT_OF_RANGE, {"value": percent}))
         operating_state = context.refresh()
-        if operating_state.running:
-            return context.refuse(Refusal(RefusalCode.RUN_UNDER_WAY))
+        if (refusal := why_no_speed(operating_state)) is not None:
+            return context.refuse(refusal)
         self.speed_percent = round(percent)
         tellable = operating_state.control_certain and not operating_state.jogging
         tellable &= (
@@ -82,6 +95,7 @@ class Motion(ControllerPart):
         authority.told_percent(percent)
         return True
 
+    @operation("motion.step", "Move a joint by a step", why_not_move, moves=True)
     def jog(self, joint: int, delta_deg: float) -> Refusal | None:
         """Move one joint by a step at once; the other five stay where they are or were going."""
         context = self._context
@@ -105,10 +119,14 @@ class Motion(ControllerPart):
             return False
         return abs(asked_deg[joint - 1] - heard.value) > _LAG_STEPS * abs(step_deg)
 
+    @operation(
+        "motion.send", "Move the joints to angles", why_not_move, moves=True, shown_first=True
+    )
     def send_joints(self, angles_deg: Sequence[float]) -> Refusal | None:
         """Move to six angles in degrees (MOVE J, 0x155–0x157 and 0x151)."""
         return self._move(angles_deg, EventCode.SENT_JOINTS, **reports.numbered(angles_deg))
 
+    @operation("motion.home", "Move to the factory zero angles", why_not_move, moves=True)
     def go_home(self) -> Refusal | None:
         """Move to the factory zero angles."""
         return self._move(_HOME_DEG, EventCode.WENT_HOME)

@@ -3,9 +3,12 @@
 from __future__ import annotations
 
 import enum
+from collections.abc import Collection
 from typing import TYPE_CHECKING, NamedTuple
 
 from armui.arm.models import model_data
+from armui.arm.refusal import Refusal
+from armui.arm.refusal_codes import RefusalCode
 from armui.protocol.piper_model import PiperModel
 
 if TYPE_CHECKING:
@@ -70,6 +73,13 @@ class Hold(enum.Enum):
 
     PAUSE = "pause"
     SPEED_ZERO = "speed_zero"
+
+
+def why_held(holds: Collection[Hold]) -> Refusal | None:
+    """Tell what holds back a motion in the arm, as a reason against another one."""
+    if Hold.PAUSE in holds:
+        return Refusal(RefusalCode.PLAN_PAUSED)
+    return Refusal(RefusalCode.HELD_AT_ZERO) if holds else None
 
 
 class MotionCommand(NamedTuple):

@@ -9,6 +9,7 @@ from armui.arm.refusal_codes import RefusalCode
 from armui.control.context import Context
 from armui.control.events import EventCode
 from armui.control.motion.motion_command import Hold
+from armui.control.operations.operation import operation
 from armui.control.safety import interlocks
 from armui.protocol import commands
 from armui.protocol.codes import TrajectoryCommand
@@ -23,6 +24,28 @@ _ENDS: Final = frozenset(
     {TrajectoryCommand.CLEAR_CURRENT, TrajectoryCommand.CLEAR_ALL, TrajectoryCommand.ABORT}
 )
 """What only ends motions is never refused for what is under way: that ends."""
+
+
+def why_not_plan(now: OperatingState, command: TrajectoryCommand) -> Refusal | None:
+    """Tell why a command of 0x150 byte 1 may not be given."""
+    refusal = interlocks.why_no_command(now.unreachable, now.stop, now.busy)
+    if refusal is None and not now.control_certain:
+        refusal = Refusal(RefusalCode.CONTROL_OFFSET_UNKNOWN)
+    if refusal is not None or command in _ENDS:
+        return refusal
+    if now.running or now.jogging:
+        # a run has a pause of its own; setpoints of a jog held back would be carried out later
+        return now.occupied
+    if command is TrajectoryCommand.PAUSE and not now.moving:
+        return Refusal(RefusalCode.NOT_MOVING)
+    if command is not TrajectoryCommand.CONTINUE:
+        return None
+    # what is held back goes on at the operator's speed, and only in an arm that is ours
+    if not now.holds:
+        return Refusal(RefusalCode.NOTHING_HELD)
+    if now.speed_percent == 0:
+        return Refusal(RefusalCode.SPEED_ZERO)
+    return now.cannot_send_motion
 
 
 class PlannedMotion:
@@ -41,33 +64,12 @@ class PlannedMotion:
         self._end_all = end_all
         self._tell_speed = tell_speed
 
-    def why_not(self, command: TrajectoryCommand) -> Refusal | None:
-        """The reason against a command now, or ``None``: it may be given."""
-        operating_state = self._context.operating_state()
-        refusal = interlocks.why_no_command(
-            operating_state.unreachable, operating_state.stop, operating_state.busy
-        )
-        if refusal is None and not operating_state.control_certain:
-            refusal = Refusal(RefusalCode.CONTROL_OFFSET_UNKNOWN)
-        if refusal is not None or command in _ENDS:
-            return refusal
-        if operating_state.running or operating_state.jogging:
-            # a run has a pause of its own; setpoints of a jog held back would be carried out later
-            return operating_state.occupied
-        if command is TrajectoryCommand.PAUSE and not operating_state.moving:
-            return Refusal(RefusalCode.NOT_MOVING)
-        if command is TrajectoryCommand.CONTINUE:
-            return self._why_not_continue(operating_state)
-        return None
-
-    def _why_not_continue(self, operating_state: OperatingState) -> Refusal | None:
-        """What is held back goes on at the operator's speed, and only in an arm that is ours."""
-        if not operating_state.holds:
-            return Refusal(RefusalCode.NOTHING_HELD)
-        if operating_state.speed_percent == 0:
-            return Refusal(RefusalCode.SPEED_ZERO)
-        return self._context.authority.why_not_ours()
-
+    @operation(
+        "planned.command",
+        "Pause, continue, clear or end a planned motion",
+        why_not_plan,
+        moves=True,
+    )
     def command(self, command: TrajectoryCommand) -> Refusal | None:
         """Give a command of 0x150 byte 1: ``None`` if it is on its way, or why it is not.
 
@@ -75,8 +77,7 @@ class PlannedMotion:
             EncodeError: The command is one of the transfer of points.
         """
         context = self._context
-        context.refresh()
-        refusal = self.why_not(command)
+        refusal = why_not_plan(context.refresh(), command)
         if refusal is None:
             frames = commands.trajectory_command(context.connection.codec, command)
             connection = context.connection

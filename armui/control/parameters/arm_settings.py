@@ -16,6 +16,8 @@ from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import ArmState
 from armui.control.context import Context, ControllerPart
 from armui.control.events import EventCode
+from armui.control.operating_state import OperatingState
+from armui.control.operations.operation import Consent, operation
 from armui.control.parameters.setting_cell import CellState, SettingCellState
 from armui.control.parameters.setting_checks import (
     Changes,
@@ -46,6 +48,22 @@ _JOINT_BATCHES: Final = tuple(
 
 _SECOND_ONLY: Final = frozenset({Group.TEACHING, Group.DRAG_ASSISTANCE})
 _UNREAD: Final = SettingCellState()
+
+
+def why_no_settings(now: OperatingState) -> Refusal | None:
+    """Tell why parameters may not be set."""
+    if now.unreachable is not None:
+        return now.unreachable
+    if now.generation is None:
+        return Refusal(RefusalCode.GENERATION_UNKNOWN)
+    return now.occupied or now.why_pending("settings")
+
+
+def why_not_read(now: OperatingState) -> Refusal | None:
+    """Tell why parameters cannot be read."""
+    if now.unreachable is not None:
+        return now.unreachable
+    return Refusal(RefusalCode.GENERATION_UNKNOWN) if now.generation is None else None
 
 
 class ArmSettings(QObject, ControllerPart):
@@ -119,6 +137,7 @@ class ArmSettings(QObject, ControllerPart):
 
     # What the operator wants ------------------------------------------------------------------
 
+    @operation("settings.read", "Read parameters", why_not_read)
     def read(self, batches: Iterable[Batch]) -> Refusal | None:
         """Ask the arm for what it holds; what is being read or saved already is left alone.
 
@@ -138,6 +157,7 @@ class ArmSettings(QObject, ControllerPart):
         self.changed.emit()
         return None
 
+    @operation("settings.save", "Set parameters", why_no_settings, shown_first=True)
     def save(self, changes: Changes) -> Refusal | None:
         """Set parameters and see whether the arm has taken them.
 
@@ -165,10 +185,22 @@ class ArmSettings(QObject, ControllerPart):
         self.changed.emit()
         return None
 
+    @operation(
+        "settings.reset_end_limits",
+        "Limits of the end as they left the factory",
+        why_no_settings,
+        consent=Consent.PRESS,
+    )
     def reset_end_limits(self) -> Refusal | None:
         """【初始化】: the end's limits as they left the factory (0x477), then read back."""
         return self._reset(commands.reset_end_limits, [Batch(Group.END_LIMITS)])
 
+    @operation(
+        "settings.reset_joint_limits",
+        "Limits of the joints as they left the factory",
+        why_no_settings,
+        consent=Consent.PRESS,
+    )
     def reset_joint_limits(self) -> Refusal | None:
         """Limits, speeds and accelerations of all joints as they left the factory (0x477)."""
         return self._reset(commands.reset_joint_limits, _JOINT_BATCHES)
@@ -187,11 +219,7 @@ class ArmSettings(QObject, ControllerPart):
 
     def _codec(self) -> Codec | Refusal:
         """What to speak, or why nothing can be set now."""
-        refusal = self._context.why_unknown() or self._context.refresh().occupied
-        if refusal is None and self.busy:
-            refusal = Refusal(RefusalCode.BUSY, {"what": "settings"})
-        if refusal is None:
-            refusal = why_moving(self._context.state())
+        refusal = why_no_settings(self._context.refresh()) or why_moving(self._context.state())
         return self._context.connection.codec if refusal is None else self._context.refuse(refusal)
 
     def _read(self, batch: Batch) -> None:

@@ -17,6 +17,8 @@ from armui.control.motion.point_frames import (
     tool_way,
     why_not_possible,
 )
+from armui.control.operating_state import OperatingState
+from armui.control.operations.operation import Consent, operation
 from armui.control.run.arrival import Arrival, ArrivalWatch
 from armui.control.run.execution import Execution
 from armui.control.run.progress import ENDLESS, Progress, Run, RunPhase, RunSchedule
@@ -32,6 +34,21 @@ _PASSING: Final = frozenset(
     {RefusalCode.ENABLED_UNKNOWN, RefusalCode.JOINTS_UNKNOWN, RefusalCode.FEEDBACK_SILENT}
 )
 """Reasons that may be gone with the next frame."""
+
+
+def why_not_run(now: OperatingState) -> Refusal | None:
+    """Tell why no trajectory may be run now, whichever it is."""
+    return now.occupied or now.cannot_run or now.model_fit.wrong
+
+
+def why_not_go_on(now: OperatingState) -> Refusal | None:
+    """Tell why the run that is paused cannot go on."""
+    return now.cannot_run if now.running else Refusal(RefusalCode.NOT_PAUSED)
+
+
+def why_not_pause(now: OperatingState) -> Refusal | None:
+    """Tell why nothing can be paused."""
+    return None if now.running else Refusal(RefusalCode.NOT_RUNNING)
 
 
 class Player(Execution):
@@ -61,16 +78,12 @@ class Player(Execution):
 
     # What the operator wants ------------------------------------------------------------------
 
+    @operation("run.start", "Run a trajectory", why_not_run, moves=True, shown_first=True)
     def start(self, run: Run) -> Refusal | None:
         """Begin a run: ``None`` if the arm is on its way, or why not."""
         context = self._context
         operating_state = context.refresh()
-        refusal = (
-            operating_state.occupied
-            or operating_state.cannot_run
-            or operating_state.model_fit.wrong
-            or _why_empty(run)
-        )
+        refusal = why_not_run(operating_state) or _why_empty(run)
         if refusal is None:
             refusal = why_not_possible(context.connection.generation, run.points)
         if refusal is not None:
@@ -83,6 +96,7 @@ class Player(Execution):
         self._send_point()
         return None
 
+    @operation("run.pause", "Pause the run", why_not_pause)
     def pause(self) -> Refusal | None:
         """Have the arm hold where it is (0x150 byte 1 = 1)."""
         if self._phase not in {RunPhase.MOVING, RunPhase.DWELLING}:
@@ -96,6 +110,7 @@ class Player(Execution):
         self._publish()
         return None
 
+    @operation("run.go_on", "Go on with the run", why_not_go_on, moves=True, consent=Consent.HELD)
     def go_on(self) -> Refusal | None:
         """End a pause (0x150 byte 1 = 2), or take the next step."""
         if self._phase is RunPhase.WAITING:

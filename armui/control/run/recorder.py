@@ -10,10 +10,18 @@ from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.control.context import Context, ControllerPart
 from armui.control.events import EventCode
-from armui.control.operating_state import why_unreachable
+from armui.control.operating_state import OperatingState, why_unreachable
+from armui.control.operations.operation import operation
 
 if TYPE_CHECKING:
     from armui.control.run.sample_store import Recorded, SampleStore
+
+
+def why_not_record(now: OperatingState) -> Refusal | None:
+    """Tell why no recording may begin: there is nothing to hear, or one is under way."""
+    if (refusal := why_unreachable(now.link)) is not None:
+        return refusal
+    return Refusal(RefusalCode.BUSY, {"what": "recording"}) if now.recording else None
 
 
 class Recorder(QObject, ControllerPart):
@@ -52,11 +60,10 @@ class Recorder(QObject, ControllerPart):
         """From the first sample to the last."""
         return 0.0 if self._samples is None else self._samples.duration_s
 
+    @operation("recorder.start", "Record where the arm goes", why_not_record)
     def start(self) -> Refusal | None:
         """Begin anew: ``None``, or why not."""
-        refusal = why_unreachable(self._context.connection.link)
-        if refusal is None and self._recording:
-            refusal = Refusal(RefusalCode.BUSY, {"what": "recording"})
+        refusal = why_not_record(self._context.refresh())
         if refusal is not None:
             return self._context.refuse(refusal)
         from armui.control.run.sample_store import SampleStore  # noqa: PLC0415 - numpy, faster start

@@ -11,8 +11,10 @@ from armui.arm.refusal_codes import RefusalCode
 from armui.control.context import Context
 from armui.control.events import EventCode
 from armui.control.motion.motion_command import CommandKind, MotionCommand
+from armui.control.operations.operation import Consent, operation
 from armui.control.run.arrival import Arrival, ArrivalWatch
 from armui.control.run.execution import Execution
+from armui.control.run.player import why_not_go_on, why_not_pause, why_not_run
 from armui.control.run.progress import ENDLESS, Progress, RunPhase
 from armui.protocol import commands
 from armui.protocol.codes import MoveMode
@@ -63,18 +65,14 @@ class Replayer(Execution):
 
     # What the operator wants ------------------------------------------------------------------
 
+    @operation("replay.start", "Replay a recording", why_not_run, moves=True, shown_first=True)
     def start(self, replay: Replay) -> Refusal | None:
         """Begin a replay: ``None`` if the arm is on its way to the first sample, or why not."""
         from armui.control.run.replay import why_not  # noqa: PLC0415 - numpy, loaded with the first
 
         context = self._context
         operating_state = context.refresh()
-        refusal = (
-            operating_state.occupied
-            or operating_state.cannot_run
-            or operating_state.model_fit.wrong
-            or why_not(replay, operating_state)
-        )
+        refusal = why_not_run(operating_state) or why_not(replay, operating_state)
         if refusal is not None:
             return context.refuse(refusal)
         self._replay, self._cycle, self._at_s = replay, 1, 0.0
@@ -84,6 +82,7 @@ class Replayer(Execution):
         self._approach(replay)
         return None
 
+    @operation("replay.pause", "Pause the replay", why_not_pause)
     def pause(self) -> Refusal | None:
         """Hold where the arm is: nothing more is sent."""
         if self._phase is not RunPhase.MOVING or self._watch is not None:
@@ -93,6 +92,9 @@ class Replayer(Execution):
         self._publish()
         return None
 
+    @operation(
+        "replay.go_on", "Go on with the replay", why_not_go_on, moves=True, consent=Consent.HELD
+    )
     def go_on(self) -> Refusal | None:
         """End a pause."""
         if self._phase is not RunPhase.PAUSED:

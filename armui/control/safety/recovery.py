@@ -10,7 +10,9 @@ from typing import TYPE_CHECKING, Final
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.control.context import Context, ControllerPart
+from armui.control.devices.joint_errors import why_not_clear
 from armui.control.events import EventCode
+from armui.control.motion.planned_motion import why_not_plan
 from armui.control.requests.request import Request, RequestOutcome
 from armui.control.safety.recovery_rules import next_step
 from armui.control.safety.recovery_steps import NO_DEVICE, Action, Step, StepKind
@@ -188,17 +190,16 @@ class Recovery(ControllerPart):
             step: What is shown.
             action: Its alternative, where that is meant.
         """
-        action = action or step.action
+        action, now = action or step.action, self._context.operating_state()
         if action is Action.CLEAR_ERRORS:
-            return self._joint_errors.why_not()
+            return why_not_clear(now)
         if action is Action.GO_ON:
-            return self._planned_motion.why_not(TrajectoryCommand.CONTINUE)
+            return why_not_plan(now, TrajectoryCommand.CONTINUE)
         if action is Action.TAKE_OVER:
             return self._why_not_take_over()
         if action is Action.LEAVE_MODE:
             return self._mode_exit.why_not()
-        uncertain = not self._context.operating_state().control_certain
-        if uncertain and action in _NEEDS_IDENTIFIERS:
+        if not now.control_certain and action in _NEEDS_IDENTIFIERS:
             return Refusal(RefusalCode.CONTROL_OFFSET_UNKNOWN)
         return None
 

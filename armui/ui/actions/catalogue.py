@@ -7,12 +7,28 @@ from functools import cache
 from typing import Final
 
 from armui.arm.limits import JOINTS
+from armui.control.devices.end_reports import EndReports
+from armui.control.devices.gripper import GripperControl
+from armui.control.devices.joint_errors import JointErrors
+from armui.control.devices.lights import Lights
+from armui.control.devices.linkage import LinkageControl
+from armui.control.devices.motors import Motors
+from armui.control.devices.teaching import TeachingControl
+from armui.control.devices.zeroing import Zeroing
+from armui.control.motion.cartesian import Cartesian
+from armui.control.motion.joint_motion import Motion
+from armui.control.motion.planned_motion import PlannedMotion
+from armui.control.operations.operation import operation_of
+from armui.control.parameters.arm_settings import ArmSettings
 from armui.kinematics.axes import AXES
-from armui.protocol.codes import ALL_JOINTS
+from armui.protocol.codes import ALL_JOINTS, TeachingState, TrajectoryCommand
 from armui.ui.actions import page_commands
-from armui.ui.actions.command import Command, Need
+from armui.ui.actions.command import Command, while_editing, with_angles, with_pose
 from armui.ui.actions.places import PANELS, PLACES
 from armui.ui.words.text import Text
+
+_TEACH: Final = operation_of(TeachingControl.command)
+_PLAN: Final = operation_of(PlannedMotion.command)
 
 # fmt: off
 _WINDOW: Final = (
@@ -57,80 +73,84 @@ _WINDOW: Final = (
 )
 
 _PANELS: Final = (
-    Command("motion.home", target="home_button", need=Need.MOVE),
-    Command("motion.load", target="load_button", need=Need.ANGLES),
-    Command("motion.send", target="send_button", need=Need.MOVE),
+    Command("motion.home", target="home_button", does=operation_of(Motion.go_home)),
+    Command("motion.load", target="load_button", does=with_angles),
+    Command("motion.send", target="send_button", does=operation_of(Motion.send_joints)),
     Command("motion.keys", Text("JogPanel", "Keyboard jogging"), "jog_keys_button"),
     Command("motion.step", Text("JogPanel", "Step of − and +"), "jog_step"),
     Command("cartesian.base", Text("FrameChoice", "Base frame"), "frame_base"),
     Command("cartesian.tool", Text("FrameChoice", "Tool frame"), "frame_tool"),
-    Command("cartesian.load", Text("CartesianPanel", "Load"), "load_pose_button", Need.POSE),
-    Command("cartesian.move_p", Text("Action", "MOVE P: to the pose"), "move_p_button", Need.MOVE),
+    Command("cartesian.load", Text("CartesianPanel", "Load"), "load_pose_button", with_pose),
+    Command("cartesian.move_p", Text("Action", "MOVE P: to the pose"), "move_p_button",
+            does=operation_of(Cartesian.move)),
     Command("cartesian.move_l", Text("Action", "MOVE L: on a straight line to the pose"),
-            "move_l_button", Need.MOVE),
-    Command("cartesian.capture_start", Text("ArcBox", "Capture start"), "capture_start", Need.POSE),
+            "move_l_button", does=operation_of(Cartesian.move)),
+    Command("cartesian.capture_start", Text("ArcBox", "Capture start"), "capture_start", with_pose),
     Command("cartesian.capture_middle", Text("ArcBox", "Capture middle"), "capture_middle",
-            Need.POSE),
-    Command("cartesian.capture_end", Text("ArcBox", "Capture end"), "capture_end", Need.POSE),
-    Command("cartesian.arc_start", Text("ArcBox", "Go to start"), "arc_start_button", Need.MOVE),
+            with_pose),
+    Command("cartesian.capture_end", Text("ArcBox", "Capture end"), "capture_end", with_pose),
+    Command("cartesian.arc_start", Text("ArcBox", "Go to start"), "arc_start_button",
+            does=operation_of(Cartesian.move)),
     Command("cartesian.move_c", Text("Action", "MOVE C: along the arc"), "move_c_button",
-            Need.MOVE),
+            does=operation_of(Cartesian.move_arc)),
     Command("cartesian.keys", Text("JogPanel", "Keyboard jogging"), "tool_keys_button"),
     Command("light.all", Text("LightPanel", "All lamps of the joint"), "all_lamps"),
     Command("light.hue", Text("LightPanel", "Hue and saturation"), "hue_field"),
     Command("light.brightness", Text("LightPanel", "Brightness"), "brightness_slider"),
-    Command("light.confirm", target="light_confirm_button", need=Need.LAMPS),
+    Command("light.confirm", target="light_confirm_button", does=operation_of(Lights.set_light)),
     Command("linkage.input", Text("Action", "Master arm (teaching input arm)"), "linkage_input"),
     Command("linkage.output", Text("Action", "Slave arm (motion output arm)"), "linkage_output"),
     Command("linkage.confirm", Text("LinkagePanel", "Confirm"), "linkage_confirm_button",
-            Need.LINKAGE),
-    Command("gripper.send", target="gripper_send_button", need=Need.GRIPPER_MOVE),
+            does=operation_of(LinkageControl.set)),
+    Command("gripper.send", target="gripper_send_button", does=operation_of(GripperControl.move)),
     Command("gripper.enable", Text("GripperAct", "Enable"), "gripper_enable_button",
-            Need.GRIPPER_MOVE),
+            does=operation_of(GripperControl.enable)),
     Command("gripper.disable", Text("GripperAct", "Disable"), "gripper_disable_button",
-            Need.GRIPPER_LET_GO),
+            does=operation_of(GripperControl.disable)),
     Command("gripper.clear", Text("GripperAct", "Clear error"), "gripper_clear_button",
-            Need.GRIPPER),
-    Command("gripper.zero", Text("GripperAct", "Set zero"), "gripper_zero_button", Need.GRIPPER),
+            does=operation_of(GripperControl.clear_error)),
+    Command("gripper.zero", Text("GripperAct", "Set zero"), "gripper_zero_button",
+            does=operation_of(GripperControl.set_zero)),
     Command("end_load.empty", Text("EndLoad", "No load"), "load_empty"),
     Command("end_load.half", Text("EndLoad", "Half load"), "load_half"),
     Command("end_load.full", Text("EndLoad", "Full load"), "load_full"),
     Command("end_load.confirm", Text("EndLoadPanel", "Confirm"), "load_confirm_button",
-            Need.REACH_FREE),
+            does=operation_of(EndReports.set_load)),
     Command("end_load.feedback",
             Text("EndLoadPanel", "Speed and acceleration of the end, by joint"),
-            "end_feedback_button", Need.REACH),
+            "end_feedback_button", does=operation_of(EndReports.switch)),
     Command("teaching.start_recording", Text("TeachingCommand", "Start recording"),
-            "teaching_start_recording", Need.TEACHING),
+            "teaching_start_recording", _TEACH, {"command": TeachingState.START_RECORDING}),
     Command("teaching.stop_recording", Text("TeachingCommand", "Stop recording"),
-            "teaching_stop_recording", Need.TEACHING),
+            "teaching_stop_recording", _TEACH, {"command": TeachingState.STOP_RECORDING}),
     Command("teaching.run_recording", Text("TeachingCommand", "Replay"), "teaching_run_recording",
-            Need.TEACHING),
+            _TEACH, {"command": TeachingState.RUN_RECORDING}, leads=True),
     Command("teaching.move_to_start", Text("TeachingCommand", "Move to start"),
-            "teaching_move_to_start", Need.TEACHING),
-    Command("teaching.pause", Text("TeachingCommand", "Pause"), "teaching_pause", Need.TEACHING),
+            "teaching_move_to_start", _TEACH, {"command": TeachingState.MOVE_TO_START}, leads=True),
+    Command("teaching.pause", Text("TeachingCommand", "Pause"), "teaching_pause", _TEACH,
+            {"command": TeachingState.PAUSE}),
     Command("teaching.continue", Text("TeachingCommand", "Continue"), "teaching_continue",
-            Need.TEACHING),
+            _TEACH, {"command": TeachingState.CONTINUE}),
     Command("teaching.abort", Text("TeachingCommand", "Terminate"), "teaching_abort",
-            Need.TEACHING),
+            _TEACH, {"command": TeachingState.ABORT}),
     Command("teaching.plan_pause", Text("Action", "Pause the planned motion"), "plan_pause",
-            Need.PLAN),
+            _PLAN, {"command": TrajectoryCommand.PAUSE}),
     Command("teaching.plan_continue", Text("Action", "Continue the held motion"), "plan_continue",
-            Need.PLAN),
+            _PLAN, {"command": TrajectoryCommand.CONTINUE}),
     Command("teaching.plan_abort", Text("Action", "Terminate the planned motion"), "plan_abort",
-            Need.PLAN),
+            _PLAN, {"command": TrajectoryCommand.ABORT}),
     Command("teaching.plan_clear_current", Text("TrajectoryCommand", "Clear current"),
-            "plan_clear_current", Need.PLAN),
+            "plan_clear_current", _PLAN, {"command": TrajectoryCommand.CLEAR_CURRENT}),
     Command("teaching.plan_clear_all", Text("TrajectoryCommand", "Clear all"), "plan_clear_all",
-            Need.PLAN),
+            _PLAN, {"command": TrajectoryCommand.CLEAR_ALL}),
 )
 
 _PARAMETERS: Final = (
-    ("read", Text("ParameterButtons", "Read"), Need.SETTINGS),
-    ("reset", Text("ParameterButtons", "Initialise"), Need.SETTINGS_FREE),
-    ("edit", Text("ParameterButtons", "Edit"), Need.SETTINGS),
-    ("cancel", Text("ParameterButtons", "Cancel"), Need.EDITING),
-    ("save", Text("ParameterButtons", "Save"), Need.EDITING),
+    ("read", Text("ParameterButtons", "Read"), operation_of(ArmSettings.read)),
+    ("reset", Text("ParameterButtons", "Initialise"), operation_of(ArmSettings.reset_joint_limits)),
+    ("edit", Text("ParameterButtons", "Edit"), operation_of(ArmSettings.read)),
+    ("cancel", Text("ParameterButtons", "Cancel"), while_editing),
+    ("save", Text("ParameterButtons", "Save"), while_editing),
 )
 _WITH_PARAMETERS: Final = ("joint_settings", "end_limits", "collision", "gripper_settings")
 _CAN_RESET: Final = ("joint_settings", "end_limits")
@@ -176,10 +196,10 @@ _DANGEROUS: Final = (
 """Beginnings of the names of what loses a zero, a setting, or the power that holds the arm."""
 
 _MOTOR: Final = (
-    ("enable", Text("ActButtons", "Enable"), Need.SWITCH_ON),
-    ("disable", Text("ActButtons", "Disable"), Need.SWITCH_OFF),
-    ("zero", Text("ActButtons", "Set zero"), Need.ZERO),
-    ("clear", Text("ActButtons", "Clear error"), Need.CLEAR),
+    ("enable", Text("ActButtons", "Enable"), operation_of(Motors.enable)),
+    ("disable", Text("ActButtons", "Disable"), operation_of(Motors.disable)),
+    ("zero", Text("ActButtons", "Set zero"), operation_of(Zeroing.set_zero)),
+    ("clear", Text("ActButtons", "Clear error"), operation_of(JointErrors.clear)),
 )
 # fmt: on
 
@@ -223,14 +243,14 @@ def _of_joints_and_axes() -> Iterator[Command]:
 
 
 def _of_parameters(panel: str) -> Iterator[Command]:
-    for act, title, need in _PARAMETERS:
+    for act, title, does in _PARAMETERS:
         if act != "reset" or panel in _CAN_RESET:
-            yield Command(f"{panel}.{act}", title, f"{panel}_{act}_button", need)
+            yield Command(f"{panel}.{act}", title, f"{panel}_{act}_button", does)
 
 
 def _of_motors() -> Iterator[Command]:
     for joint in (ALL_JOINTS, *JOINTS):
         whose = "J1–J6" if joint == ALL_JOINTS else f"J{joint}"
-        for act, title, need in _MOTOR:
+        for act, title, does in _MOTOR:
             target = f"{act}_motor_{joint}"
-            yield Command(f"motor.{act}_{joint}", title._replace(suffix=whose), target, need)
+            yield Command(f"motor.{act}_{joint}", title._replace(suffix=whose), target, does)

@@ -14,7 +14,6 @@ from PySide6.QtWidgets import QAbstractButton, QApplication, QDialog, QMenu, QTo
 from armui.ui.actions.catalogue import actions
 from armui.ui.actions.command import Command
 from armui.ui.actions.places import PANELS, PLACES
-from armui.ui.actions.reasons import why_not
 from armui.ui.widgets.page import Page
 from armui.ui.widgets.press_button import PressButton
 
@@ -24,16 +23,6 @@ if TYPE_CHECKING:
 Doing = Callable[[], object]
 Doings = Mapping[str, tuple[Doing, Callable[[], str]]]
 """By the names of actions without a button: what does it, and why that is not possible now."""
-
-_TO_BE_SEEN: Final = frozenset(
-    {
-        *("motion.send", "cartesian.move_p", "cartesian.move_l", "cartesian.move_c"),
-        *("cartesian.arc_start", "gripper.send", "teaching.run_recording"),
-        *("teaching.move_to_start", "library.send", "editor.send", "editor.go_to"),
-        *("recording.preview", "bus.send"),
-    }
-)
-"""What sends the arm where a panel or a page says: nobody presses it who has not seen that."""
 
 _HIDDEN: Final = frozenset({"qt_toolbar_ext_button", "qt_spinbox_lineedit"})
 
@@ -110,9 +99,9 @@ class Offers:
             return Offer(title, place, action.keys, _why_not(seen), do)
         if action.place in self._openers:
             show, why = self._openers[action.place]
-            point_out = partial(self.point_out, action) if action.name in _TO_BE_SEEN else None
+            point_out = partial(self.point_out, action) if action.shown_first else None
             return Offer(title, place, action.keys, why(), do, show, point_out)
-        reason_text = why_not(action, self._controller)
+        reason_text = action.why_not(self._controller.operating_state)
         if not reason_text and action.place not in PANELS:
             reason_text = nothing_to_do()
         return Offer(title, place, action.keys, reason_text, do)
@@ -128,7 +117,7 @@ class Offers:
         seen = self._seen(action)
         if isinstance(seen, QAction):
             seen.trigger()
-        elif seen is not None and action.name in _TO_BE_SEEN and not was_seen:
+        elif seen is not None and action.shown_first and not was_seen:
             lead_to(seen)
         elif seen is not None:
             use(seen)

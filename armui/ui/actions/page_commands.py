@@ -5,7 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Final
 
-from armui.ui.actions.command import Command
+from armui.control.operations.operation import operation_of
+from armui.control.run.player import Player
+from armui.ui.actions.command import Command, always
 from armui.ui.actions.places import MOVABLE
 from armui.ui.words.text import Text
 
@@ -28,7 +30,7 @@ _IN_PLACE: Final = (
     Command("editor.redo", target="editor_redo"),
     Command("editor.insert_measured", target="editor_insert_measured"),
     Command("editor.jog", target="editor_jog"),
-    Command("editor.go_to", target="editor_go_to"),
+    Command("editor.go_to", target="editor_go_to", leads=True),
     Command("editor.find", target="editor_find"),
     Command("editor.check", target="editor_check"),
     Command("editor.insert_before", target="action_insert_before"),
@@ -43,7 +45,7 @@ _IN_PLACE: Final = (
     Command("editor.move_down", target="action_move_down"),
     Command("editor.convert", target="action_convert"),
     Command("recording.record", Text("RecordingPage", "Record"), "record"),
-    Command("recording.preview", Text("RecordingPage", "Preview"), "record_preview"),
+    Command("recording.preview", Text("RecordingPage", "Preview"), "record_preview", leads=True),
     Command("recording.points", Text("RecordingPage", "Save as points"), "save_points"),
     Command("recording.samples", Text("RecordingPage", "Save as recording"), "save_recording"),
     Command("plots.pause", Text("PlotBar", "Pause"), "plot_pause"),
@@ -76,7 +78,7 @@ _IN_PLACE: Final = (
     Command("bus.only_changed", Text("FilterBar", "Only changed"), "bus_only_changed"),
     Command("bus.only_unknown", Text("FilterBar", "Only unknown or malformed"), "bus_only_unknown"),
     Command("bus.unlock", Text("SendBox", "Hold to send frames by hand"), "bus_unlock"),
-    Command("bus.send", Text("SendBox", "Send"), "bus_send"),
+    Command("bus.send", Text("SendBox", "Send"), "bus_send", leads=True),
     Command("bus.lock", Text("SendBox", "Lock"), "bus_lock"),
     Command("sessions.record", Text("RecordingCard", "Record"), "session_record"),
     Command("sessions.folder", Text("Action", "Folder of the recordings"), "session_choose_folder"),
@@ -134,7 +136,8 @@ def commands() -> Iterator[Command]:
     yield from _IN_PLACE
     for place in _RUNNERS:
         for act, title, target in _RUNNING:
-            yield Command(f"{place}.{act}", title, target)
+            does = operation_of(Player.start) if act == "send" else always
+            yield Command(f"{place}.{act}", title, target, does)
     for key in MOVABLE:
         for act, title in _MOVES:
             yield Command(f"{key}.{act}", title)

@@ -19,6 +19,7 @@ from PySide6.QtWidgets import (
 from armui.arm.joint_status import Item, Word
 from armui.arm.limits import JOINTS
 from armui.control.arm_controller import ArmController
+from armui.control.devices.joint_errors import why_not_clear
 from armui.control.devices.joint_monitor import JointMonitor
 from armui.control.events import Event, EventCode, Level
 from armui.control.operating_state import OperatingState
@@ -159,7 +160,7 @@ class JointStatusDialog(ArmDialog):
             self._show_usable(operating_state)
 
     def _show_usable(self, operating_state: OperatingState) -> None:
-        reason = operating_state.unreachable or operating_state.occupied
+        reason = why_not_clear(operating_state)
         use = self.tr("Ask the driver of joint {joint} to clear its error")
         for joint, button in zip(JOINTS, self.clear_buttons, strict=True):
             enable_or_explain(button, words.why_not(reason), use.format(joint=joint))

@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QButtonGroup, QComboBox, QFrame, QLabel
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.control.arm_controller import ArmController
+from armui.control.devices.linkage import why_not_link
 from armui.control.operating_state import LinkState, OperatingState
 from armui.protocol.addressing import OFFSETS
 from armui.protocol.codes import LinkageRole
@@ -133,11 +134,7 @@ class LinkagePanel(Panel):
         teaching = operating_state.teaching_input
         self._teaching.setVisible(teaching)
         self._back.setVisible(teaching)
-        link = operating_state.link
-        reachable = link in {LinkState.ONLINE, LinkState.OFFLINE}
-        why_not = words.why_not(
-            operating_state.occupied if reachable else operating_state.unreachable
-        )
+        why_not = words.why_not(why_not_link(operating_state))
         enable_or_explain(self._confirm, why_not, self.tr("Says what will change, and asks first."))
         self._show_news()
         self._show_in_use()

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QWidget
 
+from armui.control.devices.motors import why_not_disable, why_not_enable
 from armui.control.operating_state import OperatingState
 from armui.ui import words
 from armui.ui.dialogs.confirm import confirm
@@ -60,7 +61,7 @@ class TopBar(Translated, QWidget):
 
     def _describe_enable(self, operating_state: OperatingState) -> None:
         off = self._enable.turns_off
-        blocked = operating_state.cannot_enable if off else operating_state.cannot_switch_on
+        blocked = (why_not_disable if off else why_not_enable)(operating_state)
         self._enable.setEnabled(blocked is None)
         if blocked is not None:
             tip = words.refusal(blocked)

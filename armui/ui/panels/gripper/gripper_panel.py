@@ -12,6 +12,7 @@ from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import ArmState, Reading
 from armui.control.arm_controller import ArmController
+from armui.control.devices.gripper import why_not_gripper, why_not_let_go, why_not_move_gripper
 from armui.control.devices.gripper_ranges import figures_of
 from armui.control.operating_state import OperatingState
 from armui.protocol.generation import Generation
@@ -248,25 +249,25 @@ class GripperPanel(Panel):
         self._show_message()
 
     def _show_possible(self) -> None:
-        gripper = self._controller.gripper
+        gripper, now = self._controller.gripper, self._controller.operating_state
         reasons = (
-            gripper.why_not(moving=True),
-            gripper.why_not(moving=False),
-            gripper.why_not(moving=False, letting_go=True),
+            why_not_move_gripper(now),
+            why_not_gripper(now),
+            why_not_let_go(now),
             gripper.why_no_angle(),
         )
         if reasons == self._reasons:
             return
         self._reasons = reasons
-        why_not_move, why_not, why_not_let_go, why_no_angle = map(words.why_not, reasons)
+        no_move, why_not, no_letting_go, why_no_angle = map(words.why_not, reasons)
         self._measure.show_choice(by_angle=gripper.tells_angle, why_not=why_no_angle)
-        self._travel.allow_steps(why_not_move)
+        self._travel.allow_steps(no_move)
         use = self.tr("Moves the gripper to the target, and gives it power.")
-        enable_or_explain(self._send, why_not_move, use, key=_SEND_KEY)
+        enable_or_explain(self._send, no_move, use, key=_SEND_KEY)
         use = self.tr("Gives the gripper power where it is.")
-        enable_or_explain(self._acts["enable"], why_not_move, use)
+        enable_or_explain(self._acts["enable"], no_move, use)
         use = self.tr("Takes its power: it drops what it holds. Asks first.")
-        enable_or_explain(self._acts["disable"], why_not_let_go, use)
+        enable_or_explain(self._acts["disable"], no_letting_go, use)
         use = self.tr("Clears its error; it has no power until enabled again.")
         enable_or_explain(self._acts["clear"], why_not, use)
         use = self.tr("Makes the present opening its zero. Asks first.")

@@ -12,7 +12,7 @@ from armui.arm.limits import JOINTS
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.control.arm_controller import ArmController
-from armui.control.devices.lights import RANGES, check_light
+from armui.control.devices.lights import RANGES, check_light, why_no_lamps
 from armui.control.operating_state import OperatingState
 from armui.protocol.codes import ALL_LAMPS
 from armui.ui import format as fmt
@@ -201,7 +201,7 @@ class LightPanel(Panel):
 
     def _on_operating_state_changed(self, operating_state: OperatingState) -> None:
         old, self._operating_state = self._operating_state, operating_state
-        if old.cannot_set_lamps != operating_state.cannot_set_lamps:
+        if why_no_lamps(old) != why_no_lamps(operating_state):
             self._refusal = None
             self._show_possible()
             self._show_message()
@@ -223,13 +223,13 @@ class LightPanel(Panel):
 
     def _show_possible(self) -> None:
         """Enable what can be used now; say in the tooltip why not."""
-        why_not = words.why_not(self._operating_state.cannot_set_lamps)
+        why_not = words.why_not(why_no_lamps(self._operating_state))
         use = self.tr("Sends the colour to the lamps; nothing moves.")
         enable_or_explain(self._confirm, why_not, use, key=_CONFIRM_KEY)
         show_primary(self._confirm, wanted=self._entered() != self._sent)
 
     def _show_message(self) -> None:
-        standing = self._unless_told(self._operating_state.cannot_set_lamps)
+        standing = self._unless_told(why_no_lamps(self._operating_state))
         self._say(self._refusal or standing or self._first_wrong())
 
     def retranslate_ui(self) -> None:

@@ -13,6 +13,9 @@ from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import ArmState
 from armui.control.arm_controller import ArmController
+from armui.control.devices.joint_errors import why_not_clear
+from armui.control.devices.motors import why_not_disable, why_not_enable
+from armui.control.devices.zeroing import why_not_zero
 from armui.control.operating_state import OperatingState
 from armui.protocol.codes import ALL_JOINTS
 from armui.ui import words
@@ -136,17 +139,17 @@ class MotorPanel(Panel):
         self._show_state(self._controller.state)
         operating_state = self._operating_state
         for act, blocked in (
-            (MotorAct.ENABLE, operating_state.cannot_switch_on),
-            (MotorAct.DISABLE, operating_state.cannot_enable),
-            (MotorAct.ZERO, self._controller.zeroing.why_not()),
-            (MotorAct.CLEAR, operating_state.unreachable or operating_state.occupied),
+            (MotorAct.ENABLE, why_not_enable(operating_state)),
+            (MotorAct.DISABLE, why_not_disable(operating_state)),
+            (MotorAct.ZERO, why_not_zero(operating_state)),
+            (MotorAct.CLEAR, why_not_clear(operating_state)),
         ):
             for acts in self._all_acts():
                 acts.allow(act, words.why_not(blocked))
         self._show_message()
 
     def _show_message(self) -> None:
-        blocked = self._unless_told(self._operating_state.cannot_switch_on)
+        blocked = self._unless_told(why_not_enable(self._operating_state))
         if blocked is not None and blocked.code == RefusalCode.BUSY:
             blocked = None  # what is under way will say itself how it ends
         self._say(blocked, self._event)

@@ -12,7 +12,7 @@ from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import ArmState
 from armui.control.arm_controller import ArmController
-from armui.control.devices.end_reports import is_reporting
+from armui.control.devices.end_reports import is_reporting, why_no_load, why_not_switch
 from armui.control.operating_state import LinkState, OperatingState
 from armui.protocol.codes import EndLoad
 from armui.ui import format as fmt
@@ -152,12 +152,11 @@ class EndLoadPanel(Panel):
             caption(self._switch, text, whose=self._motion_title.text())
 
     def _show_all(self) -> None:
-        unreachable = self._operating_state.unreachable
-        why_not = words.why_not(unreachable or self._operating_state.occupied)
+        now = self._operating_state
         use = self.tr("Tells the arm what it carries: it holds against that weight.")
-        enable_or_explain(self._send, why_not, use)
+        enable_or_explain(self._send, words.why_not(why_no_load(now)), use)
         use = self.tr("Switches the periodic frames 0x481–0x486.")
-        enable_or_explain(self._switch, words.why_not(unreachable), use)
+        enable_or_explain(self._switch, words.why_not(why_not_switch(now)), use)
         self._mounting.show_possible()
         self._show_state(self._controller.state)
         self._show_message()

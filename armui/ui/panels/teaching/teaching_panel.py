@@ -10,8 +10,9 @@ from PySide6.QtWidgets import QFrame, QGridLayout, QLabel, QPushButton, QToolBut
 
 from armui.arm.state import ArmState
 from armui.control.arm_controller import ArmController
-from armui.control.devices.teaching_phase import TeachingPhase, phase_of
+from armui.control.devices.teaching_phase import TeachingPhase, phase_of, why_not_teach
 from armui.control.events import Event, EventCode, Level
+from armui.control.motion.planned_motion import why_not_plan
 from armui.control.operating_state import OperatingState
 from armui.control.safety.recovery_steps import Action
 from armui.protocol.codes import TeachingState, TrajectoryCommand
@@ -221,11 +222,12 @@ class TeachingPanel(Panel):
             words.teaching(heard.value.teaching) if heard and known else fmt.NOTHING
         )
         self._phase.setText(words.teaching_phase(phase) if phase is not None else fmt.NOTHING)
+        now = self._controller.operating_state
         for command, button in self._buttons.items():
-            why_not = words.why_not(self._controller.teaching.why_not(command))
+            why_not = words.why_not(why_not_teach(now, command))
             enable_or_explain(button, why_not, self._describe(command))
         for plan, button in self._plan_buttons.items():
-            why_not = words.why_not(self._controller.planned_motion.why_not(plan))
+            why_not = words.why_not(why_not_plan(now, plan))
             enable_or_explain(button, why_not, self._plan_note.text())
         self._teaching_exit_steps.show_step(phase, self._controller.recovery.step)
         self._show_message()

@@ -1,0 +1,147 @@
+"""Every operation is declared once, has its words, and says in any state whether it may be done."""
+
+from __future__ import annotations
+
+import inspect
+import itertools
+import re
+from collections.abc import Iterator
+from typing import Any
+
+import pytest
+
+from armui.arm.refusal import Refusal
+from armui.control.operating_state import LinkState, OperatingState
+from armui.control.operations.operation import Consent, Operations, operation, operation_of
+from armui.protocol.codes import EndLoad, TeachingState, TrajectoryCommand
+from armui.protocol.generation import Generation
+from armui.ui import words
+from armui.ui.actions.catalogue import actions
+from tests.control.test_recovery_rules import online, without_link
+from tests.translations import ROOT
+from tests.ui.test_translation import committed  # noqa: F401 - a fixture
+
+EVERY_STATE = 61
+"""One of so many of the recovery's states: some hundred are left, of each kind some."""
+
+ARGUMENTS: dict[str, tuple[dict[str, Any], ...]] = {
+    "teaching.command": tuple({"command": each} for each in TeachingState if each),
+    "planned.command": tuple(
+        {"command": TrajectoryCommand[name]}
+        for name in ("PAUSE", "CONTINUE", "CLEAR_CURRENT", "CLEAR_ALL", "ABORT")
+    ),
+}
+"""What a reason may depend on beside the state."""
+
+
+def operating_states() -> Iterator[OperatingState]:
+    found = (now for _state, now in itertools.chain(without_link(), online()))
+    yield from itertools.islice(found, 0, None, EVERY_STATE)
+    yield OperatingState()
+    for generation in (None, *Generation):
+        for pending in ("teaching", "linkage", "settings", "end_reports"):
+            yield OperatingState(
+                link=LinkState.ONLINE,
+                generation=generation,
+                pending=frozenset({pending}),
+                cannot_move=None,
+                cannot_run=None,
+                cannot_enable=None,
+            )
+            yield OperatingState(
+                link=LinkState.ONLINE, generation=generation, running=True, run_sets_lamps=True
+            )
+
+
+def test_the_registry_holds_every_declaration(rig):
+    declared = set()
+    for path in (ROOT / "armui").rglob("*.py"):
+        text = path.read_text(encoding="utf-8")
+        declared |= set(re.findall(r'@operation\(\s*"([a-z_.]+)"', text))
+    assert set(rig.controller.operations) == declared
+    assert len(declared) >= 36
+
+
+def test_each_has_words_in_both_languages(rig, committed):  # noqa: F811 - the fixture
+    chinese = {
+        entry.source: text for entry, text in committed.items() if entry.context == "Operation"
+    }
+    titles = {bound.operation.title for bound in rig.controller.operations.values()}
+    assert titles == set(chinese)
+
+
+def test_each_says_in_any_state_whether_it_may_be_done(rig):
+    states = list(operating_states())
+    assert len(states) > 100
+    silent = set()
+    for name in rig.controller.operations:
+        reasons = set()
+        for now in states:
+            for arguments in ARGUMENTS.get(name, ({},)):
+                reason = rig.controller.operations.why_not(name, now, **arguments)
+                if reason is not None:
+                    assert words.refusal(reason), (name, reason)
+                reasons.add(None if reason is None else reason.code)
+        if reasons == {None}:
+            silent.add(name)
+    assert silent == set()
+
+
+def test_what_moves_the_arm_is_refused_without_one(rig):
+    for name, bound in rig.controller.operations.items():
+        if not bound.operation.moves:
+            continue
+        for arguments in ARGUMENTS.get(name, ({},)):
+            reason = bound.operation.why_not(OperatingState(), **arguments)
+            assert isinstance(reason, Refusal), name
+
+
+@pytest.mark.parametrize(
+    ("name", "arguments"),
+    [
+        ("motors.enable", ()),
+        ("motors.disable", ()),
+        ("motors.resume", ()),
+        ("joints.clear_error", (1,)),
+        ("joints.set_zero", (1,)),
+        ("lamps.set", (1, 0, 1, 2, 3)),
+        ("gripper.move", (10.0, 1.0)),
+        ("gripper.disable", ()),
+        ("end_load.set", (EndLoad.FULL,)),
+        ("teaching.command", (TeachingState.START_RECORDING,)),
+        ("planned.command", (TrajectoryCommand.ABORT,)),
+        ("motion.send", ((0.0,) * 6,)),
+        ("motion.home", ()),
+        ("run.pause", ()),
+        ("settings.reset_joint_limits", ()),
+    ],
+)
+def test_what_is_refused_is_refused_by_the_reason_of_its_declaration(rig, name, arguments):
+    bound = rig.controller.operations[name]
+    given = {"command": arguments[0]} if name in ARGUMENTS else {}
+    reason = bound.operation.why_not(rig.controller.operating_state, **given)
+    assert reason is not None
+    assert bound.carry_out(*arguments) == reason
+
+
+def test_the_palette_reads_the_declarations(rig):
+    of_palette = {each.does.id for each in actions() if not inspect.isfunction(each.does)}
+    assert of_palette <= set(rig.controller.operations)
+    assert {"motion.send", "lamps.set", "run.start", "joints.set_zero"} <= of_palette
+    for each in actions():
+        if not inspect.isfunction(each.does) and each.does.shown_first:
+            assert each.shown_first
+
+
+def test_an_operation_is_declared_once():
+    class Twice:
+        @operation("a.b", "A", lambda _now: None)
+        def first(self) -> None: ...
+
+        @operation("a.b", "B", lambda _now: None, consent=Consent.HELD)
+        def second(self) -> None: ...
+
+    assert operation_of(Twice.first).consent is Consent.NONE
+    assert operation_of(Twice.second).consent is Consent.HELD
+    with pytest.raises(ValueError, match=r"a\.b is declared twice"):
+        Operations([Twice()])
