@@ -48,7 +48,7 @@ _ANSWER_S: Final = 2.0
 _CONSOLE_CLOSED: Final = frozenset({2, 5, 6})  # CTRL_CLOSE_EVENT, _LOGOFF_EVENT, _SHUTDOWN_EVENT
 
 
-class Program(Protocol):
+class EndingProgram(Protocol):
     """What is to end: see :class:`armui.app.Program`."""
 
     controller: ArmController
@@ -75,7 +75,10 @@ class SystemEnd(QObject):
     _motion_asked = Signal()
 
     def __init__(
-        self, app: QApplication, program: Program, exit_now: Callable[[int], object] = os._exit
+        self,
+        app: QApplication,
+        program: EndingProgram,
+        exit_now: Callable[[int], object] = os._exit,
     ) -> None:
         super().__init__()
         self._app, self._program, self._exit_now = app, program, exit_now

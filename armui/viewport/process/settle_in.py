@@ -14,7 +14,7 @@ from multiprocessing import parent_process
 from pathlib import Path
 from typing import Final
 
-from armui.system.files import open_file
+from armui.system.files import open_file, read_file
 
 _NICER_BY: Final = 5
 """The window, the bus and the stop go first where there are too few cores for all."""
@@ -51,7 +51,7 @@ def limited_memory(more_bytes: int) -> Iterator[None]:
         return
     import resource  # noqa: PLC0415 - not on Windows
 
-    pages = int(Path("/proc/self/statm").read_text("ascii").split()[0])
+    pages = int(read_file("/proc/self/statm").split()[0])
     before, most = resource.getrlimit(resource.RLIMIT_AS)
     limit = pages * resource.getpagesize() + more_bytes
     if before != resource.RLIM_INFINITY:
