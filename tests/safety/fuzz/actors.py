@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from datetime import UTC, datetime
-from functools import cached_property
 from typing import Any, Final
 
 import numpy as np
@@ -17,12 +16,17 @@ from armui.control.run.replay import Replay
 from armui.control.safety.recovery_steps import Action
 from armui.kinematics.axes import JogFrame
 from armui.protocol.codes import EndLoad, LinkageRole, MoveMode, TeachingState, TrajectoryCommand
+from armui.protocol.generation import Generation
 from armui.sim.faults.schedule import fault
+from armui.sim.firmware import Firmware
+from armui.sim.parameters.flash import MemoryFlash
+from armui.sim.parameters.settings import ArmSettingsRecord
 from armui.trajectory.points.program import Waypoint
 from armui.trajectory.samples.recording import Recording
 from tests.safety.fuzz.asked import Asked, Kind
+from tests.safety.fuzz.breakage import Breakage
 from tests.safety.fuzz.oracle import Oracle
-from tests.safety.fuzz.world import World
+from tests.safety.fuzz.world import STEP_S, World
 from tests.sim.talk import DISABLE, ENABLE, pose_target
 
 _PULLED_DEG: Final = 20.0
@@ -37,17 +41,21 @@ class Actors:
         self._world = world
         self._oracle = oracle
         self._pushed: int | None = None
+        self._failing = 0
 
     @property
     def _controller(self) -> Any:
         return self._world.controller
 
-    @cached_property
+    @property
     def _kinematics(self) -> Any:
         return self._world.firmware.kinematics
 
     def after(self) -> None:
         """What ends with an action's time."""
+        self._failing -= 1
+        if self._failing <= 0:
+            self._world.breakage = None
         if self._pushed is not None:
             self._world.firmware.protection.push(self._pushed, 0.0)
             self._pushed = None
@@ -119,20 +127,31 @@ class Actors:
             self._oracle.cancel("disable")
 
     def stop(self) -> None:
-        self._controller.emergency_stop()
-        if self._controller.operating_state.link is not LinkState.NO_DEVICE:
-            self._oracle.stop_pressed()
-        self._oracle.cancel("stop")
+        try:
+            self._controller.emergency_stop()
+        finally:  # it was pressed, whatever fails
+            if self._controller.operating_state.link is not LinkState.NO_DEVICE:
+                self._oracle.stop_pressed()
+            self._oracle.cancel("stop")
 
     def resume(self) -> None:
         if self._controller.motors.resume() is None:
             self._oracle.stop_lifted()
             self._oracle.cancel("resume")
 
-    def run(self, first: tuple[float, ...], second: tuple[float, ...], cycles: int) -> None:
+    def run(
+        self,
+        first: tuple[float, ...],
+        second: tuple[float, ...],
+        cycles: int,
+        factor: float = 1.0,
+        by_step: bool = False,
+    ) -> None:
         points = [Waypoint(MoveMode.MOVE_J, each, speed_percent=50) for each in (first, second)]
-        refusal = self._controller.player.start(Run("fuzz", points, [2.0, 2.0], cycles=cycles))
-        self._ask(Kind.RUN, refusal)
+        run = Run(
+            "fuzz", points, [2.0, 2.0], cycles=cycles, speed_factor=factor, step_by_step=by_step
+        )
+        self._ask(Kind.RUN, self._controller.player.start(run))
 
     def replay(self, joints_deg: tuple[float, ...], cycles: int) -> None:
         times = np.arange(0.0, 2.0, 0.02)
@@ -181,6 +200,12 @@ class Actors:
     def save_setting(self, joint: int, value: int) -> None:
         self._controller.settings.save({Parameter("collision_level", joint): float(value)})
 
+    def tool(self, tool: tuple[float, ...]) -> None:
+        self._controller.cartesian.tool = tool
+
+    def set_limit(self, joint: int, max_deg: int) -> None:
+        self._controller.settings.save({Parameter("max_angle_deg", joint): float(max_deg)})
+
     def zero(self, joint: int) -> None:
         if self._controller.zeroing.set_zero(joint) is None:
             self._oracle.cancel("zero")
@@ -209,8 +234,8 @@ class Actors:
             return
         if self._controller.recovery.act(step) is not None:
             return
-        if step.action is Action.TAKE_OVER:
-            self._oracle.take_over()
+        if step.action in (Action.TAKE_OVER, Action.LEAVE_MODE):
+            self._oracle.take_over()  # held until the other host was silent for 0.5 s
         elif step.action is Action.GO_ON:
             self._oracle.ask(Asked(Kind.CONTINUE, self._world.time_s))
         elif step.action is Action.STOP:
@@ -335,7 +360,53 @@ class Actors:
     def lead(self, joints_deg: tuple[float, ...]) -> None:
         self._world.firmware.hand_guiding.lead_to(joints_deg, speed_deg_s=_PULLED_DEG)
 
+    # What nobody should say, and nobody says ---------------------------------------------------
+
+    def strange_frame(self, said: str, times: int, pause_s: float) -> None:
+        for _ in range(times):
+            self._world.other.say(said)
+            self._world.pass_time(pause_s)
+
+    def hush(self, identifiers: tuple[int, ...], seconds: float) -> None:
+        line = self._world.node.link
+        fresh = set(identifiers) - line.mute_on
+        line.mute_on |= fresh
+        self._world.pass_time(seconds)
+        line.mute_on -= fresh
+
     # What breaks -------------------------------------------------------------------------------
+
+    def fail(self, share: float, times: int, actions: int) -> None:
+        """A function of the program fails, now and over the next actions."""
+        self._world.breakage = breakage = Breakage(share, times)
+        self._world.pass_time(STEP_S)
+        breakage.choose()
+        self._failing = actions
+
+    def exchange(
+        self,
+        other_generation: bool,
+        version: str,
+        joints_deg: tuple[float, ...],
+        narrower_deg: int,
+        silent_s: float,
+    ) -> None:
+        """Another arm in the place of this one: its angles, version and limits are its own."""
+        generation = self._world.firmware.generation
+        if other_generation:
+            generation = Generation.ONE if generation is Generation.TWO else Generation.TWO
+        named = version if generation is Generation.TWO else None
+        kept, flash = ArmSettingsRecord(), MemoryFlash()
+        kept.limits = [
+            each._replace(max_deg=each.max_deg - 0.1 * narrower_deg) for each in kept.limits
+        ]
+        flash.save(kept)
+        arm = Firmware(generation, joints_deg=joints_deg, version=named, flash=flash)
+        first = self._world.firmware
+        self._oracle.cancel("exchange")
+        self._oracle.stop_lifted()
+        self._world.exchange(arm, silent_s)
+        self._oracle.exchanged(first, silent_s)
 
     def fault(self, name: str, value: float | None) -> None:
         self._world.node.faults.start(fault(name, value))

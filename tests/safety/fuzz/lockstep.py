@@ -6,6 +6,7 @@ elsewhere; here they would cost most of the time, and the order of things.
 
 from __future__ import annotations
 
+import logging
 from contextlib import AbstractContextManager
 from typing import Final
 
@@ -15,6 +16,7 @@ from armui.bus.health import BusHealth
 from armui.bus.link import BusState
 from armui.bus.worker import BusWorker
 
+_LOG: Final = logging.getLogger("armui.bus.worker")
 _REOPEN_S: Final = 0.5
 
 
@@ -82,6 +84,8 @@ class LockstepWorker(BusWorker):
         return True
 
     def _lose(self, error: Exception) -> None:
+        if self._was_open and not isinstance(error, (can.CanError, OSError)):
+            _LOG.error("%s is lost", self._device.name, exc_info=error)  # no adapter raises it
         self._leave()
         self._reopen_s = self._clock() + _REOPEN_S
         if not self._was_open:

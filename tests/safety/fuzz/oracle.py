@@ -9,13 +9,16 @@ from __future__ import annotations
 
 from collections import deque
 from collections.abc import Collection, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from typing import Any, Final
 
 from armui.control.events import EventCode
 from armui.control.operating_state import LinkState, StopState
+from armui.sim.firmware import Firmware
 from armui.sim.mechanics.powered_joints import SixValues
+from armui.system.failures import Failure
 from tests.safety.fuzz.asked import Asked, Kind, Violation
+from tests.safety.fuzz.breakage import InjectedError
 from tests.safety.fuzz.traffic import Said, Sender, Started, base_id, is_motion
 from tests.safety.fuzz.world import World
 
@@ -23,6 +26,17 @@ _STOP_S: Final = 0.2
 _OLD_S: Final = 0.5
 _LOOK_S: Final = 0.06
 """Three steps: what the program knows is one tick old, and what it says takes another."""
+_END_S: Final = 1.3
+"""A second to come to rest (S10), and what a tick and the brakes take."""
+_DRIVE_NOTHING: Final = (
+    "armui.bus.tap",
+    "armui.session",
+    "armui.settings",
+    "armui.system",
+    "armui.telemetry",
+    "armui.trajectory",
+)
+"""The rooms of these that can drive nothing."""
 _TO_ITSELF_S: Final = 2.0
 _PRESS_S: Final = 1.0
 _SAME_DEG: Final = 0.011
@@ -38,6 +52,15 @@ _PLACES: Final = 4
 
 
 _LASTING: Final = frozenset({Kind.JOG, Kind.RUN, Kind.TEACHING})
+
+
+@dataclass(frozen=True, slots=True)
+class _Foreign:
+    """What is known of the arm that was there before, and is not this one's."""
+
+    left_s: float
+    version: str
+    limits_deg: Collection[float]
 
 
 class Oracle:
@@ -63,7 +86,11 @@ class Oracle:
         self._stop_holds = False
         self._read = 0
         self._suspended_s = -1e9
+        self._failed_s: float | None = None
+        self._failed_anew_s = -1e9
+        self._foreign: _Foreign | None = None
         world.traffic.asked = lambda: replace(self._asked)
+        world.failed = self.failed
 
     # What the operator does ----------------------------------------------------------------------
 
@@ -109,6 +136,27 @@ class Oracle:
         self.cancel(action)
         self.stop_lifted()
 
+    def failed(self, failure: Failure) -> None:
+        """The program has caught an exception: it ends its motion, unless it fails far from any."""
+        if all(name.startswith(_DRIVE_NOTHING) for name in failure.modules):
+            return
+        self._failed_anew_s = self._world.time_s
+        if self._asked.cancelled is None:
+            self._asked.cancelled = "failure"
+            self._failed_s = self._world.time_s
+
+    def exchanged(self, first: Firmware, silent_s: float) -> None:
+        """Another arm is in the place of the first: nothing that was said of that one counts."""
+        other, now_s = self._world.firmware, self._world.time_s
+        self._places_deg.clear()
+        self._failed_s = self._foreign = None
+        if silent_s <= _OLD_S + _LOOK_S:
+            return  # too short to be noticed by silence
+        own = {each.max_deg for each in other.settings.limits}
+        theirs = {each.max_deg for each in first.settings.limits} - own
+        version = first.type.version if first.type.version != other.type.version else ""
+        self._foreign = _Foreign(now_s, version, theirs)
+
     def take_over(self) -> None:
         """The operator has taken the arm from the other host, deliberately."""
         self._taken_over = True
@@ -134,6 +182,8 @@ class Oracle:
             found += self._on_started(each)
         found += self._stop()
         found += self._stale()
+        found += self._motion_ends()
+        found += self._first_arm()
         found += self._exceptions()
         found = [each for each in found if not any(word in each.key for word in self._ignored)]
         if self.violation is None and found:
@@ -206,6 +256,8 @@ class Oracle:
     def _why_unasked(self, started: Started) -> str | None:
         asked: Asked = started.said.after
         at_s = started.said.at_s
+        if asked.cancelled == "failure" and at_s - self._failed_anew_s < _LOOK_S:
+            return None  # the failure lies in the very call that goes on to send it
         if asked.kind is Kind.NOTHING:
             return "moves although nothing was asked for"
         if asked.cancelled == "release" and at_s - asked.at_s < _LOOK_S:
@@ -290,13 +342,55 @@ class Oracle:
             or world.firmware.leads
         )
 
+    # What fails ----------------------------------------------------------------------------------
+
+    def _motion_ends(self) -> list[Violation]:
+        """S23: what nobody expected ends every motion of ours."""
+        world, failed_s = self._world, self._failed_s
+        if failed_s is None:
+            return []
+        anew = self._asked.cancelled != "failure"
+        if anew or self._ours_deg is None or not world.firmware.mechanics.moving:
+            self._failed_s = None if anew or world.time_s - failed_s > _END_S else failed_s
+            return []
+        if (
+            self._stop_cannot_arrive()
+            or world.controller.operating_state.link is LinkState.NO_DEVICE
+            or world.time_s - self._other_s < _TO_ITSELF_S  # an end would cut the other's motion
+        ):
+            self._failed_s = world.time_s
+            return []
+        late_s = world.time_s - max(failed_s, self._suspended_s)
+        if late_s <= _END_S:
+            return []
+        self._failed_s = None
+        name = "" if world.breakage is None else world.breakage.chosen
+        text = f"still moving {late_s:.2f} s after a failure ({name})"
+        return [Violation("S23", f"{self._asked.kind.value} goes on after a failure", text)]
+
+    def _first_arm(self) -> list[Violation]:
+        """S15: after an exchange nothing of the first arm is shown."""
+        if self._foreign is None:
+            return []
+        first, controller = self._foreign, self._world.controller
+        state, operating_state = controller.state, controller.operating_state
+        if self._world.time_s - first.left_s <= _LOOK_S:
+            return []
+        if first.version and first.version in (state.firmware or ""):
+            return [Violation("S15", "the first arm's version after an exchange", first.version)]
+        for joint, each in enumerate(operating_state.limits):
+            if operating_state.limits_read[joint] and each.max_deg in first.limits_deg:
+                text = f"joint {joint + 1}: {each.max_deg}"
+                return [Violation("S15", "the first arm's limits after an exchange", text)]
+        return []
+
     # What is shown -------------------------------------------------------------------------------
 
     def _stale(self) -> list[Violation]:
         world, controller = self._world, self._world.controller
         operating_state, state, now_s = controller.operating_state, controller.state, world.time_s
-        if now_s - self._suspended_s <= _LOOK_S:
-            return []
+        if now_s - max(self._suspended_s, self._failed_anew_s) <= _LOOK_S:
+            return []  # who looks got no turn, or fails at each
         limit_s = _OLD_S + _LOOK_S
         found: list[Violation] = []
         status_s = _age(state.status, now_s)
@@ -322,12 +416,14 @@ class Oracle:
     def _exceptions(self) -> list[Violation]:
         world = self._world
         found = [
-            Violation("exception", each.partition(": ")[2] or each, each) for each in world.errors
+            Violation("exception", each.partition(": ")[2] or each, each)
+            for each in world.errors
+            if InjectedError.__name__ not in each
         ]
         found += [
             Violation("exception", f"part_failed {event.params}", str(event))
             for event in world.events
-            if event.code == EventCode.PART_FAILED
+            if event.code == EventCode.PART_FAILED and world.time_s - self._failed_anew_s > _LOOK_S
         ]
         world.errors.clear()
         world.events.clear()

@@ -3,18 +3,23 @@
 from __future__ import annotations
 
 import itertools
+import sys
 from collections.abc import Collection, Sequence
 from dataclasses import dataclass
+from functools import partial
 from typing import Final
 
 from armui.protocol.generation import Generation
 from tests.safety.fuzz.actors import Actors
 from tests.safety.fuzz.asked import Violation
+from tests.safety.fuzz.breakage import InjectedError
 from tests.safety.fuzz.oracle import Oracle
 from tests.safety.fuzz.script import Action
 from tests.safety.fuzz.world import STEP_S, World
 
 _CHANNELS: Final = itertools.count()
+_NOT_PRESSED: Final = frozenset({"fail", "wait", "hush", "strange_frame", "get_ready", "exchange"})
+"""Actions in which time passes: each step of it looks for itself what fails."""
 _LEAST_WAIT_S: Final = STEP_S
 
 
@@ -59,8 +64,14 @@ def run(
 
 
 def _do(world: World, oracle: Oracle, actors: Actors, action: Action) -> Violation | None:
+    act = partial(getattr(actors, action.name), *action.figures)
     try:
-        getattr(actors, action.name)(*action.figures)
+        if world.breakage is None or action.name in _NOT_PRESSED:
+            act()
+        else:
+            world.breakage.during(act)
+    except InjectedError as error:
+        sys.excepthook(type(error), error, error.__traceback__)  # as Qt does in a slot
     except Exception as error:  # noqa: BLE001 - whatever an action raises is a finding
         trace = error.__traceback__
         while trace is not None and trace.tb_next is not None:

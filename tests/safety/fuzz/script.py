@@ -106,6 +106,69 @@ def _fault(chance: random.Random) -> tuple[Any, ...]:
     return name, None
 
 
+def _failing(chance: random.Random) -> tuple[Any, ...]:
+    """Which of the functions that run, how often it fails, and over how many actions."""
+    return round(chance.random(), 4), chance.choice((1, 1, 2, 5, 1000)), chance.randint(1, 4)
+
+
+_INDEXED: Final = (0x473, 0x47C, 0x476, 0x475, 0x477, 0x478, 0x47B, 0x47D, 0x47E, 0x4AF)
+"""Answers and settings with a joint's number or another index in their first bytes."""
+_PERIODIC: Final = (*range(0x2A1, 0x2A9), *range(0x251, 0x257), *range(0x261, 0x267))
+_COMMANDS: Final = (*range(0x150, 0x160), *range(0x181, 0x188), 0x121, 0x191, 0x422)
+
+
+def _strange(chance: random.Random) -> tuple[Any, ...]:
+    """A frame nobody should say: any index, any length; how often, and how far apart.
+
+    What the arm says over and over is only said too short: whole, it would be the arm's own word.
+    """
+    kind = chance.randrange(4)
+    length, index = chance.randint(0, 8), chance.choice((0, 1, 6, 7, 8, 127, 128, 200, 255))
+    if kind == 0:
+        identifier = chance.choice(_INDEXED)
+    elif kind == 1:
+        identifier, length = chance.choice(_PERIODIC), chance.randint(0, 7)
+    elif kind == 2:
+        identifier, length = chance.choice(_COMMANDS), chance.randint(0, 7)
+    else:
+        identifier = chance.randrange(0x800)
+        if identifier in (*_PERIODIC, *_COMMANDS):
+            identifier = 0x7FF
+    data = bytes([index, *(chance.randrange(256) for _ in range(7))])[:length]
+    said = f"{identifier:03X}#{data.hex().upper()}"
+    return said, chance.choice((1, 1, 5)), round(chance.choice((0.02, 0.1, chance.random())), 2)
+
+
+def _hush(chance: random.Random) -> tuple[Any, ...]:
+    return chance.choice(_SILENCES), round(chance.uniform(0.02, 2.5), 2)
+
+
+def _exchange(chance: random.Random) -> tuple[Any, ...]:
+    """Another generation or not, version, angles and limits, and the silence between."""
+    versions = ("S-V1.5-2", "S-V1.6-5", "S-V1.8-2", "S-V1.8-7", "S-V1.8-9")
+    return (
+        chance.choice((True, False, False, False)),
+        chance.choice(versions),
+        joints(chance),
+        chance.randint(1, 40),
+        round(chance.choice((0.02, 0.3, 0.45, 0.7, 2.0)), 2),
+    )
+
+
+def _tool(chance: random.Random) -> tuple[Any, ...]:
+    return (chance.choice(((0.0,) * 6, (0.0, 0.0, 120.0, 0.0, 0.0, 0.0), (30.0, 0, 60, 0, 45, 0))),)
+
+
+def _run_otherwise(chance: random.Random) -> tuple[Any, ...]:
+    return (
+        joints(chance),
+        joints(chance),
+        chance.choice((1, 2)),
+        chance.choice((0.05, 0.5, 2.0)),
+        chance.random() < 0.5,
+    )
+
+
 def _one(*choices: Any) -> Draw:
     return lambda chance: (chance.choice(choices),)
 
@@ -128,6 +191,9 @@ ACTIONS: Final[tuple[tuple[int, str, Draw], ...]] = (
     (8, "resume", _nothing),
     (4, "run", lambda chance: (joints(chance), joints(chance), chance.choice((1, 2)))),
     (3, "replay", lambda chance: (joints(chance), chance.choice((1, 2)))),
+    (3, "run", _run_otherwise),
+    (3, "tool", _tool),
+    (2, "set_limit", lambda chance: (chance.randint(1, 6), chance.randint(60, 150))),
     (2, "pause_run", _nothing),
     (2, "go_on_run", _nothing),
     (2, "stop_run", _nothing),
@@ -171,7 +237,12 @@ ACTIONS: Final[tuple[tuple[int, str, Draw], ...]] = (
     # a hand
     (3, "push", lambda chance: (chance.randint(1, 6), chance.choice((-5.0, 5.0)))),
     (2, "lead", _target),
+    # what nobody should say, and nobody says
+    (12, "strange_frame", _strange),
+    (4, "hush", _hush),
     # what breaks
+    (30, "fail", _failing),
+    (4, "exchange", _exchange),
     (4, "fault", _fault),
     (6, "mend", _nothing),
     (4, "silence", _one(*_SILENCES)),

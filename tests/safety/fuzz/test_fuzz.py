@@ -1,19 +1,26 @@
 """The fuzz itself: a short run holds, and each invariant sees the fault it is there for.
 
-The long run is a command of its own: ``python -m tests.safety.fuzz --seeds 200 --actions 100``.
+The long run is a command of its own: ``python -m tests.safety.fuzz --seeds 200 --actions 100``, a
+tenth of whose actions have a function fail that runs during a motion.
 """
 
 import pytest
+from armui.control.motion_end import MotionEnd
 
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
+from armui.bus.intake import Intake
 from armui.control.arm_controller import ArmController
 from armui.control.authority import Authority
+from armui.control.authority_watch import AuthorityWatch
 from armui.control.motion.joint_motion import Motion
 from armui.control.safety.other_command import OtherCommand
+from armui.protocol.codec import Codec
 from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
 from armui.sim.firmware import Firmware
+from tests.safety.fuzz.actors import Actors
+from tests.safety.fuzz.breakage import Breakage, InjectedError
 from tests.safety.fuzz.runner import Failure, run, shrink
 from tests.safety.fuzz.script import Action, script
 from tests.safety.fuzz.traffic import Sender, Traffic
@@ -129,7 +136,7 @@ def test_an_exception_is_seen_in_a_part_and_in_a_click(qapp, monkeypatch):
         raise ZeroDivisionError
 
     with monkeypatch.context() as patch:
-        patch.setattr(Motion, "advance", broken)
+        patch.setattr(Actors, "light", lambda *_: patch.setattr(Motion, "advance", broken))
         assert promise([Action("light", (1,), 0.1)]) == "exception"
     monkeypatch.setattr(Motion, "go_home", broken)
     assert promise([Action("go_home")]) == "exception"
@@ -147,6 +154,68 @@ def test_a_failure_says_what_was_seen(qapp, monkeypatch):
     assert isinstance(failure, Failure)
     assert failure.index == 1
     assert "after a motion frame of another host" in failure.violation.text
+
+
+def test_a_motion_that_goes_on_after_a_failure_is_seen(qapp, monkeypatch):
+    advance, fails = AuthorityWatch.advance, [False]
+
+    def failing(watch, now_s):
+        if fails[0]:
+            raise InjectedError
+        advance(watch, now_s)
+
+    def send_then_fail(actors, joints_deg):
+        send_joints(actors, joints_deg)
+        fails[0] = True
+
+    send_joints = Actors.send_joints
+    monkeypatch.setattr(AuthorityWatch, "advance", failing)
+    monkeypatch.setattr(Actors, "send_joints", send_then_fail)
+    actions = [Action("speed", (5,), 0.2), Action("send_joints", (A,), 2.0)]
+    assert promise(actions) is None
+    fails[0] = False
+    monkeypatch.setattr(MotionEnd, "end", lambda _: None)
+    assert promise(actions) == "S23"
+
+
+def test_a_frame_that_costs_more_than_itself_is_seen(qapp, monkeypatch):
+    actions = [Action("strange_frame", ("7F1#FF00000000000000", 1, 0.1), 0.1)]
+    assert promise(actions) is None
+    take = Intake.take
+
+    def careless(intake, frame, at_s, flags):
+        if frame.arbitration_id == 0x7F1:
+            raise IndexError
+        take(intake, frame, at_s, flags)
+
+    monkeypatch.setattr(Intake, "take", careless)
+    assert promise(actions) == "exception"
+
+
+def test_what_was_heard_of_the_arm_before_is_seen_after_an_exchange(qapp, monkeypatch):
+    actions = [Action("exchange", (False, "S-V1.8-2", A, 20, 2.0), 2.5)]
+    assert promise(actions) is None
+    use_codec = Intake.use_codec
+    monkeypatch.setattr(
+        Intake,
+        "use_codec",
+        lambda intake, codec, forget=True: use_codec(intake, codec, forget=False),
+    )
+    assert promise(actions) == "S15"
+
+
+def test_what_fails_is_one_of_what_runs_and_the_same_each_time(qapp):
+    first, second, other = (Breakage(share, 2) for share in (0.5, 0.5, 0.9))
+    for each in (first, second, other):
+        each.during(lambda: Codec(Generation.TWO).decode(Frame(0x2A1, bytes(8))))
+        each.choose()
+    assert first.chosen == second.chosen != other.chosen
+    assert first.chosen.startswith("armui.protocol.")
+    for _ in range(2):
+        with pytest.raises(InjectedError):
+            first.during(lambda: Codec(Generation.TWO).decode(Frame(0x2A1, bytes(8))))
+    first.during(lambda: Codec(Generation.TWO).decode(Frame(0x2A1, bytes(8))))
+    assert first.left == 0
 
 
 # Who said what ----------------------------------------------------------------------------------

@@ -97,10 +97,15 @@ class Traffic:
         self._pending: deque[Said] = deque()
         self.said: list[Said] = []
         self.started: list[Started] = []
+        self.listen(firmware)
+
+    def listen(self, firmware: Firmware) -> None:
+        """Watch an arm, in the place of the one before."""
         # the firmware holds this; a reference back would keep both beyond the run
         self._on_frame = weakref.WeakMethod(firmware.on_frame)
         self._firmware = weakref.ref(firmware)
         firmware.on_frame = self.on_frame
+        self._pending.clear()
 
     def note(self, sender: Sender, frame: Frame) -> None:
         """A frame is on the bus."""

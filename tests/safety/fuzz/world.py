@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import logging
 import sys
-import threading
 from collections.abc import Callable
+from contextlib import ExitStack
 from types import TracebackType
 from typing import Final
 
@@ -17,9 +17,13 @@ from armui.bus.link import BusState
 from armui.bus.worker import BusWorker
 from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
-from tests.arm_rig import ArmRig
+from armui.sim.firmware import Firmware
+from armui.sim.node import Node
+from armui.system.failures import LOGGERS, Failure, FailureHandler, hooks
+from tests.arm_rig import ArmRig, thin_out
 from tests.arm_rig_bus import HostBus
 from tests.company import OtherHost
+from tests.safety.fuzz.breakage import Breakage
 from tests.safety.fuzz.lockstep import LockstepWorker
 from tests.safety.fuzz.traffic import Sender, Traffic
 
@@ -56,6 +60,8 @@ class World(ArmRig):
         traffic: Who said what.
         cable: Whether the adapter is plugged in.
         errors: Exceptions that were logged or reached a hook, as text.
+        breakage: What fails now.
+        failed: Called with each failure, before the program ends its motion.
         watch: Called after each step.
     """
 
@@ -74,11 +80,13 @@ class World(ArmRig):
         setattr(armui.bus.worker, "BusWorker", LockstepWorker)  # noqa: B010 - mypy takes no other
         self._copy = can.Message.__deepcopy__
         setattr(can.Message, "__deepcopy__", _itself)  # noqa: B010 - mypy takes no other
-        self._hooks = sys.excepthook, threading.excepthook
-        sys.excepthook = lambda kind, error, trace: self.errors.append(_line(error, trace))
-        threading.excepthook = lambda args: self.errors.append(
-            _line(args.exc_value, args.exc_traceback)
-        )
+        self.breakage: Breakage | None = None
+        self.failed: Callable[[Failure], None] = lambda _failure: None
+        self._handler = FailureHandler(self._on_failure)
+        self._hooks = ExitStack()
+        self._hooks.enter_context(hooks())
+        for name in LOGGERS:
+            logging.getLogger(name).addHandler(self._handler)
 
     def _listen_closely(self, bus: HostBus) -> None:
         send, receive = bus.send, bus.recv
@@ -114,8 +122,40 @@ class World(ArmRig):
         """Let time pass, a step at a time, and have the watcher look after each."""
         self.still_timers()
         for _ in range(round(seconds / STEP_S)):
-            self.step(STEP_S)
+            if self.breakage is None:
+                self._step()
+            else:
+                self.breakage.during(self._step)
             self.watch()
+
+    def _step(self) -> None:
+        """A step; what fails in it fails in a slot of a timer."""
+        try:
+            self.step(STEP_S)
+        except Exception as error:  # noqa: BLE001 - as Qt does, which goes on
+            sys.excepthook(type(error), error, error.__traceback__)
+
+    def _on_failure(self, failure: Failure) -> None:
+        """As the program does with what nobody expected."""
+        profile = sys.getprofile()
+        sys.setprofile(None)  # no second failure within the first
+        try:
+            self.failed(failure)
+            self.controller.on_failure(failure.modules)
+        finally:
+            sys.setprofile(profile)
+
+    def exchange(self, firmware: Firmware, silent_s: float) -> None:
+        """Another arm is plugged in where the first was, switched on just now."""
+        self.powered = False
+        self.pass_time(silent_s)
+        self.powered = True
+        thin_out(firmware)
+        faults = self.node.faults.active
+        for each in list(faults):
+            self.node.faults.end(each)
+        self.firmware, self.node = firmware, Node(firmware, self._arm_bus)
+        self.traffic.listen(firmware)
 
     def suspend(self, seconds: float) -> None:
         """The program gets no time; the arm and the others on the bus do."""
@@ -153,7 +193,9 @@ class World(ArmRig):
 
     def close(self) -> None:
         """End everything; harmless when a thread hangs on to the bus."""
-        sys.excepthook, threading.excepthook = self._hooks
+        self._hooks.close()
+        for name in LOGGERS:
+            logging.getLogger(name).removeHandler(self._handler)
         logging.getLogger().removeHandler(self._log)
         self.other.close()
         super().close()
