@@ -33,6 +33,11 @@ def test_every_signal_of_every_message(generation, arbitration_id):
         code = selection.raw << 64 - selection.first_bit - selection.bits
         noise = int.from_bytes(draw.randbytes(8), "big")
         payloads.append((noise & ~selector | code).to_bytes(8, "big"))
+    if "Joint" in layout.signals:  # a frame that names a joint no arm has is nothing to compare
+        place = layout.signals["Joint"].first_bit // 8
+        payloads = [
+            each[:place] + bytes([draw.randint(1, 6)]) + each[place + 1 :] for each in payloads
+        ]
     words = payload_words(np.frombuffer(b"".join(payloads), np.uint8).reshape(-1, 8))
     expected = []
     for each in payloads:

@@ -225,6 +225,9 @@ def _payloads(name: str) -> st.SearchStrategy[bytes]:
     payloads = st.binary(min_size=8, max_size=8)
     if name == "GripperCommand":  # it takes the sign bit of the torque for a sign, knows no angle
         return payloads.filter(lambda payload: payload[4] < 0x80 and not payload[6] & 4)
+    if name in {"LimitFeedback", "AccelerationFeedback"}:  # it knows joints an arm hasn't, too
+        joints = st.integers(1, 6).map(lambda joint: bytes([joint]))
+        return st.builds(bytes.__add__, joints, st.binary(min_size=7, max_size=7))
     if name == "GripperFeedback":  # nor here
         return payloads.map(lambda payload: payload[:7] + b"\0")
     return payloads

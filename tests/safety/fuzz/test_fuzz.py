@@ -5,7 +5,6 @@ tenth of whose actions have a function fail that runs during a motion.
 """
 
 import pytest
-from armui.control.motion_end import MotionEnd
 
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
@@ -14,6 +13,7 @@ from armui.control.arm_controller import ArmController
 from armui.control.authority import Authority
 from armui.control.authority_watch import AuthorityWatch
 from armui.control.motion.joint_motion import Motion
+from armui.control.motion_end import MotionEnd
 from armui.control.safety.other_command import OtherCommand
 from armui.protocol.codec import Codec
 from armui.protocol.frame import Frame
@@ -174,7 +174,7 @@ def test_a_motion_that_goes_on_after_a_failure_is_seen(qapp, monkeypatch):
     actions = [Action("speed", (5,), 0.2), Action("send_joints", (A,), 2.0)]
     assert promise(actions) is None
     fails[0] = False
-    monkeypatch.setattr(MotionEnd, "end", lambda _: None)
+    monkeypatch.setattr(MotionEnd, "end", lambda *_args, **_more: None)
     assert promise(actions) == "S23"
 
 
