@@ -93,7 +93,7 @@ class Tracker:
         self._frames += 1
         self._sequence += 1
         if isinstance(heard, InvalidFrame):
-            self.count_invalid(heard.kind)
+            self._invalid_frames[heard.kind.name] += 1
             if heard.message is None:
                 self._note_status(heard.arbitration_id - _STATUS_ID, at_s)
                 self._note_foreign_target(_TARGET_PLACES.get(heard.arbitration_id), at_s)

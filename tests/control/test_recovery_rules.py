@@ -185,6 +185,8 @@ def online() -> Iterator[tuple[ArmState, OperatingState]]:
         state = arm(status(control_mode=mode, arm_status=code), enabled)
         yield state, operating_state(state, stop=stop, stop_unconfirmed=unconfirmed, busy=busy)
     yield from in_company()
+    state = arm(status())
+    yield state, operating_state(state, below_base_mm=40)
     for generation in (None, *Generation):
         yield ArmState(last_feedback_s=NOW_S), operating_state(ArmState(), generation=generation)
 

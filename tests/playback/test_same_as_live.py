@@ -35,7 +35,7 @@ def live(session, generation) -> list[tuple[float, Frame, ArmState]]:
 
 def what_it_says(state: ArmState) -> ArmState:
     """A state without the counts of its making."""
-    return state._replace(epoch=0, sequence=0, frames=0, silences=0, invalid_frames={})
+    return state._replace(epoch=0, sequence=0, frames=0, silences=0, pauses=0, invalid_frames={})
 
 
 @pytest.fixture(
