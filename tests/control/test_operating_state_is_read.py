@@ -39,6 +39,7 @@ def test_a_motion_is_judged_by_what_was_heard_since_the_last_tick(rig):
     rig.ready()
     other = OtherHost(rig)
     rig.heard()
+    rig.controller._timer.stop()  # it may be due while the bus thread is waited for
     operating_state = rig.controller.operating_state
     other.say(*target(10, 0, 0, 0, 0, 0))
     rig._settle()  # heard by the bus thread; no tick has passed
