@@ -14,7 +14,7 @@ from armui.kinematics.jacobian import jacobians
 from armui.kinematics.poses import matrix_to_pose
 from armui.kinematics.singularity import margins
 from armui.kinematics.spherical import arm_joints
-from armui.protocol.piper_model import PiperModel
+from armui.protocol.generation import PiperModel
 from tests.family import GEOMETRIES, ranges
 
 OPW_MM = {

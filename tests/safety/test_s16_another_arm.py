@@ -8,7 +8,7 @@ import pytest
 from PySide6.QtWidgets import QWidget
 
 from armui.arm.model_check import ModelFit
-from armui.protocol.piper_model import PiperModel
+from armui.protocol.generation import PiperModel
 from armui.trajectory.files import json_file, log_file, npz_file
 from armui.trajectory.library.store import Library
 from armui.trajectory.planning.check import check

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from armui.arm.state import ArmState
     from armui.control.context import Context
     from armui.kinematics.poses import Matrix
-    from armui.protocol.piper_model import PiperModel
+    from armui.protocol.generation import PiperModel
 
 _PLACES: Final = 16
 """A step is looked at in so many places: a circle may have its lowest point on the way."""

@@ -7,13 +7,13 @@ from collections.abc import Callable, Iterable, Mapping
 from functools import partial
 from typing import TYPE_CHECKING, Final
 
-from armui.arm.gripper import GripperFault
 from armui.arm.limits import JOINTS
-from armui.arm.units import DEGREES_PER
+from armui.arm.state import GripperFault
 from armui.kinematics.poses import Pose
 from armui.protocol.codec import Codec
 from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
+from armui.protocol.layout import DEGREES_PER
 from armui.sim.faults.alarms import Alarm
 from armui.sim.feedback.end_motion import end_motion
 from armui.sim.feedback.frame_cache import FrameCache

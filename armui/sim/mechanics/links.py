@@ -6,7 +6,7 @@ from functools import cache
 
 from armui.arm.models import ModelData, model_data
 from armui.kinematics.geometry import Geometry
-from armui.protocol.piper_model import PiperModel
+from armui.protocol.generation import PiperModel
 from armui.sim.mechanics.rigid_body import ROTOR_INERTIAS_KG_M2, RigidLink
 
 

@@ -5,12 +5,11 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Final, Protocol
 
-from armui.protocol.piper_model import PiperModel
+from armui.protocol.generation import PiperModel
 from armui.sim.parameters.settings import ArmSettingsRecord, factory_settings
 from armui.sim.parameters.settings_text import SettingsTextError, from_text, to_text
 from armui.system.atomic import write_whole
-from armui.system.error_text import error_text
-from armui.system.files import read_file
+from armui.system.files import error_text, read_file
 
 _MOST_BYTES: Final = 1 << 20
 """The settings have some thousand; a file this large is another."""

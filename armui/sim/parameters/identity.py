@@ -11,7 +11,7 @@ from typing import Final
 from armui.arm.models import model_data
 from armui.protocol.codec import Codec
 from armui.protocol.frame import Frame
-from armui.protocol.piper_model import PiperModel
+from armui.protocol.generation import PiperModel
 
 _REQUEST: Final = 1
 _FRAME_LENGTH: Final = 8

@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING, Final
 
 from armui.arm.joints import JointNumber
 from armui.arm.limits import JOINTS, JointLimits
-from armui.arm.units import DEGREES_PER
 from armui.protocol.codec import Codec, InvalidFrame
 from armui.protocol.codes import (
     ALL_JOINTS,
@@ -19,6 +18,7 @@ from armui.protocol.codes import (
     SettingIndex,
 )
 from armui.protocol.frame import Frame
+from armui.protocol.layout import DEGREES_PER
 from armui.protocol.message_fields import record_reader, signal_names
 from armui.sim.parameters.settings import (
     ArmSettingsRecord,

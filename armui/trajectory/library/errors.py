@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
-from armui.system.error_text import error_text
+from armui.system.files import error_text
 
 
 class LibraryError(Exception):
