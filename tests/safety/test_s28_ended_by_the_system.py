@@ -226,7 +226,7 @@ def test_a_gripper_that_a_run_has_sent_is_ended_with_it(qapp, app_driver, held_u
     assert rig.controller.player.start(Run("Test", (near, to(FAR)), (5.0, 5.0))) is None
     gripper = rig.firmware.gripper
     rig.run_until(lambda: 10.0 < gripper.travel < 40.0, seconds=10.0)
-    ending = SystemEnd(qapp, rig.program, pytest.fail)
+    ending = SystemEnd(qapp, rig.program, lambda code: pytest.fail(str(code)))
     if held_up:
         thread = threading.Thread(target=ending.end_motion_in_time)
         thread.start()
