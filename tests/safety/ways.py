@@ -301,7 +301,7 @@ def judge(way: Way) -> Judged:
         for each in errors
         if each.code is FindingCode.ARC_AT_LIMIT
     }
-    if at[:2] != told and at[:2] not in rounded:
+    if at[:2] != told and not (at[:2] in rounded and at[:2] < told):
         return Judged(findings, cycles, progress, f"refused at {told}, the arm fails at {at}")
     return Judged(findings, cycles, progress)
 
