@@ -32,10 +32,9 @@ from armui.sim.node import Node
 from armui.system.helper_process import FileThread, HelperProcess
 from armui.trajectory import files
 from armui.trajectory.library.run_options import RunOptions
-from armui.trajectory.planning.preflight import warm_up
+from armui.trajectory.planning.check import warm_up
 from armui.trajectory.points.program import Trajectory, Waypoint
-from armui.trajectory.samples.recording import Recording
-from armui.trajectory.samples.replay_profile import replay_profile
+from armui.trajectory.samples.recording import Recording, replay_profile
 from tests.benchmarks.rig import spread
 from tests.benchmarks.test_stop_latency import CHANNEL, STOP_ID, DeafToStops
 

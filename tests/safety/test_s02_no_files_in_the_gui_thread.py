@@ -22,7 +22,7 @@ from armui.protocol.generation import Generation
 from armui.system.helper_process import FileThread, HelperProcess
 from armui.trajectory.files import to_bytes
 from armui.trajectory.library.store import Library
-from armui.trajectory.planning.preflight import warm_up
+from armui.trajectory.planning.check import warm_up
 from armui.trajectory.points.program import Trajectory
 from armui.ui.actions.palette import CommandPalette
 from armui.ui.actions.window_actions import WindowActions
