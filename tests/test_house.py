@@ -90,7 +90,7 @@ OPENED_ELSEWHERE = {
     "armui.system.transfer: tempfile.NamedTemporaryFile": "made anew in a folder made anew",
     "armui.trajectory.library.bin: shutil.copy2": "checked in the line before",
     "armui.session.database_logs: can.SqliteReader": "opened by LogSource before",
-    "armui.session.database_logs: can.MF4Reader": "as above",
+    "armui.session.mf4_process: can.MF4Reader": "as above",
     "armui.session.recording.mf4: can.MF4Writer": "a WholeFile's, made anew under a random name",
     # these are given opened files, or bytes and lines in memory
     "armui.session.blf_logs: can.BLFReader": "a stream",
@@ -101,7 +101,7 @@ OPENED_ELSEWHERE = {
     "armui.session.foreign.indexed: numpy.memmap": "an opened file",
     "armui.session.foreign.indexing: numpy.fromfile": "an opened file",
     "armui.session.foreign.indexing: .tofile": "an opened file",
-    "armui.trajectory.files.figures: numpy.loadtxt": "lines",
+    "armui.trajectory.files.text: numpy.loadtxt": "lines",
     "armui.trajectory.files.npz_file: numpy.savez": "a stream in memory",
     "armui.trajectory.files.npz_file: zipfile.ZipFile": "an opened file, or bytes",
     "armui.viewport.process.urdf_file: yourdfpy.URDF.load": "bytes",

@@ -46,6 +46,7 @@ class _Travel:
         moved_s: When it was last seen to move.
         unit: Of both.
         effort: What it was sent with.
+        by_run: A run has sent it, and tells of itself.
     """
 
     target: float
@@ -53,6 +54,7 @@ class _Travel:
     moved_s: float
     unit: str
     effort: float
+    by_run: bool = False
 
 
 def why_not_gripper(
@@ -275,6 +277,13 @@ class GripperControl(ControllerPart):
         context.tell(EventCode.GRIPPER_ACT_SENT, act=action)
         self._request.advance()
 
+    def follow(self, target: float, effort: float) -> None:
+        """A run has sent it there; it is to be known whether it moves when the run is ended."""
+        heard = self._heard()
+        if heard is not None:
+            now_s = self._context.clock()
+            self._travel = _Travel(target, heard.travel, now_s, heard.unit, effort, by_run=True)
+
     # A part of the controller -----------------------------------------------------------------
 
     def advance(self) -> None:
@@ -310,6 +319,8 @@ class GripperControl(ControllerPart):
             return
         there = heard.enabled and gap <= _THERE
         self._travel = None
+        if travel.by_run:
+            return
         figures = {"value": heard.travel, "unit": travel.unit}
         if there:
             self._context.tell(EventCode.GRIPPER_THERE, **figures)
