@@ -15,6 +15,7 @@ from armui.control.run.run_end import cut_short, cut_short_for
 from armui.control.safety.standstill import RestWatch
 
 if TYPE_CHECKING:
+    from armui.control.operations.started import Started
     from armui.protocol.codec import Codec
     from armui.protocol.frame import Frame
 
@@ -38,6 +39,7 @@ class Execution(QObject, ControllerPart):
         self._progress = Progress()
         self._rest = RestWatch()
         self._since_s = 0.0
+        self._started: Started | None = None
 
     @property
     def progress(self) -> Progress:
