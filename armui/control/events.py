@@ -11,8 +11,7 @@ from datetime import datetime
 from enum import StrEnum, unique
 from typing import TYPE_CHECKING, Final
 
-from armui.telemetry.event_level import Level
-from armui.telemetry.events import Asker, EventKind
+from armui.telemetry.events import Asker, EventKind, Level
 
 if TYPE_CHECKING:
     from armui.control.operations.started import Started
