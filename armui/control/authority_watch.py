@@ -117,7 +117,7 @@ class AuthorityWatch:
                 cut = EventOutcome(ObservedCode.MOTION_CUT, now_s, level, {"end": end.name})
                 _close(over, Ending.CUT_OFF, cut)
         authority.over.clear()
-        if command is None or authority.under_way or authority.holds:
+        if command is None or authority.under_way or authority.holds or self._heeding.waits:
             return
         status = self._connection.newest.status
         if status is not None and status.value.reached:

@@ -19,7 +19,7 @@ from armui.control.motion.point_frames import (
 )
 from armui.control.operating_state import OperatingState
 from armui.control.operations.operation import Consent, begun, operation
-from armui.control.operations.started import Ending, ending_of
+from armui.control.operations.started import Ending
 from armui.control.run.arrival import Arrival, ArrivalWatch
 from armui.control.run.execution import Execution
 from armui.control.run.progress import ENDLESS, Progress, Run, RunPhase, RunSchedule
@@ -262,9 +262,9 @@ class Player(Execution):
         elif now_s - self._since_s > _REST_WITHIN_S:
             self._fail(Refusal(RefusalCode.RUN_NOT_ENDED))
 
-    def _tell_failed(self, reason: Refusal) -> None:
+    def _tell_failed(self, reason: Refusal, ending: Ending) -> None:
         figures = {"row": self._index + 1, "reason": reason}
-        self._context.close(self._started, ending_of(reason), EventCode.RUN_FAILED, **figures)
+        self._context.close(self._started, ending, EventCode.RUN_FAILED, **figures)
 
     # How far it has come ----------------------------------------------------------------------
 

@@ -12,7 +12,7 @@ from armui.control.context import Context
 from armui.control.events import EventCode
 from armui.control.motion.motion_command import CommandKind, MotionCommand
 from armui.control.operations.operation import Consent, begun, operation
-from armui.control.operations.started import Ending, ending_of
+from armui.control.operations.started import Ending
 from armui.control.run.arrival import Arrival, ArrivalWatch
 from armui.control.run.execution import Execution
 from armui.control.run.player import why_not_go_on, why_not_pause, why_not_run
@@ -262,9 +262,9 @@ class Replayer(Execution):
         elif now_s - self._since_s > _REST_WITHIN_S:
             self._fail(Refusal(RefusalCode.RUN_NOT_ENDED))
 
-    def _tell_failed(self, reason: Refusal) -> None:
+    def _tell_failed(self, reason: Refusal, ending: Ending) -> None:
         code = EventCode.REPLAY_FAILED
-        self._context.close(self._started, ending_of(reason), code, reason=reason)
+        self._context.close(self._started, ending, code, reason=reason)
 
     def _end(self, phase: RunPhase) -> None:
         super()._end(phase)
