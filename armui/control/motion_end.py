@@ -153,7 +153,9 @@ class MotionEnd:
         authority = self._context.authority
         authority.failed = True
         moves = authority.command is not None or authority.may_be_ours or authority.is_ending
-        return moves and not self._stopping() and _succeeds(self._abort)
+        told = moves and not self._stopping() and _succeeds(self._abort)
+        _succeeds(self._end_gripper)  # behind it: what waits is dropped by what is urgent
+        return told
 
     def await_rest(self, look: Callable[[], None], wait: Callable[[float], object]) -> None:
         """Tell the arm again to end its motion until it stands still, for half a second at most.

@@ -47,7 +47,7 @@ class _Travel:
         moved_s: When it was last seen to move.
         unit: Of both.
         effort: What it was sent with.
-        started: The command.
+        started: The command; of a run, which tells of itself, there is none.
     """
 
     target: float
@@ -55,7 +55,7 @@ class _Travel:
     moved_s: float
     unit: str
     effort: float
-    started: Started
+    started: Started | None = None
 
 
 def why_not_gripper(
@@ -283,6 +283,13 @@ class GripperControl(ControllerPart):
         context.tell(EventCode.GRIPPER_ACT_SENT, self._started, act=action)
         self._request.advance()
 
+    def follow(self, target: float, effort: float) -> None:
+        """A run has sent it there; it is to be known whether it moves when the run is ended."""
+        heard = self._heard()
+        if heard is not None:
+            now_s = self._context.clock()
+            self._travel = _Travel(target, heard.travel, now_s, heard.unit, effort)
+
     # A part of the controller -----------------------------------------------------------------
 
     def advance(self) -> None:
@@ -319,6 +326,8 @@ class GripperControl(ControllerPart):
             return
         there = heard.enabled and gap <= _THERE
         self._travel = None
+        if travel.started is None:
+            return
         figures: dict[str, object] = {"value": heard.travel, "unit": travel.unit}
         ending, code = Ending.DONE, EventCode.GRIPPER_THERE
         if not there and heard.enabled and abs(heard.torque_nm or 0.0) > _GRIPS_NM:
@@ -331,7 +340,8 @@ class GripperControl(ControllerPart):
 
     def _lose(self, travel: _Travel) -> None:
         self._travel = None
-        travel.started.close(Ending.FAILED)
+        if travel.started is not None:
+            travel.started.close(Ending.FAILED)
 
     def end(self) -> None:
         """End a motion of it that is under way: it is sent to where it is, there is no other way.

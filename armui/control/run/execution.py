@@ -29,9 +29,11 @@ class Execution(QObject, ControllerPart):
 
     Signals:
         progressed: A :class:`Progress`, when it differs.
+        gripper_sent: The gripper was sent somewhere, with an effort.
     """
 
     progressed = Signal(object)
+    gripper_sent = Signal(float, float)
 
     def __init__(self, context: Context, parent: QObject | None = None) -> None:
         super().__init__(parent)

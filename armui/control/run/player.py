@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import astuple
 from typing import Final
 
 from PySide6.QtCore import QObject
@@ -193,7 +194,10 @@ class Player(Execution):
             self._fail(Refusal(RefusalCode.RUN_TOO_SLOW, {"seconds": round(limit_s)}))
 
     def _arrive(self, run: Run, now_s: float) -> None:
-        self._send(action_frames(self._codec, run.points[self._index]))
+        point = run.points[self._index]
+        self._send(action_frames(self._codec, point))
+        if point.gripper is not None:
+            self.gripper_sent.emit(*astuple(point.gripper))
         self._since_s = now_s
         self._phase = RunPhase.DWELLING
         self._follow_dwell()

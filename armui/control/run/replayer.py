@@ -240,6 +240,7 @@ class Replayer(Execution):
                 self._codec, opening_mm=opening_mm, torque_nm=_GRIPPER_TORQUE_NM
             )
         )
+        self.gripper_sent.emit(opening_mm, _GRIPPER_TORQUE_NM)
 
     def _end_cycle(self, replay: Replay) -> None:
         if replay.cycles != ENDLESS and self._cycle >= replay.cycles:
