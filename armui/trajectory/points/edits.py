@@ -7,7 +7,7 @@ and what an edit has changed can be found by comparing the two.
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from armui.trajectory.points.program import Waypoint
 
@@ -67,6 +67,16 @@ def change(points: Points, changed: Mapping[int, Waypoint]) -> Points:
     for row, point in changed.items():
         result[row] = point
     return tuple(result)
+
+
+def turned(points: Points, by_deg: Sequence[float]) -> Points:
+    """With the joints of every point turned by so much; poses stay, which count from the base."""
+    return tuple(
+        replace(point, target=tuple(a + by for a, by in zip(point.target, by_deg, strict=True)))
+        if point.is_joint
+        else point
+        for point in points
+    )
 
 
 def chosen(points: Points, rows: Iterable[int]) -> Points:
