@@ -8,8 +8,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QLabel, QWidget
 
 from armui.gamepad.device_state import DeviceKind, DeviceState
-from armui.gamepad.layout import SOURCES, SPEED_AXIS, JogMode, deflections
-from armui.gamepad.shaping import DEAD_ZONES, speed_share
+from armui.gamepad.layout import DEAD_ZONES, SOURCES, SPEED_AXIS, JogMode, deflections, speed_share
 from armui.ui.gamepad.axis_bar import AxisBar
 from armui.ui.widgets.layouts import empty_grid
 from armui.ui.widgets.text_label import text_label

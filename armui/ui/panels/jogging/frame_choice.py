@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from PySide6.QtWidgets import QButtonGroup, QLabel, QSizePolicy, QWidget
 
-from armui.kinematics.axes import JogFrame
+from armui.kinematics.poses import JogFrame
 from armui.ui.widgets.buttons import caption, choice_button
 from armui.ui.widgets.layouts import in_row
 from armui.ui.widgets.translated import Translated

@@ -8,7 +8,7 @@ from PySide6.QtWidgets import QWidget
 
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
-from armui.kinematics.axes import AXES, LINEAR_AXES
+from armui.kinematics.poses import AXES, LINEAR_AXES
 from armui.ui.panels.jogging.pose_row import PoseRow
 from armui.ui.widgets.layouts import STRETCH, in_column, in_row
 from armui.ui.widgets.text_label import text_label

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QLabel, QWidget
 
-from armui.kinematics.axes import AXES, LINEAR_AXES
+from armui.kinematics.poses import AXES, LINEAR_AXES
 from armui.ui import format as fmt
 from armui.ui.widgets.figure_field import FigureField
 from armui.ui.widgets.layouts import empty_grid

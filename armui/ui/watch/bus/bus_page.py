@@ -35,7 +35,7 @@ if TYPE_CHECKING:
     from PySide6.QtGui import QContextMenuEvent, QHideEvent, QShowEvent
 
     from armui.control.arm_controller import ArmController
-    from armui.telemetry.bus_rows import BusSnapshot, FrameRow
+    from armui.telemetry.bus_statistics import BusSnapshot, FrameRow
 
 LOOK_MS: Final = 100
 """The figures are shown anew so often."""

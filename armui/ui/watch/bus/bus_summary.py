@@ -20,7 +20,7 @@ from armui.ui.widgets.translated import Translated
 
 if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
-    from armui.telemetry.bus_rows import BusSnapshot
+    from armui.telemetry.bus_statistics import BusSnapshot
 
 _OLD_S: Final = 1.0
 _BUSY_PERCENT: Final = 80.0

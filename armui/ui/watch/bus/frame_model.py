@@ -9,8 +9,8 @@ from typing import Any, Final
 from PySide6.QtCore import QAbstractItemModel, QModelIndex, QObject, Qt
 from PySide6.QtCore import QCoreApplication as App
 
-from armui.telemetry.bus_rows import Cycle, FrameRow
 from armui.telemetry.bus_senders import Sender
+from armui.telemetry.bus_statistics import Cycle, FrameRow
 from armui.ui import format as fmt
 from armui.ui.watch.bus.cells import KEY_ROLE, Cell, Payload, Tone
 from armui.ui.watch.bus.frame_texts import FrameTexts, SignalText

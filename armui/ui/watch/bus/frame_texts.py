@@ -9,7 +9,7 @@ from armui.control.safety.hand_frame import command_id
 from armui.protocol.codec import Codec, Message
 from armui.protocol.frame import Frame, FrameFlag
 from armui.telemetry.bus_errors import errors_of
-from armui.telemetry.signal_quantities import quantity_key
+from armui.telemetry.quantities import quantity_key
 from armui.ui.words import frames
 from armui.ui.words.messages import message_name
 from armui.ui.words.signals import signal_name, signal_value
@@ -18,8 +18,8 @@ if TYPE_CHECKING:
     from armui.protocol.addressing import Addressing
     from armui.protocol.firmware_version import FirmwareVersion
     from armui.protocol.generation import Generation
-    from armui.telemetry.bus_rows import FrameRow
     from armui.telemetry.bus_senders import Sender
+    from armui.telemetry.bus_statistics import FrameRow
 
 _LEADER: Final = frozenset({0x151, 0x155, 0x156, 0x157, 0x159})
 """What a leader arm sends (0x470)."""
