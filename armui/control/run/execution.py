@@ -10,11 +10,13 @@ from PySide6.QtCore import QObject, Signal
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.control.context import Context, ControllerPart
+from armui.control.operations.started import Ending
 from armui.control.run.progress import OVER, Progress, RunPhase
 from armui.control.run.run_end import cut_short, cut_short_for
 from armui.control.safety.standstill import RestWatch
 
 if TYPE_CHECKING:
+    from armui.control.operations.started import Started
     from armui.protocol.codec import Codec
     from armui.protocol.frame import Frame
 
@@ -40,6 +42,7 @@ class Execution(QObject, ControllerPart):
         self._progress = Progress()
         self._rest = RestWatch()
         self._since_s = 0.0
+        self._started: Started | None = None
 
     @property
     def progress(self) -> Progress:
@@ -59,7 +62,7 @@ class Execution(QObject, ControllerPart):
     def end(self, reason: Refusal) -> None:
         """End it at once, because something else happens that it cannot go on beside."""
         if self.running:
-            self._fail(reason)
+            self._fail(reason, Ending.CUT_OFF)
             self._publish()
 
     def halt(self) -> None:
@@ -80,7 +83,7 @@ class Execution(QObject, ControllerPart):
         """
         raise NotImplementedError
 
-    def _tell_failed(self, reason: Refusal) -> None:
+    def _tell_failed(self, reason: Refusal, ending: Ending) -> None:
         """Tell the operator why it has ended early."""
         raise NotImplementedError
 
@@ -90,11 +93,11 @@ class Execution(QObject, ControllerPart):
 
     # What both do the same way ----------------------------------------------------------------
 
-    def _fail(self, reason: Refusal) -> None:
+    def _fail(self, reason: Refusal, ending: Ending = Ending.FAILED) -> None:
         cut_short_for(self._context, reason)
         self._end(RunPhase.FAILED)
         self._progress = self._snapshot(reason)
-        self._tell_failed(reason)
+        self._tell_failed(reason, ending)
         self.progressed.emit(self._progress)
 
     def _abort_motion(self) -> None:
