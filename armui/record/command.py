@@ -16,6 +16,7 @@ from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.bus.adapters import explain
 from armui.record.listening import SIMULATED, BusListener, opened
+from armui.session.recording import mf4
 from armui.session.recording.collector import Collector, FrameRing
 from armui.session.recording.counted import counted, keep
 from armui.session.recording.kinds import (
@@ -26,7 +27,6 @@ from armui.session.recording.kinds import (
     why_not_written,
 )
 from armui.session.recording.lane import FrameLane
-from armui.session.recording.mf4 import can_write, make_mf4
 from armui.session.recording.recorded_session import RecordedSession
 from armui.session.recording.session_recording import SessionRecording
 from armui.session.recording.writer import RecordingPlan, TimeBase
@@ -107,7 +107,7 @@ def run(options: argparse.Namespace, clock: Callable[[], float] = steady_s) -> i
     name = options.name or name_for(datetime.now().astimezone())
     if not is_name(name):
         return _cannot_begin(f'{name!r} is no name for a file; leave out / \\ : * ? " < > |')
-    if options.format == _MF4 and not can_write():
+    if options.format == _MF4 and not mf4.can_write():
         return _cannot_begin(_NO_MF4)
     ending: list[int] = []
     with handled_by(lambda number, _frame: ending.append(number)):
@@ -214,7 +214,7 @@ def _once_more_as_mf4(recording: SessionRecording, *, quiet: bool) -> int:
     problem = ""
     try:
         with interrupting():
-            make_mf4(folder, name, tell)
+            mf4.make_mf4(folder, name, tell)
     except KeyboardInterrupt:
         problem = "called off"
     except Exception as error:  # noqa: BLE001 - a package of others may raise anything
