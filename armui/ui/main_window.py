@@ -175,6 +175,7 @@ class MainWindow(Translated, KeepsFocus, QWidget):
 
         top = TopBar(self._controller, self.open_connect_dialog)
         recovery = RecoveryLine(self._controller, self.open_connect_dialog)
+        self._actions.lead_to(self._menu.open_entry, top.ask_to_resume, recovery)
         gamepad = GamepadStrip(self._controller, self._preferences)
         self._failure_line = FailureLine()
         work = in_column(recovery, gamepad, (self._work_column, 1), spacing=0)
