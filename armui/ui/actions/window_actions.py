@@ -6,7 +6,7 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QObject, Qt
-from PySide6.QtWidgets import QApplication, QDialog
+from PySide6.QtWidgets import QApplication, QDialog, QWidget
 
 from armui.control.safety.recovery_steps import StepKind
 from armui.ui.actions.commands_button import CommandsButton
@@ -23,14 +23,12 @@ if TYPE_CHECKING:
     from armui.ui.shell.diagnosis_dialogs import DiagnosisDialogs
     from armui.ui.shell.page_doings import PageDoings
     from armui.ui.shell.recovery_line import RecoveryLine
+    from armui.ui.shell.run_place import RunPlace
     from armui.ui.shell.watch_windows import WatchWindows
 
 
-_IN_THE_RUN_STRIP: Final = {
-    StepKind.RUN_PAUSED: "run_continue",
-    StepKind.RUN_WAITS: "run_pause",
-}
-"""The buttons of those steps that the line above the panels has no button for."""
+_IN_THE_RUN_STRIP: Final = frozenset({StepKind.RUN_PAUSED, StepKind.RUN_WAITS})
+"""The steps that the line above the panels has no button for."""
 
 
 class WindowActions(QObject):
@@ -75,6 +73,7 @@ class WindowActions(QObject):
         show_panel: Callable[[str], object],
         ask_to_resume: Callable[[], object],
         recovery: RecoveryLine,
+        run: RunPlace,
     ) -> None:
         """Take in what the parts of the window do.
 
@@ -82,8 +81,10 @@ class WindowActions(QObject):
             show_panel: Goes to a panel, by its key.
             ask_to_resume: Asks whether to end the emergency stop.
             recovery: Takes the next step.
+            run: Goes on with a run that pauses or waits.
         """
-        self._show_panel, self._ask_to_resume, self._recovery = show_panel, ask_to_resume, recovery
+        self._show_panel, self._ask_to_resume = show_panel, ask_to_resume
+        self._recovery, self._run = recovery, run
 
     def offer(
         self,
@@ -169,15 +170,21 @@ class WindowActions(QObject):
         simple = {name: (do, _always) for name, do in self._doings.items()}
         return {**simple, **own, **({} if self._pages is None else self._pages.doings())}
 
-    def _take_step(self) -> None:
-        from armui.ui.actions.offer import use  # noqa: PLC0415 - faster start
+    def _step_button(self) -> QWidget | None:
+        in_strip = self._controller.recovery.step.kind in _IN_THE_RUN_STRIP
+        return self._run.go_on_button if in_strip else self._recovery.step_button
 
-        button = self._recovery.step_button
-        if button is not None:
+    def _take_step(self) -> None:
+        from armui.ui.actions.offer import lead_to, use  # noqa: PLC0415 - faster start
+
+        button = self._step_button()
+        if button is not None and button is self._run.go_on_button:
+            lead_to(button)  # it sets the arm moving: with a press of its own
+        elif button is not None:
             use(button)
 
     def _why_no_step(self) -> str:
-        button = self._recovery.step_button
+        button = self._step_button()
         if button is None:
             return self.tr("There is no next step now.")
         return "" if button.isEnabled() else button.toolTip()
