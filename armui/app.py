@@ -54,6 +54,8 @@ if TYPE_CHECKING:
     from armui.control.sessions.choices import SessionChoices
     from armui.viewport.client import PictureClient
 
+_LOG: Final = logging.getLogger(__name__)
+
 _SWITCH_INTERVAL_S: Final = 0.0005
 """How long a thread may keep Python's lock while another wants it. The default of 5 ms, once for
 the bus thread and once for the simulated arm's, is what a pressed stop would wait."""
@@ -259,7 +261,12 @@ class _GoingFirst(QObject):
 def run(options: StartOptions) -> int:
     """Open the window and stay until it is closed; returns the exit code."""
     with failures.hooks(), log_to(paths.logs()):
-        return _run(options)
+        try:
+            return _run(options)
+        except Exception:
+            # whoever starts it from a desktop sees no terminal
+            _LOG.exception("The program ends before its window has done its work")
+            raise
 
 
 def _run(options: StartOptions) -> int:
