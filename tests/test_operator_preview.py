@@ -18,7 +18,7 @@ from armui.ui.picture.trail_keeper import TrailKeeper
 from armui.ui.trajectory.editor.editor_page import EditorPage
 from armui.ui.trajectory.library.library_page import LibraryPage
 from armui.viewport.path_picture import NOTHING
-from armui.viewport.process.outline import shape_of
+from armui.viewport.process.robot import shape_of
 from armui.viewport.process.urdf_file import load_robot
 from tests.control.jogger import hold
 from tests.family import PIPER

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Final
 
 from armui.arm.models import model_data
 from armui.ui.freshness import is_stale
-from armui.viewport.look_alike import look_alike
+from armui.viewport.camera import look_alike
 from armui.viewport.robot_shape import moved
 from armui.viewport.tool_trail import ToolTrail
 
