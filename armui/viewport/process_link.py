@@ -444,7 +444,6 @@ class Conversation:
 ENTRY: Final = "armui.viewport.process.main:run"
 """Module and function that the process runs; by name, so that the program does not load it."""
 
-_LOG = logging.getLogger(__name__)
 _REST_S: Final = 0.15
 """The picture has come to rest when nothing has changed for so long."""
 
