@@ -169,7 +169,7 @@ class TrailKeeper:
             return None
         x, y, z = self._controller.cartesian.tool[:3]
         model = self._controller.operating_state.model
-        reach_mm = z if z > 0.0 else model_data(model).gripper.reach_mm
+        reach_mm = model_data(model).tool_mm(z)
         rows = shape.flange(shape.links(angles_deg))
         place = moved(rows, (x / _MM_PER_M, y / _MM_PER_M, reach_mm / _MM_PER_M))
         return (place[0] * _MM_PER_M, place[1] * _MM_PER_M, place[2] * _MM_PER_M)

@@ -4,6 +4,7 @@ The words are looked up at every call, so a caller that asks again after the lan
 (``QEvent.LanguageChange``) shows the new one.
 """
 
+from armui.ui.words.arm_kinds import arm_kind
 from armui.ui.words.devices import device_name
 from armui.ui.words.events import event
 from armui.ui.words.file_errors import file_error
@@ -26,6 +27,7 @@ from armui.ui.words.teaching import teaching_command, teaching_phase, trajectory
 from armui.ui.words.trajectory_refusals import point_figure
 
 __all__ = [
+    "arm_kind",
     "arm_status",
     "control_mode",
     "control_mode_short",

@@ -23,7 +23,7 @@ from armui.ui.panels.jogging.step_box import StepBox
 from armui.ui.widgets.buttons import caption, choice_button, named
 from armui.ui.widgets.flow import Flow
 from armui.ui.widgets.hold_guard import UNATTENDED_S
-from armui.ui.widgets.layouts import empty_grid, in_column
+from armui.ui.widgets.layouts import in_column
 from armui.ui.widgets.translated import Translated
 
 if TYPE_CHECKING:
@@ -34,6 +34,7 @@ if TYPE_CHECKING:
     from armui.control.operating_state import OperatingState
 
 _ACROSS: Final = 3
+_GAP_PX: Final = 8
 _JOINTS: Final = tuple(f"J{joint}" for joint in range(1, 7))
 
 
@@ -86,11 +87,10 @@ class JogBox(Translated, QFrame):
             head.addWidget(widget)
         for widget in more:
             head.push(widget)
-        grid = empty_grid(gaps=(16, 4))
-        for place, cell in enumerate(self._cells):
-            grid.addWidget(cell, place // _ACROSS, place % _ACROSS)
-            grid.setColumnStretch(place % _ACROSS, 1)
-        in_column(head, grid, on=self, spacing=6, margins=(10, 8, 10, 8))
+        cells = Flow(spacing_px=_GAP_PX, most=_ACROSS)
+        for cell in self._cells:
+            cells.addWidget(cell)
+        in_column(head, cells, on=self, spacing=6, margins=(10, 8, 10, 8))
 
     def _connect(self) -> None:
         self._kinds.idClicked.connect(self._on_kind)

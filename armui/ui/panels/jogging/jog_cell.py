@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Final
 
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QLabel
+from PySide6.QtWidgets import QLabel, QSizePolicy
 
 from armui.ui import format as fmt
 from armui.ui.panels.jogging.jog_signals import JogSignals
@@ -41,6 +41,7 @@ class JogCell(JogSignals):
         in_row(
             *(self._name, self.minus, (self.measured, 1), self.plus), on=self, spacing=4, margins=0
         )
+        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Preferred)
         self._tell_presses(place, self.minus, self.plus)
         self.stand_for("", "°")
 
