@@ -16,7 +16,7 @@ from armui.arm.refusal import Refusal
 from armui.control.arm_controller import ArmController
 from armui.control.events import Level
 from armui.system.atomic import write_whole
-from armui.system.error_text import error_text
+from armui.system.files import error_text
 from armui.trajectory import files
 from armui.trajectory.files import Content, TrajectoryFileError
 from armui.trajectory.library.file_names import file_stem
