@@ -16,6 +16,7 @@ from PySide6.QtCore import QObject, Qt, Signal
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
+from armui.app import DRIVE_NOTHING, may_drive
 from armui.control.assessment_inputs import Assessor
 from armui.control.authority import Authority
 from armui.control.authority_watch import AuthorityWatch
@@ -27,7 +28,7 @@ from armui.control.motion.jog_path import JointJog, JointJogPath, ToolJogPath
 from armui.control.motion.jog_stream import JogStream
 from armui.control.motion.jogging import Jogging
 from armui.control.motion.steered_path import SteeredToolPath
-from armui.control.motion_end import DRIVE_NOTHING, MotionEnd, may_drive
+from armui.control.motion_end import MotionEnd
 from armui.control.run.execution import Execution
 from armui.control.run.player import Player
 from armui.control.run.recorder import Recorder
