@@ -26,8 +26,7 @@ from armui.control.arm_controller import ArmController
 from armui.control.events import Event, EventCode
 from armui.control.operating_state import LinkState, OperatingState
 from armui.ending import SystemEnd
-from armui.protocol.generation import Generation
-from armui.protocol.piper_model import PiperModel
+from armui.protocol.generation import Generation, PiperModel
 from armui.settings import Choices, Settings, SettingsStore, default_path
 from armui.start import StartOptions
 from armui.system import failures, paths

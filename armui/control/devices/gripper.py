@@ -6,12 +6,11 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Final
 
-from armui.arm.gripper import GripperState
 from armui.arm.parameters import Parameter
 from armui.arm.quirks import why_not_by_firmware
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
-from armui.arm.state import ArmState
+from armui.arm.state import ArmState, GripperState
 from armui.control.context import Context, ControllerPart
 from armui.control.devices.gripper_ranges import Figures, check, figures_of
 from armui.control.events import EventCode

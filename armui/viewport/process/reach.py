@@ -1,24 +1,118 @@
-"""All places the tool can reach by the joints' limits, as a field of shares in space. No VTK.
-
-Joints 3 to 6 are turned step by step. What joints 1 and 2 add is a turn about an axis each: in a
-grid around such an axis all their angles are one running sum. So every angle is counted, and the
-whole takes some tenths of a second. Whether the arm would meet itself or the floor is not asked.
-"""
+"""What the tool can reach: a border that shines through, and within it one around what it can't."""
 
 from __future__ import annotations
 
+import logging
 import math
+import threading
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Final, NamedTuple
 
 import numpy as np
+import pyvista as pv
 from numpy.typing import NDArray
 
+from armui.viewport.palette import ScenePalette, rgb
+from armui.viewport.process.geometry import actor_of
 from armui.viewport.process.robot import ARM_JOINT_COUNT, rotation_about
 
 if TYPE_CHECKING:
+    from vtkmodules.vtkRenderingCore import vtkActor, vtkRenderer
+
     from armui.viewport.path_picture import Reach
     from armui.viewport.process.robot import Robot
+
+
+_LOG = logging.getLogger(__name__)
+_OUTER_OPACITY: Final = 0.10
+_INNER_OPACITY: Final = 0.30
+_FLOOR_OPACITY: Final = 0.6
+
+
+class ReachActor:
+    """Keeps the border in a renderer.
+
+    It is worked out beside the drawing, in a thread: pictures go on meanwhile, without it.
+    """
+
+    def __init__(self, renderer: vtkRenderer) -> None:
+        self._renderer = renderer
+        self._actors: list[vtkActor] = []
+        self._job: _Job | None = None
+        self._palette: ScenePalette | None = None
+
+    @property
+    def is_unfinished(self) -> bool:
+        """Whether what was asked for is not in the picture yet, and may come."""
+        return self._job is not None and not self._actors and not self._job.has_failed
+
+    def show(self, reach: Reach | None, robot: Robot, palette: ScenePalette) -> None:
+        """Show the reach of a robot as soon as it is known, or nothing."""
+        job = self._job
+        if reach is None:
+            self._job = None
+            self._clear()
+        elif job is None or job.reach != reach or job.robot is not robot:
+            self._job = _Job(robot, reach)
+            self._clear()
+        elif palette != self._palette:
+            self._clear()
+        self._palette = palette
+        self.catch_up()
+
+    def catch_up(self) -> bool:
+        """Take what has been worked out meanwhile into the picture; whether there was anything."""
+        job, palette = self._job, self._palette
+        if job is None or palette is None or self._actors or not job.is_done:
+            return False
+        shell = job.shell
+        if shell is None:
+            return False
+        self._add(shell.outer, palette.accent, _OUTER_OPACITY)
+        self._add(shell.inner, palette.speeds[1], _INNER_OPACITY)
+        self._add(shell.floor, palette.accent, _FLOOR_OPACITY)
+        return True
+
+    def _add(self, surface: pv.PolyData, color: str, opacity: float) -> None:
+        actor = actor_of(surface)
+        look = actor.GetProperty()
+        look.SetColor(*rgb(color))
+        look.SetOpacity(opacity)
+        look.LightingOff()
+        actor.PickableOff()
+        self._renderer.AddActor(actor)
+        self._actors.append(actor)
+
+    def _clear(self) -> None:
+        for actor in self._actors:
+            self._renderer.RemoveActor(actor)
+        self._actors.clear()
+
+
+class _Job:
+    """One border, worked out in a thread."""
+
+    def __init__(self, robot: Robot, reach: Reach) -> None:
+        self.robot, self.reach = robot, reach
+        self.shell: ReachShell | None = None
+        self._thread = threading.Thread(target=self._work, name="armui-reach", daemon=True)
+        self._thread.start()
+
+    @property
+    def is_done(self) -> bool:
+        return not self._thread.is_alive()
+
+    @property
+    def has_failed(self) -> bool:
+        return self.is_done and self.shell is None
+
+    def _work(self) -> None:
+        try:
+            self.shell = shell_of(self.robot, self.reach)
+        except Exception:  # noqa: BLE001 - whatever it is, the picture goes on without its reach
+            # for one, all axes of a foreign arm may lie in one plane
+            _LOG.exception("The reach of the robot cannot be worked out")
+
 
 Array = NDArray[np.float64]
 Shares = NDArray[np.float32]
@@ -248,3 +342,63 @@ def _softened(shares: Shares, round_axis: int | None = None) -> Shares:
             after = shares.take(np.minimum(np.arange(count) + 1, count - 1), axis)
         shares = 0.25 * before + 0.5 * shares + 0.25 * after
     return shares.astype(np.float32)
+
+
+_HALF: Final = 0.5
+_LEFT_OUT: Final = 0.88
+"""Of the triangles: the border is smooth, and is drawn in every picture."""
+_DIRECTIONS: Final = 400
+_DEEP_M: Final = 0.09
+"""What lies so far within counts as the border of something inside."""
+_SMOOTHINGS: Final = 20
+
+
+class ReachShell(NamedTuple):
+    """Surfaces in the base frame, metres.
+
+    Attributes:
+        outer: What bounds the reach from without.
+        inner: What bounds places within it that can't be reached.
+        floor: Where both meet the floor, as lines.
+    """
+
+    outer: pv.PolyData
+    inner: pv.PolyData
+    floor: pv.PolyData
+
+
+def shell_of(robot: Robot, reach: Reach) -> ReachShell:
+    """Work the border out; takes some tenths of a second."""
+    volume = reached(robot, reach)
+    border = _border(volume)
+    border.point_data["depth"] = _depths(border.points)
+    inner = border.clip_scalar(scalars="depth", value=_DEEP_M, invert=False)
+    outer = border.clip_scalar(scalars="depth", value=_DEEP_M)
+    floor = border.slice(normal="z", origin=(0.0, 0.0, 0.0))
+    for shape in (inner, outer, floor):
+        shape.clear_data()
+    return ReachShell(outer, inner, floor)
+
+
+def _border(volume: ReachVolume) -> pv.PolyData:
+    """Where half of a voxel is reached, without the voxels' steps."""
+    box = pv.ImageData(dimensions=volume.shares.shape, spacing=(VOXEL_M,) * 3, origin=volume.origin)
+    box.point_data["share"] = volume.shares.ravel(order="F")
+    border: pv.PolyData = box.contour([_HALF], scalars="share", method="flying_edges")
+    smooth: pv.PolyData = border.smooth_taubin(n_iter=_SMOOTHINGS, pass_band=0.08)
+    smooth.clear_data()
+    few: pv.PolyData = smooth.decimate_pro(_LEFT_OUT, preserve_topology=True)
+    return few
+
+
+def _depths(places: NDArray[np.floating]) -> NDArray[np.float64]:
+    """How far within the smallest convex body around all places each of them is."""
+    # directions spread evenly over a sphere: a spiral from pole to pole
+    numbers = np.arange(_DIRECTIONS) + 0.5
+    heights = 1.0 - 2.0 * numbers / _DIRECTIONS
+    turns = numbers * math.pi * (3.0 - math.sqrt(5.0))
+    out = np.sqrt(1.0 - heights * heights)
+    ways = np.array([out * np.cos(turns), out * np.sin(turns), heights])
+    along = places @ ways
+    depths: NDArray[np.float64] = (along.max(axis=0) - along).min(axis=1)
+    return depths
