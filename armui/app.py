@@ -9,7 +9,7 @@ import os
 import pkgutil
 import sys
 import threading
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import replace
 from datetime import datetime
@@ -26,8 +26,7 @@ from armui.control.arm_controller import ArmController
 from armui.control.events import Event, EventCode
 from armui.control.operating_state import LinkState, OperatingState
 from armui.ending import SystemEnd
-from armui.protocol.generation import Generation
-from armui.protocol.piper_model import PiperModel
+from armui.protocol.generation import Generation, PiperModel
 from armui.settings import Choices, Settings, SettingsStore, default_path
 from armui.start import StartOptions
 from armui.system import failures, paths
@@ -53,6 +52,8 @@ if TYPE_CHECKING:
     from armui.control.link.neighbours import Neighbours
     from armui.control.sessions.choices import SessionChoices
     from armui.viewport.client import PictureClient
+
+_LOG: Final = logging.getLogger(__name__)
 
 _SWITCH_INTERVAL_S: Final = 0.0005
 """How long a thread may keep Python's lock while another wants it. The default of 5 ms, once for
@@ -103,7 +104,6 @@ class Program:
         controller, view, window: What its parts are.
         ended: Whether, after `shutdown`, no thread of ours runs any more.
         closed: Set once the device is closed, as far as its driver lets it.
-        written: Set once the files are written, too; then the processes are ended.
     """
 
     def __init__(
@@ -126,7 +126,7 @@ class Program:
         apply_theme(app, Theme(settings.theme), before_windows=True)
         self.controller = controller
         self.ended = False
-        self.closed, self.written = threading.Event(), threading.Event()
+        self.closed = threading.Event()
         self._is_down = False
         self._workers = workers
         self._files = files
@@ -167,6 +167,11 @@ class Program:
         for problem in store.problems:
             self.window.show_problem(problem)
 
+    @property
+    def unwritten(self) -> Sequence[str]:
+        """What still waits for a disk, by the names of its functions."""
+        return self._files.waiting if isinstance(self._files, FileThread) else ()
+
     def _keep_events(self, folder: Path, files: Executor) -> None:
         from armui.control.event_log.keeper import EventKeeper  # noqa: PLC0415 - faster start
 
@@ -198,7 +203,6 @@ class Program:
             self._files.shutdown()
         if isinstance(self._files, FileThread):
             self.ended = self.ended and self._files.ended
-        self.written.set()
         self.view.shutdown()
         self._workers.shutdown()
         if self._neighbours is not None:
@@ -256,7 +260,12 @@ class _GoingFirst(QObject):
 def run(options: StartOptions) -> int:
     """Open the window and stay until it is closed; returns the exit code."""
     with failures.hooks(), log_to(paths.logs()):
-        return _run(options)
+        try:
+            return _run(options)
+        except Exception:
+            # whoever starts it from a desktop sees no terminal
+            _LOG.exception("The program ends before its window has done its work")
+            raise
 
 
 def _run(options: StartOptions) -> int:

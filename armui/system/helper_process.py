@@ -5,7 +5,10 @@ from __future__ import annotations
 import contextlib
 import errno
 import logging
+import mmap
+import multiprocessing
 import os
+import pickle
 import shutil
 import signal
 import tempfile
@@ -18,6 +21,7 @@ from concurrent.futures import (
     Executor,
     Future,
     InvalidStateError,
+    ProcessPoolExecutor,
     ThreadPoolExecutor,
 )
 from concurrent.futures import wait as wait_for
@@ -27,11 +31,90 @@ from pathlib import Path
 from queue import Empty, SimpleQueue
 from typing import TYPE_CHECKING, Any, Final
 
+from armui.system.files import open_file
+
 if TYPE_CHECKING:
-    from concurrent.futures import ProcessPoolExecutor
     from multiprocessing.process import BaseProcess
 
-    from armui.system.transfer import Packed
+# Values between two processes: large arrays travel as a file that the receiver maps. Copying two
+# hours of samples through a pipe holds Python's lock for tens of milliseconds at a stretch, in
+# which no button is heard. Writing them to a file and mapping it holds it for none.
+
+LARGE_BYTES: Final = 1 << 18
+"""Arrays of this size and more go into the file."""
+
+_ALIGNED: Final = 64
+
+
+@dataclass(frozen=True, slots=True)
+class Packed:
+    """A value on its way.
+
+    Attributes:
+        data: Everything but its large arrays.
+        path: The file that holds those; the receiver removes it. ``None`` where there are none.
+        spans: Where each begins in the file, and how many bytes it has.
+    """
+
+    data: bytes
+    path: Path | None = None
+    spans: tuple[tuple[int, int], ...] = ()
+
+
+def pack(value: object, folder: Path) -> Packed:
+    """Make a value ready to be sent.
+
+    Args:
+        value: Anything that can be pickled.
+        folder: Where its large arrays may be written.
+
+    Raises:
+        OSError: They were not written.
+    """
+    large: list[memoryview] = []
+
+    def is_small(buffer: pickle.PickleBuffer) -> bool:
+        raw = buffer.raw()
+        if raw.nbytes < LARGE_BYTES:
+            return True
+        large.append(raw)
+        return False
+
+    data = pickle.dumps(value, protocol=5, buffer_callback=is_small)
+    if not large:
+        return Packed(data)
+    spans: list[tuple[int, int]] = []
+    with tempfile.NamedTemporaryFile(dir=folder, delete=False) as file:
+        for raw in large:
+            begin = -(-file.tell() // _ALIGNED) * _ALIGNED
+            file.seek(begin)
+            file.write(raw)
+            spans.append((begin, raw.nbytes))
+    return Packed(data, Path(file.name), tuple(spans))
+
+
+def unpack(packed: Packed) -> Any:
+    """The value. Changes of its arrays are seen by nobody else.
+
+    Raises:
+        OSError: The file of its large arrays is gone.
+    """
+    if packed.path is None:
+        return pickle.loads(packed.data)  # noqa: S301 - from our own process
+    with open_file(packed.path) as file:
+        whole = memoryview(mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_COPY))
+    # Windows removes no file that is mapped: there it goes with its folder
+    with contextlib.suppress(OSError):
+        packed.path.unlink()
+    buffers = [whole[begin : begin + length] for begin, length in packed.spans]
+    return pickle.loads(packed.data, buffers=buffers)  # noqa: S301 - as above
+
+
+def call_packed(packed: Packed, folder: Path) -> Packed:
+    """In the other process: call what was sent, send back what comes of it."""
+    function, args, kwargs = unpack(packed)
+    return pack(function(*args, **kwargs), folder)
+
 
 _LOG: Final = logging.getLogger(__name__)
 
@@ -80,8 +163,6 @@ class HelperProcess(Executor):
 
     def _send(self, answer: Future[Any], call: tuple[object, ...]) -> None:
         """Hand a piece of work to the process; its answer comes by a thread of the pool."""
-        from armui.system.transfer import pack  # noqa: PLC0415 - pickle, for those who use it
-
         try:
             if self._folder is None:
                 self._folder = Path(tempfile.mkdtemp(prefix="armui-"))
@@ -97,16 +178,11 @@ class HelperProcess(Executor):
         sent.add_done_callback(partial(_answer, answer))
 
     def _submit(self, packed: Packed, folder: Path) -> Future[Packed]:
-        import multiprocessing  # noqa: PLC0415 - 50 ms of the start, for those who never use it
-        from concurrent.futures import ProcessPoolExecutor  # noqa: PLC0415 - as above
-
-        from armui.system.transfer import call_packed  # noqa: PLC0415 - as above
-
         before = set(multiprocessing.active_children())
         if self._pool is None:
             # a fork would inherit Qt, its threads and every lock they hold
             context = multiprocessing.get_context("spawn")
-            self._pool = ProcessPoolExecutor(1, mp_context=context, initializer=_settle_in)
+            self._pool = ProcessPoolExecutor(1, mp_context=context, initializer=settle_in)
         future = self._pool.submit(call_packed, packed, folder)
         future.add_done_callback(partial(_log_failure, self._called_off))
         self._children |= set(multiprocessing.active_children()) - before
@@ -201,6 +277,7 @@ class FileThread(Executor):
         self._turn = threading.Lock()
         self._process = HelperProcess()
         self._last: Future[None] | None = None
+        self._undone: dict[Future[Any], str] = {}
 
     @property
     def ended(self) -> bool:
@@ -213,6 +290,12 @@ class FileThread(Executor):
         self._left = [each for each in self._left if each.is_alive()]
         return len(self._left)
 
+    @property
+    def waiting(self) -> list[str]:
+        """What was asked for and is not done, by the names of its functions."""
+        undone = self._undone.copy()
+        return [name for answer, name in undone.items() if answer is not self._last]
+
     def submit(self, fn: Callable[..., Any], /, *args: Any, **kwargs: Any) -> Future[Any]:
         """Have something done, after what was asked for before.
 
@@ -222,6 +305,8 @@ class FileThread(Executor):
         if self._last is not None:
             raise RuntimeError("cannot schedule new futures after shutdown")
         job = _FileJob(Future(), partial(fn, *args, **kwargs))
+        self._undone[job.answer] = _name_of(fn)
+        job.answer.add_done_callback(self._undone.pop)
         with self._turn:
             self._add(job)
         return job.answer
@@ -289,11 +374,21 @@ class FileThread(Executor):
                 with self._turn:
                     for job in _taken_from(self._jobs):
                         job.answer.cancel()
-            self._last = self.submit(lambda: None)
+            self._last = self.submit(_come_to_the_end)
             self._jobs.put(None)
         if wait:
             wait_for([self._last], _END_S)
         self._process.shutdown()
+
+
+def _come_to_the_end() -> None:
+    """Stands behind everything that is to be done."""
+
+
+def _name_of(work: Callable[..., Any]) -> str:
+    while isinstance(work, partial):
+        work = work.func
+    return getattr(work, "__qualname__", type(work).__name__)
 
 
 def _answer(answer: Future[Any], sent: Future[Packed]) -> None:
@@ -304,7 +399,6 @@ def _answer(answer: Future[Any], sent: Future[Packed]) -> None:
     if error is not None:
         _settle(answer, error=error)
         return
-    from armui.system.transfer import unpack  # noqa: PLC0415 - as above
 
     try:
         _settle(answer, unpack(sent.result()))
@@ -336,7 +430,7 @@ def _log_failure(called_off: threading.Event, future: Future[Any]) -> None:
         _LOG.warning("Work in the helper process has failed\n%s", trace)
 
 
-def _settle_in() -> None:
+def settle_in() -> None:
     """In the new process: leave Ctrl-C to the program, stand back, do not outlive it."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     if hasattr(os, "nice"):
@@ -345,9 +439,7 @@ def _settle_in() -> None:
 
 
 def _end_with_the_program() -> None:
-    from multiprocessing import parent_process  # noqa: PLC0415 - there already, in that process
-
-    program = parent_process()
+    program = multiprocessing.parent_process()
     if program is not None:
         program.join()
         os._exit(1)

@@ -7,15 +7,47 @@ import logging
 import queue
 import threading
 from collections.abc import Iterator
+from io import TextIOWrapper
+from logging.handlers import RotatingFileHandler
 from pathlib import Path
 from typing import Final
 
 from armui.system.failures import LOGGERS, Repeats
 from armui.system.files import open_file
 
+_MOST_BYTES: Final = 1_000_000
+_OLD_FILES: Final = 4
+
+
+class RotatingFile(RotatingFileHandler):
+    """Takes lines; the file is opened with the first.
+
+    Args:
+        path: The file; older ones lie beside it, with a number.
+    """
+
+    def __init__(self, path: Path) -> None:
+        self._path = path
+        super().__init__(
+            path, maxBytes=_MOST_BYTES, backupCount=_OLD_FILES, encoding="utf-8", delay=True
+        )
+
+    def add(self, line: str) -> None:
+        """Write a line; waits for the disk."""
+        self.handle(logging.makeLogRecord({"msg": line}))
+
+    def _open(self) -> TextIOWrapper:
+        return TextIOWrapper(open_file(self._path, "ab"), encoding="utf-8")
+
+    def handleError(self, record: logging.LogRecord) -> None:  # noqa: N802 - logging's name
+        """A disk that is full, or a file another program holds: the log goes on when it can."""
+
+
 NAME: Final = "armui.log"
 _MOST_WAITING: Final = 1000
 """Lines that wait for a slow disk; later ones are lost, never waited for."""
+_FLUSH_S: Final = 0.05
+"""A disk that takes longer may hang."""
 _FORMAT: Final = "%(asctime)s %(levelname)s %(name)s [%(threadName)s] %(message)s"
 
 
@@ -39,8 +71,19 @@ class UnhurriedHandler(logging.Handler):
         except Exception:  # noqa: BLE001 - what cannot be put into words
             self.handleError(record)
 
+    def flush(self) -> None:
+        """Wait for a moment until it is written."""
+        with self.lines.all_tasks_done:
+            self.lines.all_tasks_done.wait_for(lambda: not self.lines.unfinished_tasks, _FLUSH_S)
+
     def handleError(self, record: logging.LogRecord) -> None:  # noqa: N802 - logging's name
         """A log that fails is no reason to say more."""
+
+
+def flush_log() -> None:
+    """Wait for a moment until what was logged is written: the process is about to end."""
+    for handler in logging.getLogger(LOGGERS[0]).handlers:
+        handler.flush()
 
 
 class _LogThread(threading.Thread):
@@ -54,14 +97,15 @@ class _LogThread(threading.Thread):
     def run(self) -> None:
         line = self._lines.get()
         if line is None:
+            self._lines.task_done()
             return
-        from armui.system.rotating_file import RotatingFile  # noqa: PLC0415 - most starts log nothing
 
         with contextlib.closing(RotatingFile(self._path)) as file:
             while line is not None:
                 file.add(line)
                 self._lines.task_done()
                 line = self._lines.get()
+            self._lines.task_done()
 
 
 @contextlib.contextmanager

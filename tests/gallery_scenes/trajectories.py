@@ -12,7 +12,7 @@ from PySide6.QtWidgets import QComboBox, QWidget
 
 from armui.arm.model_check import ModelFit
 from armui.control.parameters.arm_model import arm_model
-from armui.protocol.piper_model import PiperModel
+from armui.protocol.generation import PiperModel
 from armui.trajectory.columns import ColumnQuantity
 from armui.trajectory.library.store import Library
 from armui.ui.dialogs.files import FileDialog

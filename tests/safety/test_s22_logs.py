@@ -9,6 +9,7 @@ import argparse
 import base64
 import json
 import math
+from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
@@ -18,9 +19,17 @@ from PySide6.QtCore import Qt
 
 from armui import decode, export
 from armui.protocol.generation import Generation
+from armui.session.exports.export import export_log
+from armui.session.exports.request import (
+    ArmWishes,
+    ExportCancelledError,
+    ExportFormat,
+    ExportRequest,
+)
 from armui.session.frames import LATEST_S, NotALogError
 from armui.session.gather import FURTHER_CHANNELS
 from armui.session.log_model import told_firmware, told_model
+from armui.session.reader import LogFile
 from armui.session.recording import index_file, sidecar
 from armui.session.recording.counted import counts_in
 from armui.session.recording.folder import list_recordings, rename, throw_away
@@ -33,8 +42,8 @@ from armui.ui.watch.recordings.sessions_model import SessionColumn
 from armui.ui.watch.recordings.sessions_window import SessionsWindow
 from armui.ui.watch.replay.log_time import duration, moment
 from armui.ui.watch.replay.mark_text import mark_text
+from tests.bus.playback.logs import Player
 from tests.operator_replay import Replay
-from tests.playback.logs import Player
 from tests.session.indexed import open_indexed
 from tests.session.recording.made import recorded, taken
 from tests.session.recordings import START_S, frames, greeting
@@ -146,6 +155,21 @@ def test_one_time_that_is_none_costs_itself(some, tmp_path):
     session.close()
 
 
+@pytest.mark.parametrize("together", [1, 2])
+def test_a_clock_that_is_set_back_again_and_again_stays_in_the_calendar(together, some, tmp_path):
+    """Each time all that follows was moved up by as much: to the year 4500 and on."""
+    said = [
+        (-2 * START_S if row % 100 < together else at_s, frame)
+        for row, (at_s, frame) in enumerate(some)
+    ]
+    session = open_indexed(as_csv(tmp_path / "a.csv", said, float))
+    assert session.frames == len(some)
+    assert -LATEST_S <= session.start_s <= session.end_s <= LATEST_S
+    if together == 1:  # each costs itself
+        assert session.end_s == pytest.approx(some[-1][0], abs=1e-5)
+    session.close()
+
+
 @pytest.mark.parametrize("name", ["x 1e6", "x 1e12", "all at 1e308", "up to 1e308", "negative µs"])
 def test_the_window_of_such_a_replay_opens_plays_and_closes(
     name, some, tmp_path, app_driver, monkeypatch
@@ -172,6 +196,35 @@ def test_no_time_is_more_than_a_calendar_has(at_s):
     assert 0.0 <= in_calendar_s(at_s) <= LATEST_S
     assert figures.moment(at_s) == "—"
     assert moment(at_s)
+
+
+@pytest.mark.parametrize("suffix", [".log", ".csv"])
+def test_a_large_text_is_looked_up_from_often(suffix, some, tmp_path):
+    """How far it is, and whether anybody still wants it: every half megabyte at most.
+
+    300 MB take a minute; a process that reads 2 MB/s looks up four times a second.
+    """
+    if suffix == ".log":
+        path = candump(tmp_path / "a.log", some * 10)
+    else:
+        path = as_csv(tmp_path / "a.csv", some * 10, float)
+    with LogFile(path) as log:
+        places = [0, *(log.position for _batch in log.batches())]
+    assert places[-1] == path.stat().st_size > 2e6
+    assert max(b - a for a, b in pairwise(places)) <= 2**19
+    asked: list[bool] = []
+
+    def is_wanted() -> bool:
+        asked.append(True)
+        return len(asked) < 3
+
+    wishes = ArmWishes(None, None, None, None)
+    target = tmp_path / "b.csv"
+    request = ExportRequest(path, target, ExportFormat.CSV, 0.0, math.inf, wishes)
+    with pytest.raises(ExportCancelledError):
+        export_log(request, is_wanted=is_wanted)
+    assert len(asked) == 3
+    assert [each.name for each in tmp_path.iterdir()] == [path.name]
 
 
 # --- channels -----------------------------------------------------------------------------------

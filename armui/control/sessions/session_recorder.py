@@ -15,16 +15,15 @@ from PySide6.QtCore import QObject, QTimer, Signal
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.control.events import EventCode
+from armui.control.operations.started import Ending, Started
 from armui.control.sessions.choices import SessionChoices
 from armui.control.sessions.event_feed import EventFeed
 from armui.control.sessions.mf4_making import Mf4Making
 from armui.control.sessions.progress import RecordingProgress, RingContent
 from armui.control.sessions.ring_saving import SaveAtFaults
 from armui.control.sessions.sidecar_lines import SidecarLines
-from armui.session.recording.kinds import MF4_SUFFIX
+from armui.session.recording.kinds import MF4_SUFFIX, is_name, name_for, why_not_written
 from armui.session.recording.lane import FrameLane
-from armui.session.recording.names import is_name, name_for
-from armui.session.recording.problems import why_not_written
 from armui.session.session import MarkKind
 from armui.system import paths
 
@@ -32,8 +31,7 @@ if TYPE_CHECKING:
     from armui.bus.link import BusReport
     from armui.control.context import Context
     from armui.control.sessions.event_feed import FedEvent
-    from armui.session.recording.collector import Collector
-    from armui.session.recording.ring import FrameRing
+    from armui.session.recording.collector import Collector, FrameRing
     from armui.session.recording.session_recording import SessionRecording
     from armui.session.recording.sidecar import Line
     from armui.session.recording.writer import RecordingPlan
@@ -77,6 +75,7 @@ class SessionRecorder(QObject):
         self._ring: FrameRing | None = None
         self._collector: Collector | None = None
         self._recording: SessionRecording | None = None
+        self._started: dict[SessionRecording, Started] = {}
         self._ending: list[SessionRecording] = []
         self._saver: ThreadPoolExecutor | None = None
         self._saving: Future[Path] | None = None
@@ -166,7 +165,8 @@ class SessionRecorder(QObject):
         collector.add(self._recording.put)
         self._note_facts()
         self._timer.start()
-        self._context.tell(EventCode.SESSION_STARTED, name=plan.name)
+        started = self._started[self._recording] = Started("session.record")
+        self._context.tell(EventCode.SESSION_STARTED, started, name=plan.name)
         self.changed.emit()
         return None
 
@@ -264,8 +264,7 @@ class SessionRecorder(QObject):
     def _begin_collecting(self) -> Collector:
         """From the first device, or the first wish, on."""
         # numpy comes with the first device: the window starts without it
-        from armui.session.recording.collector import Collector  # noqa: PLC0415
-        from armui.session.recording.ring import FrameRing  # noqa: PLC0415
+        from armui.session.recording.collector import Collector, FrameRing  # noqa: PLC0415
 
         if self._collector is None or self._ring is None:
             self._ring = FrameRing(KEPT_S)
@@ -284,7 +283,7 @@ class SessionRecorder(QObject):
             error = recording.failure
             reason = why_not_written(error or OSError("unknown"), recording.plan.folder)
             self._end(recording, "failure")
-            self._context.tell(EventCode.SESSION_FAILED, reason=reason)
+            self._close(recording, Ending.FAILED, EventCode.SESSION_FAILED, reason=reason)
             self.changed.emit()
         elif recording is not None and (lost := self._lost(recording)) > self._lost_told:
             count, self._lost_told = lost - self._lost_told, lost
@@ -294,13 +293,18 @@ class SessionRecorder(QObject):
             if each.failure is None:
                 size = f"{each.total_bytes / 1e6:.1f}"
                 figures = {"name": each.name or "", "frames": each.frames, "size": size}
-                self._context.tell(EventCode.SESSION_ENDED, **figures)
+                self._close(each, Ending.DONE, EventCode.SESSION_ENDED, **figures)
                 if each.frames:
                     self._begin_mf4(each.plan, each.name or "")
             else:
                 reason = why_not_written(each.failure, each.plan.folder)
-                self._context.tell(EventCode.SESSION_FAILED, reason=reason)
+                self._close(each, Ending.FAILED, EventCode.SESSION_FAILED, reason=reason)
             self.changed.emit()
+
+    def _close(
+        self, recording: SessionRecording, ending: Ending, code: EventCode, **params: object
+    ) -> None:
+        self._context.close(self._started.pop(recording, None), ending, code, **params)
 
     def _follow_saving(self) -> None:
         saving = self._saving

@@ -9,9 +9,8 @@ from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QWidget
 
 from armui.arm.refusal import Refusal
-from armui.doctor.adapters import adapter_trouble
-from armui.doctor.finding import Diagnosis
-from armui.doctor.report import Words
+from armui.doctor.facts import Diagnosis
+from armui.doctor.report import Words, adapter_trouble
 from armui.ui.background import Background, Job
 from armui.ui.dialogs.finding_row import FindingRow
 from armui.ui.widgets.layouts import in_column

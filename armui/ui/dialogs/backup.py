@@ -15,8 +15,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from armui.arm.backup import SUFFIX, Backup
-from armui.arm.comparison import ComparisonVerdict, compare
+from armui.arm.backup import SUFFIX, Backup, ComparisonVerdict, compare
 from armui.arm.models import model_data
 from armui.arm.parameters import Parameter, factory_bound
 from armui.arm.refusal import Refusal

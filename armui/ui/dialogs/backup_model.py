@@ -11,7 +11,7 @@ from PySide6.QtCore import (
     Signal,
 )
 
-from armui.arm.comparison import ComparisonRow, ComparisonVerdict
+from armui.arm.backup import ComparisonRow, ComparisonVerdict
 from armui.arm.parameters import Parameter
 from armui.arm.refusal import Refusal
 from armui.control.parameters.setting_cell import CellState, SettingCellState

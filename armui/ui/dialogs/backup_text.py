@@ -11,8 +11,7 @@ from armui.arm.backup import Backup
 from armui.arm.models import model_data
 from armui.arm.refusal import Refusal
 from armui.control.events import Level
-from armui.protocol.generation import Generation
-from armui.protocol.piper_model import PiperModel
+from armui.protocol.generation import Generation, PiperModel
 from armui.ui import format as fmt
 from armui.ui import words
 

@@ -14,7 +14,7 @@ from PySide6.QtWidgets import QLabel, QProgressBar, QWidget
 from armui.arm.device import Device
 from armui.control.arm_controller import ArmController
 from armui.control.events import Level
-from armui.doctor.finding import Diagnosis, DiagnosisLevel, Section
+from armui.doctor.facts import Diagnosis, DiagnosisLevel, Section
 from armui.doctor.process import DoctorProcess
 from armui.doctor.report import Words, as_text
 from armui.ui.dialogs.base import ArmDialog

@@ -8,7 +8,7 @@ from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QComboBox, QLabel, QWidget
 
 from armui.arm.models import all_models, model_data
-from armui.protocol.piper_model import PiperModel
+from armui.protocol.generation import PiperModel
 from armui.ui.dialogs.device_model import same_device
 from armui.ui.theme import colors_of
 from armui.ui.widgets import icons

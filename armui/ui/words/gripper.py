@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Final
 
-from armui.arm.gripper import GripperFault
+from armui.arm.state import GripperFault
 from armui.protocol.codes import EndLoad
 from armui.ui.words.text import Texts
 

@@ -37,7 +37,7 @@ if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
     from armui.control.event_log.log_events import LoggedEvents
     from armui.protocol.generation import Generation
-    from armui.session.foreign.columns import ReadingProgress
+    from armui.session.foreign.indexed import ReadingProgress
     from armui.session.frames import Channel
     from armui.session.session import Session
     from armui.session.survey import ChannelSurvey
