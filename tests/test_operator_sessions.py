@@ -11,8 +11,7 @@ from PySide6.QtWidgets import QWidget
 from armui.session.recording.recorded_session import RecordedSession
 from armui.ui.dialogs.files import FileDialog
 from armui.ui.watch.recordings import figures
-from armui.ui.watch.recordings.sessions_model import SessionColumn
-from armui.ui.watch.recordings.sessions_window import SessionsWindow
+from armui.ui.watch.recordings.sessions_window import SessionColumn, SessionsWindow
 
 
 @pytest.fixture

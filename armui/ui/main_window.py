@@ -19,34 +19,24 @@ from armui.ui.background import Background
 from armui.ui.gamepad.gamepad_strip import GamepadStrip
 from armui.ui.panels.jogging.motion_panel import MotionPanel
 from armui.ui.picture.picture_work import PictureWork
-from armui.ui.shell.arm_in_view import show_in_view
-from armui.ui.shell.closing import close_unless_moving
 from armui.ui.shell.diagnosis_dialogs import DiagnosisDialogs
 from armui.ui.shell.drawer import Drawer
-from armui.ui.shell.failure_line import FailureLine
-from armui.ui.shell.joint_status_button import JointStatusButton
 from armui.ui.shell.layout_keeper import LayoutKeeper
-from armui.ui.shell.leaving import end_motion_then
-from armui.ui.shell.library_button import LibraryButton
-from armui.ui.shell.model_mark import ModelMark
-from armui.ui.shell.operation_area import OperationArea
+from armui.ui.shell.leaving import close_unless_moving, end_motion_then
+from armui.ui.shell.operation_area import OperationArea, menu_entries
 from armui.ui.shell.page_area import PageArea
 from armui.ui.shell.page_doings import PageDoings
-from armui.ui.shell.panel_menu import menu_entries
 from armui.ui.shell.recovery_line import RecoveryLine
-from armui.ui.shell.robot_in_view import RobotInView
+from armui.ui.shell.robot_in_view import RobotInView, show_in_view
 from armui.ui.shell.run_place import RunPlace
-from armui.ui.shell.side_menu import SideMenu
-from armui.ui.shell.status_bar import StatusBar
+from armui.ui.shell.side_menu import JointStatusButton, LibraryButton, SideMenu, WatchMenu
+from armui.ui.shell.status_bar import FailureLine, ModelMark, StatusBar
 from armui.ui.shell.top_bar import TopBar
 from armui.ui.shell.trajectory_pages import TrajectoryPages
 from armui.ui.shell.unsaved import KeepsWork, leave_then, unsaved
 from armui.ui.shell.view_region import ViewRegion
-from armui.ui.shell.watch_menu import WatchMenu
 from armui.ui.shell.watch_windows import WatchWindows
-from armui.ui.shell.window_layout import WindowLayout
-from armui.ui.shell.work_area import WorkArea
-from armui.ui.shell.work_column import WorkColumn
+from armui.ui.shell.work_area import WindowLayout, WorkArea, WorkColumn
 from armui.ui.shell.workspace import Workspace
 from armui.ui.theme import DARK, colors_of
 from armui.ui.trajectory.preview.path_preview import PathPreview
@@ -54,7 +44,7 @@ from armui.ui.trajectory.preview.preview_bar import PreviewBar
 from armui.ui.widgets.curve_menu import offer_curves
 from armui.ui.widgets.keeps_focus import KeepsFocus
 from armui.ui.widgets.layouts import in_column, in_row
-from armui.ui.widgets.page_stack import StackArea
+from armui.ui.widgets.page import StackArea
 from armui.ui.widgets.translated import Translated
 from armui.viewport import palette as scene_palette
 

@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QApplication, QDialog
 
 from armui.app import SIMULATED, open_device
 from armui.system.preload import preload
-from armui.ui.shell.panel_menu import menu_entries
+from armui.ui.shell.operation_area import menu_entries
 from tests.benchmarks import rig
 
 MOST_MS = 50.0

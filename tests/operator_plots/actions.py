@@ -10,7 +10,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QMenu, QWidget
 
 from armui.ui.watch import carrying
-from armui.ui.watch.plot_page import PlotPage
+from armui.ui.watch.plots_area import PlotPage
 
 LEFT = Qt.MouseButton.LeftButton
 

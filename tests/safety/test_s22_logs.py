@@ -29,10 +29,9 @@ from armui.session.recording.recorded_session import RecordedSession
 from armui.session.survey import survey
 from armui.system.clock import in_calendar_s, local_time
 from armui.ui.watch.recordings import figures
-from armui.ui.watch.recordings.sessions_model import SessionColumn
-from armui.ui.watch.recordings.sessions_window import SessionsWindow
+from armui.ui.watch.recordings.sessions_window import SessionColumn, SessionsWindow
 from armui.ui.watch.replay.log_time import duration, moment
-from armui.ui.watch.replay.mark_text import mark_text
+from armui.ui.watch.replay.time_line import mark_text
 from tests.operator_replay import Replay
 from tests.playback.logs import Player
 from tests.session.indexed import open_indexed

@@ -17,9 +17,8 @@ from armui.doctor.facts import CanFacts, LinkFacts, SerialPortFacts
 from armui.doctor.finding import Diagnosis
 from armui.doctor.judge_can import judge_can
 from armui.ui.background import Background
-from armui.ui.dialogs.adapter_trouble import AdapterTrouble
 from armui.ui.dialogs.confirm_dialog import ConfirmDialog
-from armui.ui.dialogs.connect import ConnectDialog
+from armui.ui.dialogs.connect import AdapterTrouble, ConnectDialog
 from armui.ui.dialogs.finding_row import FindingRow
 from armui.ui.translation import Translator
 from tests.app_driver import AtOnce

@@ -9,9 +9,8 @@ from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.control.operating_state import LinkState
 from armui.protocol.codes import ALL_LAMPS
-from armui.ui.panels.light.color_strip import ColorStrip
-from armui.ui.panels.light.hue_field import HueField
-from armui.ui.panels.light.light_panel import LightPanel
+from armui.ui.panels.hue_field import HueField
+from armui.ui.panels.light_panel import ColorStrip, LightPanel
 from armui.ui.translation import Translator
 from armui.ui.widgets.message_line import MessageLine
 from tests.ui.arm_states import operating_state

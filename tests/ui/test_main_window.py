@@ -27,7 +27,7 @@ from armui.ui.dialogs.confirm_dialog import ConfirmDialog
 from armui.ui.dialogs.settings import SettingsDialog
 from armui.ui.main_window import MainWindow
 from armui.ui.panels.jogging.motion_panel import MotionPanel
-from armui.ui.panels.light.light_panel import LightPanel
+from armui.ui.panels.light_panel import LightPanel
 from armui.ui.shell.operation_area import OperationArea
 from armui.ui.theme import LIGHT, Theme, apply_theme
 from armui.ui.translation import Translator

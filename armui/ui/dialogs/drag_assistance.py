@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QWidget
 
 from armui.control.arm_controller import ArmController
 from armui.ui.dialogs.base import ArmDialog
-from armui.ui.panels.parameters.drag_assistance_panel import DragAssistancePanel
+from armui.ui.panels.parameters.levels_panel import DragAssistancePanel
 
 _WIDTH_PX: Final = 520
 _HEIGHT_PX: Final = 700

@@ -26,14 +26,13 @@ from armui.control.events import Level
 from armui.settings import SettingsStore
 from armui.ui import format as fmt
 from armui.ui import words
-from armui.ui.dialogs.base import ArmDialog
-from armui.ui.dialogs.close_button import CloseButton
+from armui.ui.dialogs.base import ArmDialog, CloseButton
 from armui.ui.dialogs.files import choose_file
 from armui.ui.widgets.buttons import caption, named, push_button
-from armui.ui.widgets.elided_label import ElidedLabel
 from armui.ui.widgets.layouts import STRETCH, empty_grid, fill, in_row
 from armui.ui.widgets.message_line import MessageLine
 from armui.ui.widgets.repolish import repolish
+from armui.ui.widgets.text_label import ElidedLabel
 
 if TYPE_CHECKING:
     from armui.control.operating_state import OperatingState

@@ -12,14 +12,14 @@ from PySide6.QtWidgets import QApplication, QLabel, QSizePolicy, QWidget
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.ui import words
-from armui.ui.shell.page_window import PageWindow
+from armui.ui.shell.workspace import PageWindow
 from armui.ui.theme import Colors, colors_of
 from armui.ui.widgets import icons, painting
 from armui.ui.widgets.buttons import named
-from armui.ui.widgets.elided_label import ElidedLabel
 from armui.ui.widgets.hold_guard import HoldGuard
 from armui.ui.widgets.layouts import in_row
 from armui.ui.widgets.repolish import set_rank
+from armui.ui.widgets.text_label import ElidedLabel
 from armui.ui.widgets.translated import Translated
 
 if TYPE_CHECKING:

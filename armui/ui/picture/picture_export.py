@@ -10,7 +10,7 @@ from PySide6.QtGui import QGuiApplication, QImage
 
 from armui.control.events import Level
 from armui.system.atomic import write_whole
-from armui.ui.dialogs.file_export import FileExport
+from armui.ui.dialogs.files import FileExport
 
 if TYPE_CHECKING:
     from pathlib import Path

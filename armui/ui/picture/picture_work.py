@@ -8,8 +8,7 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QObject
 from PySide6.QtWidgets import QApplication, QWidget
 
-from armui.ui.panels.jogging.joint_row import JointRow
-from armui.ui.panels.jogging.motion_panel import MotionPanel
+from armui.ui.panels.jogging.motion_panel import JointRow, MotionPanel
 from armui.ui.picture.picture_export import PictureExport
 from armui.ui.picture.picture_note import PictureNote
 from armui.ui.picture.trail_keeper import TrailKeeper

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 from PySide6.QtWidgets import QWidget
 
 from armui.ui.background import Background
-from armui.ui.dialogs.online_since import OnlineSince
+from armui.ui.dialogs.about_arm import OnlineSince
 
 if TYPE_CHECKING:
     from concurrent.futures import Executor

@@ -5,8 +5,10 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Sequence
 from typing import TYPE_CHECKING, Protocol, runtime_checkable
 
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QCoreApplication, Qt
 from PySide6.QtWidgets import QWidget
+
+from armui.ui.dialogs.confirm_dialog import SaveQuestion
 
 if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
@@ -63,8 +65,6 @@ def leave_then(
         proceed()
         return
 
-    from armui.ui.shell.unsaved_question import UnsavedQuestion  # noqa: PLC0415 - faster start
-
     def discard() -> None:
         for panel in left:
             panel.discard_changes()
@@ -86,3 +86,42 @@ def save_then(panels: Sequence[KeepsDraft], proceed: Callable[[], object]) -> No
         return
     first, *rest = panels
     first.save_changes(lambda: save_then(rest, proceed))
+
+
+class UnsavedQuestion(SaveQuestion):
+    """Save to the arm, discard, or stay; withdrawn once there is nothing left to lose.
+
+    Args:
+        controller: Whom the emergency stop tells.
+        parent: The window that asks.
+        panels: Those in which something is not saved.
+    """
+
+    def __init__(
+        self, controller: ArmController, parent: QWidget, panels: Sequence[KeepsDraft]
+    ) -> None:
+        super().__init__(
+            controller,
+            parent,
+            QCoreApplication.translate(
+                "UnsavedQuestion",
+                "What you entered has not been saved to the arm. If you discard it, the arm keeps "
+                "what it holds now.",
+            ),
+            concerns_arm=True,
+        )
+        self._panels = panels
+        controller.operating_state_changed.connect(self._follow)
+        controller.settings.changed.connect(self._follow)
+        self._follow()
+
+    def holds(self) -> bool:
+        """Stay while no arm is heard: nothing can be saved then, and the button says why."""
+        return not self._controller.mark.heard or super().holds()
+
+    def _follow(self) -> None:
+        left = unsaved(self._panels)
+        reasons = (panel.why_no_saving() for panel in left)
+        self.allow_saving(next((each for each in reasons if each), ""))
+        if not left and self.isVisible():
+            self.reject()

@@ -10,7 +10,7 @@ from PySide6.QtCore import QObject
 from PySide6.QtWidgets import QDialog, QWidget
 
 from armui.control.events import EventCode
-from armui.ui.shell.watch_menu import WatchEntry
+from armui.ui.shell.side_menu import WatchEntry
 from armui.ui.words.text import Text
 
 if TYPE_CHECKING:
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from armui.settings import SettingsStore
     from armui.ui.background import Background
     from armui.ui.shell.status_bar import StatusBar
-    from armui.ui.watch.plot_page import PlotPage
+    from armui.ui.watch.plots_area import PlotPage
     from armui.ui.widgets.page import Page
 
 
@@ -108,7 +108,7 @@ class WatchWindows(QObject):
 
     def show_as_curves(self, keys: Sequence[str]) -> None:
         """Show quantities in the page 曲线, by their keys (`armui.telemetry.quantities`)."""
-        from armui.ui.watch.plot_page import PlotPage  # noqa: PLC0415 - pyqtgraph, numpy
+        from armui.ui.watch.plots_area import PlotPage  # noqa: PLC0415 - pyqtgraph, numpy
 
         def make() -> Page:
             self._plots = PlotPage(self._controller, self._background, self._settings)

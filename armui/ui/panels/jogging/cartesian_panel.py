@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import partial
 from typing import Final
 
-from PySide6.QtWidgets import QFrame
+from PySide6.QtWidgets import QButtonGroup, QFrame, QLabel, QSizePolicy, QWidget
 
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
@@ -13,20 +14,31 @@ from armui.arm.state import ArmState
 from armui.control.arm_controller import ArmController
 from armui.control.motion.jog_path import ToolJog
 from armui.control.operating_state import OperatingState
+from armui.kinematics.axes import AXES, LINEAR_AXES, JogFrame
 from armui.protocol.codes import ArmStatusCode, MoveMode
 from armui.settings import SettingsStore
+from armui.ui import format as fmt
 from armui.ui import words
 from armui.ui.freshness import is_stale
-from armui.ui.panels.jogging.arc_box import ArcBox
-from armui.ui.panels.jogging.frame_choice import FrameChoice
-from armui.ui.panels.jogging.jog_panel import JogPanel
-from armui.ui.panels.jogging.pose_extras import PoseExtras
-from armui.ui.panels.jogging.pose_rows import PoseRows
-from armui.ui.panels.jogging.taken_figures import take_figures
-from armui.ui.panels.jogging.tool_box import ToolBox
-from armui.ui.widgets.buttons import caption, push_button, show_primary
-from armui.ui.widgets.enable_or_explain import enable_or_explain
-from armui.ui.widgets.layouts import STRETCH, in_column
+from armui.ui.panels.jogging.jog_panel import JogPanel, JogSignals, take_figures
+from armui.ui.panels.jogging.pose_extras import ArcBox, PoseExtras, ToolBox
+from armui.ui.theme import scaled_font
+from armui.ui.widgets import painting
+from armui.ui.widgets.buttons import (
+    caption,
+    choice_button,
+    describe,
+    enable_or_explain,
+    named,
+    push_button,
+    show_primary,
+)
+from armui.ui.widgets.curve_menu import tell_quantities
+from armui.ui.widgets.figure_field import FigureField
+from armui.ui.widgets.jog_button import JogButton
+from armui.ui.widgets.layouts import STRETCH, in_column, in_row
+from armui.ui.widgets.text_label import ValueLabel, text_label
+from armui.ui.widgets.translated import Translated
 
 _OWN_REFUSALS: Final = frozenset(
     {ArmStatusCode.NO_SOLUTION, ArmStatusCode.SINGULARITY, ArmStatusCode.TARGET_BEYOND_LIMIT}
@@ -41,6 +53,208 @@ _KEYS: Final = (
     ("RZ", "E", "D"),
 )
 _TALLEST_CARD_PX: Final = 640
+_WIDEST: Final = "-0000.000 mm"
+_NAME_PX: Final = 34
+_SAME: Final = 0.0006
+"""Two figures that are written alike are the same."""
+
+
+class PoseRow(JogSignals):
+    """The controls of one axis; its signals carry the axis' place.
+
+    Args:
+        place: 0–5 for X, Y, Z, RX, RY, RZ.
+        name: One of them.
+        unit: ``mm`` or ``°``.
+
+    Attributes:
+        own: Whether the target was given by the operator; else it follows the arm.
+    """
+
+    def __init__(self, place: int, name: str, unit: str) -> None:
+        super().__init__()
+        painting.fill_ground(self)
+        self.name = name
+        self.own = False
+        self._unit = unit
+        self._label = QLabel(name)
+        self._label.setFont(scaled_font(self._label, 1.15, bold=True))
+        self._label.setFixedWidth(_NAME_PX)
+        self.minus = named(f"pose_minus_{name}", JogButton("−"))
+        self.plus = named(f"pose_plus_{name}", JogButton("+"))
+        self.field = named(f"pose_field_{name}", FigureField(fmt.DECIMALS, unit))
+        self.field.setTextMargins(0, 0, 28 if unit == "mm" else 5, 0)
+        self.measured = named(f"pose_measured_{name}", ValueLabel(_WIDEST))
+        kind = f"pose_{name.lower()}"
+        tell_quantities(self, *(f"{source}.{kind}" for source in ("arm", "own", "other")))
+        parts = (self._label, self.minus, (self.field, 1), self.plus, self.measured)
+        in_row(*parts, on=self, spacing=8, margins=0)
+        self._tell_presses(place, self.minus, self.plus)
+        self.field.value_edited.connect(partial(self._on_edited, place))
+        self.retranslate_ui()
+
+    def _on_edited(self, place: int) -> None:
+        self.own = bool(self.field.text())
+        self.field.show_attention(wanted=self.field.is_nonsense())
+        self.edited.emit(place)
+
+    def show_target(self, value: float | None) -> None:
+        """Give a target; ``None`` empties the field."""
+        self.own = value is not None
+        self.field.show_value(value)
+        self.field.show_attention(wanted=False)
+
+    def follow(self, value: float) -> None:
+        """Have a target that nobody gave be where the arm is."""
+        if not self.own:
+            self.field.follow(value)
+
+    def differs_from(self, value: float) -> bool:
+        """Whether the operator has given a target, and it is another figure than this."""
+        target = self.field.value
+        return self.own and (target is None or abs(target - value) > _SAME)
+
+    def show_measured(self, value: float | None, *, stale: bool) -> None:
+        """Show the measured value."""
+        self.measured.show_text(fmt.with_unit(value, self._unit), stale=stale)
+
+    def set_step(self, step: float, *, continuous: bool) -> None:
+        """How far one press of − or + goes, or whether it goes on while they are held."""
+        self.field.step = step
+        for button in (self.minus, self.plus):
+            button.continuous = continuous
+        self.retranslate_ui()
+
+    def allow_jog(self, why_not: str) -> None:
+        """Enable − and +, or disable them and say why."""
+        for button, sign in ((self.minus, "−"), (self.plus, "+")):
+            button.setEnabled(not why_not)
+            if button.continuous:
+                tip = self.tr("Moves along {axis} while it is held; let go to stop.")
+            else:
+                tip = self.tr("Moves along {axis} by {step} at once.")
+            step = f"{sign}{self.field.step:g} {self._unit}"
+            button.setToolTip(why_not or tip.format(axis=self.name, step=step))
+
+    def retranslate_ui(self) -> None:
+        """Put names and tooltips into the operator's language."""
+        self.minus.setAccessibleName(self.tr("{axis} minus").format(axis=self.name))
+        self.plus.setAccessibleName(self.tr("{axis} plus").format(axis=self.name))
+        target = self.tr("Target {axis}").format(axis=self.name)
+        describe(self.field, target, self.tr("Not sent before you press MOVE P or MOVE L."))
+        self.measured.setToolTip(self.tr("Measured by the arm"))
+
+
+class PoseRows(Translated, QWidget):
+    """Targets to type and jog.
+
+    Attributes:
+        rows: One an axis.
+    """
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._point = text_label("point_label", rank="muted")
+        self._measured_head = text_label(rank="muted")
+        self._with_tool = False
+        self.rows = [
+            PoseRow(place, name, "mm" if place < LINEAR_AXES else "°")
+            for place, name in enumerate(AXES)
+        ]
+        head = in_row(self._point, STRETCH, self._measured_head)
+        in_column(head, *self.rows, on=self, spacing=4, margins=0)
+        self.retranslate_ui()
+
+    def targets(self) -> list[float] | Refusal:
+        """The six figures, or why one of them is none."""
+        values = [row.field.value for row in self.rows]
+        targets = [value for value in values if value is not None]
+        if len(targets) == len(AXES):
+            return targets
+        return self.nonsense() or Refusal(RefusalCode.POSE_UNKNOWN)
+
+    def nonsense(self) -> Refusal | None:
+        """What is to be said against the first text that is no figure."""
+        for row in self.rows:
+            if row.field.is_nonsense():
+                return Refusal(
+                    RefusalCode.POSE_NOT_A_NUMBER, {"axis": row.name, "value": row.field.text()}
+                )
+        return None
+
+    def fill(self, pose: Sequence[float] | None) -> None:
+        """Put a pose into the fields; ``None`` empties them."""
+        for row, value in zip(self.rows, pose or (None,) * len(AXES), strict=True):
+            row.show_target(value)
+
+    def follow(self, pose: Sequence[float]) -> None:
+        """Show a pose in the fields in which no target was given."""
+        for row, value in zip(self.rows, pose, strict=True):
+            row.follow(value)
+
+    def release(self) -> None:
+        """No target is the operator's any more."""
+        for row in self.rows:
+            row.own = False
+
+    def differ_from(self, pose: Sequence[float]) -> bool:
+        """Whether a target was given that is not this pose."""
+        return any(row.differs_from(value) for row, value in zip(self.rows, pose, strict=True))
+
+    def show_measured(self, pose: Sequence[float] | None, *, stale: bool) -> None:
+        """Show what is measured."""
+        for row, value in zip(self.rows, pose or (None,) * len(AXES), strict=True):
+            row.show_measured(value, stale=stale)
+
+    def set_step(self, step: float, *, continuous: bool) -> None:
+        """How far one press of − or + goes, or whether it goes on while they are held."""
+        for row in self.rows:
+            row.set_step(step, continuous=continuous)
+
+    def allow_jog(self, why_not: str) -> None:
+        """Enable − and +, or disable them and say why."""
+        for row in self.rows:
+            row.allow_jog(why_not)
+
+    def name_point(self, *, with_tool: bool) -> None:
+        """Say which point the figures are about."""
+        self._with_tool = with_tool
+        self.retranslate_ui()
+
+    def retranslate_ui(self) -> None:
+        """Put every word into the operator's language."""
+        self._point.setText(
+            self.tr("Tool centre point") if self._with_tool else self.tr("Flange (no tool set)")
+        )
+        self._measured_head.setText(self.tr("Measured"))
+
+
+class FrameChoice(Translated, QWidget):
+    """One button a frame; one of them is chosen."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._label = QLabel()
+        self._buttons = QButtonGroup(self)
+        layout = in_row(self._label, on=self, spacing=6, margins=0)
+        for number, frame in enumerate(JogFrame):
+            button = choice_button(f"frame_{frame.value}")
+            button.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
+            self._buttons.addButton(button, number)
+            layout.addWidget(button, 1)
+        self._buttons.button(0).setChecked(True)
+        self.retranslate_ui()
+
+    @property
+    def frame(self) -> JogFrame:
+        """The chosen one."""
+        return tuple(JogFrame)[self._buttons.checkedId()]
+
+    def retranslate_ui(self) -> None:
+        """Put every word into the operator's language."""
+        self._label.setText(self.tr("− and + along"))
+        for number, text in enumerate((self.tr("Base frame"), self.tr("Tool frame"))):
+            caption(self._buttons.button(number), text)
 
 
 class CartesianPanel(JogPanel):

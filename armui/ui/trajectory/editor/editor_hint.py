@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Final
 from PySide6.QtWidgets import QTableView
 
 from armui.ui.widgets.buttons import push_button
-from armui.ui.widgets.table_hint import TableHint
+from armui.ui.widgets.table_model import TableHint
 
 if TYPE_CHECKING:
     from armui.ui.trajectory.editor.editor_actions import EditorActions

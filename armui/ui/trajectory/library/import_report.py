@@ -9,10 +9,9 @@ from PySide6.QtCore import QSize, Qt
 from PySide6.QtWidgets import QHeaderView, QPushButton, QTableWidgetItem, QWidget
 
 from armui.control.arm_controller import ArmController
-from armui.ui.dialogs.base import ArmDialog
-from armui.ui.dialogs.close_button import CloseButton
+from armui.ui.dialogs.base import ArmDialog, CloseButton
 from armui.ui.widgets.layouts import STRETCH, fill
-from armui.ui.widgets.plain_table import plain_table
+from armui.ui.widgets.table_model import plain_table
 from armui.ui.widgets.text_label import text_label
 from armui.ui.widgets.translated import Translated
 

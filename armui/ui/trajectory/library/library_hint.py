@@ -6,7 +6,7 @@ from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QTableView
 
 from armui.ui.widgets.buttons import push_button
-from armui.ui.widgets.table_hint import TableHint
+from armui.ui.widgets.table_model import TableHint
 
 
 class LibraryHint(TableHint):

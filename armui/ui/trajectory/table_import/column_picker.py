@@ -19,8 +19,8 @@ from armui.trajectory.columns import (
 )
 from armui.ui import words
 from armui.ui.widgets.buttons import named
-from armui.ui.widgets.elided_label import ElidedLabel
 from armui.ui.widgets.layouts import in_column
+from armui.ui.widgets.text_label import ElidedLabel
 from armui.ui.widgets.translated import Translated
 
 _MARGIN_PX: Final = 3

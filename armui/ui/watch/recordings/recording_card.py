@@ -7,15 +7,11 @@ from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QSize, Qt
 from PySide6.QtGui import QStandardItemModel
-from PySide6.QtWidgets import (
-    QComboBox,
-    QFrame,
-    QLabel,
-    QSpinBox,
-)
+from PySide6.QtWidgets import QCheckBox, QComboBox, QFrame, QLabel, QProgressBar, QSpinBox, QWidget
 
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
+from armui.control.sessions.session_recorder import KEPT_S
 from armui.session.recording.kinds import MF4_SUFFIX
 from armui.setting_checks import ROTATE_MAX_MB, ROTATE_MIN_MB
 from armui.ui import words
@@ -23,21 +19,22 @@ from armui.ui.background import Job
 from armui.ui.dialogs.files import choose_folder
 from armui.ui.theme import colors_of
 from armui.ui.watch.recordings import figures, recording_files
-from armui.ui.watch.recordings.callable_off import CallableOff
 from armui.ui.widgets import icons
 from armui.ui.widgets.buttons import named, push_button
-from armui.ui.widgets.elided_label import ElidedLabel
 from armui.ui.widgets.layouts import STRETCH, empty_grid, in_column, in_row
-from armui.ui.widgets.text_label import text_label
+from armui.ui.widgets.text_label import ElidedLabel, text_label
 from armui.ui.widgets.translated import Translated
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
     from armui.control.arm_controller import ArmController
     from armui.control.sessions.progress import RecordingProgress
     from armui.control.sessions.session_recorder import SessionRecorder
     from armui.setting_checks import SessionFormat
     from armui.settings import SettingsStore
     from armui.ui.background import Background
+
 
 _FORMATS: Final[tuple[tuple[SessionFormat, str], ...]] = (
     (".blf", "BLF"),
@@ -46,6 +43,132 @@ _FORMATS: Final[tuple[tuple[SessionFormat, str], ...]] = (
     (".mf4", "MF4"),
 )
 _ICON_PX: Final = 18
+_STEPS: Final = 1000
+
+
+class CallableOff(Translated, QWidget):
+    """A progress bar with a button; hidden while nothing goes on.
+
+    Args:
+        call_off: Called by the button; until that has come to its end the button cannot be pressed.
+    """
+
+    def __init__(self, call_off: Callable[[], object], parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._call_off = call_off
+        self._is_called_off = False
+        self.progress = QProgressBar()
+        self.progress.setTextVisible(False)
+        self.button = push_button(on_enter=False)
+        self.button.clicked.connect(self._on_clicked)
+        in_row((self.progress, 1), self.button, on=self, spacing=12, margins=0)
+        self.retranslate_ui()
+        self.hide()
+
+    def show_progress(self, *, making: bool, share: float | None) -> None:
+        """Show how far it is.
+
+        Args:
+            making: Whether anything goes on.
+            share: From 0 to 1; ``None``: nobody knows.
+        """
+        self._is_called_off = self._is_called_off and making
+        self.button.setEnabled(not self._is_called_off)
+        self.progress.setRange(0, 0 if share is None else _STEPS)
+        self.progress.setValue(0 if share is None else round(_STEPS * share))
+        self.setVisible(making)
+
+    def _on_clicked(self) -> None:
+        self._is_called_off = True
+        self.button.setEnabled(False)
+        self._call_off()
+
+    def retranslate_ui(self) -> None:
+        """Put the word into the operator's language."""
+        self.button.setText(self.tr("Cancel"))
+
+
+class RingCard(Translated, QFrame):
+    """The last minutes of everything on the bus.
+
+    Args:
+        sessions: Keeps them.
+        store: Keeps whether they are saved by themselves.
+    """
+
+    def __init__(self, sessions: SessionRecorder, store: SettingsStore) -> None:
+        super().__init__()
+        self._sessions = sessions
+        self._store = store
+        self.setProperty("card", True)
+        self._title = text_label(rank="heading")
+        self.content_label = text_label("ring_content")
+        self.memory_label = text_label("ring_memory", rank="muted")
+        self._bar = QProgressBar(minimum=0, maximum=round(KEPT_S), textVisible=False)
+        self._bar.setFixedHeight(6)
+        self.save_button = push_button("ring_save", primary=True)
+        self.save_button.setAutoDefault(False)
+        self.at_faults_box = named("ring_save_at_faults", QCheckBox())
+        in_column(
+            self._title,
+            self.content_label,
+            self._bar,
+            self.memory_label,
+            STRETCH,
+            self.save_button,
+            self.at_faults_box,
+            on=self,
+            spacing=8,
+            margins=(16, 12, 16, 14),
+        )
+        self.save_button.clicked.connect(lambda: self._sessions.save_ring())  # noqa: PLW0108
+        self.at_faults_box.clicked.connect(
+            lambda checked: self._store.change(session_save_at_faults=checked)
+        )
+        self.retranslate_ui()
+
+    def retranslate_ui(self) -> None:
+        """Put every word into the operator's language."""
+        self._title.setText(self.tr("The last minutes, in memory"))
+        self.at_faults_box.setText(self.tr("Save by itself at a fault or a stop"))
+        self.at_faults_box.setToolTip(
+            self.tr(
+                "A few seconds after a fault or a stop, the last minutes are saved as a recording. "
+                "Faults that follow one another are saved together."
+            )
+        )
+        self.refresh()
+
+    def refresh(self) -> None:
+        """Show what is kept now."""
+        ring = self._sessions.ring()
+        self.at_faults_box.setChecked(self._store.settings.session_save_at_faults)
+        self._bar.setValue(round(min(ring.span_s, KEPT_S)))
+        saving = self._sessions.saving
+        self.save_button.setText(
+            self.tr("Saving…") if saving else self.tr("Save what just happened")
+        )
+        self.save_button.setEnabled(bool(ring.frames) and not saving)
+        if not ring.frames:
+            self.content_label.setText(self.tr("Nothing heard yet"))
+            self.memory_label.setText(
+                self.tr("Everything on the bus, for {minutes} minutes.").format(
+                    minutes=round(KEPT_S / 60)
+                )
+            )
+            return
+        self.content_label.setText(
+            self.tr("{length} of {minutes} minutes · {frames} frames").format(
+                length=figures.length(ring.span_s),
+                minutes=round(KEPT_S / 60),
+                frames=figures.count(ring.frames),
+            )
+        )
+        self.memory_label.setText(
+            self.tr("{now} of memory, {most} at most").format(
+                now=figures.size(ring.bytes_kept), most=figures.size(ring.most_bytes)
+            )
+        )
 
 
 class RecordingCard(Translated, QFrame):
