@@ -16,6 +16,12 @@ from armui.control.devices.joint_monitor import JointMonitor
 from armui.control.operating_state import OperatingState, StopState
 from armui.ui.actions.window_actions import WindowActions
 from armui.ui.background import Background
+from armui.ui.dialogs.backup import BackupDialog
+from armui.ui.dialogs.connect import ConnectDialog
+from armui.ui.dialogs.help import HelpDialog
+from armui.ui.dialogs.joint_status import JointStatusDialog
+from armui.ui.dialogs.kept_models import KeptModels
+from armui.ui.dialogs.settings import SettingsDialog
 from armui.ui.gamepad.gamepad_strip import GamepadStrip
 from armui.ui.panels.jogging.motion_panel import MotionPanel
 from armui.ui.picture.picture_work import PictureWork
@@ -246,9 +252,6 @@ class MainWindow(Translated, KeepsFocus, QWidget):
         """Show the window 连接机械臂 (manual 1.0.1)."""
 
         def make() -> QDialog:
-            from armui.ui.dialogs.connect import ConnectDialog  # noqa: PLC0415 - faster start
-            from armui.ui.dialogs.kept_models import KeptModels  # noqa: PLC0415 - as above
-
             kept = KeptModels(self._preferences)
             dialog = ConnectDialog(
                 self._controller, self, self._leave_arm_then, kept, self._background
@@ -260,23 +263,13 @@ class MainWindow(Translated, KeepsFocus, QWidget):
 
     def open_joint_status_dialog(self) -> None:
         """Show the window 关节状态 (manual 1.0.10)."""
-
-        def make() -> QDialog:
-            from armui.ui.dialogs.joint_status import JointStatusDialog  # noqa: PLC0415 - faster start
-
-            return JointStatusDialog(self._controller, self._joint_monitor, self)
-
-        self._open("joint_status", make)
+        self._open(
+            "joint_status", lambda: JointStatusDialog(self._controller, self._joint_monitor, self)
+        )
 
     def open_backup_dialog(self) -> None:
         """Show the window 参数备份."""
-
-        def make() -> QDialog:
-            from armui.ui.dialogs.backup import BackupDialog  # noqa: PLC0415 - faster start
-
-            return BackupDialog(self._controller, self._background, self)
-
-        self._open("backup", make)
+        self._open("backup", lambda: BackupDialog(self._controller, self._background, self))
 
     def open_library_window(self) -> None:
         """Show 轨迹库 (manual 1.0.9): the page one was at, or, if that is seen, the library."""
@@ -295,20 +288,12 @@ class MainWindow(Translated, KeepsFocus, QWidget):
 
     def open_help_dialog(self) -> None:
         """Show how the 3D view is used."""
-
-        def make() -> QDialog:
-            from armui.ui.dialogs.help import HelpDialog  # noqa: PLC0415 - faster start
-
-            return HelpDialog(self._controller, self)
-
-        self._open("help", make)
+        self._open("help", lambda: HelpDialog(self._controller, self))
 
     def open_settings_dialog(self) -> None:
         """Show the program's settings."""
 
         def make() -> QDialog:
-            from armui.ui.dialogs.settings import SettingsDialog  # noqa: PLC0415 - faster start
-
             dialog = SettingsDialog(self._preferences, self._controller, self)
             self._view.load_failed.connect(dialog.show_robot_problem)
             dialog.diagnosis_wanted.connect(self._diagnosis.open_doctor)

@@ -28,6 +28,7 @@ from armui.ui import format as fmt
 from armui.ui import words
 from armui.ui.dialogs.base import ArmDialog, CloseButton
 from armui.ui.dialogs.files import choose_file
+from armui.ui.gamepad.gamepad_dialog import GamepadDialog
 from armui.ui.widgets.buttons import caption, named, push_button
 from armui.ui.widgets.layouts import STRETCH, empty_grid, fill, in_row
 from armui.ui.widgets.message_line import MessageLine
@@ -36,7 +37,6 @@ from armui.ui.widgets.text_label import ElidedLabel
 
 if TYPE_CHECKING:
     from armui.control.operating_state import OperatingState
-    from armui.ui.gamepad.gamepad_dialog import GamepadDialog
 
 _SIZE_PX: Final = (680, 500)
 _STEP_WIDTH_PX: Final = 110
@@ -237,8 +237,6 @@ class SettingsDialog(ArmDialog):
         self._show_problem(self._store.change(jog_floor_mm=height))
 
     def _on_gamepad(self) -> None:
-        from armui.ui.gamepad.gamepad_dialog import GamepadDialog  # noqa: PLC0415 - faster start
-
         if self._gamepad_dialog is None:
             self._gamepad_dialog = GamepadDialog(self._store, self._controller, self.parentWidget())
             self._gamepad_dialog.finished.connect(self._refresh)

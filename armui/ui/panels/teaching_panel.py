@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from typing import TYPE_CHECKING, Final, TypeVar
+from typing import Final, TypeVar
 
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QFrame, QGridLayout, QLabel, QPushButton, QToolButton
@@ -19,6 +19,7 @@ from armui.protocol.codes import TeachingState, TrajectoryCommand
 from armui.ui import format as fmt
 from armui.ui import words
 from armui.ui.dialogs.confirm_dialog import confirm
+from armui.ui.dialogs.drag_assistance import DragAssistanceDialog
 from armui.ui.freshness import is_stale
 from armui.ui.panels.panel import Panel
 from armui.ui.widgets.buttons import caption, enable_or_explain, named
@@ -26,10 +27,6 @@ from armui.ui.widgets.hold_button import HoldButton
 from armui.ui.widgets.layouts import STRETCH, empty_grid, in_column, in_row, scrolled
 from armui.ui.widgets.text_label import text_label
 from armui.ui.words.text import Texts
-
-if TYPE_CHECKING:
-    from armui.ui.dialogs.drag_assistance import DragAssistanceDialog
-
 
 _Key = TypeVar("_Key")
 
@@ -224,10 +221,6 @@ class TeachingPanel(Panel):
 
     def _open_assistance(self) -> None:
         if self._assistance is None:
-            from armui.ui.dialogs.drag_assistance import (  # noqa: PLC0415 - few open it
-                DragAssistanceDialog,
-            )
-
             self._assistance = DragAssistanceDialog(
                 self._controller, self._open_backup, self.window()
             )

@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QWidget
 
 from armui.control.motion.motion_command import Mover
 from armui.control.operating_state import StopState
-from armui.ui.dialogs.confirm_dialog import confirm
+from armui.ui.dialogs.confirm_dialog import CloseQuestion, confirm
 
 if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
@@ -185,7 +185,6 @@ def _ask_how_to_close(
     window: QWidget, controller: ArmController, close_now: Callable[[], object]
 ) -> None:
     """This program moves the arm: its motion is ended unless the operator lets it finish."""
-    from armui.ui.dialogs.confirm_dialog import CloseQuestion  # noqa: PLC0415 - faster start
 
     def let_finish() -> None:
         controller.let_motion_finish()

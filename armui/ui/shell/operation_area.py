@@ -3,35 +3,27 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from functools import partial
-from importlib import import_module
-from typing import TYPE_CHECKING, Final, Protocol, runtime_checkable
+from typing import TYPE_CHECKING, Protocol, runtime_checkable
 
 from PySide6.QtWidgets import QStackedWidget, QWidget
 
 from armui.ui.actions.places import PLACES
+from armui.ui.panels.gripper_panel import GripperPanel
+from armui.ui.panels.jogging.cartesian_panel import CartesianPanel
+from armui.ui.panels.jogging.motion_panel import MotionPanel
+from armui.ui.panels.light_panel import LightPanel
+from armui.ui.panels.linkage_panel import LinkagePanel
+from armui.ui.panels.motor_panel import MotorPanel
+from armui.ui.panels.parameters.end_load_panel import EndLoadPanel
+from armui.ui.panels.parameters.joint_settings_panel import JointSettingsPanel
+from armui.ui.panels.parameters.levels_panel import CollisionPanel
+from armui.ui.panels.parameters.listed_panels import EndLimitsPanel, GripperSettingsPanel
+from armui.ui.panels.teaching_panel import TeachingPanel
 from armui.ui.shell.side_menu import MenuEntry
 
 if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
     from armui.settings import SettingsStore
-
-
-# key, module and class below `armui.ui.panels`, what the panel gets beside the controller
-_PANELS: Final = (
-    ("motion", "jogging.motion_panel.MotionPanel", "jog_step"),
-    ("cartesian", "jogging.cartesian_panel.CartesianPanel", "preferences"),
-    ("light", "light_panel.LightPanel", ""),
-    ("linkage", "linkage_panel.LinkagePanel", ""),
-    ("joint_settings", "parameters.joint_settings_panel.JointSettingsPanel", "open_backup"),
-    ("end_limits", "parameters.listed_panels.EndLimitsPanel", "open_backup"),
-    ("collision", "parameters.levels_panel.CollisionPanel", "open_backup"),
-    ("motor", "motor_panel.MotorPanel", ""),
-    ("gripper", "gripper_panel.GripperPanel", ""),
-    ("gripper_settings", "parameters.listed_panels.GripperSettingsPanel", "open_backup"),
-    ("end_load", "parameters.end_load_panel.EndLoadPanel", "preferences"),
-    ("teaching", "teaching_panel.TeachingPanel", "open_backup"),
-)
 
 
 def menu_entries(
@@ -44,23 +36,21 @@ def menu_entries(
         preferences: What the operator chose.
         open_backup: Opens the window 参数备份.
     """
-    more: dict[str, Callable[[], Sequence[object]]] = {
-        "": tuple,
-        "jog_step": lambda: (preferences.settings.jog_step_deg,),
-        "preferences": lambda: (preferences,),
-        "open_backup": lambda: (open_backup,),
+    panels: dict[str, Callable[[], QWidget]] = {
+        "motion": lambda: MotionPanel(controller, preferences.settings.jog_step_deg),
+        "cartesian": lambda: CartesianPanel(controller, preferences),
+        "light": lambda: LightPanel(controller),
+        "linkage": lambda: LinkagePanel(controller),
+        "joint_settings": lambda: JointSettingsPanel(controller, open_backup),
+        "end_limits": lambda: EndLimitsPanel(controller, open_backup),
+        "collision": lambda: CollisionPanel(controller, open_backup),
+        "motor": lambda: MotorPanel(controller),
+        "gripper": lambda: GripperPanel(controller),
+        "gripper_settings": lambda: GripperSettingsPanel(controller, open_backup),
+        "end_load": lambda: EndLoadPanel(controller, preferences),
+        "teaching": lambda: TeachingPanel(controller, open_backup),
     }
-
-    def make(place: str, needs: str) -> QWidget:
-        module, _, name = place.rpartition(".")
-        panel: QWidget = getattr(import_module(f"armui.ui.panels.{module}"), name)(
-            controller, *more[needs]()
-        )
-        return panel
-
-    return tuple(
-        MenuEntry(key, PLACES[key], partial(make, place, needs)) for key, place, needs in _PANELS
-    )
+    return tuple(MenuEntry(key, PLACES[key], make_panel) for key, make_panel in panels.items())
 
 
 @runtime_checkable

@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from typing import Final
 
+from armui.arm.parameters import KINDS, Parameter
 from armui.arm.refusal_codes import RefusalCode
+from armui.ui.words.parameters import full_name, value_text
 from armui.ui.words.text import Texts
 
 FILE_REFUSALS: Final = Texts("Refusal") | {
@@ -417,9 +419,6 @@ def with_units(params: dict[str, object]) -> dict[str, object]:
     name = params.get("parameter")
     if name is None:
         return params
-    from armui.arm.parameters import KINDS, Parameter  # noqa: PLC0415 - faster start
-    from armui.ui.words.parameters import full_name, value_text  # noqa: PLC0415 - as above
-
     if not isinstance(name, str) or name not in KINDS:
         return params
     joint = params.get("joint")

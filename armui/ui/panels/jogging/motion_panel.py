@@ -14,6 +14,7 @@ from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import ArmState
 from armui.control.arm_controller import ArmController
+from armui.control.motion.jog_path import JointJog
 from armui.ui import format as fmt
 from armui.ui import words
 from armui.ui.actions.keys import keys_of
@@ -346,8 +347,6 @@ class MotionPanel(JogPanel):
             self._show_message()
 
     def _on_held(self, joint: int, direction: int) -> None:
-        from armui.control.motion.jog_path import JointJog  # noqa: PLC0415 - faster start
-
         if self._accepted(self._controller.jogging.start(JointJog(joint, direction))):
             self._release(joint)
 
