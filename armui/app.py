@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import gc
+import importlib
 import logging
 import os
+import pkgutil
 import sys
 import threading
 from collections.abc import Callable, Iterator
@@ -32,13 +34,13 @@ from armui.system import failures, paths
 from armui.system.failures import Failure, FailureHandler
 from armui.system.helper_process import FileThread, HelperProcess
 from armui.system.log_file import log_to
-from armui.system.quick_start import begun
 from armui.system.thread_priority import raise_in_background
 from armui.ui.dialogs.kept_models import KeptModels, NodeKeeper, last_model
 from armui.ui.garbage import GarbageSearch
 from armui.ui.main_window import MainWindow
 from armui.ui.theme import Theme, apply_theme, make_application
 from armui.ui.translation import Translator
+from armui.ui.widgets.icons import load_all as load_icons
 from armui.ui.widgets.stop_shortcut import StopShortcut
 from armui.viewport.view import ArmView
 
@@ -59,6 +61,19 @@ the bus thread and once for the simulated arm's, is what a pressed stop would wa
 _CONNECTED_MS: Final = 5000
 _THREADS_BEGUN_MS: Final = 500
 _LOOK_AT_FILES_MS: Final = 1000
+
+_LATE_ROOMS: Final = (
+    "arm",
+    "kinematics",
+    "protocol",
+    "session.recording",
+    "telemetry",
+    "trajectory",
+    "bus",
+    "control",
+    "ui",
+)
+"""Where modules are that a page imports when it is opened."""
 
 
 class _FailureRelay(QObject):
@@ -280,7 +295,7 @@ def _run_window(
     system_end: SystemEnd,
 ) -> int:
     program.window.show()
-    _preload_when_idle(app, then=program.window.page_doings.reopen)
+    _load_pages_when_idle(app, then=program.window.page_doings.reopen)
     _GoingFirst(app, program.controller)
     device = chosen_device(options)
     if device is not None:
@@ -296,16 +311,14 @@ def _run_window(
     return app.exec()
 
 
-def _preload_when_idle(app: QApplication, then: Callable[[], object]) -> None:
-    """Load the rest of the program while the operator has not asked for anything yet.
+def _load_pages_when_idle(app: QApplication, then: Callable[[], object]) -> None:
+    """Load the pages while the operator has not asked for any yet.
 
     Args:
         app: Qt's application.
-        then: Called when all is loaded.
+        then: Called when all are loaded.
     """
-    from armui.system import preload  # noqa: PLC0415 - faster start
-
-    left = preload.steps()
+    left = load_pages()
     timer = QTimer(app, interval=0)
 
     def load() -> None:
@@ -317,13 +330,29 @@ def _preload_when_idle(app: QApplication, then: Callable[[], object]) -> None:
     timer.start()
 
 
+def load_pages() -> Iterator[str]:
+    """Import the modules that are imported late, where a page is opened, and read the icons.
+
+    One at each step: read from the disk only when a page is opened, they would hold the GUI thread,
+    and a stop that is pressed meanwhile, for half a second. Imported as a statement does: PySide
+    reads the source of each module at the first statement that imports it, loaded or not.
+    """
+    for room in _LATE_ROOMS:
+        package = importlib.import_module(f"armui.{room}")
+        for module in pkgutil.walk_packages(package.__path__, f"armui.{room}."):
+            __import__(module.name, fromlist=["__name__"])
+            yield module.name
+    load_icons()
+    yield "icons"
+
+
 def keep_from_collector() -> None:
     """What the program was built from is no garbage: do not search it over and over.
 
     That would stop every thread, the stop's too, for tens of milliseconds at a time. The libraries
     of a first connection follow within seconds. What comes later is searched in this thread alone.
     """
-    begun()
+    gc.freeze()
     app = QApplication.instance()
     if app is not None:
         GarbageSearch(app)

@@ -66,9 +66,6 @@ def _run_window(parser: argparse.ArgumentParser, options: argparse.Namespace) ->
         )
         return 2
     try:
-        from armui.system.quick_start import begin_quickly  # noqa: PLC0415 - as below
-
-        begin_quickly()
         from armui import app  # noqa: PLC0415 - Qt is loaded only for the window
         from armui.start import StartOptions  # noqa: PLC0415 - needs packages that may be missing
     except ImportError as error:  # a package, or a system library that Qt wants

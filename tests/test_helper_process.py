@@ -11,7 +11,7 @@ from pathlib import Path
 import pytest
 
 from armui.system.helper_process import HelperProcess
-from armui.trajectory.planning.preflight import CheckRequest, preflight, warm_up
+from armui.trajectory.planning.check import CheckRequest, preflight, warm_up
 from tests.trajectory.arms import ARM, joint, run
 
 MOST_S = 60.0

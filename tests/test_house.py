@@ -101,7 +101,7 @@ OPENED_ELSEWHERE = {
     "armui.session.foreign.indexed: numpy.memmap": "an opened file",
     "armui.session.foreign.indexing: numpy.fromfile": "an opened file",
     "armui.session.foreign.indexing: .tofile": "an opened file",
-    "armui.trajectory.files.figures: numpy.loadtxt": "lines",
+    "armui.trajectory.files.text: numpy.loadtxt": "lines",
     "armui.trajectory.files.npz_file: numpy.savez": "a stream in memory",
     "armui.trajectory.files.npz_file: zipfile.ZipFile": "an opened file, or bytes",
     "armui.viewport.process.urdf_file: yourdfpy.URDF.load": "bytes",

@@ -11,7 +11,7 @@ from datetime import datetime
 from enum import StrEnum, unique
 from typing import Final
 
-from armui.telemetry.event_level import Level
+from armui.telemetry.events import Level
 
 __all__ = ["LINK_BREAKS", "Event", "EventCode", "Level"]
 

@@ -13,8 +13,16 @@ from enum import StrEnum
 from typing import Final
 
 from armui.gamepad.device_state import DeviceState
-from armui.gamepad.layout import Assignment, JogMode, deflections
-from armui.gamepad.shaping import DEAD_ZONES, centred, shaped, speed_share, strongest
+from armui.gamepad.layout import (
+    DEAD_ZONES,
+    Assignment,
+    JogMode,
+    centred,
+    deflections,
+    shaped,
+    speed_share,
+    strongest,
+)
 
 UNATTENDED_S: Final = 10.0
 """So long a hold lasts without any movement of the device."""

@@ -25,7 +25,7 @@ _HINTS: Final = {
 
 
 class SdlGamepads:
-    """See :class:`armui.gamepad.backend.DeviceBackend`."""
+    """See :class:`armui.gamepad.device_reader.DeviceBackend`."""
 
     package = "pysdl2"
 

@@ -12,12 +12,13 @@ import numpy.typing as npt
 from armui.kinematics import parallel
 from armui.kinematics.geometry import Geometry, Wrist
 from armui.kinematics.poses import Matrix, wrapped_deg
-from armui.kinematics.spherical import arm_joints, hand_orientations
-from armui.kinematics.spherical_wrist import (
+from armui.kinematics.spherical import (
     STRETCHED_DEG,
+    arm_joints,
     bend_deg,
     bent_wrist,
     continued,
+    hand_orientations,
     stretched_wrist,
 )
 

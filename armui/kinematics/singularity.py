@@ -11,9 +11,8 @@ from typing import Final, TypeVar
 import numpy as np
 import numpy.typing as npt
 
-from armui.kinematics.forward import plane_vectors
+from armui.kinematics.forward import SIDE, plane_vectors, stacked
 from armui.kinematics.geometry import Geometry, Wrist
-from armui.kinematics.jacobian import jacobians
 from armui.kinematics.poses import Matrix
 
 _Figure = TypeVar("_Figure", float, Matrix)
@@ -28,6 +27,26 @@ _STEEPEST_DEG: Final = 5.0
 """A joint that would turn further in a fine step of a path is at a singular pose."""
 JITTER_DEG: Final = 0.01
 """But this much is rounding, in however short a step."""
+
+
+def jacobians(geometry: Geometry, joints_deg: Matrix) -> Matrix:
+    """The Jacobian of the flange at (…, 6) joint angles.
+
+    Returns:
+        (…, 6, 6): rows are its velocity in m/rad, then its angular velocity in rad/rad.
+    """
+    arm = plane_vectors(geometry, joints_deg)
+    up, shoulder = (0.0, 0.0, 1.0), (0.0, 0.0, geometry.base_mm)
+    shape = (*joints_deg.shape[:-1], 3)
+    axes, origins = (
+        np.stack([np.broadcast_to(stacked(arm.turned(each)), shape) for each in vectors], axis=-1)
+        for vectors in (
+            (up, SIDE, SIDE, arm.axis_4, arm.bend_axis, arm.hand),
+            (shoulder, shoulder, arm.elbow, arm.wrist, arm.centre, arm.centre),
+        )
+    )
+    levers_m = (stacked(arm.turned(arm.flange))[..., None] - origins) / 1e3
+    return np.concatenate((np.cross(axes, levers_m, axis=-2), axes), axis=-2)
 
 
 def margins(geometry: Geometry, joints_deg: Matrix) -> Matrix:

@@ -1,19 +1,76 @@
-"""The role beside another arm: when a kept setting (0x470) takes effect, and what a leader does."""
+"""The role beside another arm (0x470): when it takes effect, and what a leader does and sends."""
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Final
 
-from armui.protocol.codes import ControlMode, LeaderZero, LinkageRole
+from armui.arm.limits import JOINTS
+from armui.protocol.addressing import Addressing
+from armui.protocol.codec import Codec
+from armui.protocol.codes import ControlMode, LeaderZero, LinkageRole, MoveMode
 from armui.protocol.frame import Frame
-from armui.sim.feedback.linkage import LinkedInput
+from armui.protocol.generation import Generation
+from armui.sim.feedback import FrameCache
 from armui.sim.mechanics.gripper import SimulatedGripper
-from armui.sim.mechanics.powered_joints import STANDSTILL
+from armui.sim.mechanics.powered_joints import STANDSTILL, SixValues
 from armui.sim.parameters.settings import LinkageSettings
 
 if TYPE_CHECKING:
     from armui.sim.firmware import Firmware
+
+
+CONTROL: Final = frozenset(
+    (
+        *("MotionCommand", "ModeControl", "ArcPoint", "GripperCommand", "MotorEnable"),
+        *("CartesianTarget1", "CartesianTarget2", "CartesianTarget3"),
+        *("JointTarget12", "JointTarget34", "JointTarget56"),
+        *(f"MitControl{joint}" for joint in JOINTS),
+    )
+)
+"""The host's commands, as opposed to its settings and questions: a teaching input obeys none."""
+
+_FULL_SPEED_PERCENT: Final = 100
+_GRIPPER_TORQUE_NM: Final = 1.0
+_GRIPPER_SPEED_RAD_S: Final = math.pi
+
+
+class LinkedInput:
+    """The commands of a teaching input arm (0x470): 0x151, 0x155–0x157 and 0x159.
+
+    They have the follower's identifiers: shifted by byte 3 of 0x470.
+    """
+
+    def __init__(self, generation: Generation, target_offset: int) -> None:
+        self._cache = FrameCache(Codec(generation, Addressing(control_offset=target_offset)))
+
+    def frames(self, joints_deg: SixValues, gripper: SimulatedGripper) -> list[Frame]:
+        """The frames that send the follower to where this arm is."""
+        cache = self._cache
+        return [
+            cache.frame(
+                "ModeControl",
+                ControlMode=ControlMode.CAN_CONTROL,
+                MoveMode=MoveMode.MOVE_J,
+                SpeedPercent=_FULL_SPEED_PERCENT,
+            ),
+            *(
+                cache.frame(
+                    f"JointTarget{joint}{joint + 1}",
+                    **{f"J{joint}": joints_deg[joint - 1], f"J{joint + 1}": joints_deg[joint]},
+                )
+                for joint in JOINTS[::2]
+            ),
+            cache.frame(
+                "GripperCommand",
+                **gripper.place,
+                Torque=_GRIPPER_TORQUE_NM,
+                Speed=_GRIPPER_SPEED_RAD_S,
+                Enable=1,
+            ),
+        ]
+
 
 _TO_ZERO_SHARE: Final = 0.2
 """Share of the joints' highest speeds with which a leader goes to its zero."""

@@ -13,8 +13,7 @@ from armui.protocol.firmware_version import (
     quirks_of,
 )
 from armui.protocol.piper_model import PiperModel
-from armui.sim.mechanics.links import rigid_links
-from armui.sim.mechanics.rigid_body import RigidLink
+from armui.sim.mechanics.rigid_body import RigidLink, rigid_links
 
 SixFactors = tuple[float, ...]
 

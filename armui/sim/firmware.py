@@ -18,50 +18,47 @@ from armui.protocol.codec import Codec, InvalidFrame, InvalidFrameKind
 from armui.protocol.codes import (
     ALL_JOINTS,
     MOVE_UNCHANGED,
+    ArmStatusCode,
     ControlMode,
     LeaderZero,
     LinkageRole,
+    MotionState,
     MotorAction,
     Mounting,
     MoveMode,
     SettingIndex,
     SilenceMode,
     StopCommand,
+    TeachingState,
 )
 from armui.protocol.firmware_version import RECOMMENDED, FirmwareBug
 from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
 from armui.protocol.piper_model import PiperModel
-from armui.sim.arm_role import ArmRole
+from armui.sim.arm_role import CONTROL, ArmRole
 from armui.sim.arm_type import ArmType
 from armui.sim.condition import Condition
 from armui.sim.faults.bugs import FirmwareBugs
 from armui.sim.faults.protection import Protection
-from armui.sim.feedback.feedback import Feedback
-from armui.sim.feedback.linkage import CONTROL
-from armui.sim.feedback.schedule import FeedbackSchedule
+from armui.sim.feedback import Feedback, FeedbackSchedule
 from armui.sim.mechanics.drivers import Drivers
 from armui.sim.mechanics.gravity import Weight
 from armui.sim.mechanics.gripper import SimulatedGripper
-from armui.sim.mechanics.hand_guiding import HandGuiding
-from armui.sim.mechanics.mechanics import Mechanics
+from armui.sim.mechanics.mechanics import HandGuiding, Mechanics
 from armui.sim.mechanics.powered_joints import JOINT_COUNT, SixValues
 from armui.sim.mechanics.unpowered_joints import UnpoweredJoints
-from armui.sim.motion.motion_command import MotionCommandHandler
-from armui.sim.motion.moves import Moves
+from armui.sim.motion.moves import MotionCommandHandler, Moves
 from armui.sim.motion.teaching import SimulatedTeaching
 from armui.sim.parameters.flash import Flash, MemoryFlash
-from armui.sim.parameters.identity import version_frames
-from armui.sim.parameters.parameter_server import ParameterServer, Signals
+from armui.sim.parameters.parameter_server import ParameterServer, Signals, version_frames
 from armui.sim.parameters.settings import LinkageSettings
 from armui.sim.parameters.settings_applier import SettingsApplier
-from armui.sim.readings import Readings
 
 _NS_PER_S: Final = 1_000_000_000
 _ALL_INDICES: Final = range(JOINT_COUNT)
 
 
-class Firmware(Readings):
+class Firmware:
     """A simulated arm.
 
     Attributes:
@@ -170,6 +167,56 @@ class Firmware(Readings):
         }
 
     @property
+    def joints_deg(self) -> SixValues:
+        """Where the joints are."""
+        return self.mechanics.positions_deg
+
+    @property
+    def true_joints_deg(self) -> SixValues:
+        """Where the joints truly are, counted from the factory's zeros; nothing on the bus says."""
+        return tuple(self.mechanics.weight.true_deg(self.mechanics.positions_deg))
+
+    @property
+    def enabled(self) -> tuple[bool, ...]:
+        """Which motors have power."""
+        return self.mechanics.powered
+
+    @property
+    def status(self) -> ArmStatusCode:
+        """As 0x2A1 byte 1 tells it."""
+        return self.condition.status
+
+    @property
+    def stopped(self) -> bool:
+        """Whether an emergency stop is in force."""
+        return self.condition.stopped
+
+    @property
+    def control_mode(self) -> ControlMode:
+        """Who commands the arm."""
+        return self.condition.control_mode
+
+    @property
+    def move_mode(self) -> MoveMode:
+        """Which kind of motion targets ask for."""
+        return self.condition.move_mode
+
+    @property
+    def speed_percent(self) -> int:
+        """Share of the joints' highest speeds."""
+        return self.condition.speed_percent
+
+    @property
+    def motion_state(self) -> MotionState:
+        """Whether the last target is reached."""
+        return self.condition.motion_state
+
+    @property
+    def teaching_state(self) -> TeachingState:
+        """What drag teaching does."""
+        return self.condition.teaching_state
+
+    @property
     def targets_deg(self) -> SixValues:
         """The last joint targets it took on."""
         return self._moves.targets_deg
@@ -221,7 +268,7 @@ class Firmware(Readings):
         if handler is not None:
             answers = handler(signals)
         elif self._moves.take(name, signals):
-            answers = self._moves.answers(self._codec)
+            answers = self._moves.cpv.answers(self._codec)
         else:
             answers = self._parameter_server.handle(name, signals) or []
             self.bugs.setting_taken(name)

@@ -1,27 +1,110 @@
-"""Many frames of a log at once into the series: the same values as frame by frame."""
+"""From messages to the figures and codes of their series.
+
+One decoded message at a time, as it is heard; or the frames of a log at once, with the same values.
+"""
 
 from __future__ import annotations
 
+import math
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, fields
+from operator import itemgetter, mul
 from typing import TYPE_CHECKING, Any, Final, TypeVar
 
 import numpy as np
 
+from armui.arm.limits import JOINTS
+from armui.arm.units import DEGREES_PER
+from armui.protocol.codec import Codec, EncodeError
 from armui.protocol.columns import payload_words, signal_column
 from armui.protocol.frame import FrameFlag
-from armui.telemetry.quantities import BUS, RECORDS, Source
-from armui.telemetry.rows import factor_of, told_signals
+from armui.telemetry.quantities import BUS, RECORDS, Field, Record, Source
+from armui.telemetry.series import Row
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Mapping, Sequence
+    from collections.abc import Sequence
 
     from _typeshed import DataclassInstance
     from numpy.typing import NDArray
 
-    from armui.protocol.codec import Codec
     from armui.protocol.layout import MessageLayout
-    from armui.telemetry.quantities import Field, Record
     from armui.telemetry.series import Series
+
+_Signals = Mapping[str, float]
+_FigureMaker = Callable[[_Signals], float]
+_NAN: Final = math.nan
+
+_UNPROVEN: Final = frozenset(
+    {"SpeedPercent", "TrajectoryPoint", *(f"J{joint}LimitExceeded" for joint in JOINTS)}
+)
+"""What bytes 5 and 6 of 0x2A1 hold is known with the generation."""
+
+
+def row_of(record: Record, codec: Codec, *, proven: bool) -> Callable[[_Signals], Row] | None:
+    """What makes a row of a message's signals; ``None`` if nothing of it can be understood.
+
+    Args:
+        record: What is kept of the message.
+        codec: How it is decoded.
+        proven: The arm is known to speak this generation. Until then only what both of them say
+            alike is kept.
+    """
+    told = told_signals(record, codec, proven=proven)
+    if told is None:
+        return None
+    fields = record.fields
+    plain = all(len(field.signals) == 1 and field.signals[0] in told for field in fields)
+    if plain and not any(codec.may_lack(record.message, name) for name in told):
+        factors = [factor_of(record, field, codec) for field in fields]
+        return _plain([field.signals[0] for field in fields], factors)
+    makers = tuple(_figure_maker(record, field, codec, told) for field in fields)
+    return lambda signals: tuple([make(signals) for make in makers])
+
+
+def told_signals(record: Record, codec: Codec, *, proven: bool) -> frozenset[str] | None:
+    """The signals of a message that are understood; ``None`` if there are none; see `row_of`."""
+    if not (proven or record.common):
+        return None
+    try:
+        told = frozenset(codec.signals(record.message))
+    except EncodeError:
+        return None
+    if not proven and record.message == "ArmStatus":
+        told -= _UNPROVEN
+    return told
+
+
+def _plain(names: list[str], factors: list[float]) -> Callable[[_Signals], Row]:
+    """Two signals and more, each as it is or in another unit."""
+    values: Callable[[_Signals], Row] = itemgetter(*names)
+    if all(factor == 1 for factor in factors):
+        return values
+    return lambda signals: tuple(map(mul, values(signals), factors))
+
+
+def factor_of(record: Record, field: Field, codec: Codec) -> float:
+    """What a signal is multiplied by to have the field's unit."""
+    if not field.is_angle:
+        return 1
+    return DEGREES_PER.get(codec.unit(record.message, field.signals[0]), _NAN)
+
+
+def _figure_maker(record: Record, field: Field, codec: Codec, told: frozenset[str]) -> _FigureMaker:
+    """One figure or code of a row."""
+    bits = tuple((1 << place, name) for place, name in enumerate(field.signals) if name in told)
+    if not bits:
+        missing: float = 0 if field.is_code else _NAN
+        return lambda _signals: missing
+    if len(field.signals) > 1:
+        return lambda signals: sum(bit for bit, name in bits if signals[name] == 1)
+    name = field.signals[0]
+    factor = factor_of(record, field, codec)
+    if codec.may_lack(record.message, name):
+        return lambda signals: signals.get(name, _NAN) * factor
+    if factor == 1:
+        return itemgetter(name)
+    return lambda signals: signals[name] * factor
+
 
 NOT_OF_THE_ARM: Final = ~FrameFlag.TRANSMITTED & 0xFF
 _IDS: Final = 0x800
@@ -124,7 +207,7 @@ def _writer(
 def _maker(
     record: Record, field: Field, codec: Codec, layout: MessageLayout, told: frozenset[str]
 ) -> Callable[[NDArray[np.uint64]], NDArray[Any]]:
-    """What makes one figure or code of every row; see `armui.telemetry.rows`."""
+    """What makes one figure or code of every row; as `_figure_maker` for one."""
     bits = [(1 << place, name) for place, name in enumerate(field.signals) if name in told]
     if not bits:
         missing = 0 if field.is_code else np.nan

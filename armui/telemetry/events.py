@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import enum
 import threading
 from collections import OrderedDict
 from collections.abc import Hashable, Mapping
@@ -10,7 +11,15 @@ from datetime import datetime, timedelta
 from enum import StrEnum, unique
 from typing import Any, Final
 
-from armui.telemetry.event_level import Level
+
+class Level(enum.Enum):
+    """How grave an event is."""
+
+    INFO = enum.auto()
+    DONE = enum.auto()
+    WARNING = enum.auto()
+    FAULT = enum.auto()
+
 
 __all__ = [
     "MOST_ENTRIES",

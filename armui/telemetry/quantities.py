@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import enum
 from dataclasses import dataclass
+from functools import cache
 from typing import TYPE_CHECKING, Final
 
 from armui.arm.limits import JOINTS
+from armui.telemetry.bus_senders import Sender
 from armui.telemetry.series import Shape
 
 if TYPE_CHECKING:
@@ -263,3 +265,28 @@ def _quantities() -> Iterator[Quantity]:
 
 QUANTITIES: Final[Mapping[str, Quantity]] = {each.key: each for each in _quantities()}
 """All of them by key, in the order in which a list shows them."""
+
+
+_SOURCES: Final = {
+    Sender.ARM: Source.ARM,
+    Sender.OWN: Source.OWN,
+    Sender.OTHER: Source.OTHER,
+}
+
+
+def quantity_key(sender: Sender, message: str, signal: str) -> str | None:
+    """The key of a signal's quantity (`armui.telemetry.quantities`); ``None``: it is not kept."""
+    source = _SOURCES.get(sender)
+    return None if source is None else _keys().get((source, message, signal))
+
+
+@cache
+def _keys() -> Mapping[tuple[Source, str, str], str]:
+    places = {(each.series, each.field): each.key for each in QUANTITIES.values()}
+    return {
+        (record.source, record.message, signal): places[record.name, field.name]
+        for record in RECORDS
+        for field in record.fields
+        for signal in field.signals
+        if signal
+    }

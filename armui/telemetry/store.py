@@ -14,9 +14,8 @@ from armui.protocol.codec import Message
 from armui.protocol.codes import MotorAction, StopCommand, TrajectoryCommand
 from armui.protocol.frame import Frame, FrameFlag
 from armui.system.clock import steady_s
-from armui.telemetry.columns import NOT_OF_THE_ARM, ColumnWriter
+from armui.telemetry.columns import NOT_OF_THE_ARM, ColumnWriter, row_of
 from armui.telemetry.quantities import BUS, QUANTITIES, RECORDS, Quantity, Record, Source, Space
-from armui.telemetry.rows import row_of
 from armui.telemetry.series import KEPT_S, Row, Series
 from armui.telemetry.tap import Tap
 

@@ -9,8 +9,7 @@ import time
 import pytest
 from PySide6.QtWidgets import QApplication, QDialog
 
-from armui.app import SIMULATED, open_device
-from armui.system.preload import preload
+from armui.app import SIMULATED, load_pages, open_device
 from armui.ui.shell.operation_area import menu_entries
 from tests.benchmarks import rig
 
@@ -52,7 +51,7 @@ def shown(program):
 def test_first_show(qapp, tmp_path, capsys, benchmark):
     figures = {}
     with rig.window(qapp, tmp_path, open_device, SIMULATED[0]) as program:
-        preload()
+        list(load_pages())
         rig.run_for(3.0)
         for name, show in shown(program):
             figures[name] = held(show)

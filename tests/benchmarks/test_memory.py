@@ -67,7 +67,7 @@ class Taken(NamedTuple):
 
     Attributes:
         whole: All that the process takes.
-        arrays: Of it what the arrays have taken that fill by design (`armui.telemetry.memory`).
+        arrays: Of it what the arrays have taken that fill by design (`armui.telemetry.series`).
         samples, ring: What is reserved for the curves' samples and for the recorder's ring.
     """
 

@@ -31,7 +31,7 @@ print(time.process_time())
 """
 
 OURS = """
-import os, sys, time
+import gc, os, sys, time
 from pathlib import Path
 
 def pss_mb(pid):
@@ -40,8 +40,6 @@ def pss_mb(pid):
 
 def main():
     # not above: the picture's process imports this file, too
-    from armui.system.quick_start import begin_quickly, begun
-    begin_quickly()  # as the command does
     from PySide6.QtCore import QTimer
     from armui.app import Program, SIMULATED, open_device
     from armui.control.arm_controller import ArmController
@@ -58,7 +56,7 @@ def main():
     app.processEvents()
     worked_s = time.process_time()
     print("usable", flush=True)
-    begun()
+    gc.freeze()  # as the command does
     controller.connect_device(SIMULATED[0])
     told = set()
 

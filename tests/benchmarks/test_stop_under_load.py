@@ -19,7 +19,7 @@ from PySide6.QtGui import QMouseEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QPushButton
 
-from armui.app import _SWITCH_INTERVAL_S, Program
+from armui.app import _SWITCH_INTERVAL_S, Program, load_pages
 from armui.arm.device import Device
 from armui.control.arm_controller import ArmController
 from armui.control.run.replay import Replay
@@ -30,13 +30,11 @@ from armui.protocol.generation import Generation
 from armui.settings import SettingsStore
 from armui.sim.node import Node
 from armui.system.helper_process import FileThread, HelperProcess
-from armui.system.preload import preload
 from armui.trajectory import files
 from armui.trajectory.library.run_options import RunOptions
-from armui.trajectory.planning.preflight import warm_up
+from armui.trajectory.planning.check import warm_up
 from armui.trajectory.points.program import Trajectory, Waypoint
-from armui.trajectory.samples.recording import Recording
-from armui.trajectory.samples.replay_profile import replay_profile
+from armui.trajectory.samples.recording import Recording, replay_profile
 from tests.benchmarks.rig import spread
 from tests.benchmarks.test_stop_latency import CHANNEL, STOP_ID, DeafToStops
 
@@ -247,7 +245,7 @@ def delays_s(pressed_s, done_s):
 def test_stop_under_load(qapp, tmp_path, capsys, benchmark):
     before = sys.getswitchinterval()
     sys.setswitchinterval(_SWITCH_INTERVAL_S)
-    preload()
+    list(load_pages())
     folder = tmp_path / "trajectories"
     folder.mkdir()
     arm_side = can.Bus(interface="virtual", channel=CHANNEL)

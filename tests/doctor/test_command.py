@@ -206,6 +206,6 @@ def test_without_a_single_package_it_says_which_are_missing():
 
 def test_a_window_that_cannot_be_loaded_names_the_doctor(monkeypatch, capsys):
     """As without a system library that Qt wants: the import fails."""
-    monkeypatch.setitem(sys.modules, "armui.system.quick_start", None)
+    monkeypatch.setitem(sys.modules, "armui.start", None)
     assert main(["--sim"]) == 2
     assert "`armui doctor` says what is missing" in capsys.readouterr().err

@@ -7,22 +7,20 @@ import pytest
 from armui.gamepad.device_state import DeviceState
 from armui.gamepad.layout import (
     BUTTONS,
+    DEAD_ZONES,
     DEFAULTS,
+    SLOWEST,
     SOURCES,
+    WITHOUT_TRIGGER,
     Assignment,
     JogMode,
     assignment,
-    deflections,
-    swapped,
-    wrong_in,
-)
-from armui.gamepad.shaping import (
-    DEAD_ZONES,
-    SLOWEST,
-    WITHOUT_TRIGGER,
     centred,
+    deflections,
     shaped,
     speed_share,
+    swapped,
+    wrong_in,
 )
 from tests.gamepad.pads import MOUSE, PAD
 

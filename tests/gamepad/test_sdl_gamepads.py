@@ -5,8 +5,8 @@ import importlib.util
 import pytest
 
 from armui.gamepad.device_state import DeviceKind
+from armui.gamepad.layout import speed_share
 from armui.gamepad.sdl_gamepads import SdlGamepads
-from armui.gamepad.shaping import speed_share
 from tests.gamepad.uinput_pad import UinputPad, why_no_uinput
 from tests.waiting import wait_until
 

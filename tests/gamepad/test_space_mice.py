@@ -2,8 +2,7 @@
 
 import pytest
 
-from armui.gamepad.space_mice import SILENT_S, SpaceMice
-from armui.gamepad.space_mouse_reports import SpaceMouseState, after
+from armui.gamepad.space_mice import SILENT_S, SpaceMice, SpaceMouseState, after
 
 
 def axes_after(*reports):

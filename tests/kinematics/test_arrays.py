@@ -10,9 +10,8 @@ from scipy.spatial.transform import RigidTransform
 from armui.kinematics.arm_kinematics import Kinematics
 from armui.kinematics.forward import flange_heights, flange_transforms
 from armui.kinematics.inverse import missing_mm, solutions
-from armui.kinematics.jacobian import jacobians
 from armui.kinematics.poses import matrix_to_pose
-from armui.kinematics.singularity import margins
+from armui.kinematics.singularity import jacobians, margins
 from armui.kinematics.spherical import arm_joints
 from armui.protocol.piper_model import PiperModel
 from tests.family import GEOMETRIES, ranges

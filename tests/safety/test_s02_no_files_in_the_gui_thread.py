@@ -16,13 +16,13 @@ from PySide6.QtWidgets import (
 )
 from shiboken6 import isValid
 
+from armui.app import load_pages
 from armui.control.event_log.keeper import EventKeeper
 from armui.protocol.generation import Generation
 from armui.system.helper_process import FileThread, HelperProcess
-from armui.system.preload import preload
 from armui.trajectory.files import to_bytes
 from armui.trajectory.library.store import Library
-from armui.trajectory.planning.preflight import warm_up
+from armui.trajectory.planning.check import warm_up
 from armui.trajectory.points.program import Trajectory
 from armui.ui.actions.palette import CommandPalette
 from armui.ui.actions.window_actions import WindowActions
@@ -74,7 +74,7 @@ class LentFiles(FileThread):
 @pytest.fixture(scope="module")
 def workers():
     """The real thread and processes, ready to work."""
-    preload()
+    list(load_pages())
     process, files = HelperProcess(), LentFiles()
     process.submit(warm_up).result(MOST_S)
     files.submit(files.call, warm_up).result(MOST_S)
@@ -367,7 +367,7 @@ def test_the_file_choosers(live_driver, monkeypatch):
 
 
 def test_the_panels_and_commands(app_driver, monkeypatch):
-    preload()
+    list(load_pages())
     app_driver.ready()
     with watched(monkeypatch) as seen:
         for place in range(app_driver.window._panels.count()):
@@ -381,7 +381,7 @@ def test_the_panels_and_commands(app_driver, monkeypatch):
 
 
 def test_the_bus_monitor(app_driver, monkeypatch):
-    preload()
+    list(load_pages())
     app_driver.ready()
     with watched(monkeypatch) as seen:
         app_driver.click("bus_button")

@@ -18,7 +18,7 @@ from armui.protocol.piper_model import PiperModel
 from armui.sim.firmware import Firmware
 from armui.sim.node import Node
 from armui.trajectory.library.run_options import RunOptions
-from armui.trajectory.planning.preflight import CheckRequest, preflight
+from armui.trajectory.planning.check import CheckRequest, preflight
 from armui.trajectory.points.program import Trajectory
 from armui.ui.trajectory.running.preflight import CheckBasis, Preflight
 from armui.viewport.process.urdf_file import load_robot

@@ -15,8 +15,8 @@ from armui.protocol.codes import ControlMode, MoveMode
 from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
 from armui.protocol.piper_model import PiperModel
+from armui.trajectory.planning.check import CheckRequest, preflight
 from armui.trajectory.planning.findings import Severity
-from armui.trajectory.planning.preflight import CheckRequest, preflight
 from armui.trajectory.points.program import Waypoint
 from tests.family import MODELS
 from tests.safety.ways import STREAM_S, Driver, Ways

@@ -8,8 +8,8 @@ import pytest
 from armui.protocol.codes import MoveMode
 from armui.protocol.generation import Generation
 from armui.protocol.piper_model import PiperModel
+from armui.trajectory.planning.check import CheckRequest, preflight
 from armui.trajectory.planning.findings import FindingCode, Severity
-from armui.trajectory.planning.preflight import CheckRequest, preflight
 from armui.trajectory.points.program import Trajectory
 from tests.safety.test_s16_every_way_checked import BACK, OUT, OVER, recording
 from tests.safety.ways import Way, Ways, judge

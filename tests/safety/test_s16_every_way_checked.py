@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from armui.protocol.codes import MoveMode
-from armui.trajectory.planning.preflight import CheckRequest, preflight
+from armui.trajectory.planning.check import CheckRequest, preflight
 from armui.trajectory.points.program import Trajectory, Waypoint
 from armui.trajectory.samples.recording import Recording
 from tests.trajectory.arms import ARM

@@ -26,7 +26,7 @@ from armui.sim.parameters.flash import FileFlash
 from armui.system.atomic import write_whole
 from armui.system.files import NotAFileError, open_file, open_stream, read_file
 from armui.system.log_file import NAME, log_to
-from armui.telemetry import event_file
+from armui.telemetry import event_json
 from armui.trajectory import files
 from armui.trajectory.columns import open_table
 from armui.trajectory.files import TrajectoryFileError
@@ -160,7 +160,7 @@ def test_the_program_log_that_is_exchanged_while_it_runs(tmp_path):
 
 
 def test_the_events(no_file):
-    no_file(event_file.NAME)
+    no_file(event_json.NAME)
     with pytest.raises(OSError, match=r"not a file|exists"):
         keeper.write(Path.cwd(), "run", [])
 

@@ -11,7 +11,7 @@ from armui.protocol.generation import Generation
 from armui.protocol.piper_model import PiperModel
 from armui.sim.firmware import Firmware
 from armui.sim.node import Node
-from armui.sim.parameters.identity import identity_text
+from armui.sim.parameters.parameter_server import identity_text
 from tests.sim.talk import frame, ready, tell
 from tests.sim.test_direct_control import STIFF, hold
 

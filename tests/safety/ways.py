@@ -42,9 +42,8 @@ from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
 from armui.protocol.piper_model import PiperModel
 from armui.sim.firmware import Firmware
-from armui.trajectory.planning.check import check
+from armui.trajectory.planning.check import CheckOutcome, CheckRequest, check, preflight
 from armui.trajectory.planning.findings import Finding, FindingCode, Severity
-from armui.trajectory.planning.preflight import CheckOutcome, CheckRequest, preflight
 from armui.trajectory.planning.timing import plan_path
 from armui.trajectory.points.program import (
     GripperAngle,
@@ -302,7 +301,7 @@ def judge(way: Way) -> Judged:
         for each in errors
         if each.code is FindingCode.ARC_AT_LIMIT
     }
-    if at[:2] != told and at[:2] not in rounded:
+    if at[:2] != told and not (at[:2] in rounded and at[:2] < told):
         return Judged(findings, cycles, progress, f"refused at {told}, the arm fails at {at}")
     return Judged(findings, cycles, progress)
 

@@ -8,10 +8,9 @@ from armui.protocol.codec import Codec
 from armui.protocol.firmware_version import FirmwareVersion
 from armui.protocol.generation import Generation
 from armui.sim.firmware import Firmware
-from armui.sim.parameters.flash import MemoryFlash
+from armui.sim.parameters.flash import MemoryFlash, from_text, to_text
 from armui.sim.parameters.parameter_server import ParameterServer
 from armui.sim.parameters.settings import ArmSettingsRecord
-from armui.sim.parameters.settings_text import from_text, to_text
 from tests.sim.talk import tell
 
 TWO = Generation.TWO

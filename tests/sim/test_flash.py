@@ -11,9 +11,8 @@ from armui.protocol.addressing import Addressing
 from armui.protocol.codes import ArmStatusCode, ControlMode, EndLoad, LinkageRole
 from armui.protocol.generation import Generation
 from armui.sim.firmware import Firmware
-from armui.sim.parameters.flash import FileFlash, MemoryFlash
+from armui.sim.parameters.flash import FileFlash, MemoryFlash, SettingsTextError, from_text, to_text
 from armui.sim.parameters.settings import ArmSettingsRecord, HandleSettings, LinkageSettings
-from armui.sim.parameters.settings_text import SettingsTextError, from_text, to_text
 from tests.moments import now
 from tests.sim.talk import BOTH, STOP, heard, mode, ready, target, tell
 

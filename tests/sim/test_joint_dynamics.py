@@ -9,8 +9,7 @@ import numpy as np
 import pytest
 
 from armui.sim.mechanics.joint_dynamics import DriverLaw, JointDynamics, JointLosses
-from armui.sim.mechanics.links import piper_links
-from armui.sim.mechanics.rigid_body import DOWN, RigidBody
+from armui.sim.mechanics.rigid_body import DOWN, RigidBody, piper_links
 from tests.family import FACTORY_LIMITS
 
 TICK_S = 0.005

@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from armui.sim.motion.path_profile import PathProfile
+from armui.sim.motion.tool_plan import PathProfile
 from tests.examples import examples
 from tests.moments import now
 

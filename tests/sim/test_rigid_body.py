@@ -10,8 +10,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from armui.sim.mechanics.gravity import DOWN_BY_MOUNTING
-from armui.sim.mechanics.links import piper_links
-from armui.sim.mechanics.rigid_body import ROTOR_INERTIAS_KG_M2, RigidBody
+from armui.sim.mechanics.rigid_body import ROTOR_INERTIAS_KG_M2, RigidBody, piper_links
 from tests.family import FACTORY_LIMITS
 
 poses = st.tuples(*(st.floats(j.min_deg, j.max_deg) for j in FACTORY_LIMITS)).map(np.radians)

@@ -7,9 +7,8 @@ from armui.protocol.codec import Codec, InvalidFrame, InvalidFrameKind
 from armui.protocol.frame import Frame, FrameFlag
 from armui.protocol.generation import Generation
 from armui.telemetry import bus_statistics
-from armui.telemetry.bus_rows import cycle_of
 from armui.telemetry.bus_senders import Sender
-from armui.telemetry.bus_statistics import MOST_ROWS, BusStatistics
+from armui.telemetry.bus_statistics import MOST_ROWS, BusStatistics, cycle_of
 from armui.telemetry.bus_trace import BusTrace
 
 CODEC = Codec(Generation.TWO)

@@ -8,8 +8,7 @@ from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
 from armui.telemetry.bus_errors import BusError, errors_of
 from armui.telemetry.bus_senders import Sender, sender_of, speaks_for_arm
-from armui.telemetry.quantities import QUANTITIES
-from armui.telemetry.signal_quantities import quantity_key
+from armui.telemetry.quantities import QUANTITIES, quantity_key
 
 # Senders ------------------------------------------------------------------------------------------
 

@@ -1,5 +1,7 @@
 """Series and pyramids against what one would work out from every sample by hand."""
 
+from __future__ import annotations
+
 import math
 import threading
 
@@ -8,8 +10,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from armui.telemetry.pyramid import BASE_EXPONENT
-from armui.telemetry.series import Series, Shape
+from armui.telemetry.quantities import RECORDS
+from armui.telemetry.series import BASE_EXPONENT, Series, Shape, zeros
 
 FIGURES = Shape("figures", 200.0, ("a", "b"), ("code",))
 HELD = Shape("held", 200.0, ("a",), held=True)
@@ -208,3 +210,34 @@ def test_memory_is_what_was_announced(keep_s):
     for number in range(round(2 * keep_s * 200)):
         series.write(number / 200.0, (1.0, 2.0, 3))
     assert series.bytes_kept == series.most_bytes
+
+
+def test_a_series_gives_its_memory_back_and_can_begin_anew():
+    shape = RECORDS[0].shape
+    series = Series(shape)
+    row = (1,) * (len(shape.figures) + len(shape.codes))
+    for k in range(100):
+        series.write(float(k), row)
+    assert series.bytes_kept > 0
+    series.release()
+    assert series.bytes_kept == 0
+    assert series.latest(next(iter((*shape.figures, *shape.codes)))) is None
+    series.write(1000.0, row)
+    assert series.bytes_kept > 0
+
+
+def test_an_ended_controller_keeps_no_samples(rig):
+    rig.ready()
+    rig.run(0.5)
+    assert rig.controller.telemetry.bytes_kept > 0
+    rig.controller.shutdown()
+    assert rig.controller.telemetry.bytes_kept == 0
+
+
+def test_large_and_small_arrays_are_zero_and_can_be_written():
+    for count in (10, 1_000_000):
+        array = zeros((2, count), "f4")
+        assert array.shape == (2, count)
+        assert not array.any()
+        array[1, -1] = 3.0
+        assert np.count_nonzero(array) == 1

@@ -9,8 +9,8 @@ from hypothesis import strategies as st
 from armui.arm.refusal_codes import RefusalCode
 from armui.trajectory import columns
 from armui.trajectory.columns import Dialect, Encoding
-from armui.trajectory.columns.encodings import decode_as, guess_encoding
 from armui.trajectory.columns.model import DECIMALS, DELIMITERS
+from armui.trajectory.columns.source import decode_as, guess_encoding
 from armui.trajectory.files import TrajectoryFileError
 from tests.examples import examples
 from tests.trajectory.strategies import outcome

@@ -9,8 +9,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from armui.trajectory.columns import ColumnMapping, ColumnQuantity, TableColumn, apply, sniff
-from armui.trajectory.files import TrajectoryFileError, log_samples
-from armui.trajectory.files.figures import read_figures
+from armui.trajectory.files import TrajectoryFileError, log_file
+from armui.trajectory.files.text import read_figures
 
 HEAD = ["armui recording 1", ""]
 LINES = st.lists(
@@ -32,8 +32,8 @@ def outcome(call, *arguments):
 @given(LINES)
 def test_a_recording_reads_the_same_fast_or_slow(lines):
     fields = {"name": "x"}
-    fast = outcome(log_samples.read_samples, HEAD + lines, 2, fields)
-    slow = outcome(log_samples._read_one_by_one, HEAD + lines, 2, fields)
+    fast = outcome(log_file.read_samples, HEAD + lines, 2, fields)
+    slow = outcome(log_file._read_one_by_one, HEAD + lines, 2, fields)
     assert fast == slow
 
 

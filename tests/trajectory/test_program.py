@@ -16,7 +16,7 @@ from armui.arm.refusal_codes import RefusalCode
 from armui.kinematics.arm_kinematics import Kinematics
 from armui.protocol.codes import MoveMode
 from armui.trajectory.planning.convert import to_joints, to_pose
-from armui.trajectory.points import search
+from armui.trajectory.points import edits
 from armui.trajectory.points.program import (
     GripperOpening,
     LightAction,
@@ -154,23 +154,23 @@ def test_no_conversion_invents_the_middle_of_an_arc():
 
 def test_find_and_replace_in_notes():
     points = [POINT, replace(POINT, note="away"), replace(POINT, note="Over again")]
-    assert list(search.find_text(points, "over")) == [0, 2]
-    assert list(search.find_text(points, "over", match_case=True)) == [0]
-    assert search.replace_text(points[0], "tray", "box").note == "over the box"
-    assert search.replace_text(points[0], "tray", "x" * 5000).code == RefusalCode.TEXT_TOO_LONG
+    assert list(edits.find_text(points, "over")) == [0, 2]
+    assert list(edits.find_text(points, "over", match_case=True)) == [0]
+    assert edits.replace_text(points[0], "tray", "box").note == "over the box"
+    assert edits.replace_text(points[0], "tray", "x" * 5000).code == RefusalCode.TEXT_TOO_LONG
 
 
 def test_find_and_replace_figures():
     points = [POINT, replace(POINT, speed_percent=50), Waypoint(MoveMode.MOVE_P, POSE)]
-    assert list(search.find_figure(points, search.FigureQuery("J2", 70.0))) == [0, 1]
-    assert list(search.find_figure(points, search.FigureQuery("speed", 50))) == [1]
-    assert list(search.find_figure(points, search.FigureQuery("X", 301, 2.0))) == [2]
-    assert search.replace_figure(points[0], "J2", 71.0).target[1] == 71.0
-    assert search.replace_figure(points[0], "X", 71.0) is points[0]
-    assert search.replace_figure(points[0], "speed", 20.0).speed_percent == 20
-    assert search.replace_figure(points[0], "dwell", 2.0).dwell_s == 2.0
-    assert search.replace_figure(points[0], "J2", 400.0).code == RefusalCode.POINT_OUT_OF_RANGE
-    assert search.replace_figure(points[0], "speed", 20.5).code == RefusalCode.POINT_NOT_WHOLE
+    assert list(edits.find_figure(points, edits.FigureQuery("J2", 70.0))) == [0, 1]
+    assert list(edits.find_figure(points, edits.FigureQuery("speed", 50))) == [1]
+    assert list(edits.find_figure(points, edits.FigureQuery("X", 301, 2.0))) == [2]
+    assert edits.replace_figure(points[0], "J2", 71.0).target[1] == 71.0
+    assert edits.replace_figure(points[0], "X", 71.0) is points[0]
+    assert edits.replace_figure(points[0], "speed", 20.0).speed_percent == 20
+    assert edits.replace_figure(points[0], "dwell", 2.0).dwell_s == 2.0
+    assert edits.replace_figure(points[0], "J2", 400.0).code == RefusalCode.POINT_OUT_OF_RANGE
+    assert edits.replace_figure(points[0], "speed", 20.5).code == RefusalCode.POINT_NOT_WHOLE
 
 
 def test_the_points_alone_need_no_numpy():

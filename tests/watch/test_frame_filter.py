@@ -2,8 +2,8 @@
 
 import pytest
 
-from armui.telemetry.bus_rows import FrameRow
 from armui.telemetry.bus_senders import Sender
+from armui.telemetry.bus_statistics import FrameRow
 from armui.ui.watch.bus.frame_filter import FrameFilter, IdFilter, parse_ids
 
 

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Final
 from PySide6.QtCore import QObject, QTimer
 
 from armui.system.error_text import error_text
-from armui.telemetry import event_file
+from armui.telemetry import event_json
 from armui.telemetry.event_json import to_json
 
 if TYPE_CHECKING:
@@ -115,4 +115,4 @@ def write(folder: Path, run: str, entries: Sequence[EventEntry]) -> None:
         OSError: The disk or the folder does not allow it.
     """
     head = f'{{"run":{json.dumps(run)},'
-    event_file.append(folder, "".join(f"{head}{to_json(entry)[1:]}\n" for entry in entries))
+    event_json.append(folder, "".join(f"{head}{to_json(entry)[1:]}\n" for entry in entries))

@@ -10,8 +10,7 @@ from typing import TYPE_CHECKING, Final
 from armui.arm.limits import JOINTS, check_joint
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
-from armui.trajectory.samples.replay_profile import ReplayProfile, replay_profile
-from armui.trajectory.samples.sample_cursor import SampleCursor
+from armui.trajectory.samples.recording import ReplayProfile, SampleCursor, replay_profile
 
 if TYPE_CHECKING:
     from armui.arm.state import ArmState

@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any, Final
 
 from armui.session.recording.rows import ROW, FrameRows
-from armui.telemetry.memory import zeros
+from armui.telemetry.series import zeros
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

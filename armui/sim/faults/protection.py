@@ -10,8 +10,7 @@ from collections.abc import Callable, Collection, Iterable, Mapping
 from typing import Final
 
 from armui.arm.limits import JOINTS
-from armui.sim.condition import Condition
-from armui.sim.faults.alarms import CUTS_POWER, Alarm
+from armui.sim.condition import CUTS_POWER, Alarm, Condition
 from armui.sim.mechanics.drivers import Drivers
 from armui.sim.mechanics.mechanics import Mechanics
 from armui.sim.mechanics.powered_joints import JOINT_COUNT

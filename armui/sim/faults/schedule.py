@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from functools import partial
 from typing import Final, NamedTuple
 
-from armui.sim.faults.alarms import Alarm
+from armui.sim.condition import Alarm
 from armui.sim.faults.faulty_link import FaultyLink
 from armui.sim.firmware import Firmware
 from armui.sim.mechanics.drivers import SUPPLY_V

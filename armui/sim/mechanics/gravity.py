@@ -10,8 +10,7 @@ from typing import Final
 import numpy as np
 
 from armui.protocol.codes import EndLoad, Mounting
-from armui.sim.mechanics.links import piper_links
-from armui.sim.mechanics.rigid_body import DOWN, RigidBody, RigidLink
+from armui.sim.mechanics.rigid_body import DOWN, RigidBody, RigidLink, piper_links
 
 PAYLOADS_KG: Final = {EndLoad.EMPTY: 0.0, EndLoad.HALF: 0.75, EndLoad.FULL: 1.5}
 """What the words of 0x477 byte 4 mean; 1.5 kg is the arm's payload, half of it is half."""

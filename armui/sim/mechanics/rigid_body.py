@@ -16,10 +16,15 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cache
 from typing import Final
 
 import numpy as np
 import numpy.typing as npt
+
+from armui.arm.models import ModelData, model_data
+from armui.kinematics.geometry import Geometry
+from armui.protocol.piper_model import PiperModel
 
 Values = npt.NDArray[np.float64]
 
@@ -218,3 +223,25 @@ def _cylinder(mass_kg: float, tip_m: Values) -> Values:
     axial = mass_kg * LINK_RADIUS_M**2 / 2.0
     inertia: Values = across * np.eye(3) + (axial - across) * np.outer(along, along)
     return inertia
+
+
+def rigid_links(model: ModelData, geometry: Geometry) -> tuple[RigidLink, ...]:
+    """The six links that move; the base stands still.
+
+    Args:
+        model: Has the masses and their centres.
+        geometry: Of that model, with the zeros that the arm's firmware counts from.
+    """
+    return tuple(
+        RigidLink(*row, link.mass_kg, link.centre_mm, rotor_kg_m2)
+        for row, link, rotor_kg_m2 in zip(
+            geometry.rows, model.links[1:], ROTOR_INERTIAS_KG_M2, strict=True
+        )
+    )
+
+
+@cache
+def piper_links() -> tuple[RigidLink, ...]:
+    """Those of the PiPER with the zeros of today's firmware."""
+    model = model_data(PiperModel.PIPER)
+    return rigid_links(model, model.geometry)

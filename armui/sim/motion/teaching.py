@@ -8,8 +8,7 @@ from typing import Final
 
 from armui.protocol.codes import ArmStatusCode, ControlMode, MotionState, TeachingState
 from armui.sim.condition import Condition
-from armui.sim.mechanics.hand_guiding import HandGuiding
-from armui.sim.mechanics.mechanics import Mechanics
+from armui.sim.mechanics.mechanics import HandGuiding, Mechanics
 from armui.sim.mechanics.powered_joints import SixValues
 from armui.sim.motion.tool_plan import PathMotion, PlanningError, plan_replay
 from armui.sim.parameters.settings import ArmSettingsRecord

@@ -12,8 +12,7 @@ from armui.kinematics.tool_path import Arc, ArcError, Line
 from armui.protocol.codes import ArcPointNumber, ArmStatusCode, MoveMode
 from armui.sim.condition import Condition
 from armui.sim.mechanics.powered_joints import SixValues
-from armui.sim.motion.joint_moves import beyond_limits
-from armui.sim.motion.motion_executor import Leg, MotionExecutor
+from armui.sim.motion.motion_executor import Leg, MotionExecutor, beyond_limits
 from armui.sim.motion.tool_plan import PathMotion, PlanningError, plan
 from armui.sim.parameters.settings import ArmSettingsRecord
 

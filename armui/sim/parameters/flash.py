@@ -2,15 +2,125 @@
 
 from __future__ import annotations
 
+import json
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Final, Protocol
 
+from armui.arm.json_fields import FieldError, Fields
+from armui.arm.limits import JOINTS, JointLimits
+from armui.arm.parameters import KINDS, Group, ParameterKind
+from armui.protocol.addressing import OFFSETS
+from armui.protocol.codes import EndLoad, LinkageRole
+from armui.protocol.message_fields import signal_names
 from armui.protocol.piper_model import PiperModel
-from armui.sim.parameters.settings import ArmSettingsRecord, factory_settings
-from armui.sim.parameters.settings_text import SettingsTextError, from_text, to_text
+from armui.sim.parameters.settings import (
+    ArmSettingsRecord,
+    HandleSettings,
+    LinkageSettings,
+    factory_settings,
+)
 from armui.system.atomic import write_whole
 from armui.system.error_text import error_text
 from armui.system.files import read_file
+
+_FORMAT: Final = 1
+_END_LIMITS: Final = 4
+_HIGHEST_LEVEL: Final = 8
+_MOST_ASSISTANCE: Final = 10
+_LOADS: Final = (EndLoad.EMPTY, EndLoad.HALF, EndLoad.FULL)
+
+
+class SettingsTextError(ValueError):
+    """Text that does not hold settings; says which part and why."""
+
+
+def to_text(settings: ArmSettingsRecord) -> str:
+    """The settings that outlive a power cut, as JSON."""
+    record = {
+        "format": _FORMAT,
+        "limits": [each._asdict() for each in settings.limits],
+        "accelerations_deg_s2": settings.accelerations_deg_s2,
+        "end_limits": settings.end_limits,
+        "collision_levels": settings.collision_levels,
+        "load": settings.load,
+        "teaching": settings.teaching._asdict(),
+        "drag_assistance": settings.drag_assistance,
+        "linkage": settings.linkage._asdict(),
+        "zeros_deg": settings.zeros_deg,
+    }
+    return json.dumps(record, indent=1) + "\n"
+
+
+def from_text(text: str) -> ArmSettingsRecord:
+    """The inverse of `to_text`.
+
+    Values a real flash can hold but no motor can follow (0xFFFF read back) are accepted.
+
+    Raises:
+        SettingsTextError: It is no JSON, or a part is missing, of another kind, or not finite.
+    """
+    try:
+        record = json.loads(text)
+    except (json.JSONDecodeError, RecursionError) as error:
+        raise SettingsTextError(f"not JSON: {error}") from error
+    if not isinstance(record, dict) or record.get("format") != _FORMAT:
+        raise SettingsTextError(f"not a settings file of format {_FORMAT}")
+    try:
+        return _settings(Fields(record))
+    except FieldError as error:
+        raise SettingsTextError(str(error)) from error
+
+
+def _settings(record: Fields) -> ArmSettingsRecord:
+    joints = (len(JOINTS),)
+    teaching = _teaching(record.object("teaching"))
+    linkage = record.object("linkage")
+    return ArmSettingsRecord(
+        limits=[
+            JointLimits(*(each.number(name) for name in ("min_deg", "max_deg", "max_speed_deg_s")))
+            for each in record.objects("limits", len(JOINTS))
+        ],
+        accelerations_deg_s2=list(record.numbers("accelerations_deg_s2", joints)),
+        end_limits=record.numbers("end_limits", (_END_LIMITS,)),
+        collision_levels=record.wholes("collision_levels", len(JOINTS), range(_HIGHEST_LEVEL + 1)),
+        load=EndLoad(record.whole("load", allowed=_LOADS)),
+        teaching=teaching,
+        drag_assistance=_drag_assistance(record),
+        linkage=LinkageSettings(
+            LinkageRole(linkage.whole("role", allowed=list(LinkageRole))),
+            *(
+                linkage.whole(name, allowed=OFFSETS)
+                for name in ("feedback_offset", "control_offset", "target_offset")
+            ),
+        ),
+        zeros_deg=list(record.numbers("zeros_deg", joints)),
+    )
+
+
+def _drag_assistance(record: Fields) -> tuple[int, ...]:
+    """An older text has none: it is the factory's."""
+    if "drag_assistance" not in record:
+        return ArmSettingsRecord().drag_assistance
+    return record.wholes("drag_assistance", len(JOINTS), range(_MOST_ASSISTANCE + 1))
+
+
+def _teaching(fields: Fields) -> HandleSettings:
+    """A field that is not there is newer than the text: it has the factory's value."""
+    signals, factory = signal_names(HandleSettings), HandleSettings()._asdict()
+    kinds = {kind.signal: kind for kind in KINDS.values() if kind.group is Group.TEACHING}
+    return HandleSettings(
+        **{
+            name: fields.whole(name, first, _allowed(kinds[signals[name]]))
+            for name, first in factory.items()
+        }
+    )
+
+
+def _allowed(kind: ParameterKind) -> Sequence[int]:
+    choices = [int(choice) for choice in kind.choices]
+    return choices or range(int(kind.minimum), int(kind.maximum) + 1)
+
 
 _MOST_BYTES: Final = 1 << 20
 """The settings have some thousand; a file this large is another."""

@@ -5,7 +5,6 @@ its columns are, to a `ColumnMapping`; `apply` reads the whole text by it.
 """
 
 from armui.trajectory.columns.apply import apply, check_mapping
-from armui.trajectory.columns.encodings import LABELS, Encoding
 from armui.trajectory.columns.guess import exceeds_radians, likely_unit, looks_like_radians
 from armui.trajectory.columns.model import (
     UNITS,
@@ -17,7 +16,7 @@ from armui.trajectory.columns.model import (
     TableColumn,
 )
 from armui.trajectory.columns.sniff import sniff
-from armui.trajectory.columns.source import TableFile, look_closer, open_table
+from armui.trajectory.columns.source import LABELS, Encoding, TableFile, look_closer, open_table
 
 __all__ = [
     "LABELS",

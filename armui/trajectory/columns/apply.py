@@ -24,8 +24,8 @@ from armui.trajectory.columns.model import (
     table,
 )
 from armui.trajectory.files.errors import broken
-from armui.trajectory.files.figures import read_figures
 from armui.trajectory.files.model import Content, verified, verified_point
+from armui.trajectory.files.text import read_figures
 from armui.trajectory.points.program import GripperOpening, Trajectory, Waypoint
 from armui.trajectory.samples.recording import COLUMN_COUNT, GRIPPER, Array, Recording
 

@@ -11,7 +11,7 @@ from typing import Final
 from armui.arm.refusal_codes import RefusalCode
 from armui.system.error_text import error_text
 from armui.system.files import open_file
-from armui.trajectory.files import csv_file, json_file, log_file, maker_csv, npz_file
+from armui.trajectory.files import csv_file, json_file, log_file, npz_file
 from armui.trajectory.files.errors import TrajectoryFileError, broken
 from armui.trajectory.files.model import LARGEST_BYTES, Content, UnwritableError
 from armui.trajectory.files.text import decode
@@ -151,6 +151,6 @@ def read_text(text: str, name: str) -> Content:
         return json_file.read(text, name)
     if csv_file.is_csv(text):
         return csv_file.read(text, name)
-    if maker_csv.is_maker_csv(text):
-        return maker_csv.read(text, name)
+    if csv_file.is_maker_csv(text):
+        return csv_file.read_maker_csv(text, name)
     raise broken(RefusalCode.FILE_KIND_UNKNOWN, 1)

@@ -9,17 +9,26 @@ from __future__ import annotations
 import csv
 import io
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import Any, Final
 
 import numpy as np
 
 from armui.arm.refusal_codes import RefusalCode
-from armui.trajectory.files import csv_points
+from armui.protocol.codes import ALL_LAMPS
 from armui.trajectory.files.errors import broken
-from armui.trajectory.files.model import Content, parse_time, verified, verify
+from armui.trajectory.files.log_points import LETTER_OF, LETTERS
+from armui.trajectory.files.model import Content, parse_time, verified, verified_point, verify
 from armui.trajectory.files.text import number, parse_number
-from armui.trajectory.points.program import Trajectory, Waypoint
+from armui.trajectory.points.program import (
+    GripperAction,
+    GripperAngle,
+    GripperOpening,
+    LightAction,
+    Trajectory,
+    Values,
+    Waypoint,
+)
 from armui.trajectory.samples.recording import COLUMN_COUNT, GRIPPER, Recording
 
 SAMPLE_TITLES: Final = ("t_s", *(f"j{joint}_deg" for joint in range(1, 7)), "gripper_mm")
@@ -45,10 +54,10 @@ def write(content: Content) -> str:
     stream = io.StringIO(newline="")
     writer = csv.writer(stream)
     if isinstance(content, Trajectory):
-        writer.writerow(csv_points.TITLES)
+        writer.writerow(TITLES)
         for point in content.points:
             writer.writerows(("#", comment) for comment in point.comments)
-            writer.writerow(csv_points.write_cells(point))
+            writer.writerow(write_cells(point))
         writer.writerows(("#", comment) for comment in content.closing)
     else:
         writer.writerow(SAMPLE_TITLES)
@@ -77,7 +86,7 @@ def read(text: str, name: str) -> Content:
     fields: dict[str, Any] = {"name": name}
     body = _body(table, fields)
     if "move" in titles:
-        points, closing, lines = _read_points(csv_points.Columns(titles), body)
+        points, closing, lines = _read_points(Columns(titles), body)
         return verified(Trajectory(points=points, closing=closing, **fields), lines)
     return _read_samples(titles, body, fields)
 
@@ -137,7 +146,7 @@ def _body(table: Iterator[Row], fields: dict[str, Any]) -> Iterator[Row]:
 
 
 def _read_points(
-    columns: csv_points.Columns, body: Iterator[Row]
+    columns: Columns, body: Iterator[Row]
 ) -> tuple[tuple[Waypoint, ...], tuple[str, ...], list[int]]:
     points: list[Waypoint] = []
     lines: list[int] = []
@@ -146,7 +155,7 @@ def _read_points(
         if cells[0] == "#":
             comments.append(cells[1] if len(cells) > 1 else "")
             continue
-        points.append(csv_points.read_cells(columns, cells, line, tuple(comments)))
+        points.append(read_cells(columns, cells, line, tuple(comments)))
         lines.append(line)
         comments.clear()
     return tuple(points), tuple(comments), lines
@@ -179,3 +188,182 @@ def _read_samples(titles: list[str], body: Iterator[Row], fields: dict[str, Any]
         lines.append(line)
     array = np.array(samples, dtype=np.float64).reshape(-1, COLUMN_COUNT)
     return verified(Recording(samples=array, **fields), lines)
+
+
+_JOINTS: Final = tuple(f"j{joint}_deg" for joint in range(1, 7))
+_POSE: Final = ("x_mm", "y_mm", "z_mm", "rx_deg", "ry_deg", "rz_deg")
+_MIDDLE: Final = tuple(f"middle_{title}" for title in _POSE)
+_OPENING: Final = ("gripper_opening_mm", "gripper_torque_nm")
+_ANGLE: Final = ("gripper_angle_deg", "gripper_speed_rad_s")
+_LIGHT: Final = ("light_joint", "light_red", "light_green", "light_blue")
+_LAMP: Final = "light_lamp"
+
+TITLES: Final = (
+    *("move", *_JOINTS, *_POSE, *_MIDDLE, "speed_percent", "dwell_s"),
+    *(*_OPENING, *_ANGLE, *_LIGHT, _LAMP, "note"),
+)
+_WHOLE_DEFAULT: Final = 30
+
+
+def write_cells(point: Waypoint) -> list[str]:
+    """The cells of a point, in the order of :data:`TITLES`."""
+    cells = {
+        "move": f"MOVE {LETTER_OF[point.move]}",
+        "speed_percent": str(point.speed_percent),
+        "dwell_s": number(point.dwell_s),
+        "note": point.note,
+    }
+    cells |= _named(_JOINTS if point.is_joint else _POSE, point.target)
+    if point.middle is not None:
+        cells |= _named(_MIDDLE, point.middle)
+    gripper, light = point.gripper, point.light
+    if isinstance(gripper, GripperOpening):
+        cells |= _named(_OPENING, (gripper.opening_mm, gripper.torque_nm))
+    elif gripper is not None:
+        cells |= _named(_ANGLE, (gripper.angle_deg, gripper.speed_rad_s))
+    if light is not None:
+        cells |= _named(_LIGHT, (light.joint, light.red, light.green, light.blue))
+        cells[_LAMP] = "all" if light.lamp == ALL_LAMPS else str(light.lamp)
+    return [cells.get(title, "") for title in TITLES]
+
+
+class Columns:
+    """Where each title stands.
+
+    Raises:
+        TrajectoryFileError: A title is unknown or there twice.
+    """
+
+    def __init__(self, titles: Sequence[str]) -> None:
+        self._places: dict[str, int] = {}
+        for place, title in enumerate(titles):
+            if title not in TITLES:
+                raise broken(RefusalCode.COLUMN_UNKNOWN, 1, place + 1, value=title)
+            if title in self._places:
+                raise broken(RefusalCode.COLUMN_TWICE, 1, place + 1, field=title)
+            self._places[title] = place
+        self.count = len(titles)
+
+    def column(self, title: str) -> int:
+        """The cell's number, from 1; 0 where there is no such column."""
+        return self._places.get(title, -1) + 1
+
+    def cell(self, cells: Sequence[str], title: str) -> str:
+        """The cell under a title, "" where there is no such column."""
+        place = self._places.get(title)
+        return "" if place is None else cells[place]
+
+
+def read_cells(
+    columns: Columns, cells: Sequence[str], line: int, comments: tuple[str, ...]
+) -> Waypoint:
+    """The point of a row.
+
+    Raises:
+        TrajectoryFileError: With the cell as column.
+    """
+    if len(cells) != columns.count:
+        raise broken(RefusalCode.CELLS_COUNT, line, value=len(cells), expected=columns.count)
+    row = _Row(columns, cells, line)
+    text = row.text("move")
+    move = LETTERS.get(text.upper().removeprefix("MOVE").strip())
+    if move is None:
+        raise broken(RefusalCode.POINT_MOVE_UNKNOWN, line, columns.column("move"), value=text)
+    target = row.numbers(_JOINTS if move.name == "MOVE_J" else _POSE)
+    middle = row.numbers(_MIDDLE) if move.name == "MOVE_C" else None
+    point = Waypoint(
+        move,
+        target,
+        middle,
+        row.whole("speed_percent") if row.text("speed_percent") else _WHOLE_DEFAULT,
+        row.number("dwell_s") if row.text("dwell_s") else 0.0,
+        row.gripper(),
+        row.light(),
+        columns.cell(cells, "note"),
+        comments,
+    )
+    return verified_point(point, line)
+
+
+class _Row:
+    """One row, its cells asked for by title."""
+
+    def __init__(self, columns: Columns, cells: Sequence[str], line: int) -> None:
+        self._columns = columns
+        self._cells = cells
+        self._line = line
+
+    def text(self, title: str) -> str:
+        return self._columns.cell(self._cells, title).strip()
+
+    def number(self, title: str) -> float:
+        column = self._columns.column(title)
+        if not column:
+            raise broken(RefusalCode.COLUMN_MISSING, self._line, field=title)
+        return parse_number(self.text(title), self._line, column)
+
+    def numbers(self, titles: Sequence[str]) -> Values:
+        return tuple([self.number(title) for title in titles])
+
+    def whole(self, title: str) -> int:
+        value = self.number(title)
+        if value != int(value):
+            column = self._columns.column(title)
+            raise broken(RefusalCode.POINT_NOT_WHOLE, self._line, column, field=title, value=value)
+        return int(value)
+
+    def gripper(self) -> GripperAction | None:
+        if any(map(self.text, _OPENING)):
+            return GripperOpening(*self.numbers(_OPENING))
+        if any(map(self.text, _ANGLE)):
+            return GripperAngle(*self.numbers(_ANGLE))
+        return None
+
+    def light(self) -> LightAction | None:
+        if not any(map(self.text, _LIGHT)):
+            return None
+        joint, red, green, blue = map(self.whole, _LIGHT)
+        every = self.text(_LAMP) in ("", "all")
+        return LightAction(joint, red, green, blue, ALL_LAMPS if every else self.whole(_LAMP))
+
+
+def _named(titles: Sequence[str], values: Sequence[float]) -> dict[str, str]:
+    return dict(zip(titles, map(number, values), strict=True))
+
+
+_COUNTS: Final = (GRIPPER, COLUMN_COUNT)
+_STEP_DIGITS: Final = 6
+
+
+def is_maker_csv(text: str) -> bool:
+    """Whether the first row holds 7 or 8 numbers and nothing else."""
+    first = text.lstrip().partition("\n")[0].split(",")
+    try:
+        return len(first) in _COUNTS and all(math.isfinite(float(cell)) for cell in first)
+    except ValueError:
+        return False
+
+
+def read_maker_csv(text: str, name: str) -> Content:
+    """The recording of the maker's own CSV: no titles.
+
+    Its cells are `wait_s, j1 … j6` in rad, perhaps the gripper in m. The wait of a row is the time
+    since the row before it.
+
+    Raises:
+        TrajectoryFileError: With the line and, as column, the cell.
+    """
+    steps: list[list[float]] = []
+    lines: list[int] = []
+    for line, cells in rows(text):
+        if len(cells) not in _COUNTS:
+            raise broken(RefusalCode.CELLS_COUNT, line, value=len(cells), expected="7 / 8")
+        row = [parse_number(cell, line, column) for column, cell in enumerate(cells, start=1)]
+        steps.append(row if len(row) == COLUMN_COUNT else [*row, math.nan])
+        lines.append(line)
+    raw = np.array(steps, dtype=np.float64).reshape(-1, COLUMN_COUNT)
+    samples = np.empty_like(raw)
+    samples[:, 0] = np.round(np.cumsum(raw[:, 0]) - raw[:1, 0].sum(), _STEP_DIGITS)
+    samples[:, 1:GRIPPER] = np.degrees(raw[:, 1:GRIPPER])
+    samples[:, GRIPPER] = 1e3 * raw[:, GRIPPER]
+    return verified(Recording(name, samples=samples), lines)

@@ -7,15 +7,17 @@ samples. Empty lines count nothing; lines that begin with # are comments, and ar
 from __future__ import annotations
 
 import json
+import math
 import re
 from collections.abc import Iterator
 from dataclasses import replace
 from typing import Any, Final
 
+import numpy as np
+
 from armui.arm.refusal_codes import RefusalCode
 from armui.trajectory.files.errors import TrajectoryFileError, broken
 from armui.trajectory.files.log_points import read_point, read_text, write_point
-from armui.trajectory.files.log_samples import read_samples, write_samples
 from armui.trajectory.files.model import (
     VERSION,
     Content,
@@ -24,7 +26,9 @@ from armui.trajectory.files.model import (
     verified,
     verify,
 )
+from armui.trajectory.files.text import number, parse_number, read_figures
 from armui.trajectory.points.program import Trajectory, Waypoint, check_point
+from armui.trajectory.samples.recording import COLUMN_COUNT, GRIPPER, Array, Recording
 
 _FIRST: Final = re.compile(r"armui (trajectory|recording) (\d{1,9})\s*")
 _ENTRY: Final = re.compile(r"([A-Za-z]\w*):[ \t]*(.*?)[ \t]*")
@@ -153,15 +157,15 @@ def _read_points(
     """The points, the comments after the last, and the number of each point's line."""
     points: list[Waypoint] = []
     numbers: list[int] = []
-    for number, raw in enumerate(lines[begin:], start=begin + 1):
+    for line, raw in enumerate(lines[begin:], start=begin + 1):
         text = raw.strip()
         if not text:
             continue
         if text.startswith("#"):
             comments.append(_comment(raw))
             continue
-        points.append(read_point(raw.rstrip("\r"), number, tuple(comments)))
-        numbers.append(number)
+        points.append(read_point(raw.rstrip("\r"), line, tuple(comments)))
+        numbers.append(line)
         comments.clear()
     return tuple(points), tuple(comments), numbers
 
@@ -174,3 +178,60 @@ def _text(text: str) -> str:
     """Bare where it reads back as it is, else in quotation marks."""
     plain = text.isprintable() and text == text.strip() and not text.startswith('"')
     return text if plain and text else json.dumps(text, ensure_ascii=False)
+
+
+_TITLES: Final = "# t_s J1 J2 J3 J4 J5 J6 (deg) gripper_mm"
+
+
+def write_samples(samples: Array) -> str:
+    """Lines of samples; the gripper is left out where it was not recorded."""
+    lines = [_TITLES]
+    for row in samples.tolist():
+        values = row[:GRIPPER] if math.isnan(row[GRIPPER]) else row
+        lines.append(" ".join(map(number, values)))
+    return "\n".join(lines) + "\n"
+
+
+def read_samples(lines: list[str], begin: int, fields: dict[str, Any]) -> Content:
+    """The recording of a text.
+
+    Args:
+        lines: Of the file.
+        begin: Index of the first after the header.
+        fields: What the header says.
+
+    Raises:
+        TrajectoryFileError: With line and column.
+    """
+    places = [place for place in range(begin, len(lines)) if _is_sample(lines[place])]
+    figures = read_figures([lines[place] for place in places], None)
+    if figures is not None and figures.shape[1] in (GRIPPER, COLUMN_COUNT):
+        samples = np.full((len(figures), COLUMN_COUNT), np.nan)
+        samples[:, : figures.shape[1]] = figures
+        return verified(Recording(samples=samples, **fields), [place + 1 for place in places])
+    return _read_one_by_one(lines, begin, fields)
+
+
+def _is_sample(line: str) -> bool:
+    text = line.lstrip()
+    return bool(text) and not text.startswith("#")
+
+
+def _read_one_by_one(lines: list[str], begin: int, fields: dict[str, Any]) -> Content:
+    """The same where only some samples hold the gripper, or one is wrong."""
+    rows: list[list[float]] = []
+    numbers: list[int] = []
+    for line, text in enumerate(lines[begin:], start=begin + 1):
+        words = text.split()
+        if not words or words[0].startswith("#"):
+            continue
+        if len(words) not in (GRIPPER, COLUMN_COUNT):
+            raise broken(RefusalCode.VALUES_COUNT, line, 1, value=len(words), expected="7 or 8")
+        try:
+            row = list(map(float, words))
+        except ValueError:
+            row = [parse_number(word, line, text.find(word) + 1) for word in words]
+        rows.append(row if len(row) == COLUMN_COUNT else [*row, math.nan])
+        numbers.append(line)
+    samples = np.array(rows, dtype=np.float64).reshape(-1, COLUMN_COUNT)
+    return verified(Recording(samples=samples, **fields), numbers)

@@ -3,10 +3,14 @@
 from __future__ import annotations
 
 import codecs
+from collections.abc import Sequence
 from typing import Final
+
+import numpy as np
 
 from armui.arm.refusal_codes import RefusalCode
 from armui.trajectory.files.errors import broken
+from armui.trajectory.samples.recording import Array
 
 _UTF_16: Final = (codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)
 
@@ -59,3 +63,23 @@ def parse_number(text: str, line: int, column: int) -> float:
     if value - value != 0.0 or "_" in text:  # infinite, or none
         raise broken(RefusalCode.NUMBER_BAD, line, column, value=text)
     return value
+
+
+def read_figures(lines: Sequence[str], delimiter: str | None) -> Array | None:
+    """The numbers (n, columns) of lines that all hold equally many of them and nothing else.
+
+    Args:
+        lines: Without empty ones and comments.
+        delimiter: Between numbers; ``None`` for blanks.
+
+    Returns:
+        The finite numbers, or ``None`` where something is different: whoever then reads the lines
+        one by one can say where and what.
+    """
+    if not lines:
+        return None
+    try:
+        figures = np.loadtxt(lines, delimiter=delimiter, comments=None, ndmin=2, dtype=np.float64)
+    except (ValueError, OverflowError):
+        return None
+    return figures if np.isfinite(figures).all() else None

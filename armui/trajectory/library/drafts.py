@@ -16,10 +16,15 @@ from armui.system.atomic import sync_folder, write_whole
 from armui.system.clock import in_calendar_s
 from armui.trajectory.files import log_file
 from armui.trajectory.files.errors import TrajectoryFileError
-from armui.trajectory.library.calls import Call, call_directly, entry_by, load_by
 from armui.trajectory.library.file_names import folded, free_stem
 from armui.trajectory.library.index import IndexEntry, Stamp
-from armui.trajectory.library.stored_files import name_inside
+from armui.trajectory.library.stored_files import (
+    Call,
+    call_directly,
+    entry_by,
+    load_by,
+    name_inside,
+)
 from armui.trajectory.points.program import Trajectory
 
 _SUFFIX: Final = ".draft"

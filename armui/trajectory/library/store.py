@@ -9,8 +9,8 @@ from __future__ import annotations
 
 import contextlib
 import threading
-from collections.abc import Callable, Sequence
-from dataclasses import replace
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass, replace
 from datetime import UTC, datetime
 from pathlib import Path
 from typing import Final
@@ -18,19 +18,56 @@ from typing import Final
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.system.atomic import remove_abandoned
-from armui.trajectory import files
+from armui.system.error_text import error_text
+from armui.trajectory import columns, files
 from armui.trajectory.files import Content, TrajectoryFileError, UnwritableError
 from armui.trajectory.files.errors import broken
 from armui.trajectory.library.bin import Bin, Deleted
-from armui.trajectory.library.calls import Call, call_directly, is_large, load_by, write_content
 from armui.trajectory.library.drafts import Drafts, is_draft
-from armui.trajectory.library.errors import LibraryError, on_disk
 from armui.trajectory.library.file_names import file_stem, folded, free_stem
 from armui.trajectory.library.index import Check, IndexEntry, Listing, Stamp, entry_of
 from armui.trajectory.library.run_options import RunOptions
-from armui.trajectory.library.stored_files import FileStore, StoredFile, name_inside, suffix_of
+from armui.trajectory.library.stored_files import (
+    Call,
+    FileStore,
+    StoredFile,
+    call_directly,
+    is_large,
+    load_by,
+    name_inside,
+    suffix_of,
+    write_content,
+)
 from armui.trajectory.points.program import LONGEST_NAME, Trajectory, check_name, check_trajectory
 from armui.trajectory.samples.recording import Recording, check_recording
+
+
+class LibraryError(Exception):
+    """Something the library did not do; everything is as it was.
+
+    Attributes:
+        refusal: Why.
+        row: The point or sample to blame, from 1; 0 where none is.
+    """
+
+    def __init__(self, refusal: Refusal, row: int = 0) -> None:
+        super().__init__(refusal, row)
+        self.refusal = refusal
+        self.row = row
+
+    def __str__(self) -> str:
+        return f"row {self.row}: {self.refusal}" if self.row else str(self.refusal)
+
+
+@contextlib.contextmanager
+def on_disk(code: RefusalCode, name: str) -> Iterator[None]:
+    """Says what the disk refused as a `LibraryError`."""
+    try:
+        yield
+    except OSError as error:
+        refusal = Refusal(code, {"name": name, "text": error_text(error)})
+        raise LibraryError(refusal) from error
+
 
 __all__ = ["Check", "Deleted", "IndexEntry", "Library", "LibraryError", "Listing"]
 
@@ -458,3 +495,50 @@ def _first_fault(content: Content) -> tuple[int, Refusal] | None:
     if isinstance(content, Recording):
         return check_recording(content)
     return check_trajectory(content)
+
+
+@dataclass(frozen=True, slots=True)
+class Imported:
+    """What became of a file.
+
+    Attributes:
+        path: The file.
+        name: Under which its content is in the library now; "" if it is not.
+        requested: The name its content brought along.
+        error: Why it is not in the library.
+        is_table: Whether it is none of our formats and holds rows of figures.
+    """
+
+    path: Path
+    name: str = ""
+    requested: str = ""
+    error: TrajectoryFileError | LibraryError | None = None
+    is_table: bool = False
+
+
+def import_files(folder: Path, paths: Sequence[Path]) -> list[Imported]:
+    """Take over what is whole of some files.
+
+    Args:
+        folder: Of the library.
+        paths: The files.
+
+    Returns:
+        One for each file, in their order.
+    """
+    library = Library(folder)
+    return [_import_file(library, path) for path in paths]
+
+
+def _import_file(library: Library, path: Path) -> Imported:
+    try:
+        content = files.load(path)
+    except TrajectoryFileError as error:
+        told, is_table = columns.look_closer(path, error)
+        return Imported(path, error=told, is_table=is_table)
+    try:
+        name = library.free_name(content.name)
+        library.save(replace(content, name=name))
+    except LibraryError as error:
+        return Imported(path, requested=content.name, error=error)
+    return Imported(path, name, content.name)

@@ -1,9 +1,15 @@
-"""Checks a trajectory before it is run: the whole way, not only its points."""
+"""Checks a trajectory before it is run: the whole way is planned, and looked at.
+
+Nothing here knows a window or a bus, so that it can be done in a process of its own: 10,000
+points take from half a second to many seconds, by how far they lie apart.
+"""
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import partial
 from typing import Final
 
 import numpy as np
@@ -14,14 +20,19 @@ from armui.arm.model import ArmModel
 from armui.kinematics.forward import flange_heights
 from armui.kinematics.singularity import NEAR_SINGULAR, margins, smallest_singular_values
 from armui.protocol.codes import MoveMode
+from armui.trajectory.files import Content
 from armui.trajectory.planning.collision import collisions
 from armui.trajectory.planning.findings import Approach, Finding, FindingCode, Severity
 from armui.trajectory.planning.planned_path import PlannedPath
-from armui.trajectory.planning.recording_check import check_recorded
 from armui.trajectory.planning.stops import TOOL_MOVES, bounds
 from armui.trajectory.planning.timing import plan_path
 from armui.trajectory.points.program import GripperOpening, Trajectory, Waypoint
-from armui.trajectory.samples.recording import Recording
+from armui.trajectory.samples.recording import (
+    Recording,
+    ReplayProfile,
+    replay_profile,
+    turning_speeds,
+)
 
 Array = npt.NDArray[np.float64]
 Whole = npt.NDArray[np.int64]
@@ -40,6 +51,10 @@ _OF_A_WAY: Final = frozenset(
 _ROUNDED_DEG: Final = 0.01
 """So much of a joint's angle may be lost in a pose that is rounded to the steps of the bus."""
 _SPEED_SLACK: Final = 1.02
+JUMP_DEG: Final = 5.0
+"""A joint that turns so far from one sample to the next was not recorded in one go."""
+_STROKE_SLACK_MM: Final = 1.0
+"""A gripper that stands at its stop may measure so much more."""
 _COLLISION_STEP_DEG: Final = 2.0
 
 
@@ -304,3 +319,122 @@ def _at(
         tuple(path.places_mm[index].tolist()),
         cycle=int(path.cycles[index]),
     )
+
+
+def check_recorded(recording: Recording, path: PlannedPath, arm: ArmModel) -> Iterator[Finding]:
+    """Checks the samples, at the speed the path was planned with.
+
+    Of samples on end with the same problem, the first is named.
+    """
+    if len(recording.samples) < 2:
+        yield Finding(FindingCode.EMPTY)
+        return
+    joints_deg = recording.joints_deg
+    times_s = path.times_s[path.cycles == 1][-len(joints_deg) :]  # behind them is the way back
+    low, high = bounds(arm)
+    for joint, angles, limits in zip(JOINTS, joints_deg.T, arm.limits, strict=True):
+        beyond = (angles < low[joint - 1]) | (angles > high[joint - 1])
+        for row in _firsts(beyond):
+            figures: dict[str, float | int | str] = {
+                "joint": joint,
+                "value": float(angles[row]),
+                "minimum": limits.min_deg,
+                "maximum": limits.max_deg,
+            }
+            yield _at_sample(recording, row, FindingCode.TARGET_BEYOND_LIMIT, figures)
+        speeds = turning_speeds(times_s, angles)
+        fast = speeds > _SPEED_SLACK * limits.max_speed_deg_s
+        for row in _firsts(fast):
+            slow = np.flatnonzero(~fast[row:])
+            end = row + int(slow[0]) if len(slow) else len(fast)
+            fastest = float(speeds[row:end].max())
+            figures = {
+                "joint": joint,
+                "value": round(fastest, 1),
+                "maximum": round(limits.max_speed_deg_s, 1),
+                "percent": math.floor(100.0 * limits.max_speed_deg_s / fastest),
+            }
+            yield _at_sample(recording, row, FindingCode.JOINT_TOO_FAST, figures)
+    steps = np.abs(np.diff(joints_deg, axis=0))
+    for row in np.flatnonzero((steps > JUMP_DEG).any(axis=1)).tolist():
+        joint = int(np.argmax(steps[row]))
+        figures = {"joint": JOINTS[joint], "value": round(float(steps[row, joint]), 1)}
+        yield _at_sample(recording, row + 1, FindingCode.SAMPLE_JUMP, figures)
+    if arm.stroke_mm is not None:
+        for row in _firsts(recording.gripper_mm > arm.stroke_mm + _STROKE_SLACK_MM):
+            figures = {"value": float(recording.gripper_mm[row]), "maximum": float(arm.stroke_mm)}
+            yield _at_sample(recording, row, FindingCode.GRIPPER_BEYOND_STROKE, figures)
+
+
+def _firsts(mask: Flags) -> list[int]:
+    """Where runs of marked samples begin."""
+    begins: list[int] = np.flatnonzero(mask & ~np.concatenate(([False], mask[:-1]))).tolist()
+    return begins
+
+
+def _at_sample(
+    recording: Recording, row: int, code: FindingCode, figures: dict[str, float | int | str]
+) -> Finding:
+    return Finding(code, figures, row, tuple(recording.joints_deg[row].tolist()))
+
+
+@dataclass(frozen=True, slots=True)
+class CheckRequest:
+    """What is to be checked.
+
+    Attributes:
+        content: What shall be run.
+        arm: By which arm.
+        start_deg: From where.
+        speed_factor: On the speed of each point, or on the recorded one.
+        first: The index of the point to begin with, in the first cycle.
+        cycles: How often it shall be run; 0 until it is ended.
+    """
+
+    content: Content
+    arm: ArmModel
+    start_deg: tuple[float, ...]
+    speed_factor: float = 1.0
+    first: int = 0
+    cycles: int = 1
+
+
+@dataclass(frozen=True, slots=True)
+class CheckOutcome:
+    """How a check has ended.
+
+    Attributes:
+        path: Where the arm would go.
+        expected_s: How long each point takes at its own speed; of a recording empty.
+        findings: What was found, errors first, then by row.
+        profile: What a replay must know of a recording; ``None`` for points.
+    """
+
+    path: PlannedPath
+    expected_s: tuple[float, ...]
+    findings: tuple[Finding, ...]
+    profile: ReplayProfile | None = None
+
+
+def warm_up() -> None:
+    """Nothing: but where it has run, this module and its libraries are loaded."""
+
+
+def preflight(order: CheckRequest) -> CheckOutcome:
+    """Plan and check a trajectory or recording."""
+    content, arm, start_deg = order.content, order.arm, order.start_deg
+    plan = partial(plan_path, content, arm, start_deg, first=order.first, cycles=order.cycles)
+    path = plan(speed_factor=order.speed_factor)
+    found = check(content, arm, start_deg, path).findings
+    expected_s = path.expected_s
+    if isinstance(content, Trajectory) and order.speed_factor != 1.0:
+        # a run shortens what is planned at the points' own speeds by itself
+        expected_s = plan().expected_s
+    profile = replay_profile(content) if isinstance(content, Recording) else None
+    by_place = {(one.code, one.row, one.approach): one for one in reversed(found)}
+    return CheckOutcome(path, expected_s, tuple(sorted(by_place.values(), key=_rank)), profile)
+
+
+def _rank(finding: Finding) -> tuple[bool, int]:
+    """Errors come first, and what concerns the whole before its rows."""
+    return finding.severity is not Severity.ERROR, -1 if finding.row is None else finding.row

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from bisect import bisect_right
 from dataclasses import dataclass, field
 from datetime import UTC, datetime
 from typing import Final
@@ -9,6 +10,7 @@ from typing import Final
 import numpy as np
 import numpy.typing as npt
 
+from armui.arm.limits import JOINTS
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.trajectory.points.program import ANGLE, RANGES, check_name, check_text
@@ -113,3 +115,101 @@ def check_recording(recording: Recording) -> tuple[int, Refusal] | None:
     """The first thing that keeps a recording from being saved: row (0: itself), reason."""
     refusal = check_name(recording.name) or check_text("note", recording.note)
     return (0, refusal) if refusal is not None else check_samples(recording.samples)
+
+
+_STRIDE = 64
+"""A look this many samples ahead, or one back in time, searches all of them by halves."""
+
+
+class SampleCursor:
+    """Looks up where a recording is at a time, in a few microseconds whatever its length.
+
+    Args:
+        recording: At least one sample; its array may be mapped from a file.
+    """
+
+    def __init__(self, recording: Recording) -> None:
+        # a mapped array answers each look in Python; the plain one over the same bytes does not
+        self._samples: Array = np.asarray(recording.samples)
+        self._count = len(self._samples)
+        self._start_s = float(self._samples[0, 0])
+        self._index = 0
+
+    def index_at(self, recorded_s: float) -> int:
+        """The last sample not later than a time after the first one; 0 before the first."""
+        index = self._index
+        if self._time_s(index) > recorded_s:
+            index = max(bisect_right(range(index), recorded_s, key=self._time_s) - 1, 0)
+        else:
+            last = min(index + _STRIDE, self._count - 1)
+            if self._time_s(last) <= recorded_s:
+                index = bisect_right(range(self._count), recorded_s, last, key=self._time_s) - 1
+            else:
+                while self._time_s(index + 1) <= recorded_s:
+                    index += 1
+        self._index = index
+        return index
+
+    def joints_deg_at(self, recorded_s: float) -> tuple[float, ...]:
+        """Six angles at a time after the first sample, on straight lines between samples."""
+        index = self.index_at(recorded_s)
+        here: npt.NDArray[np.float64] = self._samples[index, 1:GRIPPER]
+        begin_s = self._time_s(index)
+        if index + 1 < self._count and recorded_s > begin_s:
+            share = (recorded_s - begin_s) / (self._time_s(index + 1) - begin_s)
+            here = here + share * (self._samples[index + 1, 1:GRIPPER] - here)
+        return tuple(here.tolist())
+
+    def gripper_mm_at(self, recorded_s: float) -> float:
+        """The opening of the last sample not later than a time; NaN where it was not recorded."""
+        return float(self._samples[self.index_at(recorded_s), GRIPPER])
+
+    def _time_s(self, index: int) -> float:
+        return float(self._samples[index, 0]) - self._start_s
+
+
+_SPEED_OVER_S: Final = 0.1
+"""Speeds are taken over so long: samples carry the bus's jitter."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class ReplayProfile:
+    """Extremes and speeds of a recording at its recorded speed.
+
+    Attributes:
+        speeds_deg_s: (n, 6) how fast each joint turns at each sample.
+        low_deg: The smallest angle of each joint.
+        high_deg: The largest.
+        fastest_deg_s: The highest speed of each joint.
+    """
+
+    speeds_deg_s: npt.NDArray[np.float32]
+    low_deg: tuple[float, ...]
+    high_deg: tuple[float, ...]
+    fastest_deg_s: tuple[float, ...]
+
+
+def turning_speeds(times_s: Array, angles_deg: Array) -> Array:
+    """(n,) how fast a joint turns around each sample, in °/s."""
+    before_s = np.maximum(times_s - _SPEED_OVER_S / 2, times_s[0])
+    after_s = np.minimum(times_s + _SPEED_OVER_S / 2, times_s[-1])
+    angles_deg = np.ascontiguousarray(angles_deg)
+    turned = np.interp(after_s, times_s, angles_deg) - np.interp(before_s, times_s, angles_deg)
+    speeds: Array = np.abs(turned) / np.maximum(after_s - before_s, 1e-9)
+    return speeds
+
+
+def replay_profile(recording: Recording) -> ReplayProfile:
+    """Work it out; a recording without samples has an empty one."""
+    speeds = np.zeros((len(recording.samples), len(JOINTS)), dtype=np.float32)
+    if not len(speeds):
+        return ReplayProfile(speeds, (0.0,) * 6, (0.0,) * 6, (0.0,) * 6)
+    times_s = np.ascontiguousarray(recording.times_s - recording.times_s[0])
+    for index, angles_deg in enumerate(recording.joints_deg.T):
+        speeds[:, index] = turning_speeds(times_s, angles_deg)
+    return ReplayProfile(
+        speeds,
+        tuple(recording.joints_deg.min(axis=0).tolist()),
+        tuple(recording.joints_deg.max(axis=0).tolist()),
+        tuple(speeds.max(axis=0).tolist()),
+    )

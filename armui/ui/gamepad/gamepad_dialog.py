@@ -25,15 +25,16 @@ from armui.gamepad.device_state import DeviceInfo, DeviceKind, DeviceState
 from armui.gamepad.layout import (
     ACTIONS,
     BUTTONS,
+    DEAD_ZONES,
     DEFAULTS,
     SOURCES,
     SPEED_AXIS,
     Assignment,
     JogMode,
     deflections,
+    speed_share,
     swapped,
 )
-from armui.gamepad.shaping import DEAD_ZONES, speed_share
 from armui.setting_checks import GamepadMode
 from armui.settings import SettingsStore
 from armui.ui import words

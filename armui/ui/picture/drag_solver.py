@@ -75,7 +75,7 @@ def dragged_to(
 
     from armui.arm.reach import check_pose  # noqa: PLC0415 - numpy, loaded when needed
     from armui.kinematics import poses  # noqa: PLC0415 - as above
-    from armui.kinematics.axes import JogFrame  # noqa: PLC0415 - as above
+    from armui.kinematics.poses import JogFrame  # noqa: PLC0415 - as above
 
     tool_point = poses.tool_matrix(base.kinematics.matrix(base.angles_deg), base.tool)
     own = base.kind is HandleKind.TOOL_FRAME

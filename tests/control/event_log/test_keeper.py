@@ -9,8 +9,7 @@ import pytest
 
 from armui.control.event_log import keeper as module
 from armui.control.event_log.keeper import EventKeeper
-from armui.telemetry.event_file import NAME
-from armui.telemetry.event_json import from_json, to_json
+from armui.telemetry.event_json import NAME, from_json, to_json
 from tests.app_driver import AtOnce, Slow
 
 

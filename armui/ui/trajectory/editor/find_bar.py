@@ -10,7 +10,7 @@ from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QComboBox, QLineEdit, QWidget
 
 from armui.arm.refusal import Refusal
-from armui.trajectory.points import search
+from armui.trajectory.points import edits
 from armui.trajectory.points.cells import figure
 from armui.trajectory.points.program import JOINT_NAMES, POSE_NAMES, Waypoint
 from armui.ui import words
@@ -81,19 +81,19 @@ class FindBar(Translated, QWidget):
         """The rows that hold what is looked for, or why nothing can be looked for."""
         field, text = str(self._field.currentData()), self._wanted.text()
         if field == _NOTE:
-            return list(search.find_text(points, text, match_case=True)) if text else []
+            return list(edits.find_text(points, text, match_case=True)) if text else []
         value = figure(field, text)
         if isinstance(value, Refusal):
             return value
-        return list(search.find_figure(points, search.FigureQuery(field, value)))
+        return list(edits.find_figure(points, edits.FigureQuery(field, value)))
 
     def replaced(self, point: Waypoint) -> Waypoint | Refusal:
         """A point that holds it with the other text or figure in its place."""
         field, by = str(self._field.currentData()), self._by.text()
         if field == _NOTE:
-            return search.replace_text(point, self._wanted.text(), by)
+            return edits.replace_text(point, self._wanted.text(), by)
         value = figure(field, by)
-        return value if isinstance(value, Refusal) else (search.replace_figure(point, field, value))
+        return value if isinstance(value, Refusal) else (edits.replace_figure(point, field, value))
 
     def show_result(self, text: str) -> None:
         """Say how many there are, or that there are none."""

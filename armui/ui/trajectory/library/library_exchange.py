@@ -15,9 +15,7 @@ from armui.arm.refusal import Refusal
 from armui.control.arm_controller import ArmController
 from armui.control.events import Level
 from armui.trajectory.files import TrajectoryFileError
-from armui.trajectory.library import imports
-from armui.trajectory.library.imports import Imported
-from armui.trajectory.library.store import LibraryError
+from armui.trajectory.library.store import Imported, LibraryError, import_files
 from armui.ui import words
 from armui.ui.background import Background, Job
 from armui.ui.trajectory.library import library_files
@@ -85,7 +83,7 @@ class LibraryExchange(QObject):
             )
             self.said.emit(text, Level.INFO)
             self._background.begin(
-                Job(self._on_imported), imports.import_files, self._library.folder, list(paths)
+                Job(self._on_imported), import_files, self._library.folder, list(paths)
             )
 
     def _on_imported(self, imported: list[Imported] | Refusal) -> None:

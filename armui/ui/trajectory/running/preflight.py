@@ -11,8 +11,8 @@ from PySide6.QtCore import QElapsedTimer
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.control.parameters.arm_model import arm_model, start_deg
+from armui.trajectory.planning.check import CheckOutcome, CheckRequest, preflight, warm_up
 from armui.trajectory.planning.findings import Finding, Severity
-from armui.trajectory.planning.preflight import CheckOutcome, CheckRequest, preflight, warm_up
 from armui.ui.background import Job
 
 if TYPE_CHECKING:

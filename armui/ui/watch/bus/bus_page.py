@@ -52,7 +52,7 @@ if TYPE_CHECKING:
     from PySide6.QtWidgets import QStyleOptionViewItem
 
     from armui.control.arm_controller import ArmController
-    from armui.telemetry.bus_rows import BusSnapshot, FrameRow
+    from armui.telemetry.bus_statistics import BusSnapshot, FrameRow
 
 
 LOOK_MS: Final = 100

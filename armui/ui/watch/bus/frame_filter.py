@@ -11,7 +11,7 @@ from armui.protocol.frame import FrameFlag
 from armui.telemetry.bus_senders import Sender
 
 if TYPE_CHECKING:
-    from armui.telemetry.bus_rows import FrameRow
+    from armui.telemetry.bus_statistics import FrameRow
 
 _HEX: Final = r"(?:0[xX])?([0-9a-fA-F]{1,8})"
 _ONE: Final = re.compile(_HEX)

@@ -14,9 +14,9 @@ from armui.control.safety.hand_frame import command_id
 from armui.protocol.codec import Codec, Message
 from armui.protocol.frame import Frame, FrameFlag
 from armui.telemetry.bus_errors import errors_of
-from armui.telemetry.bus_rows import Cycle, FrameRow
 from armui.telemetry.bus_senders import Sender
-from armui.telemetry.signal_quantities import quantity_key
+from armui.telemetry.bus_statistics import Cycle, FrameRow
+from armui.telemetry.quantities import quantity_key
 from armui.ui import format as fmt
 from armui.ui.watch.bus.cells import KEY_ROLE, Cell, Payload, Tone
 from armui.ui.widgets.table_model import LEFT, RIGHT, Index

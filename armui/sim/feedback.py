@@ -1,10 +1,11 @@
-"""Makes the periodic feedback frames."""
+"""The frames that the simulated arm sends by itself, and when each is due."""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterable, Mapping
-from functools import partial
+from dataclasses import dataclass
+from functools import cache, partial
 from typing import TYPE_CHECKING, Final
 
 from armui.arm.gripper import GripperFault
@@ -12,16 +13,141 @@ from armui.arm.limits import JOINTS
 from armui.arm.units import DEGREES_PER
 from armui.kinematics.poses import Pose
 from armui.protocol.codec import Codec
+from armui.protocol.database import load_database
 from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
-from armui.sim.faults.alarms import Alarm
-from armui.sim.feedback.end_motion import end_motion
-from armui.sim.feedback.frame_cache import FrameCache
+from armui.sim.condition import Alarm
 from armui.sim.mechanics.powered_joints import STANDSTILL, SixValues
 
 if TYPE_CHECKING:
     from armui.sim.firmware import Firmware
     from armui.sim.mechanics.gripper import SimulatedGripper
+
+
+_NUDGE_DEG: Final = 0.01
+_MM_PER_M: Final = 1000.0
+_MOST: Final = 64
+"""Of one message; joints on their way never say the same twice."""
+
+
+class FrameCache:
+    """Keeps frames of each message; one is encoded when its values are none of those kept.
+
+    Most of an arm's 3,000 frames a second repeat the ones before them, or, like the supply's
+    voltage with its noise, one of a few.
+    """
+
+    def __init__(self, codec: Codec) -> None:
+        self._codec = codec
+        self._kept: dict[str, dict[tuple[tuple[str, float], ...], Frame]] = {}
+        self._known: dict[str, frozenset[str]] = {}
+
+    def frame(self, name: str, **signals: float) -> Frame:
+        """The frame of a message; signals its generation does not have are left out."""
+        kept = self._kept.get(name)
+        if kept is None:
+            kept = self._kept[name] = {}
+            self._known[name] = frozenset(self._codec.signals(name))
+        said = tuple(signals.items())
+        frame = kept.get(said)
+        if frame is None:
+            known = self._known[name]
+            frame = self._codec.encode(
+                name, **{signal: value for signal, value in said if signal in known}
+            )
+            if len(kept) == _MOST:
+                kept.clear()
+            kept[said] = frame
+        return frame
+
+
+TICK_NS: Final = 5_000_000
+"""Frames leave on this grid: one burst of frames, one thread switch."""
+
+_NS_PER_MS: Final = 1_000_000
+_PER_DRIVER: Final = ("DriverFast", "DriverSlow")
+_END_MOTION: Final = tuple(f"EndMotion{joint}" for joint in range(1, 7))
+_IK_SOLUTION: Final = ("IkSolution12", "IkSolution34", "IkSolution56")
+_IK_SOLUTION_MS: Final = 5
+"""Assumed: the protocol text gives no cycle time."""
+_DRIVERS: Final = tuple(f"{kind}{joint}" for kind in _PER_DRIVER for joint in range(1, 7))
+
+
+_OPTIONS: Final = {
+    **dict.fromkeys(_END_MOTION, "end_motion"),
+    **dict.fromkeys(_IK_SOLUTION, "ik_solution"),
+}
+"""What has to be on for the frames that are not always sent."""
+
+
+@dataclass(slots=True)
+class _Slot:
+    """Frames that leave together."""
+
+    due_ns: int
+    period_ns: int
+    names: tuple[str, ...]
+    option: str
+
+
+class FeedbackSchedule:
+    """The periodic feedback of one generation, with the cycle times of its DBC file.
+
+    The controller sends all that has the same cycle time as one burst, so that it belongs
+    together. The six drivers send each for itself, spread over the period as far as the grid
+    allows.
+
+    Attributes:
+        end_motion: Whether 0x481–0x486 are on; they follow the controller's frames.
+        ik_solution: Whether 0x2AA–0x2AC are sent.
+    """
+
+    def __init__(self, generation: Generation) -> None:
+        self.end_motion = self.ik_solution = False
+        self._slots = [_Slot(*slot) for slot in _slots(generation)]
+        self.next_ns = min(slot.due_ns for slot in self._slots)
+        self.periods_ns: Mapping[str, int] = {
+            name: slot.period_ns for slot in self._slots for name in slot.names
+        }
+
+    def pop(self) -> list[str]:
+        """The names of the frames due at `next_ns`, in the order of the bus; moves on."""
+        now_ns = self.next_ns
+        names: list[str] = []
+        for slot in self._slots:
+            if slot.due_ns == now_ns:
+                if not slot.option or getattr(self, slot.option):
+                    names += slot.names
+                slot.due_ns += slot.period_ns
+        self.next_ns = min(slot.due_ns for slot in self._slots)
+        return names
+
+
+@cache
+def _slots(generation: Generation) -> tuple[tuple[int, int, tuple[str, ...], str], ...]:
+    """When each burst of a generation is first due, its period, its frames and their option."""
+    database = load_database(generation)
+    groups: dict[tuple[int, int, str], list[str]] = {}
+
+    def add(name: str, cycle_time_ms: int, part: int = 1, parts: int = 1) -> None:
+        period_ns = cycle_time_ms * _NS_PER_MS
+        first_ns = -(-period_ns * part // (parts * TICK_NS)) * TICK_NS
+        groups.setdefault((first_ns, period_ns, _OPTIONS.get(name, "")), []).append(name)
+
+    periodic = {each.name: each.cycle_time for each in database.messages if each.cycle_time}
+    for name, cycle_time_ms in periodic.items():
+        if name not in _DRIVERS:
+            add(name, cycle_time_ms)
+    if any(each.name in _IK_SOLUTION for each in database.messages):
+        for name in _IK_SOLUTION:
+            add(name, _IK_SOLUTION_MS)
+    for name in _DRIVERS:
+        add(name, periodic[name], int(name[-1]), 6)
+    return tuple(
+        (first_ns, period_ns, tuple(names), option)
+        for (first_ns, period_ns, option), names in groups.items()
+    )
+
 
 _DEGREES_PER: Final = {**DEGREES_PER, "pulse": 360.0 / 65536.0}
 """With the encoder's pulses; the protocol text gives no number of them a turn, this is assumed."""
@@ -151,21 +277,32 @@ class Feedback:
         return bits
 
     def _end_motion(self, joint: int) -> Frame:
+        """What a joint contributes to the motion of the flange (0x481–0x486).
+
+        The protocol names the fields «speed and acceleration of the end, joint 1–6» and says no
+        more. Here they are the flange's speed and tangential acceleration as the joint alone would
+        cause them: its turning rate, and that times the distance from its axis to the flange.
+        """
         index, mechanics = joint - 1, self._arm.mechanics
-        part = end_motion(
-            self._kinematics,
-            mechanics.positions_deg,
-            index,
-            mechanics.speeds_deg_s[index],
-            mechanics.accelerations_deg_s2[index],
-        )
+        speed_rad_s = abs(math.radians(mechanics.speeds_deg_s[index]))
+        acceleration_rad_s2 = abs(math.radians(mechanics.accelerations_deg_s2[index]))
+        lever_m = self._lever_m(index) if speed_rad_s or acceleration_rad_s2 else 0.0
         return self._cache.frame(
             f"EndMotion{joint}",
-            LinearSpeed=part.linear_speed_m_s,
-            AngularSpeed=part.angular_speed_rad_s,
-            LinearAcceleration=part.linear_acceleration_m_s2,
-            AngularAcceleration=part.angular_acceleration_rad_s2,
+            LinearSpeed=speed_rad_s * lever_m,
+            AngularSpeed=speed_rad_s,
+            LinearAcceleration=acceleration_rad_s2 * lever_m,
+            AngularAcceleration=acceleration_rad_s2,
         )
+
+    def _lever_m(self, index: int) -> float:
+        """How far the flange is from a joint's axis, by turning the joint a little both ways."""
+        ends = []
+        for nudge_deg in (-_NUDGE_DEG, _NUDGE_DEG):
+            nudged = list(self._arm.mechanics.positions_deg)
+            nudged[index] += nudge_deg
+            ends.append(self._kinematics.forward(nudged)[:3])
+        return math.dist(*ends) / (2.0 * math.radians(_NUDGE_DEG) * _MM_PER_M)
 
 
 def _gripper_bits(gripper: SimulatedGripper) -> Mapping[str, float]:
