@@ -1039,6 +1039,18 @@
         <translation>沿直线移到该位姿。</translation>
     </message>
     <message>
+        <source>Tool centre point</source>
+        <translation>工具中心点</translation>
+    </message>
+    <message>
+        <source>Flange (no tool set)</source>
+        <translation>法兰（未设置工具）</translation>
+    </message>
+    <message>
+        <source>Measured</source>
+        <translation>测量</translation>
+    </message>
+    <message>
         <source>Tool control</source>
         <translation>末端控制</translation>
     </message>
@@ -6542,21 +6554,6 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     <message>
         <source>Measured by the arm</source>
         <translation>机械臂测量值</translation>
-    </message>
-</context>
-<context>
-    <name>PoseRows</name>
-    <message>
-        <source>Tool centre point</source>
-        <translation>工具中心点</translation>
-    </message>
-    <message>
-        <source>Flange (no tool set)</source>
-        <translation>法兰（未设置工具）</translation>
-    </message>
-    <message>
-        <source>Measured</source>
-        <translation>测量</translation>
     </message>
 </context>
 <context>

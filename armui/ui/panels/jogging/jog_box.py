@@ -18,12 +18,11 @@ from armui.kinematics.poses import AXES, LINEAR_AXES, JogFrame
 from armui.ui import format as fmt
 from armui.ui import words
 from armui.ui.freshness import is_stale
-from armui.ui.panels.jogging.jog_panel import JogSignals, StepBox
+from armui.ui.panels.jogging.jog_panel import JogRow, StepBox
 from armui.ui.theme import scaled_font
 from armui.ui.widgets.buttons import caption, choice_button, describe, named
 from armui.ui.widgets.flow import Flow
 from armui.ui.widgets.hold_guard import UNATTENDED_S
-from armui.ui.widgets.jog_button import JogButton
 from armui.ui.widgets.layouts import empty_grid, in_column, in_row
 from armui.ui.widgets.text_label import ValueLabel
 from armui.ui.widgets.translated import Translated
@@ -42,7 +41,7 @@ _WIDEST: Final = "-0000.000 mm"
 _NAME_PX: Final = 24
 
 
-class JogCell(JogSignals):
+class JogCell(JogRow):
     """Can stand for a joint now and for an axis then; its signals carry its place.
 
     Args:
@@ -50,13 +49,11 @@ class JogCell(JogSignals):
     """
 
     def __init__(self, place: int) -> None:
-        super().__init__()
+        super().__init__("box", place + 1, place)
         self._unit = "°"
         self._name = QLabel()
         self._name.setFont(scaled_font(self._name, 1.0, bold=True))
         self._name.setFixedWidth(_NAME_PX)
-        self.minus = named(f"box_minus_{place + 1}", JogButton("−"))
-        self.plus = named(f"box_plus_{place + 1}", JogButton("+"))
         self.measured = named(
             f"box_measured_{place + 1}",
             ValueLabel(_WIDEST, alignment=Qt.AlignmentFlag.AlignHCenter),
@@ -64,7 +61,6 @@ class JogCell(JogSignals):
         in_row(
             *(self._name, self.minus, (self.measured, 1), self.plus), on=self, spacing=4, margins=0
         )
-        self._tell_presses(place, self.minus, self.plus)
         self.stand_for("", "°")
 
     def stand_for(self, name: str, unit: str) -> None:
@@ -82,17 +78,6 @@ class JogCell(JogSignals):
     def show_measured(self, value: float | None, *, stale: bool) -> None:
         """Show what is measured."""
         self.measured.show_text(fmt.with_unit(value, self._unit), stale=stale)
-
-    def set_continuous(self, wanted: bool) -> None:
-        """Whether − and + go on while they are held, or go by a step."""
-        for button in (self.minus, self.plus):
-            button.continuous = wanted
-
-    def allow_jog(self, why_not: str) -> None:
-        """Enable − and +, or disable them and say why."""
-        for button in (self.minus, self.plus):
-            button.setEnabled(not why_not)
-            button.setToolTip(why_not)
 
     def retranslate_ui(self) -> None:
         """Put the names into the operator's language."""

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Sequence
 from functools import partial
-from typing import TYPE_CHECKING, Final, Protocol
+from typing import Final
 
 from PySide6.QtCore import QEvent, Qt, Signal
 from PySide6.QtGui import QFocusEvent, QHideEvent, QKeyEvent
@@ -18,16 +18,14 @@ from armui.control.events import ZEROING_ENDED, Event, EventCode
 from armui.control.operating_state import OperatingState
 from armui.ui import words
 from armui.ui.panels.panel import Panel
+from armui.ui.widgets import painting
 from armui.ui.widgets.buttons import choice_button, describe, named
+from armui.ui.widgets.figure_field import FigureField
 from armui.ui.widgets.hold_guard import UNATTENDED_S, HoldGuard
 from armui.ui.widgets.jog_button import JogButton
 from armui.ui.widgets.layouts import STRETCH, empty_grid, in_column, in_row, scrolled
-from armui.ui.widgets.text_label import text_label
+from armui.ui.widgets.text_label import ValueLabel, text_label
 from armui.ui.widgets.translated import Translated
-
-if TYPE_CHECKING:
-    from armui.ui.widgets.figure_field import FigureField
-
 
 _BUTTON_PX: Final = 38
 _FOLLOW_S: Final = 0.1
@@ -50,37 +48,18 @@ STEPS: Final = (0.1, 1.0, 5.0, 10.0)
 _CONTINUOUS: Final = 0.0
 _SAME: Final = 0.0005
 """Half of the last decimal: less is not seen in a field."""
+_WRITTEN_ALIKE: Final = 0.0006
+"""Two figures that are written alike are the same, however they were rounded."""
 
 
-class TargetRow(Protocol):
-    """A row whose target was given, or follows the arm."""
-
-    own: bool
-    field: FigureField
-
-    def show_target(self, value: float | None, /) -> None: ...  # noqa: D102 - as in the rows
-
-
-def take_figures(
-    rows: Sequence[TargetRow], values: Sequence[float], given: Sequence[bool] | None
-) -> None:
-    """Give the rows their targets; one that does not differ goes on to follow the arm.
+class JogRow(Translated, QWidget):
+    """− and + of one joint or axis; says by its number what the operator wants moved.
 
     Args:
-        rows: Of a panel.
-        values: One each.
-        given: Which of them stand still from now on; None: those that did, and those that differ.
+        kind: For the names of the buttons: ``<kind>_minus_<name>``.
+        name: Of the joint or axis, in these names.
+        number: Goes with the signals.
     """
-    for row, value in zip(rows, values, strict=True):
-        before = row.field.value
-        if before is None or abs(value - before) > _SAME:
-            row.show_target(value)
-    for row, stands in zip(rows, given or (), strict=False):
-        row.own = stands
-
-
-class JogSignals(Translated, QWidget):
-    """Tells by the number of a row, and +1 or −1, what the operator wants moved."""
 
     stepped = Signal(int, int)
     """Jog by one step."""
@@ -91,17 +70,97 @@ class JogSignals(Translated, QWidget):
     let_go = Signal()
     unattended = Signal()
     """A held button was let go by itself: the operator gave no sign for too long."""
-    edited = Signal(int)
-    """The operator changed the target of the row; nothing is sent."""
 
-    def _tell_presses(self, number: int, minus: JogButton, plus: JogButton) -> None:
-        """Tell what the two buttons of a row are pressed for."""
-        for button, direction in ((minus, -1), (plus, 1)):
+    def __init__(self, kind: str, name: object, number: int) -> None:
+        super().__init__()
+        self.minus = named(f"{kind}_minus_{name}", JogButton("−"))
+        self.plus = named(f"{kind}_plus_{name}", JogButton("+"))
+        for button, direction in ((self.minus, -1), (self.plus, 1)):
             button.stepped.connect(partial(self.stepped.emit, number, direction))
             button.repeated.connect(partial(self.repeated.emit, number, direction))
             button.held.connect(partial(self.held.emit, number, direction))
             button.let_go.connect(self.let_go)
             button.unattended.connect(self.unattended)
+
+    def set_continuous(self, wanted: bool) -> None:
+        """Whether − and + go on while they are held, or go by a step."""
+        for button in (self.minus, self.plus):
+            button.continuous = wanted
+
+    def allow_jog(self, why_not: str) -> None:
+        """Enable − and +, or disable them and say why."""
+        for button, tip in zip((self.minus, self.plus), self._tips(), strict=True):
+            button.setEnabled(not why_not)
+            button.setToolTip(why_not or tip)
+
+    def _tips(self) -> tuple[str, str]:
+        """What − and + do."""
+        return "", ""
+
+
+class TargetRow(JogRow):
+    """A joint or axis with a field for its target, beside what is measured.
+
+    The target follows the arm until the operator gives another: sending the fields never takes
+    anything back to where it was some time ago.
+
+    Args:
+        kind, name, number: As those of a `JogRow`.
+        field: Holds the target.
+        measured: Shows what is measured.
+
+    Attributes:
+        own: Whether the target was given by the operator, and so stands still.
+    """
+
+    edited = Signal()
+    """The operator changed the target; nothing is sent."""
+
+    def __init__(
+        self, kind: str, name: object, number: int, field: FigureField, measured: ValueLabel
+    ) -> None:
+        super().__init__(kind, name, number)
+        painting.fill_ground(self)
+        self.own = False
+        self.field = field
+        self.measured = measured
+        self.field.value_edited.connect(self._on_field_edited)
+
+    def show_target(self, value: float | None) -> None:
+        """Give a target; ``None`` empties the field."""
+        self.own = value is not None
+        self.field.show_value(value)
+        self._after_target()
+
+    def take_target(self, value: float) -> None:
+        """Give a target; one that does not differ goes on to follow the arm."""
+        before = self.field.value
+        if before is None or abs(value - before) > _SAME:
+            self.show_target(value)
+
+    def follow(self, value: float) -> None:
+        """Have a target that nobody gave be where the arm is, or is sent to."""
+        if not self.own and self.field.follow(value):
+            self._after_target()
+
+    def differs_from(self, value: float) -> bool:
+        """Whether the operator has given a target, and it is another figure than this."""
+        target = self.field.value
+        return self.own and (target is None or abs(target - value) > _WRITTEN_ALIKE)
+
+    def set_step(self, step: float, *, continuous: bool) -> None:
+        """How far one press of − or + goes, or whether it goes on while they are held."""
+        self.field.step = step
+        self.set_continuous(continuous)
+
+    def _on_field_edited(self) -> None:
+        self.own = bool(self.field.text())
+        self._after_target()
+        self.edited.emit()
+
+    def _after_target(self) -> None:
+        """Mark a text that is no figure."""
+        self.field.show_attention(wanted=self.field.is_nonsense())
 
 
 class StepBox(QComboBox):
@@ -307,6 +366,8 @@ class JogPanel(Panel):
         write_step: A step as text.
     """
 
+    _rows: Sequence[TargetRow]
+
     def __init__(
         self,
         controller: ArmController,
@@ -327,8 +388,8 @@ class JogPanel(Panel):
         self._key_pad = KeyPad(keys, f"{name}_key_pad")
         self._key_pad.hide()
 
-    def _follow_rows(self, rows: Iterable[JogSignals]) -> None:
-        for row in rows:
+    def _follow_rows(self) -> None:
+        for row in self._rows:
             row.stepped.connect(self._on_stepped)
             row.repeated.connect(self._on_repeated)
             row.held.connect(self._on_held)
@@ -366,6 +427,47 @@ class JogPanel(Panel):
         self._key_pad.unattended.connect(self._on_unattended)
         self._listen()
 
+    # -- targets ------------------------------------------------------------------------------
+
+    def targets(self) -> tuple[float, ...] | None:
+        """The figures in the fields; ``None`` while one of them is none."""
+        values = tuple(row.field.value for row in self._rows)
+        known = tuple(value for value in values if value is not None)
+        return known if len(known) == len(values) else None
+
+    def given(self) -> tuple[bool, ...]:
+        """Of each field, whether its target was given; else it follows the arm."""
+        return tuple(row.own for row in self._rows)
+
+    def take_targets(self, values: Sequence[float], given: Sequence[bool] | None = None) -> None:
+        """Put figures into the fields, as if those that differ were typed; nothing is sent.
+
+        Args:
+            values: One a row.
+            given: Which of them stand still from now on; by default those that were given before,
+                and those that differ.
+        """
+        for row, value in zip(self._rows, values, strict=True):
+            row.take_target(value)
+        for row, stands in zip(self._rows, given or (), strict=False):
+            row.own = stands
+        self._follow_arm()
+        self._on_edited()
+
+    def _fill(self, values: Sequence[float] | None) -> None:
+        """Give every row a target; ``None`` empties the fields."""
+        for row, value in zip(self._rows, values or (None,) * len(self._rows), strict=True):
+            row.show_target(value)
+
+    def _differ_from(self, values: Sequence[float]) -> bool:
+        """Whether a target was given that is none of these."""
+        return any(row.differs_from(value) for row, value in zip(self._rows, values, strict=True))
+
+    def _follow(self, values: Sequence[float]) -> None:
+        """Show figures in the fields in which no target was given."""
+        for row, value in zip(self._rows, values, strict=True):
+            row.follow(value)
+
     # -- what a panel of its own adds ---------------------------------------------------------
 
     def _on_stepped(self, number: int, direction: int) -> None:
@@ -382,10 +484,6 @@ class JogPanel(Panel):
 
     def _on_held(self, number: int, direction: int) -> None:
         """Jog until :meth:`_on_let_go`."""
-        raise NotImplementedError
-
-    def _take_step(self, step: float, *, continuous: bool) -> None:
-        """Have − and + of the rows go by a step, or on and on while they are held."""
         raise NotImplementedError
 
     def _first_wrong(self) -> Refusal | None:
@@ -414,7 +512,8 @@ class JogPanel(Panel):
     # -- jogging ------------------------------------------------------------------------------
 
     def _on_step_chosen(self) -> None:
-        self._take_step(self._step_box.step, continuous=self._step_box.continuous)
+        for row in self._rows:
+            row.set_step(self._step_box.step, continuous=self._step_box.continuous)
         self._key_pad.set_continuous(self._step_box.continuous)
         self._show_possible()
 
@@ -452,8 +551,13 @@ class JogPanel(Panel):
         if old.cannot_move != self._operating_state.cannot_move:
             self._refusal = None
 
-    def _why_not_move(self) -> str:
-        return words.why_not(self._operating_state.cannot_move)
+    def _allow_jog(self) -> str:
+        """Enable all that jogs, or disable it; returns why nothing can be moved."""
+        why_not = words.why_not(self._operating_state.cannot_move)
+        for row in self._rows:
+            row.allow_jog(why_not)
+        self._key_pad.allow(why_not)
+        return why_not
 
     def _show_message(self) -> None:
         standing = self._unless_told(self._operating_state.cannot_move)

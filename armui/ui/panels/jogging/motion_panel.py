@@ -19,9 +19,8 @@ from armui.ui import format as fmt
 from armui.ui import words
 from armui.ui.actions.keys import keys_of
 from armui.ui.freshness import is_stale
-from armui.ui.panels.jogging.jog_panel import JogPanel, JogSignals, take_figures
+from armui.ui.panels.jogging.jog_panel import JogPanel, TargetRow
 from armui.ui.theme import scaled_font
-from armui.ui.widgets import painting
 from armui.ui.widgets.buttons import (
     caption,
     describe,
@@ -32,7 +31,6 @@ from armui.ui.widgets.buttons import (
 )
 from armui.ui.widgets.curve_menu import tell_quantities
 from armui.ui.widgets.figure_field import FigureField
-from armui.ui.widgets.jog_button import JogButton
 from armui.ui.widgets.layouts import STRETCH, empty_grid, in_column, in_row
 from armui.ui.widgets.text_label import ValueLabel, text_label
 from armui.ui.widgets.track_slider import TrackSlider
@@ -44,40 +42,28 @@ _KEYS: Final = tuple(
     for joint, plus, minus in zip(JOINTS, "QWERTY", "ASDFGH", strict=True)
 )
 _HOME_KEY, _LOAD_KEY, _SEND_KEY = (keys_of(f"motion.{act}") for act in ("home", "load", "send"))
-SAME_DEG: Final = 0.0006
-"""Two angles that are written alike are the same, however they were rounded."""
 
 _WIDEST_ANGLE: Final = "-000.000°"
 _WIDEST_LIMIT: Final = "-000.00°"
 
 
-class JointRow(JogSignals):
+class JointRow(TargetRow):
     """The controls of one joint; its signals carry the joint's number.
-
-    Its target follows the arm until the operator gives it another: sending the fields never takes
-    a joint back to where it was some time ago.
 
     Args:
         joint: Its number, 1–6.
         limits: Its range until the arm tells another.
-
-    Attributes:
-        own: Whether the target was given by the operator, and so stands still.
     """
 
     def __init__(self, joint: int, limits: JointLimits) -> None:
-        super().__init__()
-        painting.fill_ground(self)
+        field = named(f"target_field_{joint}", FigureField(fmt.DECIMALS, "°"))
+        measured = named(f"measured_{joint}", ValueLabel(_WIDEST_ANGLE))
+        super().__init__("jog", joint, joint, field, measured)
         self.joint = joint
-        self.own = False
         self._limits = limits
         self._limits_read = False
         self._name = QLabel(f"J{joint}")
         self._name.setFont(scaled_font(self._name, 1.15, bold=True))
-        self.minus = named(f"jog_minus_{joint}", JogButton("−"))
-        self.plus = named(f"jog_plus_{joint}", JogButton("+"))
-        self.field = named(f"target_field_{joint}", FigureField(fmt.DECIMALS, "°"))
-        self.measured = named(f"measured_{joint}", ValueLabel(_WIDEST_ANGLE))
         tell_quantities(
             self, *(f"{source}.joint_angle.{joint}" for source in ("arm", "own", "other"))
         )
@@ -89,8 +75,6 @@ class JointRow(JogSignals):
         for label in (self._minimum, self._maximum):
             label.setFont(scaled_font(label, 0.88))
         self._lay_out()
-        self._tell_presses(joint, self.minus, self.plus)
-        self.field.value_edited.connect(self._on_field_edited)
         self.slider.valueChanged.connect(self._on_slider_moved)
         self.show_target(None)
         self.retranslate_ui()
@@ -112,47 +96,21 @@ class JointRow(JogSignals):
 
     # -- target -------------------------------------------------------------------------------
 
-    @property
-    def target_deg(self) -> float | None:
-        """The figure in the field, or ``None``."""
-        return self.field.value
-
     def beyond_limits(self) -> Refusal | None:
         """What is to be said against the figure in the field, if it is out of limits."""
-        target = self.target_deg
+        target = self.field.value
         return None if target is None else check_joint(self.joint, target, self._limits)
-
-    def show_target(self, target_deg: float | None) -> None:
-        """Give a target, into field and slider; ``None`` empties them."""
-        self.own = target_deg is not None
-        self.field.show_value(target_deg)
-        self._after_target()
-
-    def follow(self, angle_deg: float) -> None:
-        """Have a target that nobody gave be where the arm is, or is sent to."""
-        if not self.own and self.field.follow(angle_deg):
-            self._after_target()
-
-    def differs_from(self, angle_deg: float) -> bool:
-        """Whether the operator has given a target, and it is another angle than this."""
-        target = self.target_deg
-        return self.own and (target is None or abs(target - angle_deg) > SAME_DEG)
-
-    def _on_field_edited(self) -> None:
-        self.own = bool(self.field.text())
-        self._after_target()
-        self.edited.emit(self.joint)
 
     def _on_slider_moved(self) -> None:
         self.own = True
         self.field.show_value(self.slider.requested)
         self._after_target()
-        self.edited.emit(self.joint)
+        self.edited.emit()
 
     def _after_target(self) -> None:
         """Slider, marks and colours go with the figure in the field."""
         beyond = self.beyond_limits() is not None
-        self.slider.show_requested(self.target_deg, attention=beyond)
+        self.slider.show_requested(self.field.value, attention=beyond)
         self.field.show_attention(wanted=beyond or self.field.is_nonsense())
         self._show_limits()
 
@@ -177,7 +135,7 @@ class JointRow(JogSignals):
         self.retranslate_ui()
 
     def _show_limits(self) -> None:
-        limits, target = self._limits, self.target_deg
+        limits, target = self._limits, self.field.value
         self.slider.set_limits(limits.min_deg, limits.max_deg)
         beyond = self.beyond_limits() is not None
         below = beyond and target is not None and target < limits.min_deg
@@ -190,23 +148,8 @@ class JointRow(JogSignals):
             label.show_text(sign + text if broken else text, stale=not self._limits_read)
             label.show_attention(wanted=broken)
 
-    # -- use ----------------------------------------------------------------------------------
-
-    def set_step(self, step_deg: float, *, continuous: bool) -> None:
-        """How far one press of − or + goes, or whether it goes on while they are held."""
-        self.field.step = step_deg
-        for button in (self.minus, self.plus):
-            button.continuous = continuous
-        self._describe_jog("", step_deg)
-
-    def allow_jog(self, why_not: str) -> None:
-        """Enable − and +, or disable them and say why."""
-        for button in (self.minus, self.plus):
-            button.setEnabled(not why_not)
-        self._describe_jog(why_not, self.field.step)
-
-    def _describe_jog(self, why_not: str, step_deg: float) -> None:
-        step = fmt.short_angle(step_deg)
+    def _tips(self) -> tuple[str, str]:
+        """What − and + do."""
         if self.minus.continuous:
             hold = self.tr("Moves joint {joint} while it is held; let go to stop.")
             tips = (hold, hold)
@@ -215,8 +158,9 @@ class JointRow(JogSignals):
                 self.tr("Moves joint {joint} by −{step} at once. Hold to go on."),
                 self.tr("Moves joint {joint} by +{step} at once. Hold to go on."),
             )
-        for button, tip in zip((self.minus, self.plus), tips, strict=True):
-            button.setToolTip(why_not or tip.format(joint=self.joint, step=step))
+        step = fmt.short_angle(self.field.step)
+        minus, plus = (tip.format(joint=self.joint, step=step) for tip in tips)
+        return minus, plus
 
     def retranslate_ui(self) -> None:
         """Put names and tooltips into the operator's language."""
@@ -265,7 +209,8 @@ class MotionPanel(JogPanel):
         self._heard = False
         self._target_head = text_label(rank="muted")
         self._measured_head = text_label(rank="muted")
-        self._rows = [JointRow(j, self._operating_state.limits[j - 1]) for j in JOINTS]
+        limits = self._operating_state.limits
+        self._rows: Sequence[JointRow] = [JointRow(j, limits[j - 1]) for j in JOINTS]
         self._home = push_button("home_button")
         self._load = push_button("load_button")
         self._send = push_button("send_button")
@@ -283,7 +228,7 @@ class MotionPanel(JogPanel):
         self._finish(card, buttons, tallest_px=_TALLEST_CARD_PX)
 
     def _connect(self) -> None:
-        self._follow_rows(self._rows)
+        self._follow_rows()
         self._home.clicked.connect(self._on_home)
         self._load.clicked.connect(self._on_load)
         self._send.clicked.connect(self._on_send)
@@ -305,34 +250,6 @@ class MotionPanel(JogPanel):
         field = self._rows[joint - 1].field
         field.setFocus(Qt.FocusReason.OtherFocusReason)
         field.selectAll()
-
-    def targets_deg(self) -> tuple[float, ...] | None:
-        """The six angles in the fields; None while one of them is no figure."""
-        angles_deg = [row.target_deg for row in self._rows]
-        known = tuple(angle for angle in angles_deg if angle is not None)
-        return known if len(known) == len(angles_deg) else None
-
-    def given(self) -> tuple[bool, ...]:
-        """Of each field, whether its target was given; else it follows the arm."""
-        return tuple(row.own for row in self._rows)
-
-    def take_targets(
-        self, angles_deg: Sequence[float], given: Sequence[bool] | None = None
-    ) -> None:
-        """Put six angles into the fields, as if those that differ were typed; nothing is sent.
-
-        Args:
-            angles_deg: The angles.
-            given: Which of them stand still from now on; by default those that were given before,
-                and those that differ.
-        """
-        take_figures(self._rows, angles_deg, given)
-        self._follow_arm()
-        self._on_edited()
-
-    def _take_step(self, step: float, *, continuous: bool) -> None:
-        for row in self._rows:
-            row.set_step(step, continuous=continuous)
 
     # -- actions ------------------------------------------------------------------------------
 
@@ -381,13 +298,11 @@ class MotionPanel(JogPanel):
         self._accepted(None)
 
     def _on_send(self) -> None:
-        targets_deg: list[float] = []
-        for row in self._rows:
-            if row.target_deg is None:
-                self._accepted(self._why_no_figure(row))
-                return
-            targets_deg.append(row.target_deg)
-        if self._accepted(self._controller.motion.send_joints(targets_deg)):
+        targets_deg = self.targets()
+        if targets_deg is None:
+            unknown = next(row for row in self._rows if row.field.value is None)
+            self._accepted(self._why_no_figure(unknown))
+        elif self._accepted(self._controller.motion.send_joints(targets_deg)):
             self._release(*JOINTS)
 
     @staticmethod
@@ -420,8 +335,7 @@ class MotionPanel(JogPanel):
         """Fields in which nothing was given show where the arm is sent, else where it is."""
         angles_deg = self._angles_deg()
         if angles_deg is not None:
-            for row, angle_deg in zip(self._rows, angles_deg, strict=True):
-                row.follow(angle_deg)
+            self._follow(angles_deg)
         if (angles_deg is None) is self._heard:
             self._heard = angles_deg is not None
             self._show_possible()
@@ -435,17 +349,7 @@ class MotionPanel(JogPanel):
     def _light_send(self) -> None:
         """Light 发送 while a target was given that the arm is not at."""
         angles_deg = self._angles_deg() or (math.inf,) * len(JOINTS)
-        show_primary(
-            self._send,
-            wanted=any(
-                row.differs_from(angle_deg)
-                for row, angle_deg in zip(self._rows, angles_deg, strict=True)
-            ),
-        )
-
-    def _fill(self, angles_deg: tuple[float, ...] | None) -> None:
-        for row, angle_deg in zip(self._rows, angles_deg or (None,) * len(JOINTS), strict=True):
-            row.show_target(angle_deg)
+        show_primary(self._send, wanted=self._differ_from(angles_deg))
 
     def _forget_targets(self) -> None:
         self._fill(None)
@@ -464,10 +368,7 @@ class MotionPanel(JogPanel):
     # -- appearance ---------------------------------------------------------------------------
 
     def _show_possible(self) -> None:
-        why_not = self._why_not_move()
-        for row in self._rows:
-            row.allow_jog(why_not)
-        self._key_pad.allow(why_not)
+        why_not = self._allow_jog()
         heard = self._controller.state.angles_deg() is not None
         no_angles = "" if heard else words.refusal(Refusal(RefusalCode.JOINTS_UNKNOWN))
         use = self.tr("Moves all joints to 0°.")
