@@ -9,7 +9,7 @@ import os
 import pkgutil
 import sys
 import threading
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import replace
 from datetime import datetime
@@ -103,7 +103,6 @@ class Program:
         controller, view, window: What its parts are.
         ended: Whether, after `shutdown`, no thread of ours runs any more.
         closed: Set once the device is closed, as far as its driver lets it.
-        written: Set once the files are written, too; then the processes are ended.
     """
 
     def __init__(
@@ -126,7 +125,7 @@ class Program:
         apply_theme(app, Theme(settings.theme), before_windows=True)
         self.controller = controller
         self.ended = False
-        self.closed, self.written = threading.Event(), threading.Event()
+        self.closed = threading.Event()
         self._is_down = False
         self._workers = workers
         self._files = files
@@ -167,6 +166,11 @@ class Program:
         for problem in store.problems:
             self.window.show_problem(problem)
 
+    @property
+    def unwritten(self) -> Sequence[str]:
+        """What still waits for a disk, by the names of its functions."""
+        return self._files.waiting if isinstance(self._files, FileThread) else ()
+
     def _keep_events(self, folder: Path, files: Executor) -> None:
         from armui.control.event_log.keeper import EventKeeper  # noqa: PLC0415 - faster start
 
@@ -198,7 +202,6 @@ class Program:
             self._files.shutdown()
         if isinstance(self._files, FileThread):
             self.ended = self.ended and self._files.ended
-        self.written.set()
         self.view.shutdown()
         self._workers.shutdown()
         if self._neighbours is not None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 import importlib
+import signal
 import sys
 from collections.abc import Sequence
 from pathlib import Path
@@ -11,7 +12,10 @@ from typing import Final
 
 from armui import __version__
 from armui.system.command_line import add_device, has_display
+from armui.system.end_signals import end_at_once_on_ctrl_c, interrupting
 
+_SIGNALLED: Final = 128
+"""What a shell adds to the number of the signal that ended a command."""
 _COMMANDS: Final = {
     "decode": ("armui.decode", "print a recorded CAN log frame by frame, in words and units"),
     "doctor": ("armui.doctor", "say what is wrong with this computer, the bus and the arm"),
@@ -28,8 +32,11 @@ def main(arguments: Sequence[str] | None = None) -> int:
     """Run a command.
 
     Returns:
-        The exit code: 0 for success, 2 where the command could not begin.
+        The exit code: 0 for success, 2 where the command could not begin, 128 and the signal's
+        number where one came before the command ended itself.
     """
+    if arguments is None:
+        end_at_once_on_ctrl_c()
     words = list(sys.argv[1:] if arguments is None else arguments)
     if words and words[0] in _COMMANDS:
         return _run_command(words[0], words[1:])
@@ -45,7 +52,13 @@ def _run_command(name: str, words: Sequence[str]) -> int:
     module = importlib.import_module(module_name)
     parser = argparse.ArgumentParser(prog=f"armui {name}", description=purpose)
     module.add_arguments(parser)
-    code: int = module.run(parser.parse_args(words))
+    options = parser.parse_args(words)
+    heard: list[int] = []
+    try:
+        with interrupting() as heard:
+            code: int = module.run(options)
+    except KeyboardInterrupt:
+        return _SIGNALLED + (heard[-1] if heard else signal.SIGINT)
     return code
 
 

@@ -17,11 +17,14 @@ import socket
 import sys
 import threading
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from types import TracebackType
 from typing import TYPE_CHECKING, Any, Final, Protocol, Self
 
 from PySide6.QtCore import QObject, Qt, Signal
+
+from armui.system.end_signals import give_back, take_over
+from armui.system.log_file import flush_log
 
 if sys.platform == "win32":
     import ctypes
@@ -34,16 +37,13 @@ if TYPE_CHECKING:
 
 _LOG: Final = logging.getLogger(__name__)
 
-_SIGNALS: Final = ("SIGTERM", "SIGHUP", "SIGINT", "SIGBREAK")
 _BUSY_S: Final = 0.25
 """A window that has not ended the motion by then is held up: the arm is told from here."""
 _AGAIN_S: Final = 0.1
 _CLOSED_S: Final = 0.7
 """After this time the process ends, whatever keeps its bus open."""
-_FILES_S: Final = 10.0
-"""With the bus closed, files have so long to be written; a disk may hang."""
-_PROCESSES_S: Final = 0.2
-"""So much longer the window's thread has for ending its processes; they end without it, too."""
+_REST_S: Final = 0.15
+"""So much longer files have to be written and processes to end; a disk may hang."""
 _ANSWER_S: Final = 2.0
 _CONSOLE_CLOSED: Final = frozenset({2, 5, 6})  # CTRL_CLOSE_EVENT, _LOGOFF_EVENT, _SHUTDOWN_EVENT
 
@@ -54,7 +54,10 @@ class EndingProgram(Protocol):
     controller: ArmController
     window: MainWindow
     closed: threading.Event
-    written: threading.Event
+
+    @property
+    def unwritten(self) -> Sequence[str]:
+        """What still waits for a disk."""
 
     def shutdown(self) -> None:
         """End the motion and every thread."""
@@ -94,11 +97,8 @@ class SystemEnd(QObject):
     def __enter__(self) -> Self:
         self._wakes.setblocking(False)
         signal.set_wakeup_fd(self._wakes.fileno(), warn_on_full_buffer=False)
-        for name in _SIGNALS:
-            number = getattr(signal, name, None)
-            if number is not None and signal.getsignal(number) is not signal.SIG_IGN:
-                # the thread below is told by the system itself
-                self._before[number] = signal.signal(number, lambda *_: None)
+        # the thread below is told by the system itself
+        self._before = take_over(lambda *_: None)
         if sys.platform == "win32":
             self._follow_console()
         self._thread.start()
@@ -110,8 +110,7 @@ class SystemEnd(QObject):
         _error: BaseException | None,
         _trace: TracebackType | None,
     ) -> None:
-        for number, handler in self._before.items():
-            signal.signal(number, handler)
+        give_back(self._before)
         signal.set_wakeup_fd(-1)
         self._wakes.close()
         self._sleep_watch.end()
@@ -133,8 +132,7 @@ class SystemEnd(QObject):
         self._end_motion()
         self._program.window.keep_work()
         self._program.shutdown()
-        logging.shutdown()
-        self._exit_now(128 + number)
+        self._exit(number)
 
     def _on_session_ends(self, _manager: object = None) -> None:
         """The operator logs out, which another program may still call off."""
@@ -165,8 +163,16 @@ class SystemEnd(QObject):
         self._asked.emit(number)
         self._await_rest(until_s)
         if self._program.closed.wait(max(0.0, until_s - time.monotonic())):
-            self._program.written.wait(_FILES_S)
-            time.sleep(max(0.0, until_s + _PROCESSES_S - time.monotonic()))
+            # the window's thread is the first to end the process, unless something hangs
+            time.sleep(max(0.0, until_s + _REST_S - time.monotonic()))
+        self._exit(number)
+
+    def _exit(self, number: int) -> None:
+        """End the process; what a disk has not taken by now is named in the log."""
+        unwritten = self._program.unwritten
+        if unwritten:
+            _LOG.warning("Not written, the disk was too slow: %s", ", ".join(unwritten))
+        flush_log()
         self._exit_now(128 + number)
 
     def _heard(self) -> int | None:

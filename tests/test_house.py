@@ -90,7 +90,7 @@ OPENED_ELSEWHERE = {
     "armui.system.transfer: tempfile.NamedTemporaryFile": "made anew in a folder made anew",
     "armui.trajectory.library.bin: shutil.copy2": "checked in the line before",
     "armui.session.database_logs: can.SqliteReader": "opened by LogSource before",
-    "armui.session.database_logs: can.MF4Reader": "as above",
+    "armui.session.mf4_process: can.MF4Reader": "as above",
     "armui.session.recording.mf4: can.MF4Writer": "a WholeFile's, made anew under a random name",
     # these are given opened files, or bytes and lines in memory
     "armui.session.blf_logs: can.BLFReader": "a stream",

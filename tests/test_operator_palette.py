@@ -5,6 +5,8 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QAbstractButton, QPushButton, QToolButton
 
+from armui.control.run.progress import RunPhase
+from armui.control.safety.recovery_steps import StepKind
 from armui.ui.actions.catalogue import actions, is_dangerous
 from armui.ui.actions.command import always, while_editing
 from armui.ui.actions.keys import SHORTCUTS
@@ -16,6 +18,7 @@ from armui.ui.dialogs.sections import KeyCap
 from armui.ui.dialogs.settings import SettingsDialog
 from armui.ui.trajectory.library.library_page import LibraryPage
 from armui.ui.widgets.press_button import PressButton
+from tests.test_operator_running import BACK, OUT, Operator, to
 
 
 def open_palette(app_driver, window=None):
@@ -57,6 +60,10 @@ def test_a_panel_is_found_by_any_of_its_names(app_driver, words):
         ("zero", "Home"),
         ("归零", "Home"),
         ("零点", "Home"),
+        ("guiling", "Home"),
+        ("jinjitingzhi", "Emergency stop"),
+        ("jjtz", "Emergency stop"),
+        ("bangzhu", "User guide"),
         ("estop", "Emergency stop"),
         ("e-stop", "Emergency stop"),
         ("stop", "Emergency stop"),
@@ -318,3 +325,30 @@ def test_tooltips_name_the_keys_of_the_table(app_driver):
     for action in actions():
         if action.place in ("motion", "window") and action.keys and action.target:
             assert f"({action.keys})" in app_driver.find(action.target).toolTip()
+
+
+def test_the_next_step_of_a_run_that_is_paused_leads_to_its_button(app_driver):
+    operator = Operator(app_driver, to(OUT), to(BACK))
+    operator.send()
+    operator.until(lambda: operator.progress.phase is RunPhase.MOVING)
+    app_driver.run(0.5)
+    app_driver.click("run_pause")
+    operator.until(lambda: operator.progress.phase is RunPhase.PAUSED)
+    app_driver.run_until(lambda: app_driver.controller.recovery.step.kind is StepKind.RUN_PAUSED)
+    command(app_driver, "next step")
+    held = app_driver.find("run_continue")
+    assert app_driver.window.focusWidget() is held
+    app_driver.run(0.5)
+    assert operator.progress.phase is RunPhase.PAUSED, "it is to be held by hand"
+    app_driver.click("run_stop")
+
+
+def test_the_next_step_of_a_run_that_waits_is_not_taken_unseen(app_driver):
+    operator = Operator(app_driver, to(OUT), to(BACK))
+    operator.child("run_steps").setChecked(True)
+    operator.send()
+    operator.until(lambda: operator.progress.phase is RunPhase.WAITING)
+    app_driver.run_until(lambda: app_driver.controller.recovery.step.kind is StepKind.RUN_WAITS)
+    command(app_driver, "next step")
+    assert app_driver.window.focusWidget() is app_driver.find("run_pause")
+    assert operator.progress.phase is RunPhase.WAITING

@@ -20,6 +20,7 @@ from pypinyin import lazy_pinyin
 
 from armui.protocol.database import load_database
 from armui.protocol.generation import Generation
+from armui.ui.actions.catalogue import actions, synonyms
 from armui.ui.words.frames import signal_word
 
 ROOT = Path(__file__).resolve().parent.parent
@@ -80,13 +81,20 @@ def lrelease(ts: Path, qm: Path) -> None:
 
 
 def names(ts: Path) -> str:
-    """The names of a .ts file as JSON: of each Chinese one its pinyin and its English texts."""
+    """The names of a .ts file as JSON: of each Chinese one its pinyin and its English texts.
+
+    The synonyms of the command palette are among them, without an English text.
+    """
     found: dict[str, tuple[str, set[str]]] = {}
     for message in ET.parse(ts).iter("message"):
         english, chinese = (message.findtext(tag) or "" for tag in ("source", "translation"))
         has_hanzi = any("\u4e00" <= letter <= "\u9fff" for letter in chinese)
         if has_hanzi and len(chinese) <= LONGEST and not set("{}\n。") & set(chinese):
             found.setdefault(chinese, (_spelled(chinese), set()))[1].add(english)
+    for action in actions():
+        for word in synonyms(action.name):
+            if not word.isascii():
+                found.setdefault(word, (_spelled(word), set()))
     rows = (
         f"{json.dumps(chinese, ensure_ascii=False)}: "
         f"{json.dumps([pinyin, sorted(texts)], ensure_ascii=False)}"

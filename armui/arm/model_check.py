@@ -23,6 +23,9 @@ FITS_DEG: Final = 1.0
 
 Models = frozenset[PiperModel]
 
+OLDER_ZEROS: Final = " (zeros before S-V1.6-3)"
+"""Behind the model's name in `ModelFit.kind`."""
+
 
 class FittingArm(NamedTuple):
     """An arm whose flange is where a standing arm says that it is.
@@ -61,12 +64,31 @@ class ModelFit(NamedTuple):
     def kind(self) -> str:
         """Return the model and its zeros, as trajectories name the arm they were taught on."""
         name = model_data(self.chosen).name
-        return f"{name} (zeros before S-V1.6-3)" if self.older_zeros else name
+        return f"{name}{OLDER_ZEROS}" if self.older_zeros else name
 
     @property
     def taught_on(self) -> str:
         """Return the kind for what is taught now; "" while what is heard has not confirmed it."""
         return self.kind if self.fitting is not None and self.chosen in self.fitting else ""
+
+    def zeros_from_deg(self, taught_on: str) -> tuple[float, ...] | None:
+        """Return by how much joint angles differ that mean the same pose on this arm.
+
+        Args:
+            taught_on: The `kind` of the arm they are of.
+
+        Returns:
+            What is added to the six angles, in degrees; ``None`` unless it is known that the arms
+            are of one model and count from different zeros.
+        """
+        data = model_data(self.chosen)
+        if not self.taught_on or taught_on != self._replace(older_zeros=not self.older_zeros).kind:
+            return None
+        theirs = data.geometry_with(older_zeros=not self.older_zeros)
+        return tuple(
+            round(one.theta_deg - other.theta_deg, 6)
+            for one, other in zip(theirs.rows, self.geometry.rows, strict=True)
+        )
 
     @property
     def confirmed(self) -> bool:

@@ -120,6 +120,10 @@ class ModelData(NamedTuple):
         """Today's and the older one: what an arm may have that tells no version."""
         return self.geometry, self.older_geometry
 
+    def tool_mm(self, tool_z_mm: float) -> float:
+        """Return how far the tip is beyond the flange: of the tool set, else of the gripper."""
+        return tool_z_mm if tool_z_mm > 0.0 else self.gripper.reach_mm
+
     def geometry_with(self, *, older_zeros: bool) -> Geometry:
         """The dimensions with the zeros before S-V1.6-3, or with today's."""
         return self.older_geometry if older_zeros else self.geometry

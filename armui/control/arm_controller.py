@@ -41,6 +41,7 @@ if TYPE_CHECKING:
     from armui.bus.worker import Opener
     from armui.control.link.arm_mark import ArmMark
     from armui.control.link.connection import MakeWorker
+    from armui.control.operations.started import Started
     from armui.telemetry.store import Telemetry
 
 _TICK_MS: Final = 33
@@ -238,8 +239,8 @@ class ArmController(ControllerParts):
         """Whether a stop that another host undoes is sent again by itself."""
         self._stop.stop_again = on
 
-    def _notice(self, code: EventCode, **params: object) -> None:
-        self.noticed.emit(Event(self._wall(self._clock()), code.level, code, params))
+    def _notice(self, code: EventCode, started: Started | None = None, /, **params: object) -> None:
+        self.noticed.emit(Event(self._wall(self._clock()), code.level, code, params, started))
 
     def _on_noticed(self, event: Event) -> None:
         self.happenings.on_noticed(event)
@@ -345,7 +346,7 @@ class ArmController(ControllerParts):
     def _forget_arm(self) -> None:
         self._parts.forget()
         self._authority.end(End.FORGOTTEN)
-        self._watch.forget()
+        self._watch.forget(self._clock())
         self._link_watch.forget()
         self._was_stopped = False
 

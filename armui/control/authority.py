@@ -30,6 +30,7 @@ from armui.protocol.codes import ArmStatusCode, ControlMode, MoveMode
 if TYPE_CHECKING:
     from armui.arm.limits import JointLimits
     from armui.arm.state import ArmState
+    from armui.control.operations.started import Started
     from armui.control.safety.overspeed import ToolPace
     from armui.kinematics.poses import Matrix
 
@@ -56,6 +57,7 @@ class Authority:
     Attributes:
         command: Our own command, as long as its target is one to start from.
         ended: What ended the last command of ours.
+        over: The commands that have ended and by what, until somebody takes them from here.
         holds: What holds back the motion in the arm; it stays there until it is cancelled.
         arm_percent: The speed percentage this program gave the arm last; ``None`` if another host
             may have changed it since.
@@ -79,6 +81,7 @@ class Authority:
         self.other = OtherCommand()
         self.command: MotionCommand | None = None
         self.ended: End | None = None
+        self.over: list[tuple[MotionCommand, End]] = []
         self.holds: frozenset[Hold] = frozenset()
         self.arm_percent: int | None = None
         self.cancel_unheeded = False
@@ -253,6 +256,7 @@ class Authority:
         tool: Matrix | None = None,
         leads_away: bool = False,
         pace: ToolPace | None = None,
+        started: Started | None = None,
     ) -> MotionCommand:
         """A new command of ours takes the place of whatever was before.
 
@@ -265,6 +269,7 @@ class Authority:
             tool: The target of the tool centre point, where it names it.
             leads_away: Whether the tool was measured elsewhere.
             pace: Of a line or an arc: how fast the tool goes at 100 %.
+            started: The operation that it carries out.
         """
         if self.moves:
             self._slow_down(0, now_s)
@@ -274,7 +279,8 @@ class Authority:
         self._number += 1
         target_deg = None if joints_deg is None else tuple(joints_deg)
         self.command = MotionCommand(
-            self._number, kind, now_s, speed_percent, target_deg, tool, leads_away, pace
+            *(self._number, kind, now_s, speed_percent, target_deg, tool, leads_away, pace),
+            started,
         )
         self.arm_percent, self._mode_sent = speed_percent, (move_mode, now_s)
         self._cancelled_s, self.cancel_unheeded = None, False
@@ -345,6 +351,7 @@ class Authority:
     def _end(self, reason: End) -> None:
         if self.command is None:
             return
+        self.over.append((self.command, reason))
         self.command = None
         self.ended = reason
         self._number += 1

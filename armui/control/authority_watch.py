@@ -7,11 +7,14 @@ from datetime import datetime
 from typing import TYPE_CHECKING, Final
 
 from armui.arm.refusal import Refusal
+from armui.control.event_log.observed import ObservedCode
 from armui.control.events import EventCode
-from armui.control.motion.motion_command import Observation
+from armui.control.motion.motion_command import CommandKind, End, MotionCommand, Observation
 from armui.control.operating_state import LinkState, OtherHostReport
+from armui.control.operations.started import Ending
 from armui.control.safety.heeding import HeedWatch
 from armui.protocol.addressing import OFFSETS
+from armui.telemetry.events import EventOutcome, Level
 
 if TYPE_CHECKING:
     from armui.control.authority import Authority
@@ -21,6 +24,7 @@ if TYPE_CHECKING:
 
 _NAMED_AFTER_S: Final = 0.1
 """By then the frames tell a leader arm from another program."""
+_CUT_LEVELS: Final = {End.REPLACED: Level.INFO, End.CANCELLED: Level.INFO}
 
 
 class AuthorityWatch:
@@ -93,11 +97,35 @@ class AuthorityWatch:
         elif self._heeding.observe(
             authority.command, authority.ended, self._connection.newest, now_s
         ):
-            self._tell(EventCode.MOTION_UNHEEDED)
+            code = EventCode.MOTION_UNHEEDED
+            unheeded = authority.command or authority.over[-1][0]
+            _close(unheeded, Ending.FAILED, EventOutcome(code, now_s, code.level))
+            self._tell(code)
+        self._follow_motion(now_s)
         if authority.overspeed is not None:
             reason = authority.overspeed
             self._end_motion(reason)
             self._tell(EventCode.MOTION_TOO_FAST, reason=reason)
+
+    def _follow_motion(self, now_s: float) -> None:
+        """Close the commands of ours that have ended, or come to rest; a replay does so itself."""
+        authority = self.authority
+        command = authority.command
+        for over, end in authority.over:
+            if command is None or over.started is not command.started:
+                level = _CUT_LEVELS.get(end, Level.WARNING)
+                cut = EventOutcome(ObservedCode.MOTION_CUT, now_s, level, {"end": end.name})
+                _close(over, Ending.CUT_OFF, cut)
+        authority.over.clear()
+        if command is None or authority.under_way or authority.holds or self._heeding.waits:
+            return
+        status = self._connection.newest.status
+        if status is not None and status.value.reached:
+            _close(command, Ending.DONE, EventOutcome(ObservedCode.ARRIVED, now_s, Level.DONE))
+        else:
+            figures = {"end": "short"}
+            short = EventOutcome(ObservedCode.MOTION_CUT, now_s, Level.WARNING, figures)
+            _close(command, Ending.FAILED, short)
 
     def take_over(self, now_s: float) -> Refusal | None:
         """Take the arm from another host that pauses: ``None``, or why not.
@@ -124,8 +152,14 @@ class AuthorityWatch:
             other.frames, self._began[1], other.rate_hz, reason, other.may_be_taken_over
         )
 
-    def forget(self) -> None:
+    def forget(self, now_s: float) -> None:
         """Another connection begins."""
+        self._follow_motion(now_s)
         self._heeding.forget()
         self._was_commanded = self._was_unheeded = False
         self._began = None
+
+
+def _close(command: MotionCommand, ending: Ending, result: EventOutcome) -> None:
+    if command.started is not None and command.kind is not CommandKind.REPLAY:
+        command.started.close(ending, result)

@@ -13,10 +13,12 @@ from armui.control.authority import Authority
 from armui.control.events import EventCode
 from armui.control.motion.motion_command import CommandKind, End, MotionCommand
 from armui.control.operating_state import OperatingState, why_unreachable
+from armui.control.operations.started import Ending, Started
 from armui.control.parameters.arm_model import planning_model
 from armui.control.safety.overspeed import tool_pace
 from armui.protocol import commands
 from armui.protocol.codes import ControlMode
+from armui.telemetry.events import EventOutcome
 
 if TYPE_CHECKING:
     from armui.control.link.connection import Connection
@@ -27,9 +29,12 @@ if TYPE_CHECKING:
 
 
 class Tell(Protocol):
-    """Tells the operator an event: its code and its figures."""
+    """Tells the operator an event: its code, the command that begins with it, and its figures."""
 
-    def __call__(self, code: EventCode, **params: object) -> None: ...  # noqa: D102 - said above
+    def __call__(
+        self, code: EventCode, started: Started | None = None, /, **params: object
+    ) -> None:
+        """Tell it; the command is told with its beginning alone."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -64,6 +69,26 @@ class Context:
         self.tell(EventCode.REFUSED, reason=refusal)
         return refusal
 
+    def close(
+        self, started: Started | None, ending: Ending, code: EventCode, **params: object
+    ) -> None:
+        """Note how a command ended, and tell the operator so.
+
+        Args:
+            started: The command.
+            ending: How it ended.
+            code: What the operator is told.
+            **params: The figures of that.
+        """
+        if started is not None:
+            started.close(ending, EventOutcome(code, self.clock(), code.level, params))
+        self.tell(code, **params)
+
+    def report(self, started: Started, code: EventCode, **params: object) -> None:
+        """Tell the operator what is known of a command that has not ended."""
+        started.report(EventOutcome(code, self.clock(), code.level, params))
+        self.tell(code, **params)
+
     def why_no_motion(self) -> Refusal | None:
         """The reason against a motion frame of ours by who moves the arm now, or ``None``.
 
@@ -78,6 +103,7 @@ class Context:
         kind: CommandKind,
         frames: Sequence[Frame],
         *,
+        started: Started,
         move_mode: MoveMode,
         speed_percent: int,
         joints_deg: Sequence[float] | None = None,
@@ -91,6 +117,7 @@ class Context:
         Args:
             kind: What it is.
             frames: Targets and mode word, in order.
+            started: What it is the motion of; a refusal closes it.
             move_mode: Which kind of motion the mode word asks for.
             speed_percent: What the mode word carries.
             joints_deg: Six target angles, where the command names them.
@@ -105,10 +132,12 @@ class Context:
         """
         refusal = self.why_no_motion()
         if refusal is not None:
+            started.close(Ending.REFUSED)
             return refusal
         lead = self.lead_frames(speed_percent)
         command = self.authority.begin(
             kind,
+            started=started,
             now_s=self.clock(),
             move_mode=move_mode,
             speed_percent=speed_percent,

@@ -224,7 +224,10 @@ class ControllerParts(QObject):
         """Moves the gripper."""
         from armui.control.devices.gripper import GripperControl
 
-        return GripperControl(self._context, self.settings, end_run=self._end_run_because)
+        gripper = GripperControl(self._context, self.settings, end_run=self._end_run_because)
+        for run in (self.player, self.replayer):
+            run.gripper_sent.connect(gripper.follow)
+        return gripper
 
     @cached_property
     def zeroing(self) -> Zeroing:

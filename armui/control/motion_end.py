@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import logging
 from collections.abc import Callable, Collection
-from functools import partial
 from typing import TYPE_CHECKING, Final
 
 from armui.arm.refusal import Refusal
@@ -128,7 +127,8 @@ class MotionEnd:
             ways = (
                 self._end_gamepad,
                 self._end_jog,
-                self._end_runs,
+                self._end_replay,
+                self._end_program,
                 *((self._end_single_motion, self._end_gripper) if single else ()),
             )
             ended = [_succeeds(way) for way in ways]
@@ -150,7 +150,9 @@ class MotionEnd:
         authority = self._context.authority
         authority.failed = True
         moves = authority.command is not None or authority.may_be_ours or authority.is_ending
-        return moves and not self._stopping() and _succeeds(self._abort)
+        told = moves and not self._stopping() and _succeeds(self._abort)
+        _succeeds(self._end_gripper)  # behind it: what waits is dropped by what is urgent
+        return told
 
     def await_rest(self, look: Callable[[], None], wait: Callable[[float], object]) -> None:
         """Tell the arm again to end its motion until it stands still, for half a second at most.
@@ -208,11 +210,11 @@ class MotionEnd:
             self._note()
             jogging.end(self._reason())
 
-    def _end_runs(self) -> None:
-        runs = self._controller.replayer, self._controller.player
-        ended = [_succeeds(partial(self._end_run, run)) for run in runs]
-        if not all(ended):
-            raise RuntimeError("a run could not be ended")
+    def _end_replay(self) -> None:
+        self._end_run(self._controller.replayer)
+
+    def _end_program(self) -> None:
+        self._end_run(self._controller.player)
 
     def _end_run(self, run: Execution) -> None:
         if run.running:

@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 import argparse
-import signal
 import sys
 import time
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from collections.abc import Callable
+from contextlib import closing
 from datetime import datetime
 from pathlib import Path
 from typing import TYPE_CHECKING, Final
@@ -25,6 +24,7 @@ from armui.session.recording.session_recording import SessionRecording
 from armui.session.recording.writer import RecordingPlan, TimeBase
 from armui.system.clock import steady_s
 from armui.system.command_line import add_device
+from armui.system.end_signals import handled_by, interrupting
 
 if TYPE_CHECKING:
     import can
@@ -38,6 +38,7 @@ _NO_MF4: Final = "--format mf4 needs asammdf. Install it: pip install asammdf; o
 _MEGABYTE: Final = 1_000_000
 _TOLD_S: Final = 0.5
 _END_S: Final = 10.0
+_LOOK_S: Final = 0.1
 _KEPT_S: Final = 1.0
 """The ring holds next to nothing: nobody asks it."""
 _LARGEST_MB: Final = 4000
@@ -106,7 +107,8 @@ def run(options: argparse.Namespace, clock: Callable[[], float] = steady_s) -> i
     from armui.bus.adapters import explain  # noqa: PLC0415 - python-can
     from armui.record.listening import opened  # noqa: PLC0415 - as above
 
-    with _ended_by_signals() as ending:
+    ending: list[int] = []
+    with handled_by(lambda number, _frame: ending.append(number)):
         try:
             context = opened(device)
             bus = context.__enter__()
@@ -165,7 +167,7 @@ def _record(
     facts = {"reason": problem or ("signal" if ending else "duration"), "dropped": lane.dropped}
     collector.remove(recording.put, lambda: recording.end(facts))
     collector.end()
-    ended = recording.wait(_END_S)
+    ended = _wait_for(recording, ending)
     code = _summary(recording, lane, problem, ended=ended, quiet=options.quiet)
     if ended and recording.frames and recording.path is not None:
         _count(recording.path)
@@ -174,21 +176,35 @@ def _record(
     return code
 
 
+def _wait_for(recording: SessionRecording, ending: list[int]) -> bool:
+    """Whether it was written to its end; a disk may hang, and another signal ends the wait."""
+    heard = len(ending)
+    until_s = time.monotonic() + _END_S
+    while not recording.wait(_LOOK_S):
+        if len(ending) > heard or time.monotonic() > until_s:
+            return False
+    return True
+
+
 def _count(path: Path) -> None:
-    """Keep beside the recording how many faults its frames tell of, for the list of the window."""
+    """Keep beside the recording how many faults its frames tell of, for the list of the window.
+
+    Another signal calls that off.
+    """
     from armui.session.recording.counted import counted, keep  # noqa: PLC0415 - numpy
     from armui.session.recording.recorded_session import RecordedSession  # noqa: PLC0415 - as above
 
     try:
-        session = RecordedSession(path)
-        keep(path.parent, session.name, counted(session))
-        session.close()
+        with interrupting(), closing(RecordedSession(path)) as session:
+            keep(path.parent, session.name, counted(session))
+    except KeyboardInterrupt:
+        return
     except Exception as error:  # noqa: BLE001 - what was recorded is whole all the same
         sys.stderr.write(f"armui record: its faults were not counted: {error}\n")
 
 
 def _once_more_as_mf4(recording: SessionRecording, *, quiet: bool) -> int:
-    """Make an .mf4 of what was recorded; another Ctrl-C calls that off. Returns the exit code."""
+    """Make an .mf4 of what was recorded; another signal calls that off. Returns the exit code."""
     from armui.session.recording.mf4 import make_mf4  # noqa: PLC0415 - asammdf takes a second
 
     folder, name = recording.plan.folder, recording.name or ""
@@ -201,15 +217,13 @@ def _once_more_as_mf4(recording: SessionRecording, *, quiet: bool) -> int:
             sys.stderr.flush()
 
     problem = ""
-    before = signal.signal(signal.SIGINT, signal.default_int_handler)
     try:
-        make_mf4(folder, name, tell)
+        with interrupting():
+            make_mf4(folder, name, tell)
     except KeyboardInterrupt:
         problem = "called off"
     except Exception as error:  # noqa: BLE001 - a package of others may raise anything
         problem = str(error)
-    finally:
-        signal.signal(signal.SIGINT, before)
     if shown:
         sys.stderr.write("\n")
     if problem:
@@ -293,22 +307,6 @@ def _device(options: argparse.Namespace) -> Device | None:
 def _cannot_begin(text: str) -> int:
     sys.stderr.write(f"armui record: {text}\n")
     return EXIT_CANNOT_BEGIN
-
-
-@contextmanager
-def _ended_by_signals() -> Iterator[list[int]]:
-    """A list that gets a number when the command is asked to end."""
-    asked: list[int] = []
-    names = ("SIGINT", "SIGTERM", "SIGHUP", "SIGBREAK")
-    numbers = [getattr(signal, name) for name in names if hasattr(signal, name)]
-    before = {number: signal.getsignal(number) for number in numbers}
-    for number in numbers:
-        signal.signal(number, lambda got, _frame: asked.append(got))
-    try:
-        yield asked
-    finally:
-        for number, handler in before.items():
-            signal.signal(number, handler)
 
 
 def _megabytes(text: str) -> int:

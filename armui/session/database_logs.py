@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import contextlib
 import sqlite3
 from importlib.util import find_spec
+from itertools import chain
 from typing import TYPE_CHECKING, Any, Final
 
 import can
@@ -102,14 +104,15 @@ def read_mf4(path: Path, gatherer: Gatherer) -> Iterator[FrameBatch]:
         raise NotALogError(
             ".mf4 files are read with asammdf, which is missing: pip install asammdf"
         )
-    try:
-        reader = can.MF4Reader(path)
-        messages = iter(reader)
-    except Exception as error:  # a damaged file makes it raise whatever it hits
-        raise NotALogError(f"no CAN log: {str(error) or type(error).__name__}") from error
-    with reader:
+    from armui.session.mf4_process import Mf4ProcessError, rows_of  # noqa: PLC0415 - multiprocessing
+
+    with contextlib.closing(rows_of(path)) as read:
+        try:
+            next(read)
+        except Mf4ProcessError as error:
+            raise NotALogError(f"no CAN log: {error}") from error
         gatherer.header_seen = True
-        yield from _gathered(messages, gatherer)
+        yield from _gathered(chain.from_iterable(read), gatherer)
 
 
 def _gathered(

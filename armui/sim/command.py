@@ -171,15 +171,16 @@ def run_arm(
     place = bus.channel_info if known else f"{interface} {channel}".rstrip()
     if firmware.flash.problem:
         sys.stderr.write(f"armui sim: {firmware.flash.problem}\n")
-    with bus, Node(firmware, bus, faults=faults, seed=seed) as node:
-        sys.stdout.write(
-            f"Simulated arm, generation {int(firmware.generation)}, on {place}. Ctrl-C ends it.\n"
-        )
-        sys.stdout.flush()
-        try:
+    try:
+        with bus, Node(firmware, bus, faults=faults, seed=seed) as node:
+            generation = int(firmware.generation)
+            sys.stdout.write(
+                f"Simulated arm, generation {generation}, on {place}. Ctrl-C ends it.\n"
+            )
+            sys.stdout.flush()
             _report(node, ending, bitrate or 1_000_000)
-        except KeyboardInterrupt:
-            sys.stdout.write("\n")
+    except KeyboardInterrupt:
+        sys.stdout.write("\n")
     return EXIT_OK
 
 

@@ -106,7 +106,7 @@ class HelperProcess(Executor):
         if self._pool is None:
             # a fork would inherit Qt, its threads and every lock they hold
             context = multiprocessing.get_context("spawn")
-            self._pool = ProcessPoolExecutor(1, mp_context=context, initializer=_settle_in)
+            self._pool = ProcessPoolExecutor(1, mp_context=context, initializer=settle_in)
         future = self._pool.submit(call_packed, packed, folder)
         future.add_done_callback(partial(_log_failure, self._called_off))
         self._children |= set(multiprocessing.active_children()) - before
@@ -201,6 +201,7 @@ class FileThread(Executor):
         self._turn = threading.Lock()
         self._process = HelperProcess()
         self._last: Future[None] | None = None
+        self._undone: dict[Future[Any], str] = {}
 
     @property
     def ended(self) -> bool:
@@ -213,6 +214,12 @@ class FileThread(Executor):
         self._left = [each for each in self._left if each.is_alive()]
         return len(self._left)
 
+    @property
+    def waiting(self) -> list[str]:
+        """What was asked for and is not done, by the names of its functions."""
+        undone = self._undone.copy()
+        return [name for answer, name in undone.items() if answer is not self._last]
+
     def submit(self, fn: Callable[..., Any], /, *args: Any, **kwargs: Any) -> Future[Any]:
         """Have something done, after what was asked for before.
 
@@ -222,6 +229,8 @@ class FileThread(Executor):
         if self._last is not None:
             raise RuntimeError("cannot schedule new futures after shutdown")
         job = _FileJob(Future(), partial(fn, *args, **kwargs))
+        self._undone[job.answer] = _name_of(fn)
+        job.answer.add_done_callback(self._undone.pop)
         with self._turn:
             self._add(job)
         return job.answer
@@ -289,11 +298,21 @@ class FileThread(Executor):
                 with self._turn:
                     for job in _taken_from(self._jobs):
                         job.answer.cancel()
-            self._last = self.submit(lambda: None)
+            self._last = self.submit(_come_to_the_end)
             self._jobs.put(None)
         if wait:
             wait_for([self._last], _END_S)
         self._process.shutdown()
+
+
+def _come_to_the_end() -> None:
+    """Stands behind everything that is to be done."""
+
+
+def _name_of(work: Callable[..., Any]) -> str:
+    while isinstance(work, partial):
+        work = work.func
+    return getattr(work, "__qualname__", type(work).__name__)
 
 
 def _answer(answer: Future[Any], sent: Future[Packed]) -> None:
@@ -336,7 +355,7 @@ def _log_failure(called_off: threading.Event, future: Future[Any]) -> None:
         _LOG.warning("Work in the helper process has failed\n%s", trace)
 
 
-def _settle_in() -> None:
+def settle_in() -> None:
     """In the new process: leave Ctrl-C to the program, stand back, do not outlive it."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     if hasattr(os, "nice"):

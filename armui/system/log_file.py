@@ -16,6 +16,8 @@ from armui.system.files import open_file
 NAME: Final = "armui.log"
 _MOST_WAITING: Final = 1000
 """Lines that wait for a slow disk; later ones are lost, never waited for."""
+_FLUSH_S: Final = 0.05
+"""A disk that takes longer may hang."""
 _FORMAT: Final = "%(asctime)s %(levelname)s %(name)s [%(threadName)s] %(message)s"
 
 
@@ -39,8 +41,19 @@ class UnhurriedHandler(logging.Handler):
         except Exception:  # noqa: BLE001 - what cannot be put into words
             self.handleError(record)
 
+    def flush(self) -> None:
+        """Wait for a moment until it is written."""
+        with self.lines.all_tasks_done:
+            self.lines.all_tasks_done.wait_for(lambda: not self.lines.unfinished_tasks, _FLUSH_S)
+
     def handleError(self, record: logging.LogRecord) -> None:  # noqa: N802 - logging's name
         """A log that fails is no reason to say more."""
+
+
+def flush_log() -> None:
+    """Wait for a moment until what was logged is written: the process is about to end."""
+    for handler in logging.getLogger(LOGGERS[0]).handlers:
+        handler.flush()
 
 
 class _LogThread(threading.Thread):
@@ -54,6 +67,7 @@ class _LogThread(threading.Thread):
     def run(self) -> None:
         line = self._lines.get()
         if line is None:
+            self._lines.task_done()
             return
         from armui.system.rotating_file import RotatingFile  # noqa: PLC0415 - most starts log nothing
 
@@ -62,6 +76,7 @@ class _LogThread(threading.Thread):
                 file.add(line)
                 self._lines.task_done()
                 line = self._lines.get()
+            self._lines.task_done()
 
 
 @contextlib.contextmanager

@@ -412,6 +412,13 @@
     </message>
 </context>
 <context>
+    <name>ArmKind</name>
+    <message>
+        <source>{model} (zeros before S-V1.6-3)</source>
+        <translation>{model}（S-V1.6-3 之前的零点）</translation>
+    </message>
+</context>
+<context>
     <name>ArmPart</name>
     <message>
         <source>the base</source>
@@ -1833,8 +1840,12 @@
         <translation>“{name}”在这些未保存的更改之后又保存过：未用它们覆盖，可在轨迹库的“最近删除…”中找回。</translation>
     </message>
     <message>
-        <source>This was taught on another arm: {taught}. Chosen is {arm}.</source>
-        <translation>此轨迹在另一种机械臂上示教：{taught}。当前选择的是 {arm}。</translation>
+        <source>These points were taught on another arm: {pasted}. Those here were taught on {here}. The same joint angles may hold the tool elsewhere: check them, or undo.</source>
+        <translation>这些点在另一种机械臂上示教：{pasted}。此轨迹在 {here} 上示教。相同的关节角可能使工具处于别处：请检查，或撤销。</translation>
+    </message>
+    <message>
+        <source>The angles count from the zeros of {arm} now; poses stay as they are. Save it, or undo it.</source>
+        <translation>关节角现在以 {arm} 的零点计；位姿保持不变。请保存或撤销。</translation>
     </message>
 </context>
 <context>
@@ -5872,6 +5883,21 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     </message>
 </context>
 <context>
+    <name>OtherArmLine</name>
+    <message>
+        <source>This was taught on another arm: {taught}. Chosen is {arm}.</source>
+        <translation>此轨迹在另一种机械臂上示教：{taught}。当前选择的是 {arm}。</translation>
+    </message>
+    <message>
+        <source>Turns the joints of every point by {degrees}, so that the arm comes to the same place. Poses stay: they count from the base. It can be undone.</source>
+        <translation>每个点的关节转动 {degrees}，使机械臂到达同一位置。位姿保持不变：它们以基座计。可以撤销。</translation>
+    </message>
+    <message>
+        <source>Convert zeros</source>
+        <translation>换算零点</translation>
+    </message>
+</context>
+<context>
     <name>OtherMode</name>
     <message>
         <source>MIT</source>
@@ -6383,6 +6409,10 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     <message>
         <source>Cut</source>
         <translation>剪切</translation>
+    </message>
+    <message>
+        <source>Convert zeros</source>
+        <translation>换算零点</translation>
     </message>
 </context>
 <context>
@@ -8779,10 +8809,6 @@ The other program must have ended.</source>
         <translation>实际速度 {percent}</translation>
     </message>
     <message>
-        <source>The speed of each row × that of the run, 1–100 %; all rows.</source>
-        <translation>各行速度 × 运行速度，限于 1–100 %；按全部行计算。</translation>
-    </message>
-    <message>
         <source>The speed in the top bar does not change a run.</source>
         <translation>顶栏的速度不影响运行。</translation>
     </message>
@@ -8793,6 +8819,14 @@ The other program must have ended.</source>
     <message>
         <source>“{name}” is not known to have run: its speed begins at {percent} %. Watch it once before you choose more.</source>
         <translation>未见“{name}”运行过：速度从 {percent} % 开始。先看它运行一次，再选择更高速度。</translation>
+    </message>
+    <message>
+        <source>The speed of each row × that of the run, 1–100 %; of all rows that run.</source>
+        <translation>各行速度 × 运行速度，1–100 %；为所有要运行的行。</translation>
+    </message>
+    <message>
+        <source>The speed of each row × that of the run, 1–100 %; from row {row} on.</source>
+        <translation>各行速度 × 运行速度，1–100 %；从第 {row} 行起。</translation>
     </message>
 </context>
 <context>

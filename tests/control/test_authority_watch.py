@@ -79,7 +79,7 @@ class Program:
         )
         self.wait(0.5)
 
-    def _tell(self, code, **params) -> None:
+    def _tell(self, code, _started=None, /, **params) -> None:
         self.told.append((code, params))
 
     def wait(self, seconds: float, deg: float = 0.0) -> None:
@@ -288,7 +288,7 @@ def test_the_next_one_has_a_time_of_its_own(program, between):
         program.wait(2.0)
         assert program.watch.report() is None
     elif between == "forgotten":
-        program.watch.forget()
+        program.watch.forget(program.now_s)
     else:
         assert program.watch.take_over(program.now_s) is None
     program.other(0x155)
@@ -313,7 +313,7 @@ def test_a_mode_without_frames_is_reported_too(program):
 def test_over_another_connection_it_is_told_anew(program):
     program.other(0x155)
     program.wait(0.2)
-    program.watch.forget()
+    program.watch.forget(program.now_s)
     program.wait(STEP_S)
     assert program.codes == [EventCode.OTHER_HOST_MOVES] * 2
 
@@ -321,6 +321,6 @@ def test_over_another_connection_it_is_told_anew(program):
 def test_over_another_connection_a_cancel_is_told_anew(program):
     program.authority.cancelled(program.now_s)
     program.wait(1.5, deg=1.0)
-    program.watch.forget()
+    program.watch.forget(program.now_s)
     program.wait(STEP_S, deg=1.0)
     assert program.codes == [EventCode.CANCEL_UNHEEDED] * 2

@@ -13,6 +13,7 @@ from armui.control.context import Context
 from armui.control.events import EventCode
 from armui.control.motion.motion_command import CommandKind, End, MotionCommand
 from armui.control.operating_state import OperatingState
+from armui.control.operations.started import Started
 from armui.protocol.codec import Codec
 from armui.protocol.codes import ControlMode, MoveMode
 from armui.protocol.frame import Frame
@@ -49,7 +50,7 @@ class Part:
         self.looks = 0
         self.context = Context(
             connection=cast("Any", self.connection),
-            tell=lambda code, **params: self.told.append((code, params)),
+            tell=lambda code, _started=None, /, **params: self.told.append((code, params)),
             clock=lambda: self.arm.now_s,
             state=ArmState,
             operating_state=OperatingState,
@@ -66,7 +67,7 @@ class Part:
         """A motion to joint angles."""
         given = {"joints_deg": THERE, "move_mode": MoveMode.MOVE_J, **fields}
         return self.context.send_motion(
-            CommandKind.JOINTS, [TARGET], speed_percent=percent, **given
+            CommandKind.JOINTS, [TARGET], started=Started("a"), speed_percent=percent, **given
         )
 
 

@@ -75,7 +75,7 @@ class Console:
             lambda: self.happened.append("all ended"),
         )
 
-    def _tell(self, code, **params) -> None:
+    def _tell(self, code, _started=None, /, **params) -> None:
         self.happened.append(code)
         self.params = params
         self.named.extend(params.values())

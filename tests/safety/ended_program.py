@@ -48,8 +48,16 @@ def main() -> None:
 
             bus.send, bus.recv = send_noted, receive_others
             yield bus
+            if state == "closing":
+                time.sleep(20.0)
 
-    setattr(app, "open_device", without_echo)  # noqa: B010 - a stand-in
+    @contextmanager
+    def slow(_device, **_more):
+        tell()
+        time.sleep(20.0)
+        yield None
+
+    setattr(app, "open_device", slow if state == "opening" else without_echo)  # noqa: B010 - a stand-in
 
     class Driven(app.Program):
         def __init__(self, *arguments, **more):
@@ -92,6 +100,11 @@ def main() -> None:
         elif state == "stuck":
             tell()
             time.sleep(20.0)
+        elif state == "closing":
+            tell()
+            program.shutdown()
+        elif state == "disk":
+            program._files.submit(time.sleep, 20.0)
 
     told: list[bool] = []
 

@@ -5,7 +5,7 @@ from PySide6.QtWidgets import QSpinBox, QWidget
 from armui.protocol.codes import MoveMode
 from armui.trajectory.library.run_options import RunOptions
 from armui.trajectory.library.store import Library
-from armui.trajectory.points.program import Trajectory, Waypoint
+from armui.trajectory.points.program import Trajectory, Waypoint, speeds_of
 from armui.ui.trajectory.editor.editor_page import EditorPage
 from armui.ui.trajectory.library.library_page import LibraryPage
 from tests.test_operator_running import BACK, OUT, Operator
@@ -107,3 +107,25 @@ def test_another_program_turns_nothing_here(app_driver):
     Library(app_driver.library_folder).note_run("Test", RunOptions(speed_factor=2.0))
     operator.library.refresh()
     assert operator.speeds() == [20, 20], "nobody has chosen another speed at this window"
+
+
+def test_only_the_rows_that_run_count(app_driver):
+    operator = AtBoth(app_driver, SLOW, FAST, FAST)
+    factor = operator.child("run_speed")
+    factor.setValue(100)
+    for page in (operator.window, operator.library):
+        assert operator.effective(page) == "Effective speed 15–90 % · first run"
+    operator.child("run_first").setValue(2)
+    for page in (operator.window, operator.library):
+        assert operator.effective(page) == "Effective speed 90 % · first run"
+        assert "from row 2 on" in page.findChild(QWidget, "run_effective").toolTip()
+    operator.child("run_cycles").setCurrentIndex(1)  # further cycles begin with the first row
+    assert operator.effective() == "Effective speed 15–90 % · first run"
+
+
+def test_speeds_from_each_row_on():
+    percents = [50, 20, 20, 80, 30, 30]
+    points = [Waypoint(MoveMode.MOVE_J, OUT, speed_percent=one) for one in percents]
+    found = speeds_of(points)
+    assert found == ((0, 20, 80), (3, 30, 80), (4, 30, 30))
+    assert speeds_of([]) == ()

@@ -145,6 +145,21 @@ def test_one_time_that_is_none_costs_itself(some, tmp_path):
     session.close()
 
 
+@pytest.mark.parametrize("together", [1, 2])
+def test_a_clock_that_is_set_back_again_and_again_stays_in_the_calendar(together, some, tmp_path):
+    """Each time all that follows was moved up by as much: to the year 4500 and on."""
+    said = [
+        (-2 * START_S if row % 100 < together else at_s, frame)
+        for row, (at_s, frame) in enumerate(some)
+    ]
+    session = open_indexed(as_csv(tmp_path / "a.csv", said, float))
+    assert session.frames == len(some)
+    assert -LATEST_S <= session.start_s <= session.end_s <= LATEST_S
+    if together == 1:  # each costs itself
+        assert session.end_s == pytest.approx(some[-1][0], abs=1e-5)
+    session.close()
+
+
 @pytest.mark.parametrize("name", ["x 1e6", "x 1e12", "all at 1e308", "up to 1e308", "negative µs"])
 def test_the_window_of_such_a_replay_opens_plays_and_closes(
     name, some, tmp_path, app_driver, monkeypatch

@@ -17,11 +17,13 @@ import pytest
 from jeepney import DBusAddress, HeaderFields, new_method_return, new_signal
 from PySide6.QtCore import QDeadlineTimer
 
+from armui.control.run.progress import Run
 from armui.ending import SleepWatch, SystemEnd
 from armui.protocol.generation import Generation
 from armui.sim.firmware import Firmware
 from armui.sim.node import Node
 from armui.trajectory.points.cells import PointColumn
+from armui.trajectory.points.program import GripperOpening
 from armui.ui.dialogs.confirm_dialog import ConfirmDialog
 from tests.arm_rig import thin_out
 from tests.examples import sample
@@ -36,6 +38,9 @@ pytestmark = [
 PORT = 46212
 ABORT = (0x150, bytes([0, 6, 0, 0, 0, 0, 0, 0]))  # byte 1: the trajectory command 6, end it
 LONGEST_S = 1.0
+BUSY_COMPUTER_S = 1.0
+"""What a computer that runs other tests beside may add to the end of a process."""
+SIGNALS = (signal.SIGTERM, signal.SIGHUP, signal.SIGINT)
 ROOT = Path(__file__).resolve().parents[2]
 
 
@@ -139,6 +144,30 @@ def test_a_signal_in_mid_motion_ends_it(outside, state, by):
     assert max(map(abs, outside.firmware.mechanics.speeds_deg_s)) < 0.1
 
 
+@pytest.mark.parametrize(
+    ("state", "by"),
+    sample([(s, by) for s in ("opening", "closing", "disk") for by in SIGNALS], 3, seed=1),
+)
+def test_nothing_that_hangs_keeps_the_program_open(outside, tmp_path, state, by):
+    """A device that is being opened, or closed already, and a disk when the device is closed."""
+    outside.begin(state)
+    time.sleep(0.3)
+    began_s = time.monotonic()
+    outside.process.send_signal(by)
+    time.sleep(0.1)
+    outside.process.send_signal(by)
+    code = outside.process.wait(15.0)
+    gone_s = time.monotonic() - began_s
+    assert code == 128 + by
+    assert gone_s < LONGEST_S + BUSY_COMPUTER_S
+    print(f"{state} {by.name}: program ended after {gone_s:.3f} s")
+    if outside.picture is not None:
+        wait_for_the_end_of(outside.picture)
+    (log,) = tmp_path.rglob("armui.log")
+    assert ("Not written, the disk was too slow: sleep" in log.read_text()) is (state == "disk")
+    assert "Traceback" not in log.read_text()
+
+
 # Without a process of its own --------------------------------------------------------------------
 
 FAR = (60.0, 60.0, -60.0, 0.0, 0.0, 0.0)
@@ -188,6 +217,31 @@ def test_a_window_that_is_held_up_does_not_keep_the_arm_moving(app_driver, syste
     assert at_rest(app_driver)
 
 
+@pytest.mark.parametrize("held_up", [False, True])
+def test_a_gripper_that_a_run_has_sent_is_ended_with_it(qapp, app_driver, held_up):
+    """It comes to its end in the next row's motion, of which nobody is there to see anything."""
+    rig = app_driver
+    rig.ready()
+    near = to((5.0, 0.0, 0.0, 0.0, 0.0, 0.0), gripper=GripperOpening(70.0))
+    assert rig.controller.player.start(Run("Test", (near, to(FAR)), (5.0, 5.0))) is None
+    gripper = rig.firmware.gripper
+    rig.run_until(lambda: 10.0 < gripper.travel < 40.0, seconds=10.0)
+    ending = SystemEnd(qapp, rig.program, lambda code: pytest.fail(str(code)))
+    if held_up:
+        thread = threading.Thread(target=ending.end_motion_in_time)
+        thread.start()
+        thread.join(5.0)
+    else:
+        ending._end_motion()
+    at_end = gripper.travel
+    rig.run(2.0)
+    assert gripper.travel == pytest.approx(at_end, abs=5.0)
+    assert gripper.enabled
+    assert at_rest(rig)
+    ending._listening.close()
+    ending._wakes.close()
+
+
 def test_what_is_not_saved_is_kept_and_nobody_is_asked(app_driver, qapp):
     editor = Editor(app_driver, to(OUT))
     editor.type_into(0, PointColumn.DWELL, "2")
@@ -197,7 +251,7 @@ def test_what_is_not_saved_is_kept_and_nobody_is_asked(app_driver, qapp):
     assert editor.library.draft("Test").points[0].dwell_s == 2.0
     assert not [w for w in qapp.topLevelWidgets() if isinstance(w, ConfirmDialog) and w.isVisible()]
     assert app_driver.program.closed.is_set()
-    assert app_driver.program.written.is_set()
+    assert not app_driver.program.unwritten
     assert codes == [128 + signal.SIGTERM]
     ending._listening.close()
     ending._wakes.close()

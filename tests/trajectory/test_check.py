@@ -5,11 +5,13 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import replace
+from itertools import pairwise
 
 import numpy as np
 import numpy.typing as npt
 import pytest
 
+from armui.arm.state import EndLimits
 from armui.kinematics.forward import links
 from armui.trajectory.planning.check import Report, check
 from armui.trajectory.planning.collision import collisions, segment_distances
@@ -298,3 +300,41 @@ def test_errors_come_before_warnings_of_the_same_row() -> None:
     severities = [SEVERITIES[code] for code in codes]
     assert len(codes) > 1
     assert severities == sorted(severities, key=lambda each: each is Severity.WARNING)
+
+
+def held(*poses: Sequence[float]) -> Recording:
+    """A recording that goes slowly from pose to pose."""
+    ways = np.vstack([np.linspace(a, b, 201) for a, b in pairwise(poses)])
+    return recording(np.linspace(0, 20.0 * (len(poses) - 1), len(ways)), ways)
+
+
+def test_a_recording_is_not_blamed_for_where_the_arm_stands_or_the_way_to_it() -> None:
+    hit, near = self_hit(), tuple(angle + 5.0 for angle in FREE)
+    free = held(FREE, near)
+    assert hits_of(check(free, ARM, FREE)) == []
+    assert hits_of(check(free, ARM, hit)) == [(0, Approach.HERE)]
+    assert hits_of(check(held(hit, FREE), ARM, hit))[0] == (0, None)
+    ((row, approach),) = hits_of(check(held(FREE, hit), ARM, FREE))
+    assert (row is not None and row > 0, approach) == (True, None)
+    start, end = (-16, 81, -2, 51, 31, 59), (9, 93, -7, -63, 70, 117)
+    assert hits_of(check(held(end, end), ARM, start)) == [(0, Approach.WAY)]
+
+
+def test_the_way_to_a_recording_may_be_low_or_fast_without_its_fault() -> None:
+    low = (0.0, 170.0, -20.0, 0.0, 0.0, 0.0)
+    (found_low,) = [
+        each for each in check(held(FREE, HERE), ARM, low).findings if each.code == "below_floor"
+    ]
+    assert (found_low.row, found_low.approach) == (0, Approach.WAY)
+    (of_it,) = [
+        each for each in check(held(low, low), ARM, FREE).findings if each.code == "below_floor"
+    ]
+    assert of_it.approach is None
+    slow = replace(ARM, end_limits=EndLimits(0.02, 1.0, 1.0, 1.0))
+    swing = (FREE[0] + 60.0, *FREE[1:])
+    fast = [
+        each
+        for each in check(held(FREE, FREE), slow, swing).findings
+        if each.code == "tool_too_fast"
+    ]
+    assert [(each.row, each.approach) for each in fast] == [(0, Approach.WAY)]

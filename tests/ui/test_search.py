@@ -11,6 +11,7 @@ NAMES = Names(
         ("回零", "Home", "hui ling"),
         ("目标", "Target of", "mu biao"),
         ("使能", "Enable", "shi neng"),
+        ("归零", "", "gui ling"),
     ]
 )
 
@@ -64,3 +65,16 @@ def test_initials_come_before_a_part_within():
 def test_nothing_asked_finds_everything():
     assert found("", "回零")
     assert found("   ", "回零")
+
+
+@pytest.mark.parametrize("query", ["guiling", "gl", "gling", "归零", "origin", "guil"])
+def test_synonyms_are_found_by_pinyin_too(query):
+    text = NAMES.search_text("Home", "", ("zero", "origin", "归零"))
+    found_so = rank(query, text)
+    assert found_so is not None
+    assert rank(query, NAMES.search_text("Home", "")) is None
+    assert how_well("home", "Home") < found_so
+
+
+def test_a_synonym_has_no_other_name():
+    assert NAMES.search_text("归零", "").names == ("归零",)

@@ -11,7 +11,8 @@ from armui.arm.state import ArmState
 from armui.control.context import Context
 from armui.control.events import EventCode
 from armui.control.operating_state import OperatingState
-from armui.control.operations.operation import operation
+from armui.control.operations.operation import begun, operation
+from armui.control.operations.started import Ending, Started, ending_of
 from armui.control.requests.transactions import ReadBack, Transaction, TransactionQueue
 from armui.protocol import commands
 from armui.protocol.codes import EndLoad, SettingIndex
@@ -67,12 +68,14 @@ class EndReports:
         if refusal is not None:
             return context.refuse(refusal)
         self.busy = True
-        context.tell(EventCode.LOAD_SENT, load=int(load))
+        started = begun(self.set_load)
+        context.tell(EventCode.LOAD_SENT, started, load=int(load))
         self._transactions.submit(
             Transaction(
                 commands.set_load(context.connection.codec, load),
-                partial(self._after_load, load),
+                partial(self._after_load, started, load),
                 SettingIndex.PARAMETER_COMMAND,
+                started=started,
                 recheck=lambda: _why_in_use(context.operating_state()),
                 ends_with_stop=True,
                 alters="end_reports",
@@ -88,12 +91,14 @@ class EndReports:
         if refusal is not None:
             return context.refuse(refusal)
         self.busy = True
-        context.tell(EventCode.END_FEEDBACK_SENT)
+        started = begun(self.switch)
+        context.tell(EventCode.END_FEEDBACK_SENT, started)
         self._transactions.submit(
             Transaction(
                 commands.set_end_feedback(context.connection.codec, on=on),
-                partial(self._after_switch, on),
+                partial(self._after_switch, started, on),
                 SettingIndex.PARAMETER_COMMAND,
+                started=started,
                 read_back=ReadBack(
                     (), _all_came if on else _time_passed, lambda s: _against(s, on=on)
                 ),
@@ -101,19 +106,22 @@ class EndReports:
         )
         return None
 
-    def _after_load(self, load: EndLoad, refusal: Refusal | None) -> None:
+    def _after_load(self, started: Started, load: EndLoad, refusal: Refusal | None) -> None:
         self.busy = False
+        close = self._context.close
         if refusal is None:
-            self._context.tell(EventCode.LOAD_ANSWERED, load=int(load))
+            close(started, Ending.ANSWERED, EventCode.LOAD_ANSWERED, load=int(load))
         else:
-            self._context.tell(EventCode.LOAD_FAILED, reason=refusal)
+            close(started, ending_of(refusal), EventCode.LOAD_FAILED, reason=refusal)
 
-    def _after_switch(self, on: bool, refusal: Refusal | None) -> None:
+    def _after_switch(self, started: Started, on: bool, refusal: Refusal | None) -> None:
         self.busy = False
+        close = self._context.close
         if refusal is not None:
-            self._context.tell(EventCode.END_FEEDBACK_FAILED, reason=refusal)
+            close(started, ending_of(refusal), EventCode.END_FEEDBACK_FAILED, reason=refusal)
         else:
-            self._context.tell(EventCode.END_FEEDBACK_ON if on else EventCode.END_FEEDBACK_OFF)
+            code = EventCode.END_FEEDBACK_ON if on else EventCode.END_FEEDBACK_OFF
+            close(started, Ending.DONE, code)
 
 
 def is_reporting(state: ArmState) -> bool:

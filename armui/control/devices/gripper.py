@@ -16,7 +16,8 @@ from armui.control.context import Context, ControllerPart
 from armui.control.devices.gripper_ranges import Figures, check, figures_of
 from armui.control.events import EventCode
 from armui.control.operating_state import OperatingState
-from armui.control.operations.operation import operation
+from armui.control.operations.operation import begun, operation
+from armui.control.operations.started import Ending, Started
 from armui.control.parameters.arm_settings import ArmSettings
 from armui.control.parameters.setting_cell import CellState
 from armui.control.requests.request import Request, RequestOutcome
@@ -46,6 +47,7 @@ class _Travel:
         moved_s: When it was last seen to move.
         unit: Of both.
         effort: What it was sent with.
+        started: The command; of a run, which tells of itself, there is none.
     """
 
     target: float
@@ -53,6 +55,7 @@ class _Travel:
     moved_s: float
     unit: str
     effort: float
+    started: Started | None = None
 
 
 def why_not_gripper(
@@ -128,6 +131,7 @@ class GripperControl(ControllerPart):
         self._settings = settings
         self._action: str | None = None
         self._request: Request | None = None
+        self._started: Started | None = None
         self._travel: _Travel | None = None
         self.by_angle = False
 
@@ -187,9 +191,9 @@ class GripperControl(ControllerPart):
         if not self._context.connection.send(self._hold(travel, effort, by_angle=by_angle)):
             return self._context.refuse(Refusal(RefusalCode.LINK_LOST))
         self.forget()
-        unit = figures.travel.unit
-        self._travel = _Travel(travel, heard.travel, self._context.clock(), unit, effort)
-        self._context.tell(EventCode.GRIPPER_SENT, value=travel, unit=figures.travel.unit)
+        unit, started = figures.travel.unit, begun(self.move)
+        self._travel = _Travel(travel, heard.travel, self._context.clock(), unit, effort, started)
+        self._context.tell(EventCode.GRIPPER_SENT, started, value=travel, unit=unit)
         return None
 
     @operation("gripper.enable", "Enable the gripper", why_not_move_gripper)
@@ -203,7 +207,7 @@ class GripperControl(ControllerPart):
             return self._context.refuse(refusal or Refusal(RefusalCode.GRIPPER_SILENT))
         # told as it tells itself: a number of another kind would move it
         frames = self._hold(heard.travel, effort, by_angle=heard.opening_mm is None)
-        self._start("enable", frames, lambda gripper: gripper.enabled)
+        self._start(self.enable, "enable", frames, lambda gripper: gripper.enabled)
         return None
 
     @operation("gripper.disable", "Disable the gripper", why_not_let_go)
@@ -214,7 +218,7 @@ class GripperControl(ControllerPart):
             return self._context.refuse(refusal)
         self._end_run(Refusal(RefusalCode.RUN_LET_GO))
         frames = commands.disable_gripper(self._context.connection.codec)
-        self._start("disable", frames, lambda gripper: not gripper.enabled)
+        self._start(self.disable, "disable", frames, lambda gripper: not gripper.enabled)
         return None
 
     @operation("gripper.clear_error", "Clear the gripper's error", why_not_gripper)
@@ -224,7 +228,7 @@ class GripperControl(ControllerPart):
         if refusal is not None:
             return self._context.refuse(refusal)
         frames = commands.clear_gripper_error(self._context.connection.codec)
-        self._start("clear", frames, lambda gripper: not gripper.faults)
+        self._start(self.clear_error, "clear", frames, lambda gripper: not gripper.faults)
         return None
 
     def stands_as(self, before: ArmState) -> bool:
@@ -241,7 +245,7 @@ class GripperControl(ControllerPart):
         if refusal is not None:
             return self._context.refuse(refusal)
         frames = commands.set_gripper_zero(self._context.connection.codec)
-        self._start("zero", frames, lambda gripper: abs(gripper.travel) <= _THERE)
+        self._start(self.set_zero, "zero", frames, lambda gripper: abs(gripper.travel) <= _THERE)
         return None
 
     # How it is carried out --------------------------------------------------------------------
@@ -259,7 +263,11 @@ class GripperControl(ControllerPart):
         return commands.move_gripper_opening(codec, opening_mm=travel, torque_nm=effort)
 
     def _start(
-        self, action: str, frames: Sequence[Frame], seen: Callable[[GripperState], bool]
+        self,
+        method: Callable[..., object],
+        action: str,
+        frames: Sequence[Frame],
+        seen: Callable[[GripperState], bool],
     ) -> None:
         """Send something, again until the gripper shows it."""
         context = self._context
@@ -270,10 +278,17 @@ class GripperControl(ControllerPart):
             return gripper is not None and gripper.at_s > since_s and seen(gripper.value)
 
         self.forget()
-        self._action = action
+        self._action, self._started = action, begun(method)
         self._request = Request(context, frames, shows)
-        context.tell(EventCode.GRIPPER_ACT_SENT, act=action)
+        context.tell(EventCode.GRIPPER_ACT_SENT, self._started, act=action)
         self._request.advance()
+
+    def follow(self, target: float, effort: float) -> None:
+        """A run has sent it there; it is to be known whether it moves when the run is ended."""
+        heard = self._heard()
+        if heard is not None:
+            now_s = self._context.clock()
+            self._travel = _Travel(target, heard.travel, now_s, heard.unit, effort)
 
     # A part of the controller -----------------------------------------------------------------
 
@@ -286,21 +301,22 @@ class GripperControl(ControllerPart):
         outcome = self._request.advance()
         if outcome is RequestOutcome.WAITING:
             return
-        action = self._action
-        self.forget()
         done = outcome is RequestOutcome.DONE
         code = EventCode.GRIPPER_ACT_DONE if done else EventCode.GRIPPER_ACT_FAILED
-        self._context.tell(code, act=action)
+        started, action = self._started, self._action
+        self._started = None
+        self.forget()
+        self._context.close(started, Ending.DONE if done else Ending.FAILED, code, act=action)
 
     def _follow(self, travel: _Travel) -> None:
         feedback, now_s = self._context.state().gripper, self._context.clock()
         if feedback is None or not feedback.fresh(now_s):
-            self._travel = None  # whether it arrives cannot be known; its silence is told elsewhere
+            self._lose(travel)  # whether it arrives cannot be known; its silence is told elsewhere
             return
         heard = feedback.value
         if heard.unit != travel.unit:
             if now_s - travel.moved_s >= _STANDS_S:
-                self._travel = None  # it goes on telling itself in the other way
+                self._lose(travel)  # it goes on telling itself in the other way
             return
         if abs(heard.travel - travel.last) > _STILL:
             travel.last, travel.moved_s = heard.travel, now_s
@@ -310,13 +326,22 @@ class GripperControl(ControllerPart):
             return
         there = heard.enabled and gap <= _THERE
         self._travel = None
-        figures = {"value": heard.travel, "unit": travel.unit}
-        if there:
-            self._context.tell(EventCode.GRIPPER_THERE, **figures)
-        elif heard.enabled and abs(heard.torque_nm or 0.0) > _GRIPS_NM:
-            self._context.tell(EventCode.GRIPPER_GRIPS, torque=heard.torque_nm, **figures)
-        else:
-            self._context.tell(EventCode.GRIPPER_NOT_THERE, target=travel.target, **figures)
+        if travel.started is None:
+            return
+        figures: dict[str, object] = {"value": heard.travel, "unit": travel.unit}
+        ending, code = Ending.DONE, EventCode.GRIPPER_THERE
+        if not there and heard.enabled and abs(heard.torque_nm or 0.0) > _GRIPS_NM:
+            code = EventCode.GRIPPER_GRIPS
+            figures["torque"] = heard.torque_nm
+        elif not there:
+            ending, code = Ending.FAILED, EventCode.GRIPPER_NOT_THERE
+            figures["target"] = travel.target
+        self._context.close(travel.started, ending, code, **figures)
+
+    def _lose(self, travel: _Travel) -> None:
+        self._travel = None
+        if travel.started is not None:
+            travel.started.close(Ending.FAILED)
 
     def end(self) -> None:
         """End a motion of it that is under way: it is sent to where it is, there is no other way.
@@ -339,4 +364,7 @@ class GripperControl(ControllerPart):
 
     def forget(self) -> None:
         """Nothing is awaited."""
-        self._action = self._request = self._travel = None
+        for started in (self._started, None if self._travel is None else self._travel.started):
+            if started is not None:
+                started.close(Ending.CUT_OFF)
+        self._action = self._request = self._travel = self._started = None

@@ -9,7 +9,8 @@ from armui.arm.refusal_codes import RefusalCode
 from armui.control.context import Context
 from armui.control.events import EventCode
 from armui.control.operating_state import OperatingState
-from armui.control.operations.operation import operation
+from armui.control.operations.operation import begun, operation
+from armui.control.operations.started import Ending, Started, ending_of
 from armui.control.requests.transactions import Transaction, TransactionQueue
 from armui.protocol import commands
 from armui.protocol.codes import SettingIndex
@@ -52,22 +53,26 @@ class JointErrors:
         if refusal is not None:
             return context.refuse(refusal)
         self._joint = joint
-        context.tell(EventCode.CLEAR_ERROR_SENT, joint=joint)
+        started = begun(self.clear)
+        context.tell(EventCode.CLEAR_ERROR_SENT, started, joint=joint)
         self._transactions.submit(
             Transaction(
                 commands.clear_joint_error(context.connection.codec, joint),
-                partial(self._on_finished, joint),
+                partial(self._on_finished, started, joint),
                 SettingIndex.JOINT_SETTING,
+                started=started,
                 recheck=lambda: why_not_clear(context.operating_state()),
                 alters="clearing_error",
             )
         )
         return None
 
-    def _on_finished(self, joint: int, refusal: Refusal | None) -> None:
+    def _on_finished(self, started: Started, joint: int, refusal: Refusal | None) -> None:
         self._joint = None
-        code = (
-            EventCode.CLEAR_ERROR_ANSWERED if refusal is None else EventCode.CLEAR_ERROR_UNANSWERED
-        )
-        if refusal is None or refusal.code == RefusalCode.SETTING_UNANSWERED:
-            self._context.tell(code, joint=joint)
+        close = self._context.close
+        if refusal is None:
+            close(started, Ending.ANSWERED, EventCode.CLEAR_ERROR_ANSWERED, joint=joint)
+        elif refusal.code == RefusalCode.SETTING_UNANSWERED:
+            close(started, Ending.FAILED, EventCode.CLEAR_ERROR_UNANSWERED, joint=joint)
+        else:
+            started.close(ending_of(refusal))

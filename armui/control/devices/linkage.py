@@ -15,7 +15,8 @@ from armui.control.operating_state import (
     why_only_heard,
     why_unreachable,
 )
-from armui.control.operations.operation import Consent, operation
+from armui.control.operations.operation import Consent, begun, operation
+from armui.control.operations.started import Ending, Started, ending_of
 from armui.control.requests.transactions import Transaction, TransactionQueue
 from armui.protocol import commands
 from armui.protocol.addressing import OFFSETS, Addressing
@@ -60,6 +61,7 @@ class LinkageControl(ControllerPart):
         self.busy = False
         self._used = _NO_OFFSET
         self._was_known = True
+        self._started: Started | None = None
 
     @operation("linkage.set", "Set role and identifiers", why_not_link, consent=Consent.PRESS)
     def set(
@@ -110,12 +112,15 @@ class LinkageControl(ControllerPart):
             context.clock(),
             ends_input=context.operating_state().teaching_input,
         )
-        context.tell(EventCode.LINKAGE_SENT)
+        self._cut_off()
+        started = self._started = begun(self.set)
+        context.tell(EventCode.LINKAGE_SENT, started)
         self._transactions.submit(
             Transaction(
                 frames,
-                partial(self._on_finished, role),
+                partial(self._on_finished, started, role),
                 SettingIndex.LINKAGE_SETTING,
+                started=started,
                 recheck=lambda: _why_in_use(context.operating_state()),
                 alters="linkage",
             )
@@ -127,16 +132,23 @@ class LinkageControl(ControllerPart):
         """The way back: a motion output arm without offsets (0xFC)."""
         return self.set(LinkageRole.MOTION_OUTPUT)
 
-    def _on_finished(self, role: LinkageRole, refusal: Refusal | None) -> None:
+    def _on_finished(self, started: Started, role: LinkageRole, refusal: Refusal | None) -> None:
         self.busy = False
+        context = self._context
         if refusal is not None:
-            self._context.tell(EventCode.LINKAGE_FAILED, reason=refusal)
+            context.close(started, ending_of(refusal), EventCode.LINKAGE_FAILED, reason=refusal)
             return
-        self._context.connection.offsets.answered(self._context.clock())
-        if role is LinkageRole.TEACHING_INPUT:
-            self._context.tell(EventCode.LINKAGE_ANSWERED_INPUT)
+        context.connection.offsets.answered(context.clock())
+        by_input = role is LinkageRole.TEACHING_INPUT
+        code = EventCode.LINKAGE_ANSWERED_INPUT if by_input else EventCode.LINKAGE_ANSWERED
+        if context.connection.offsets.requested is None:  # they are in use already
+            context.close(started, Ending.ANSWERED, code)
         else:
-            self._context.tell(EventCode.LINKAGE_ANSWERED)
+            context.report(started, code)
+
+    def _cut_off(self) -> None:
+        if self._started is not None:
+            self._started.close(Ending.CUT_OFF)
 
     # A part of the controller -----------------------------------------------------------------
 
@@ -151,8 +163,10 @@ class LinkageControl(ControllerPart):
             self._context.tell(EventCode.LINKAGE_FOUND, feedback=feedback)
             return
         command = f"0x{0x150 + self._used.control_offset:03X}"
-        self._context.tell(EventCode.LINKAGE_IN_USE, feedback=feedback, control=command)
+        in_use = EventCode.LINKAGE_IN_USE
+        self._context.close(self._started, Ending.DONE, in_use, feedback=feedback, control=command)
 
     def forget(self) -> None:
         """The next device begins without offsets."""
+        self._cut_off()
         self._used, self._was_known = _NO_OFFSET, True

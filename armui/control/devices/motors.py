@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING
 
 from armui.arm.limits import JOINTS
 from armui.arm.refusal import Refusal
@@ -12,13 +13,17 @@ from armui.control.context import Context, ControllerPart
 from armui.control.events import EventCode
 from armui.control.motion.motion_command import End
 from armui.control.operating_state import Busy, OperatingState, StopState, why_only_heard
-from armui.control.operations.operation import Consent, operation
+from armui.control.operations.operation import Consent, begun, operation, operation_of
+from armui.control.operations.started import Ending, Started
 from armui.control.requests import reports
 from armui.control.requests.request import Request, RequestOutcome
 from armui.control.safety.emergency_stop import is_stopped
 from armui.protocol import commands
-from armui.protocol.codes import ALL_JOINTS
+from armui.protocol.codes import ALL_JOINTS, SettingIndex
 from armui.protocol.frame import Frame
+
+if TYPE_CHECKING:
+    from armui.protocol.codec import Message
 
 
 def why_not_enable(now: OperatingState) -> Refusal | None:
@@ -54,6 +59,8 @@ class Motors(ControllerPart):
         self._busy: Busy | None = None
         self._joints: Sequence[int] = ()
         self._request: Request | None = None
+        self._started: Started | None = None
+        context.connection.answered.connect(self._on_answer)
 
     @property
     def busy(self) -> Busy | None:
@@ -82,8 +89,10 @@ class Motors(ControllerPart):
         refusal = why_not_resume(context.refresh())
         if refusal is not None:
             return context.refuse(refusal)
-        context.tell(EventCode.RESUME_SENT)
+        started = begun(self.resume)
+        context.tell(EventCode.RESUME_SENT, started)
         self._start(
+            started,
             Busy.RESUMING,
             JOINTS,
             commands.resume(context.connection.codec),
@@ -98,11 +107,11 @@ class Motors(ControllerPart):
         outcome = self._request.advance()
         if outcome is RequestOutcome.WAITING:
             return
-        busy = self._busy
-        self.forget()
+        busy, self._busy, self._request = self._busy, None, None
         done = outcome is RequestOutcome.DONE
         code, figures = reports.on_motors(busy, self._context.state(), self._joints, done=done)
-        self._context.tell(code, **figures)
+        ending = Ending.DONE if done else Ending.FAILED
+        self._context.close(self._started, ending, code, **figures)
 
     def halt(self) -> None:
         """The arm is to stop: nothing is switched on any more."""
@@ -112,6 +121,18 @@ class Motors(ControllerPart):
         """No answer is awaited."""
         self._busy = None
         self._request = None
+        if self._started is not None:
+            self._started.close(Ending.CUT_OFF)
+
+    def _on_answer(self, answer: Message) -> None:
+        """Note that the arm has heard: which motor is meant it does not say."""
+        started = self._started
+        switches = started is not None and started.operation != operation_of(self.resume).id
+        index = SettingIndex.MOTOR_ENABLE
+        if answer.name != "SettingResponse" or answer.signals["Index"] != index:
+            return
+        if started is not None and switches and started.answer is None:
+            started.answered(index, self._context.clock())
 
     def _switch(self, joint: int, *, on: bool) -> Refusal | None:
         context = self._context
@@ -124,12 +145,14 @@ class Motors(ControllerPart):
         context.authority.end(End.DISABLED)
         joints = JOINTS if joint == ALL_JOINTS else (joint,)
         command = commands.enable_motors if on else commands.disable_motors
+        started = begun(self.enable if on else self.disable)
         if joint == ALL_JOINTS:
-            context.tell(EventCode.ENABLE_SENT if on else EventCode.DISABLE_SENT)
+            context.tell(EventCode.ENABLE_SENT if on else EventCode.DISABLE_SENT, started)
         else:
             one = EventCode.ENABLE_SENT_JOINT if on else EventCode.DISABLE_SENT_JOINT
-            context.tell(one, joint=joint)
+            context.tell(one, started, joint=joint)
         self._start(
+            started,
             Busy.ENABLING if on else Busy.DISABLING,
             joints,
             command(context.connection.codec, joint),
@@ -139,13 +162,15 @@ class Motors(ControllerPart):
 
     def _start(
         self,
+        started: Started,
         busy: Busy,
         joints: Sequence[int],
         frames: Sequence[Frame],
         seen: Callable[[ArmState], bool],
     ) -> None:
         context = self._context
-        self._busy, self._joints = busy, joints
+        self.forget()
+        self._started, self._busy, self._joints = started, busy, joints
         self._request = Request(context, frames, seen)
         self._request.advance()
         context.refresh()

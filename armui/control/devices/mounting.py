@@ -8,7 +8,8 @@ from armui.arm.quirks import why_not_by_firmware
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.control.events import EventCode
-from armui.control.operations.operation import operation
+from armui.control.operations.operation import begun, operation
+from armui.control.operations.started import Ending
 from armui.control.safety.standstill import why_moving
 from armui.protocol import commands
 from armui.protocol.codes import Mounting
@@ -70,7 +71,9 @@ class MountingControl:
         if not context.connection.send(frames):
             return context.refuse(Refusal(RefusalCode.LINK_LOST))
         context.authority.told_percent(percent)
-        context.tell(EventCode.MOUNTING_SENT, mounting=int(mounting))
+        started = begun(self.tell)
+        started.close(Ending.SENT)
+        context.tell(EventCode.MOUNTING_SENT, started, mounting=int(mounting))
         context.refresh()
         return None
 

@@ -10,7 +10,8 @@ from armui.arm.state import ArmState
 from armui.control.context import Context, ControllerPart
 from armui.control.devices.teaching_phase import TeachingPhase, phase_of, why_not_teach
 from armui.control.events import EventCode
-from armui.control.operations.operation import operation
+from armui.control.operations.operation import begun, operation
+from armui.control.operations.started import Ending, Started
 from armui.control.requests.request import Request, RequestOutcome
 from armui.protocol import commands
 from armui.protocol.codes import TeachingState
@@ -45,6 +46,7 @@ class TeachingControl(ControllerPart):
         self._context = context
         self._pending: TeachingState | None = None
         self._request: Request | None = None
+        self._started: Started | None = None
 
     @property
     def pending(self) -> TeachingState | None:
@@ -58,8 +60,10 @@ class TeachingControl(ControllerPart):
         refusal = why_not_teach(context.refresh(), command)
         if refusal is not None:
             return context.refuse(refusal)
-        context.tell(EventCode.TEACHING_SENT, command=int(command))
-        self._pending = command
+        self.forget()
+        started = begun(self.command)
+        context.tell(EventCode.TEACHING_SENT, started, command=int(command))
+        self._pending, self._started = command, started
         frames = commands.teaching_command(context.connection.codec, command)
         self._request = (
             Request(context, frames, _shows(command))
@@ -77,11 +81,12 @@ class TeachingControl(ControllerPart):
         outcome = self._request.advance()
         if outcome is RequestOutcome.WAITING:
             return
-        command = self._pending
-        self.forget()
-        done = outcome is RequestOutcome.DONE
-        code = EventCode.TEACHING_DONE if done else EventCode.TEACHING_UNANSWERED
-        self._context.tell(code, command=int(command))
+        command, self._pending, self._request = self._pending, None, None
+        if outcome is RequestOutcome.DONE:
+            ending, code = Ending.DONE, EventCode.TEACHING_DONE
+        else:
+            ending, code = Ending.FAILED, EventCode.TEACHING_UNANSWERED
+        self._context.close(self._started, ending, code, command=int(command))
 
     def halt(self) -> None:
         """A stop ends whatever was asked for."""
@@ -91,6 +96,8 @@ class TeachingControl(ControllerPart):
         """No answer is awaited."""
         self._pending = None
         self._request = None
+        if self._started is not None:
+            self._started.close(Ending.CUT_OFF)
 
 
 def _shows(command: TeachingState) -> Callable[[ArmState], bool]:

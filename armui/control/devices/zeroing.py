@@ -16,7 +16,8 @@ from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import ArmState
 from armui.control.devices import teaching_phase
 from armui.control.events import EventCode
-from armui.control.operations.operation import Consent, operation
+from armui.control.operations.operation import Consent, begun, operation
+from armui.control.operations.started import Ending, Started, ending_of
 from armui.control.requests.transactions import ReadBack, Transaction, TransactionQueue
 from armui.control.safety.interlocks import joint_list, why_no_command
 from armui.control.safety.standstill import why_not_still
@@ -94,14 +95,15 @@ class Zeroing:
             return context.refuse(refusal)
         self._before_zeroing()
         self._busy = True
-        context.tell(
-            EventCode.ZERO_SENT if joint == ALL_JOINTS else EventCode.ZERO_SENT_JOINT, joint=joint
-        )
+        started = begun(self.set_zero)
+        code = EventCode.ZERO_SENT if joint == ALL_JOINTS else EventCode.ZERO_SENT_JOINT
+        context.tell(code, started, joint=joint)
         self._transactions.submit(
             Transaction(
                 commands.set_joint_zero(context.connection.codec, joint),
-                partial(self._on_finished, joint),
+                partial(self._on_finished, started, joint),
                 SettingIndex.JOINT_SETTING,
+                started=started,
                 against=partial(_against_answer, joint_list(list(joints))),
                 read_back=ReadBack(
                     (),
@@ -133,14 +135,15 @@ class Zeroing:
         refusal = refusal or operating_state.occupied or why_not_still(state)
         return refusal or self._why_unheard(joints) or _why_elsewhere(joints, pressed, state)
 
-    def _on_finished(self, joint: int, refusal: Refusal | None) -> None:
+    def _on_finished(self, started: Started, joint: int, refusal: Refusal | None) -> None:
         self._busy = False
+        close = self._context.close
         if refusal is not None:
-            self._context.tell(EventCode.ZERO_FAILED, reason=refusal)
+            close(started, ending_of(refusal), EventCode.ZERO_FAILED, reason=refusal)
         elif joint == ALL_JOINTS:
-            self._context.tell(EventCode.ZERO_SET)
+            close(started, Ending.DONE, EventCode.ZERO_SET)
         else:
-            self._context.tell(EventCode.ZERO_SET_JOINT, joint=joint)
+            close(started, Ending.DONE, EventCode.ZERO_SET_JOINT, joint=joint)
 
 
 def _against_answer(joints: str, answer: Message) -> Refusal | None:

@@ -6,10 +6,18 @@ from collections.abc import Callable, Hashable
 from datetime import datetime
 from typing import Any, Final
 
-from armui.control.event_log.commands import STREAMS
 from armui.control.event_log.observed import EventChange, EventPhase, ObservedCode
+from armui.control.events import EventCode
 from armui.telemetry.events import REPEAT_S, Asker, EventEntry, EventKind, EventLog, Level
 
+STREAMS: Final = frozenset(
+    {
+        *(EventCode.SENT_SPEED, EventCode.SPEED_WAITS, EventCode.JOGGED, EventCode.STEPPED_TOOL),
+        *(EventCode.SENT_LAMP, EventCode.SENT_LAMPS, EventCode.FRAMES_DROPPED),
+    }
+)
+"""What comes one after the other, while something is dragged or held: it is counted, and the
+newest figures stand."""
 _MOST_KEYS: Final = 1_000
 _FLOWS_S: Final = 1.0
 """What a held button or a slider sends comes faster than this."""

@@ -18,7 +18,7 @@ from armui.control.events import EventCode
 from armui.control.motion.joint_motion import why_not_move
 from armui.control.motion.motion_command import CommandKind
 from armui.control.motion.point_frames import leading_mode
-from armui.control.operations.operation import operation
+from armui.control.operations.operation import begun, operation
 from armui.kinematics.poses import AXES, LINEAR_AXES, JogFrame
 from armui.protocol import commands
 from armui.protocol.codes import MoveMode
@@ -28,6 +28,7 @@ from armui.protocol.codes import MoveMode
 if TYPE_CHECKING:
     from armui.control.motion.jog_floor import JogFloor
     from armui.control.motion.joint_motion import Motion
+    from armui.control.operations.started import Started
     from armui.kinematics.arm_kinematics import Kinematics
     from armui.kinematics.poses import Matrix, Pose
     from armui.protocol.frame import Frame
@@ -158,7 +159,7 @@ class Cartesian(ControllerPart):
         """Send the tool centre point to a pose, with MOVE P or on a straight line with MOVE L."""
         code = EventCode.SENT_LINE if move_mode is MoveMode.MOVE_L else EventCode.SENT_POSE
         figures: dict[str, object] = dict(zip(map(str.lower, AXES), target, strict=True))
-        return self._move(target, move_mode, code, figures)
+        return self._move(begun(self.move), target, move_mode, code, figures)
 
     @operation("tool.step", "Move the tool by a step", why_not_move, moves=True)
     def step(self, axis: int, amount: float, frame: JogFrame) -> Refusal | None:
@@ -189,9 +190,8 @@ class Cartesian(ControllerPart):
             return self._context.refuse(refusal)
         unit = "mm" if axis < LINEAR_AXES else "°"
         figures: dict[str, object] = {"axis": AXES[axis], "step": f"{amount:+g} {unit}"}
-        return self._move(
-            poses.matrix_to_pose(target), MoveMode.MOVE_L, EventCode.STEPPED_TOOL, figures
-        )
+        pose, code = poses.matrix_to_pose(target), EventCode.STEPPED_TOOL
+        return self._move(begun(self.step), pose, MoveMode.MOVE_L, code, figures)
 
     @operation("tool.arc", "Move the tool along an arc", why_not_move, moves=True, shown_first=True)
     def move_arc(self, *points: Sequence[float]) -> Refusal | None:
@@ -213,7 +213,8 @@ class Cartesian(ControllerPart):
         frames = leading_mode(codec, context.state(), MoveMode.MOVE_C, percent)
         frames += commands.move_arc(codec, start, middle, end, speed_percent=percent)
         way = (start, middle, end)
-        return self._send(frames, MoveMode.MOVE_C, points[-1], EventCode.SENT_ARC, {}, way=way)
+        started, code = begun(self.move_arc), EventCode.SENT_ARC
+        return self._send(frames, MoveMode.MOVE_C, points[-1], code, {}, started=started, way=way)
 
     def check_arc(self, *points: Sequence[float]) -> Refusal | None:
         """Whether the arm stands at the start of an arc and can follow it to its end."""
@@ -237,6 +238,7 @@ class Cartesian(ControllerPart):
 
     def _move(
         self,
+        started: Started,
         target: Sequence[float],
         move_mode: MoveMode,
         code: EventCode,
@@ -253,7 +255,7 @@ class Cartesian(ControllerPart):
         flange = flange_pose(target, self.tool)
         frames += commands.move_pose(codec, flange, speed_percent=percent, move_mode=move_mode)
         way = (flange,) if move_mode is MoveMode.MOVE_L else ()
-        return self._send(frames, move_mode, target, code, figures, way=way)
+        return self._send(frames, move_mode, target, code, figures, started=started, way=way)
 
     def _send(
         self,
@@ -263,6 +265,7 @@ class Cartesian(ControllerPart):
         code: EventCode,
         figures: dict[str, object],
         *,
+        started: Started,
         way: Sequence[Sequence[float]],
     ) -> Refusal | None:
         from armui.kinematics.poses import pose_to_matrix  # noqa: PLC0415 - see above
@@ -271,6 +274,7 @@ class Cartesian(ControllerPart):
         sent = context.send_motion(
             CommandKind.POSE,
             frames,
+            started=started,
             move_mode=move_mode,
             speed_percent=self._motion.speed_percent,
             tool=pose_to_matrix(target),
@@ -279,7 +283,7 @@ class Cartesian(ControllerPart):
         )
         if isinstance(sent, Refusal):
             return context.refuse(sent)
-        context.tell(code, **figures)
+        context.tell(code, started, **figures)
         return None
 
     def _leads_away(self, target: Sequence[float]) -> bool:

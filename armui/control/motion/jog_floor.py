@@ -17,16 +17,10 @@ if TYPE_CHECKING:
     from armui.arm.state import ArmState
     from armui.control.context import Context
     from armui.kinematics.poses import Matrix
-    from armui.protocol.piper_model import PiperModel
 
 _PLACES: Final = 16
 """A step is looked at in so many places: a circle may have its lowest point on the way."""
 _SAME_MM: Final = 1e-6
-
-
-def reach_mm(tool: Sequence[float], model: PiperModel) -> float:
-    """Return how far the tip of the tool is beyond the flange: the tool's, else the gripper's."""
-    return tool[2] if tool[2] > 0.0 else model_data(model).gripper.reach_mm
 
 
 class JogFloor:
@@ -55,7 +49,7 @@ class JogFloor:
 
     def _lowest(self, flange_mm: float, hand_up: float) -> float:
         model = self._context.operating_state().model
-        return flange_mm + min(0.0, reach_mm(self._tool(), model) * hand_up)
+        return flange_mm + min(0.0, model_data(model).tool_mm(self._tool()[2]) * hand_up)
 
     def below_base_mm(self, state: ArmState) -> int | None:
         """Return by how much the measured arm reaches below its base plane, or ``None``."""

@@ -27,11 +27,13 @@ from armui.control.motion.jog_stream import JogStream
 from armui.control.motion.joint_motion import why_not_move
 from armui.control.motion.motion_command import CommandKind, MotionCommand
 from armui.control.motion.steered_path import SteeredJog, SteeredToolPath
-from armui.control.operations.operation import Consent, operation
+from armui.control.operations.operation import Consent, begun, operation
+from armui.control.operations.started import Ending, Started
 from armui.control.safety.standstill import QUIET_DEG, QUIET_S, RestWatch
 from armui.kinematics.poses import AXES, JogFrame
 from armui.protocol import commands
 from armui.protocol.codes import MoveMode
+from armui.telemetry.events import EventOutcome
 
 _STEERED: Final = {
     None: EventCode.DEVICE_JOGS_JOINTS,
@@ -69,12 +71,14 @@ class _Hold:
         before: Our command that was under way or had arrived when it began.
         command: What the arm was told, once the first setpoint is sent.
         steered_s: When whoever steers was last heard of.
+        started: The operation.
     """
 
     jog: Jog
     began_s: float
     last_s: float
     steered_s: float
+    started: Started
     stream: JogStream | None = None
     before: MotionCommand | None = None
     command: MotionCommand | None = None
@@ -134,20 +138,21 @@ class Jogging(ControllerPart):
         if refusal is not None:
             return context.refuse(refusal)
         now_s = context.clock()
-        self._hold = _Hold(jog, now_s, now_s, now_s, before=context.authority.command)
+        started, before = begun(self.start), context.authority.command
+        self._hold = _Hold(jog, now_s, now_s, now_s, started, before=before)
         self._timer.start()
         context.refresh()
-        self._tell_begun(jog)
+        self._tell_begun(started, jog)
         return None
 
-    def _tell_begun(self, jog: Jog) -> None:
+    def _tell_begun(self, started: Started, jog: Jog) -> None:
         tell = self._context.tell
         if isinstance(jog, JointJog):
-            tell(EventCode.JOGGING_JOINT, joint=jog.joint, sign=_sign(jog.direction))
+            tell(EventCode.JOGGING_JOINT, started, joint=jog.joint, sign=_sign(jog.direction))
         elif isinstance(jog, ToolJog):
-            tell(EventCode.JOGGING_TOOL, axis=AXES[jog.axis], sign=_sign(jog.direction))
+            tell(EventCode.JOGGING_TOOL, started, axis=AXES[jog.axis], sign=_sign(jog.direction))
         else:
-            tell(_STEERED[jog.frame], axes=axes_text(jog), device=jog.device)
+            tell(_STEERED[jog.frame], started, axes=axes_text(jog), device=jog.device)
 
     def steer(self, jog: SteeredJog) -> bool:
         """Go on as a device steers now, in the frame in which it began.
@@ -178,9 +183,11 @@ class Jogging(ControllerPart):
             self._context.refresh()
 
     def _let_go(self) -> None:
-        if self._hold is None:
+        hold, self._hold = self._hold, None
+        if hold is None:
             return
-        self._hold = None
+        if hold.command is None:  # what was sent is followed until the arm has come to rest
+            hold.started.close(Ending.CUT_OFF)
         self._timer.stop()
 
     def tick(self) -> None:
@@ -274,6 +281,7 @@ class Jogging(ControllerPart):
             sent = context.send_motion(
                 CommandKind.JOG,
                 commands.move_joints(codec, target_deg, speed_percent=percent),
+                started=hold.started,
                 move_mode=MoveMode.MOVE_J,
                 speed_percent=percent,
                 joints_deg=target_deg,
@@ -288,10 +296,16 @@ class Jogging(ControllerPart):
         return None
 
     def _end(self, reason: Refusal | None) -> None:
+        started = None if self._hold is None else self._hold.started
+        reason = reason or Refusal(RefusalCode.JOINTS_UNKNOWN)
+        code = EventCode.JOG_ENDED
+        if started is not None:
+            started.close(
+                Ending.CUT_OFF,
+                EventOutcome(code, self._context.clock(), code.level, {"reason": reason}),
+            )
         self.stop()
-        self._context.tell(
-            EventCode.JOG_ENDED, reason=reason or Refusal(RefusalCode.JOINTS_UNKNOWN)
-        )
+        self._context.tell(code, reason=reason)
 
     # The controller's tick ------------------------------------------------------------------
 

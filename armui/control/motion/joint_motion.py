@@ -13,7 +13,8 @@ from armui.control.events import EventCode
 from armui.control.motion.jog_floor import JogFloor
 from armui.control.motion.motion_command import CommandKind
 from armui.control.operating_state import OperatingState
-from armui.control.operations.operation import operation
+from armui.control.operations.operation import begun, operation
+from armui.control.operations.started import Ending, Started
 from armui.control.requests import reports
 from armui.control.safety import interlocks
 from armui.protocol import commands
@@ -78,10 +79,12 @@ class Motion(ControllerPart):
             interlocks.why_no_command(operating_state.unreachable, operating_state.stop, None)
             is None
         )
+        started = begun(self.set_speed_percent)
+        started.close(Ending.SENT)
         if tellable and self.tell_speed():
-            context.tell(EventCode.SENT_SPEED, percent=self.speed_percent)
+            context.tell(EventCode.SENT_SPEED, started, percent=self.speed_percent)
         elif context.authority.holds:
-            context.tell(EventCode.SPEED_WAITS, percent=self.speed_percent)
+            context.tell(EventCode.SPEED_WAITS, started, percent=self.speed_percent)
         context.refresh()
         return None
 
@@ -110,7 +113,8 @@ class Motion(ControllerPart):
         refusal = self._floor.why_step_lower(target_deg, base_deg)
         if refusal is not None:
             return context.refuse(refusal)
-        return self._move(target_deg, EventCode.JOGGED, joint=joint, target=target_deg[joint - 1])
+        figures = {"joint": joint, "target": target_deg[joint - 1]}
+        return self._move(begun(self.jog), target_deg, EventCode.JOGGED, **figures)
 
     def jog_lagging(self, joint: int, step_deg: float) -> bool:
         """Whether the arm is so far behind that a held button should not step on."""
@@ -124,15 +128,16 @@ class Motion(ControllerPart):
     )
     def send_joints(self, angles_deg: Sequence[float]) -> Refusal | None:
         """Move to six angles in degrees (MOVE J, 0x155–0x157 and 0x151)."""
-        return self._move(angles_deg, EventCode.SENT_JOINTS, **reports.numbered(angles_deg))
+        figures = reports.numbered(angles_deg)
+        return self._move(begun(self.send_joints), angles_deg, EventCode.SENT_JOINTS, **figures)
 
     @operation("motion.home", "Move to the factory zero angles", why_not_move, moves=True)
     def go_home(self) -> Refusal | None:
         """Move to the factory zero angles."""
-        return self._move(_HOME_DEG, EventCode.WENT_HOME)
+        return self._move(begun(self.go_home), _HOME_DEG, EventCode.WENT_HOME)
 
     def _move(
-        self, angles_deg: Sequence[float], code: EventCode, **figures: object
+        self, started: Started, angles_deg: Sequence[float], code: EventCode, **figures: object
     ) -> Refusal | None:
         """Send six angles if that may be, and tell so with a notice."""
         context = self._context
@@ -145,13 +150,14 @@ class Motion(ControllerPart):
             commands.move_joints(
                 context.connection.codec, angles_deg, speed_percent=self.speed_percent
             ),
+            started=started,
             move_mode=MoveMode.MOVE_J,
             speed_percent=self.speed_percent,
             joints_deg=angles_deg,
         )
         if isinstance(sent, Refusal):
             return context.refuse(sent)
-        context.tell(code, **figures)
+        context.tell(code, started, **figures)
         return None
 
     def advance(self) -> None:

@@ -15,6 +15,7 @@ if TYPE_CHECKING:
     from armui.arm.limits import JointLimits
     from armui.arm.other_hosts import OtherTraffic
     from armui.arm.state import ArmState
+    from armui.control.operations.started import Started
     from armui.control.safety.overspeed import ToolPace
     from armui.kinematics.poses import Matrix
 
@@ -95,6 +96,7 @@ class MotionCommand(NamedTuple):
         leads_away: Whether that is measurably elsewhere than the tool was when it was sent; the
             angles tell for themselves.
         pace: Of a line or an arc: how fast the tool goes at 100 %.
+        started: The operation that it carries out.
     """
 
     number: int
@@ -105,6 +107,7 @@ class MotionCommand(NamedTuple):
     tool: Matrix | None = None
     leads_away: bool = False
     pace: ToolPace | None = None
+    started: Started | None = None
 
 
 class Observation(NamedTuple):

@@ -9,7 +9,8 @@ from armui.arm.refusal_codes import RefusalCode
 from armui.control.context import Context
 from armui.control.events import EventCode
 from armui.control.motion.motion_command import Hold
-from armui.control.operations.operation import operation
+from armui.control.operations.operation import begun, operation
+from armui.control.operations.started import Ending
 from armui.control.safety import interlocks
 from armui.protocol import commands
 from armui.protocol.codes import TrajectoryCommand
@@ -90,7 +91,9 @@ class PlannedMotion:
             refusal = None if sent else Refusal(RefusalCode.LINK_LOST)
         if refusal is not None:
             return context.refuse(refusal)
-        context.tell(EventCode.PLAN_SENT, plan=int(command))
+        started = begun(self.command)
+        started.close(Ending.SENT)
+        context.tell(EventCode.PLAN_SENT, started, plan=int(command))
         return None
 
     def _send(self, command: TrajectoryCommand, frames: Sequence[Frame]) -> bool:

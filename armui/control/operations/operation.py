@@ -9,6 +9,7 @@ from typing import Any, Final, TypeVar
 
 from armui.arm.refusal import Refusal
 from armui.control.operating_state import OperatingState
+from armui.control.operations.started import Started
 
 _Method = TypeVar("_Method", bound=Callable[..., object])
 _ATTRIBUTE: Final = "_operation"
@@ -78,6 +79,11 @@ def operation_of(method: Callable[..., object]) -> Operation:
     """
     declared: Operation = getattr(method, _ATTRIBUTE)
     return declared
+
+
+def begun(method: Callable[..., object]) -> Started:
+    """Return a record for a declared method that begins now; the part that follows it closes it."""
+    return Started(operation_of(method).id)
 
 
 @dataclass(frozen=True, slots=True)

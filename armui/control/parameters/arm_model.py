@@ -37,7 +37,7 @@ def planning_model(state: ArmState, now: OperatingState, tool_z_mm: float = 0.0)
         ),
         end_limits=None if state.end_limits is None else state.end_limits.value,
         kinematics=Kinematics(now.model_fit.geometry),
-        tool_mm=tool_z_mm if tool_z_mm > 0.0 else data.gripper.reach_mm,
+        tool_mm=data.tool_mm(tool_z_mm),
         gripper_turned_deg=data.gripper.turned_deg,
         kind=now.model_fit.kind,
         stroke_mm=(handle.value.stroke_limit_mm or None) if handle is not None else None,

@@ -17,7 +17,8 @@ from armui.arm.state import ArmState
 from armui.control.context import Context, ControllerPart
 from armui.control.events import EventCode
 from armui.control.operating_state import OperatingState
-from armui.control.operations.operation import Consent, operation
+from armui.control.operations.operation import Consent, begun, operation
+from armui.control.operations.started import Ending, Started, ending_of
 from armui.control.parameters.setting_cell import CellState, SettingCellState
 from armui.control.parameters.setting_checks import (
     Changes,
@@ -90,6 +91,7 @@ class ArmSettings(QObject, ControllerPart):
         self._cells: dict[Parameter, SettingCellState] = {}
         self._open = 0
         self._saving: list[Parameter] = []
+        self._started: Started | None = None
 
     @property
     def busy(self) -> bool:
@@ -179,9 +181,11 @@ class ArmSettings(QObject, ControllerPart):
         if refusal is not None:
             return self._context.refuse(refusal)
         values = tuple((each.name, each.joint, value) for each, value in changes.items())
-        self._context.tell(EventCode.SETTINGS_SENT, count=len(changes), values=values)
-        self._saving = list(changes)
-        self._submit(*(self._save(codec, batch, changes) for batch in batches_of(changes)))
+        started = begun(self.save)
+        self._context.tell(EventCode.SETTINGS_SENT, started, count=len(changes), values=values)
+        self._saving, self._started = list(changes), started
+        batches = batches_of(changes)
+        self._submit(*(self._save(started, codec, batch, changes) for batch in batches))
         self.changed.emit()
         return None
 
@@ -193,7 +197,8 @@ class ArmSettings(QObject, ControllerPart):
     )
     def reset_end_limits(self) -> Refusal | None:
         """【初始化】: the end's limits as they left the factory (0x477), then read back."""
-        return self._reset(commands.reset_end_limits, [Batch(Group.END_LIMITS)])
+        started = begun(self.reset_end_limits)
+        return self._reset(started, commands.reset_end_limits, [Batch(Group.END_LIMITS)])
 
     @operation(
         "settings.reset_joint_limits",
@@ -203,7 +208,8 @@ class ArmSettings(QObject, ControllerPart):
     )
     def reset_joint_limits(self) -> Refusal | None:
         """Limits, speeds and accelerations of all joints as they left the factory (0x477)."""
-        return self._reset(commands.reset_joint_limits, _JOINT_BATCHES)
+        started = begun(self.reset_joint_limits)
+        return self._reset(started, commands.reset_joint_limits, _JOINT_BATCHES)
 
     def settle(self, parameters: Iterable[Parameter]) -> None:
         """Forget how the last saving of parameters ended: the operator has seen it."""
@@ -228,7 +234,7 @@ class ArmSettings(QObject, ControllerPart):
             Transaction((), partial(self._after_reading, batch), read_back=self._back(batch))
         )
 
-    def _save(self, codec: Codec, batch: Batch, changes: Changes) -> Transaction:
+    def _save(self, started: Started, codec: Codec, batch: Batch, changes: Changes) -> Transaction:
         values = frame_values(codec, self._context.state(), batch, changes)
         wanted = {parameter: changes[parameter] for parameter in values if parameter in changes}
         self._mark(wanted, SettingCellState(CellState.SAVING))
@@ -236,6 +242,7 @@ class ArmSettings(QObject, ControllerPart):
             setting_frames(codec, batch, values),
             partial(self._after_saving, wanted),
             INDEX[batch.group],
+            started=started,
             read_back=self._back(batch, wanted),
             recheck=self._why_not_any_more,
             alters="settings",
@@ -255,19 +262,23 @@ class ArmSettings(QObject, ControllerPart):
         return ReadBack(query_frames(codec, batch), heard_since, against)
 
     def _reset(
-        self, command: Callable[[Codec], Sequence[Frame]], batches: Sequence[Batch]
+        self,
+        started: Started,
+        command: Callable[[Codec], Sequence[Frame]],
+        batches: Sequence[Batch],
     ) -> Refusal | None:
         codec = self._codec()
         if isinstance(codec, Refusal):
             return codec
         for batch in batches:
             self._mark(batch.parameters(), SettingCellState(CellState.READING))
-        self._context.tell(EventCode.SETTINGS_RESET_SENT)
+        self._context.tell(EventCode.SETTINGS_RESET_SENT, started)
         self._submit(
             Transaction(
                 command(codec),
-                partial(self._after_reset, batches),
+                partial(self._after_reset, started, batches),
                 SettingIndex.PARAMETER_COMMAND,
+                started=started,
                 recheck=self._why_not_any_more,
                 alters="settings",
             )
@@ -303,13 +314,16 @@ class ArmSettings(QObject, ControllerPart):
         if not any(self.cell(each).state is CellState.SAVING for each in self._saving):
             self._tell_saved()
 
-    def _after_reset(self, batches: Sequence[Batch], refusal: Refusal | None) -> None:
+    def _after_reset(
+        self, started: Started, batches: Sequence[Batch], refusal: Refusal | None
+    ) -> None:
         if refusal is not None:
-            self._context.tell(EventCode.SETTINGS_RESET_FAILED, reason=refusal)
+            code = EventCode.SETTINGS_RESET_FAILED
+            self._context.close(started, ending_of(refusal), code, reason=refusal)
             for batch in batches:
                 self._mark(batch.parameters(), SettingCellState(CellState.REFUSED, refusal))
         else:
-            self._context.tell(EventCode.SETTINGS_RESET)
+            self._context.close(started, Ending.ANSWERED, EventCode.SETTINGS_RESET)
             for batch in batches:
                 self._read(batch)
         self._closed()
@@ -320,12 +334,12 @@ class ArmSettings(QObject, ControllerPart):
         ]
         count = len(self._saving)
         self._saving = []
+        started, close = self._started, self._context.close
         if not reasons:
-            self._context.tell(EventCode.SETTINGS_SAVED, count=count)
+            close(started, Ending.DONE, EventCode.SETTINGS_SAVED, count=count)
         else:
-            self._context.tell(
-                EventCode.SETTINGS_REFUSED, count=len(reasons), total=count, reason=reasons[0]
-            )
+            figures = {"count": len(reasons), "total": count, "reason": reasons[0]}
+            close(started, ending_of(reasons[0]), EventCode.SETTINGS_REFUSED, **figures)
 
     def _closed(self) -> None:
         self._open -= 1

@@ -25,6 +25,7 @@ from armui.protocol.codes import SettingIndex
 from armui.protocol.frame import Frame
 
 if TYPE_CHECKING:
+    from armui.control.operations.started import Started
     from armui.protocol.codec import Message
 
 _WAIT_S: Final = 0.5
@@ -70,6 +71,7 @@ class Transaction:
         ends_with_stop: It must not be given again to an arm that is being stopped.
         alters: What it sets that a motion counts on, as a key of the words for what is under way;
             ``None``: nothing moves differently for it.
+        started: The command that it carries out, which is told the arm's answer.
     """
 
     frames: Sequence[Frame]
@@ -81,6 +83,7 @@ class Transaction:
     attempts: int = _ATTEMPTS
     ends_with_stop: bool = False
     alters: str | None = None
+    started: Started | None = None
 
 
 class _Phase(enum.Enum):
@@ -279,6 +282,8 @@ class TransactionQueue(ControllerPart):
             return
         if answer.signals["Index"] != task.transaction.index:
             return
+        if task.transaction.started is not None:
+            task.transaction.started.answered(int(answer.signals["Index"]), self._context.clock())
         against = task.transaction.against(answer)
         if against is not None:
             self._end(against)

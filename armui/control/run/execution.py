@@ -10,11 +10,13 @@ from PySide6.QtCore import QObject, Signal
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.control.context import Context, ControllerPart
+from armui.control.operations.started import Ending
 from armui.control.run.progress import OVER, Progress, RunPhase
 from armui.control.run.run_end import cut_short, cut_short_for
 from armui.control.safety.standstill import RestWatch
 
 if TYPE_CHECKING:
+    from armui.control.operations.started import Started
     from armui.protocol.codec import Codec
     from armui.protocol.frame import Frame
 
@@ -27,9 +29,11 @@ class Execution(QObject, ControllerPart):
 
     Signals:
         progressed: A :class:`Progress`, when it differs.
+        gripper_sent: The gripper was sent somewhere, with an effort.
     """
 
     progressed = Signal(object)
+    gripper_sent = Signal(float, float)
 
     def __init__(self, context: Context, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -38,6 +42,7 @@ class Execution(QObject, ControllerPart):
         self._progress = Progress()
         self._rest = RestWatch()
         self._since_s = 0.0
+        self._started: Started | None = None
 
     @property
     def progress(self) -> Progress:
@@ -57,7 +62,7 @@ class Execution(QObject, ControllerPart):
     def end(self, reason: Refusal) -> None:
         """End it at once, because something else happens that it cannot go on beside."""
         if self.running:
-            self._fail(reason)
+            self._fail(reason, Ending.CUT_OFF)
             self._publish()
 
     def halt(self) -> None:
@@ -78,7 +83,7 @@ class Execution(QObject, ControllerPart):
         """
         raise NotImplementedError
 
-    def _tell_failed(self, reason: Refusal) -> None:
+    def _tell_failed(self, reason: Refusal, ending: Ending) -> None:
         """Tell the operator why it has ended early."""
         raise NotImplementedError
 
@@ -88,11 +93,11 @@ class Execution(QObject, ControllerPart):
 
     # What both do the same way ----------------------------------------------------------------
 
-    def _fail(self, reason: Refusal) -> None:
+    def _fail(self, reason: Refusal, ending: Ending = Ending.FAILED) -> None:
         cut_short_for(self._context, reason)
         self._end(RunPhase.FAILED)
         self._progress = self._snapshot(reason)
-        self._tell_failed(reason)
+        self._tell_failed(reason, ending)
         self.progressed.emit(self._progress)
 
     def _abort_motion(self) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import astuple
 from typing import Final
 
 from PySide6.QtCore import QObject
@@ -18,7 +19,8 @@ from armui.control.motion.point_frames import (
     why_not_possible,
 )
 from armui.control.operating_state import OperatingState
-from armui.control.operations.operation import Consent, operation
+from armui.control.operations.operation import Consent, begun, operation
+from armui.control.operations.started import Ending
 from armui.control.run.arrival import Arrival, ArrivalWatch
 from armui.control.run.execution import Execution
 from armui.control.run.progress import ENDLESS, Progress, Run, RunPhase, RunSchedule
@@ -92,7 +94,8 @@ class Player(Execution):
         # once: the question is asked at every look at the arm, and there may be 10,000 points
         self._has_lights = any(point.light for point in run.points)
         self._index, self._cycle = run.first, 1
-        context.tell(EventCode.RUN_STARTED, name=run.name)
+        self._started = begun(self.start)
+        context.tell(EventCode.RUN_STARTED, self._started, name=run.name)
         self._send_point()
         return None
 
@@ -106,7 +109,9 @@ class Player(Execution):
             self._context.authority.paused()
         self._paused_phase, self._phase = self._phase, RunPhase.PAUSED
         self._paused_s = self._context.clock()
-        self._context.tell(EventCode.RUN_PAUSED, row=self._index + 1)
+        started = begun(self.pause)
+        started.close(Ending.SENT)
+        self._context.tell(EventCode.RUN_PAUSED, started, row=self._index + 1)
         self._publish()
         return None
 
@@ -126,7 +131,9 @@ class Player(Execution):
             self._context.authority.went_on(self._context.clock())
         self._phase = self._paused_phase
         self._since_s += self._context.clock() - self._paused_s
-        self._context.tell(EventCode.RUN_CONTINUED, row=self._index + 1)
+        started = begun(self.go_on)
+        started.close(Ending.SENT)
+        self._context.tell(EventCode.RUN_CONTINUED, started, row=self._index + 1)
         self._publish()
         return None
 
@@ -187,7 +194,10 @@ class Player(Execution):
             self._fail(Refusal(RefusalCode.RUN_TOO_SLOW, {"seconds": round(limit_s)}))
 
     def _arrive(self, run: Run, now_s: float) -> None:
-        self._send(action_frames(self._codec, run.points[self._index]))
+        point = run.points[self._index]
+        self._send(action_frames(self._codec, point))
+        if point.gripper is not None:
+            self.gripper_sent.emit(*astuple(point.gripper))
         self._since_s = now_s
         self._phase = RunPhase.DWELLING
         self._follow_dwell()
@@ -211,7 +221,7 @@ class Player(Execution):
             return
         if self._at_end(run):
             self._phase = RunPhase.DONE
-            self._context.tell(EventCode.RUN_DONE, name=run.name)
+            self._context.close(self._started, Ending.DONE, EventCode.RUN_DONE, name=run.name)
         else:
             self._index += 1
             if self._index == len(run.points):
@@ -233,6 +243,7 @@ class Player(Execution):
         sent = self._context.send_motion(
             CommandKind.RUN,
             frames,
+            started=begun(self.start),
             move_mode=point.move,
             speed_percent=percent,
             joints_deg=point.target if point.is_joint else None,
@@ -250,12 +261,14 @@ class Player(Execution):
         now_s = self._context.clock()
         if self._rests():
             self._phase = RunPhase.STOPPED
-            self._context.tell(EventCode.RUN_ENDED, row=self._index + 1)
+            row = self._index + 1
+            self._context.close(self._started, Ending.CUT_OFF, EventCode.RUN_ENDED, row=row)
         elif now_s - self._since_s > _REST_WITHIN_S:
             self._fail(Refusal(RefusalCode.RUN_NOT_ENDED))
 
-    def _tell_failed(self, reason: Refusal) -> None:
-        self._context.tell(EventCode.RUN_FAILED, row=self._index + 1, reason=reason)
+    def _tell_failed(self, reason: Refusal, ending: Ending) -> None:
+        figures = {"row": self._index + 1, "reason": reason}
+        self._context.close(self._started, ending, EventCode.RUN_FAILED, **figures)
 
     # How far it has come ----------------------------------------------------------------------
 

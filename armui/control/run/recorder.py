@@ -11,7 +11,8 @@ from armui.arm.refusal_codes import RefusalCode
 from armui.control.context import Context, ControllerPart
 from armui.control.events import EventCode
 from armui.control.operating_state import OperatingState, why_unreachable
-from armui.control.operations.operation import operation
+from armui.control.operations.operation import begun, operation
+from armui.control.operations.started import Ending, Started
 
 if TYPE_CHECKING:
     from armui.control.run.sample_store import Recorded, SampleStore
@@ -43,6 +44,7 @@ class Recorder(QObject, ControllerPart):
         self._context = context
         self._samples: SampleStore | None = None
         self._recording = False
+        self._started: Started | None = None
         self.dropped = 0
 
     @property
@@ -74,7 +76,8 @@ class Recorder(QObject, ControllerPart):
         ring.take()
         ring.dropped = 0
         ring.wanted = self._recording = True
-        self._context.tell(EventCode.RECORDING_STARTED)
+        self._started = begun(self.start)
+        self._context.tell(EventCode.RECORDING_STARTED, self._started)
         self.changed.emit()
         return None
 
@@ -111,7 +114,6 @@ class Recorder(QObject, ControllerPart):
         self.advance()
         self._recording = False
         self._context.connection.samples.wanted = False
-        self._context.tell(
-            EventCode.RECORDING_ENDED, count=self.count, seconds=round(self.duration_s, 1)
-        )
+        figures = {"count": self.count, "seconds": round(self.duration_s, 1)}
+        self._context.close(self._started, Ending.DONE, EventCode.RECORDING_ENDED, **figures)
         self.changed.emit()

@@ -11,7 +11,8 @@ from armui.arm.refusal_codes import RefusalCode
 from armui.control.context import Context
 from armui.control.events import EventCode
 from armui.control.motion.motion_command import CommandKind, MotionCommand
-from armui.control.operations.operation import Consent, operation
+from armui.control.operations.operation import Consent, begun, operation
+from armui.control.operations.started import Ending
 from armui.control.run.arrival import Arrival, ArrivalWatch
 from armui.control.run.execution import Execution
 from armui.control.run.player import why_not_go_on, why_not_pause, why_not_run
@@ -77,7 +78,8 @@ class Replayer(Execution):
             return context.refuse(refusal)
         self._replay, self._cycle, self._at_s = replay, 1, 0.0
         self._gripper_mm = None
-        context.tell(EventCode.RUN_STARTED, name=replay.recording.name)
+        self._started = begun(self.start)
+        context.tell(EventCode.RUN_STARTED, self._started, name=replay.recording.name)
         self._timer.start()
         self._approach(replay)
         return None
@@ -88,7 +90,9 @@ class Replayer(Execution):
         if self._phase is not RunPhase.MOVING or self._watch is not None:
             return self._context.refuse(Refusal(RefusalCode.NOT_RUNNING))
         self._phase = RunPhase.PAUSED
-        self._context.tell(EventCode.REPLAY_PAUSED)
+        started = begun(self.pause)
+        started.close(Ending.SENT)
+        self._context.tell(EventCode.REPLAY_PAUSED, started)
         self._publish()
         return None
 
@@ -104,7 +108,9 @@ class Replayer(Execution):
             return self._context.refuse(refusal)
         self._phase = RunPhase.MOVING
         self._since_s = self._context.clock()
-        self._context.tell(EventCode.REPLAY_CONTINUED)
+        started = begun(self.go_on)
+        started.close(Ending.SENT)
+        self._context.tell(EventCode.REPLAY_CONTINUED, started)
         self._publish()
         return None
 
@@ -174,6 +180,7 @@ class Replayer(Execution):
         return self._context.send_motion(
             kind,
             commands.move_joints(self._codec, replay.first_deg, speed_percent=speed_percent),
+            started=begun(self.start),
             move_mode=MoveMode.MOVE_J,
             speed_percent=speed_percent,
             joints_deg=replay.first_deg,
@@ -233,6 +240,7 @@ class Replayer(Execution):
                 self._codec, opening_mm=opening_mm, torque_nm=_GRIPPER_TORQUE_NM
             )
         )
+        self.gripper_sent.emit(opening_mm, _GRIPPER_TORQUE_NM)
 
     def _end_cycle(self, replay: Replay) -> None:
         if replay.cycles != ENDLESS and self._cycle >= replay.cycles:
@@ -247,13 +255,17 @@ class Replayer(Execution):
         now_s = self._context.clock()
         if self._rests():
             self._end(self._ending)
-            code = EventCode.RUN_DONE if self._ending is RunPhase.DONE else EventCode.REPLAY_ENDED
-            self._context.tell(code, name=replay.recording.name)
+            if self._ending is RunPhase.DONE:
+                ending, code = Ending.DONE, EventCode.RUN_DONE
+            else:
+                ending, code = Ending.CUT_OFF, EventCode.REPLAY_ENDED
+            self._context.close(self._started, ending, code, name=replay.recording.name)
         elif now_s - self._since_s > _REST_WITHIN_S:
             self._fail(Refusal(RefusalCode.RUN_NOT_ENDED))
 
-    def _tell_failed(self, reason: Refusal) -> None:
-        self._context.tell(EventCode.REPLAY_FAILED, reason=reason)
+    def _tell_failed(self, reason: Refusal, ending: Ending) -> None:
+        code = EventCode.REPLAY_FAILED
+        self._context.close(self._started, ending, code, reason=reason)
 
     def _end(self, phase: RunPhase) -> None:
         super()._end(phase)

@@ -35,6 +35,11 @@ class HeedWatch:
         self._from_deg: tuple[float, ...] | None = None
         self._since_s = 0.0
 
+    @property
+    def waits(self) -> bool:
+        """Whether the arm has yet to show that it has taken a motion that leads it away."""
+        return self._command is not None and self._leads_away(self._command)
+
     def observe(
         self, command: MotionCommand | None, ended: End | None, state: ArmState, now_s: float
     ) -> bool:

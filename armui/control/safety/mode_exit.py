@@ -11,6 +11,7 @@ from armui.arm.refusal_codes import RefusalCode
 from armui.control.context import ControllerPart
 from armui.control.events import EventCode
 from armui.control.motion.motion_command import CommandKind
+from armui.control.operations.started import Started
 from armui.protocol import commands
 from armui.protocol.codes import ControlMode, MoveMode
 
@@ -150,6 +151,7 @@ class ModeExitCommand(ControllerPart):
         sent = context.send_motion(
             CommandKind.JOINTS,
             [*frames, *commands.joint_target(codec, angles_deg)],
+            started=Started("recovery.leave_mode"),
             move_mode=MoveMode.MOVE_J,
             speed_percent=percent,
             joints_deg=angles_deg,

@@ -13,6 +13,7 @@ from armui.control.context import Context, ControllerPart
 from armui.control.devices.joint_errors import why_not_clear
 from armui.control.events import EventCode
 from armui.control.motion.planned_motion import why_not_plan
+from armui.control.operations.started import Ending, Started
 from armui.control.requests.request import Request, RequestOutcome
 from armui.control.safety.recovery_rules import next_step
 from armui.control.safety.recovery_steps import NO_DEVICE, Action, Step, StepKind
@@ -23,10 +24,12 @@ from armui.protocol.codes import (
     ControlMode,
     LinkageRole,
     MoveMode,
+    SettingIndex,
     TeachingState,
     TrajectoryCommand,
 )
 from armui.protocol.frame import Frame
+from armui.telemetry.events import EventOutcome
 
 if TYPE_CHECKING:
     from armui.control.devices.joint_errors import JointErrors
@@ -35,6 +38,7 @@ if TYPE_CHECKING:
     from armui.control.link.arm_mark import ArmMark
     from armui.control.motion.planned_motion import PlannedMotion
     from armui.control.safety.mode_exit import ModeExitCommand
+    from armui.protocol.codec import Message
 
 _SHOWS_LATER_S: Final = 0.5
 """Between an answer and the feedback that shows its effect: drivers report ten times a second."""
@@ -125,6 +129,9 @@ class Recovery(ControllerPart):
         self._in_vain: dict[StepKind, int] = {}
         self._to_clear: list[int] = []
         self._request: Request | None = None
+        self._started: Started | None = None
+        self._shown: EventCode | None = None
+        context.connection.answered.connect(self._on_answer)
         self._brief_since_s: float | None = None
         self.acts = False
         self.step = NO_DEVICE
@@ -216,6 +223,8 @@ class Recovery(ControllerPart):
             outcome = self._request.advance()
             if outcome is not RequestOutcome.WAITING:
                 self._request = None
+            if outcome is RequestOutcome.DONE and self._started is not None:
+                self._started.close(Ending.DONE, self._outcome(self._shown))
         if self._to_clear and not self._joint_errors.busy:
             with self._acting():
                 self._joint_errors.clear(self._to_clear.pop(0))
@@ -243,6 +252,8 @@ class Recovery(ControllerPart):
         self._attempt = None
         self._request = None
         self._to_clear.clear()
+        if self._started is not None:
+            self._started.close(Ending.CUT_OFF)
 
     # How an action fares --------------------------------------------------------------------------
 
@@ -261,9 +272,10 @@ class Recovery(ControllerPart):
         elif attempt.idle_since_s is None:
             attempt.idle_since_s = now_s
         elif now_s - attempt.idle_since_s >= _SHOWS_LATER_S:
+            started, self._started = self._started, None
             self._give_up()
             self._in_vain[step.kind] = self._in_vain.get(step.kind, 0) + 1
-            self._context.tell(EventCode.STEP_IN_VAIN)
+            self._context.close(started, Ending.FAILED, EventCode.STEP_IN_VAIN)
             return self._look()
         return replace(step, waiting=True)
 
@@ -324,20 +336,39 @@ class Recovery(ControllerPart):
             move_mode=MoveMode.MOVE_J,
             speed_percent=0,
         )
-        return self._send(EventCode.STANDBY_SENT, frames)
+        return self._send(Started("recovery.standby"), EventCode.STANDBY_SENT, frames)
 
     def _leave_teaching_input(self, _step: Step) -> Refusal | None:
         frames = commands.set_linkage(self._context.connection.codec, LinkageRole.MOTION_OUTPUT)
         self._context.connection.offsets.request(
             Addressing(), self._context.clock(), ends_input=True
         )
-        return self._send(EventCode.MOTION_OUTPUT_SENT, frames)
+        started = Started("recovery.leave_teaching_input")
+        return self._send(started, EventCode.MOTION_OUTPUT_SENT, frames, EventCode.ONLINE)
 
-    def _send(self, code: EventCode, frames: Sequence[Frame]) -> Refusal | None:
-        """Send until the arm is in another state, or time is up."""
+    def _send(
+        self,
+        started: Started,
+        code: EventCode,
+        frames: Sequence[Frame],
+        shown: EventCode | None = None,
+    ) -> Refusal | None:
+        """Send until the arm is in another state, or time is up; ``shown`` tells of that state."""
         context = self._context
         kind = self._look().kind
         self._request = Request(context, frames, lambda _state: self._look().kind is not kind)
-        context.tell(code)
+        self._started, self._shown = started, shown
+        context.tell(code, started)
         self._request.advance()
         return None
+
+    def _outcome(self, code: EventCode | None) -> EventOutcome | None:
+        return None if code is None else EventOutcome(code, self._context.clock(), code.level)
+
+    def _on_answer(self, answer: Message) -> None:
+        """Note that the arm has taken its role."""
+        index, started = SettingIndex.LINKAGE_SETTING, self._started
+        if answer.name != "SettingResponse" or answer.signals["Index"] != index:
+            return
+        if started is not None and self._shown is EventCode.ONLINE and started.answer is None:
+            started.answered(index, self._context.clock())

@@ -16,11 +16,13 @@ from armui.control.operating_state import (
     why_only_heard,
     why_unreachable,
 )
+from armui.control.operations.started import Ending, Started
 from armui.control.safety.emergency_stop import EmergencyStop, StopWatch
 from armui.protocol import commands
 from armui.protocol.addressing import OFFSETS
 from armui.protocol.codes import TeachingState, TrajectoryCommand
 from armui.protocol.frame import Frame
+from armui.telemetry.events import EventOutcome
 
 if TYPE_CHECKING:
     from armui.arm.device import Device
@@ -64,6 +66,8 @@ class Stopping:
         self._was_unconfirmed = False
         self._was_lapsed = False
         self._halted_s: float | None = None
+        self._stop_started: Started | None = None
+        self._halt_started: Started | None = None
         self.stop_again = False
 
     # The emergency stop -----------------------------------------------------------------------
@@ -72,21 +76,24 @@ class Stopping:
         """Stop the arm at once: past every other frame, whatever else is under way (0x150)."""
         connection = self._connection
         if connection.device is None:
-            self._tell(EventCode.STOP_NOT_SENT)
+            started = self._begin_stop()
+            started.close(Ending.FAILED)
+            self._tell(EventCode.STOP_NOT_SENT, started)
             return
         self._asked_of = connection.device
         self._halted_s = None
         frames = self._on_every_offset(commands.emergency_stop(connection.codec))
         on_the_bus = self.emergency_stop.request(frames, self._clock())
         self._end_all()
-        self._tell(EventCode.STOP_SENT if on_the_bus else EventCode.STOP_NOT_SENT)
+        code = EventCode.STOP_SENT if on_the_bus else EventCode.STOP_NOT_SENT
+        self._tell(code, self._begin_stop())
         self._name_others()
 
     def withdraw(self) -> None:
         """Withdraw a stop that the arm has not confirmed."""
         if self.emergency_stop.requested:
             self.emergency_stop.forget()
-            self._tell(EventCode.STOP_WITHDRAWN)
+            self._close(self._stop_started, Ending.CUT_OFF, EventCode.STOP_WITHDRAWN)
 
     def on_connecting(self, device: Device) -> None:
         """A stop that is outstanding holds for the device it was asked of, and no other."""
@@ -98,7 +105,8 @@ class Stopping:
             and not device.same(self._asked_of)
         ):
             self.emergency_stop.forget()
-            self._tell(EventCode.STOP_ABANDONED, device=self._asked_of)
+            abandoned = EventCode.STOP_ABANDONED
+            self._close(self._stop_started, Ending.CUT_OFF, abandoned, device=self._asked_of)
 
     def advance(self, state: ArmState, now_s: float, *, resuming: bool, still: bool) -> None:
         """Take in what was heard; called at each tick, whatever else fails."""
@@ -106,12 +114,12 @@ class Stopping:
         online = self._connection.link is LinkState.ONLINE
         if emergency_stop.advance(state, now_s, online=online):
             self._watch.confirmed()
-            self._tell(EventCode.STOP_CONFIRMED)
+            self._close(self._stop_started, Ending.DONE, EventCode.STOP_CONFIRMED)
         unconfirmed = emergency_stop.unconfirmed(now_s)
         if unconfirmed and not self._was_unconfirmed:
-            self._tell(EventCode.STOP_UNCONFIRMED)
+            self._report_stop(EventCode.STOP_UNCONFIRMED)
         if emergency_stop.lapsed and not self._was_lapsed:
-            self._tell(EventCode.STOP_LAPSED)
+            self._report_stop(EventCode.STOP_LAPSED)
         self._was_unconfirmed, self._was_lapsed = unconfirmed, emergency_stop.lapsed
         if self._watch.undone(state, now_s, resuming=resuming):
             self._tell(EventCode.STOP_UNDONE)
@@ -172,7 +180,10 @@ class Stopping:
         out = self._connection.send_urgent(self._on_every_offset(frames))
         end_driven()
         self._halted_s = self._clock()
-        self._tell(EventCode.HALT_SENT if out else EventCode.HALT_NOT_OUT)
+        if self._halt_started is not None:
+            self._halt_started.close(Ending.CUT_OFF)
+        self._halt_started = Started("halt")
+        self._tell(EventCode.HALT_SENT if out else EventCode.HALT_NOT_OUT, self._halt_started)
         return None
 
     def _replays_teaching(self) -> bool:
@@ -188,6 +199,28 @@ class Stopping:
             return
         if still:
             self._halted_s = None
-            self._tell(EventCode.HALT_AT_REST)
+            self._close(self._halt_started, Ending.DONE, EventCode.HALT_AT_REST)
         elif now_s - self._halted_s > _AT_REST_S:
             self._halted_s = None  # the authority reports a cancel without effect
+            if self._halt_started is not None:
+                self._halt_started.close(Ending.FAILED)
+
+    # What becomes of both ---------------------------------------------------------------------
+
+    def _begin_stop(self) -> Started:
+        if self._stop_started is not None:
+            self._stop_started.close(Ending.CUT_OFF)
+        self._stop_started = Started("stop")
+        return self._stop_started
+
+    def _report_stop(self, code: EventCode) -> None:
+        if self._stop_started is not None:
+            self._stop_started.report(EventOutcome(code, self._clock(), code.level))
+        self._tell(code)
+
+    def _close(
+        self, started: Started | None, ending: Ending, code: EventCode, **params: object
+    ) -> None:
+        if started is not None:
+            started.close(ending, EventOutcome(code, self._clock(), code.level, params))
+        self._tell(code, **params)

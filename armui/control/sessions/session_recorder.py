@@ -15,6 +15,7 @@ from PySide6.QtCore import QObject, QTimer, Signal
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.control.events import EventCode
+from armui.control.operations.started import Ending, Started
 from armui.control.sessions.choices import SessionChoices
 from armui.control.sessions.event_feed import EventFeed
 from armui.control.sessions.mf4_making import Mf4Making
@@ -77,6 +78,7 @@ class SessionRecorder(QObject):
         self._ring: FrameRing | None = None
         self._collector: Collector | None = None
         self._recording: SessionRecording | None = None
+        self._started: dict[SessionRecording, Started] = {}
         self._ending: list[SessionRecording] = []
         self._saver: ThreadPoolExecutor | None = None
         self._saving: Future[Path] | None = None
@@ -166,7 +168,8 @@ class SessionRecorder(QObject):
         collector.add(self._recording.put)
         self._note_facts()
         self._timer.start()
-        self._context.tell(EventCode.SESSION_STARTED, name=plan.name)
+        started = self._started[self._recording] = Started("session.record")
+        self._context.tell(EventCode.SESSION_STARTED, started, name=plan.name)
         self.changed.emit()
         return None
 
@@ -284,7 +287,7 @@ class SessionRecorder(QObject):
             error = recording.failure
             reason = why_not_written(error or OSError("unknown"), recording.plan.folder)
             self._end(recording, "failure")
-            self._context.tell(EventCode.SESSION_FAILED, reason=reason)
+            self._close(recording, Ending.FAILED, EventCode.SESSION_FAILED, reason=reason)
             self.changed.emit()
         elif recording is not None and (lost := self._lost(recording)) > self._lost_told:
             count, self._lost_told = lost - self._lost_told, lost
@@ -294,13 +297,18 @@ class SessionRecorder(QObject):
             if each.failure is None:
                 size = f"{each.total_bytes / 1e6:.1f}"
                 figures = {"name": each.name or "", "frames": each.frames, "size": size}
-                self._context.tell(EventCode.SESSION_ENDED, **figures)
+                self._close(each, Ending.DONE, EventCode.SESSION_ENDED, **figures)
                 if each.frames:
                     self._begin_mf4(each.plan, each.name or "")
             else:
                 reason = why_not_written(each.failure, each.plan.folder)
-                self._context.tell(EventCode.SESSION_FAILED, reason=reason)
+                self._close(each, Ending.FAILED, EventCode.SESSION_FAILED, reason=reason)
             self.changed.emit()
+
+    def _close(
+        self, recording: SessionRecording, ending: Ending, code: EventCode, **params: object
+    ) -> None:
+        self._context.close(self._started.pop(recording, None), ending, code, **params)
 
     def _follow_saving(self) -> None:
         saving = self._saving

@@ -6,6 +6,8 @@ from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
+from armui.session.frames import LATEST_S
+
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
@@ -19,8 +21,9 @@ def straightened(
 ) -> tuple[NDArray[np.float64], int]:
     """Times that may be sorted: no clock was set back, and no single one lies in the future.
 
-    Where a clock was set back, time goes on as if it had stood still at that moment. Each channel
-    is looked at by itself: they may have been written one after another.
+    Where a clock was set back, time goes on as if it had stood still at that moment, to the end of
+    the calendar at most. Each channel is looked at by itself: they may have been written one after
+    another.
 
     Args:
         times_s: As recorded, finite.
@@ -47,9 +50,10 @@ def straightened(
 
 
 def _without_strays(own: NDArray[np.float64], steps: NDArray[np.float64]) -> NDArray[np.float64]:
-    """A single time far ahead of both its neighbours becomes that of the frame before it."""
-    stray = (steps[:-1] > _CLOCK_SET_S) & (steps[1:] < -_CLOCK_SET_S) & (own[2:] >= own[:-2])
-    places = np.flatnonzero(stray) + 1
+    """A single time far off both its neighbours becomes that of the frame before it."""
+    ahead = (steps[:-1] > _CLOCK_SET_S) & (steps[1:] < -_CLOCK_SET_S)
+    behind = (steps[:-1] < -_CLOCK_SET_S) & (steps[1:] > _CLOCK_SET_S)
+    places = np.flatnonzero((ahead | behind) & (own[2:] >= own[:-2])) + 1
     own[places] = own[places - 1]
     if own.size > 1 and own[0] > own[1] + _CLOCK_SET_S and np.all(own[1:] < own[0]):
         own[0] = own[1]
@@ -61,5 +65,5 @@ def _continued(own: NDArray[np.float64]) -> NDArray[np.float64]:
     steps = np.diff(own)
     moved = np.where(steps < -_CLOCK_SET_S, -steps, 0.0)
     if moved.any():
-        own[1:] += np.cumsum(moved)
+        own[1:] = np.minimum(own[1:] + np.cumsum(moved), LATEST_S)
     return own

@@ -1,7 +1,7 @@
 """`.csv`, for spreadsheets: one row of titles, then a row for each point or sample.
 
-Rows whose first cell is # hold a comment; rows that begin with #name, #note or #modified hold
-what belongs to the whole, and stand at the end, where they do not disturb a table.
+Rows whose first cell is # hold a comment; rows that begin with #name, #note, #taught_on or
+#modified hold what belongs to the whole, and stand at the end, where they do not disturb a table.
 """
 
 from __future__ import annotations
@@ -66,6 +66,8 @@ def write(content: Content) -> str:
     writer.writerow(("#name", content.name))
     if content.note:
         writer.writerow(("#note", content.note))
+    if content.taught_on:
+        writer.writerow(("#taught_on", content.taught_on))
     writer.writerow(("#modified", content.modified.isoformat()))
     return stream.getvalue()
 
@@ -139,7 +141,7 @@ def _body(table: Iterator[Row], fields: dict[str, Any]) -> Iterator[Row]:
         value = cells[1] if len(cells) > 1 else ""
         if key == "#modified":
             fields["modified"] = parse_time(value, line, 2)
-        elif key in ("#name", "#note"):
+        elif key in ("#name", "#note", "#taught_on"):
             fields[key[1:]] = value
         else:
             raise broken(RefusalCode.HEADER_UNKNOWN, line, 1, value=key)

@@ -14,6 +14,7 @@ import os
 from collections.abc import Collection
 from dataclasses import asdict, dataclass, replace
 from datetime import datetime
+from itertools import starmap
 from pathlib import Path
 from typing import Any, Final, Literal, NamedTuple, get_args
 
@@ -22,6 +23,7 @@ from armui.system.atomic import write_whole
 from armui.system.files import read_file
 from armui.trajectory.files import Content, TrajectoryFileError
 from armui.trajectory.library.run_options import RunOptions
+from armui.trajectory.points.program import SpeedsFrom, speeds_of
 from armui.trajectory.samples.recording import Recording
 
 Kind = Literal["points", "recording", "draft"]
@@ -29,7 +31,7 @@ Kind = Literal["points", "recording", "draft"]
 Check = Literal["ok", "warnings", "errors"]
 """How the check before running ended."""
 
-_VERSION: Final = 2
+_VERSION: Final = 3
 
 _MOST_BYTES: Final = 64_000_000
 """More than a hundred thousand entries need; a larger file is not read."""
@@ -58,7 +60,8 @@ class IndexEntry:
         checked_for: The `ArmModel.fingerprint` that the check was made for.
         ran_with: How it was run last; ``None`` where it is not known to have run.
         taught_on: The arm it was taught on; "": not known.
-        speeds: The lowest and the highest speed percentage of its points; ``None`` without points.
+        speeds: The lowest and highest speed percentage of its points from each row on, see
+            `speeds_of`.
     """
 
     name: str
@@ -71,7 +74,7 @@ class IndexEntry:
     note: str = ""
     checked_for: str = ""
     ran_with: RunOptions | None = None
-    speeds: tuple[int, int] | None = None
+    speeds: tuple[SpeedsFrom, ...] = ()
     taught_on: str = ""
 
 
@@ -99,9 +102,8 @@ def entry_of(content: Content) -> IndexEntry:
         return IndexEntry(
             name, "recording", count, length, modified, note=note, taught_on=taught_on
         )
-    percents = [point.speed_percent for point in content.points]
-    speeds = (min(percents), max(percents)) if percents else None
-    entry = IndexEntry(name, "points", len(percents), None, modified, note=note, speeds=speeds)
+    speeds, count = speeds_of(content.points), len(content.points)
+    entry = IndexEntry(name, "points", count, None, modified, note=note, speeds=speeds)
     return replace(entry, taught_on=content.taught_on)
 
 
@@ -216,7 +218,7 @@ def _unpack(data: dict[str, Any]) -> dict[str, tuple[Stamp, IndexEntry]]:
         entry = IndexEntry(
             **fields,
             ran_with=None if ran_with is None else RunOptions(**ran_with),
-            speeds=None if speeds is None else tuple(speeds),
+            speeds=tuple(starmap(SpeedsFrom, speeds)),
         )
         if damage is not None:
             code, params, line, column, name = damage
@@ -244,12 +246,15 @@ def _is_sound(entry: IndexEntry) -> bool:
         and entry.modified.tzinfo is not None
         and (entry.check is None or entry.check in get_args(Check))
         and (entry.ran_with is None or entry.ran_with.is_sound)
-        and (entry.speeds is None or _are_percents(entry.speeds))
+        and _are_speeds(entry.speeds)
     )
 
 
-def _are_percents(speeds: tuple[int, ...]) -> bool:
-    return len(speeds) == 2 and all(isinstance(one, int) and 1 <= one <= 100 for one in speeds)
+def _are_speeds(speeds: tuple[SpeedsFrom, ...]) -> bool:
+    numbers = [number for one in speeds for number in one]
+    return all(type(number) is int for number in numbers) and all(
+        one.row >= 0 and 1 <= one.low <= one.high <= 100 for one in speeds
+    )
 
 
 def _can_be_shown(text: str) -> bool:

@@ -235,8 +235,7 @@ def _below_floor(path: PlannedPath, arm: ArmModel) -> Iterator[Finding]:
     flanges_mm = flange_heights(arm.kinematics.geometry, path.joints_deg)
     heights = np.minimum(path.places_mm[:, 2], flanges_mm)
     below = FLOOR_MM - heights
-    changes = np.flatnonzero(np.diff(path.rows))
-    only_way = below[changes[0] if len(changes) else -1] <= 0.0
+    only_way = below[_first_point(path)] <= 0.0
     for index in _worst(below > 0.0, below, path):
         figures = {"value": round(float(below[index]), 1)}
         found = _at(path, index, FindingCode.BELOW_FLOOR, figures)
@@ -251,9 +250,12 @@ def _tool_too_fast(path: PlannedPath, free: Flags, arm: ArmModel) -> Iterator[Fi
     most = 1e3 * arm.end_limits.max_linear_speed_m_s
     speeds = path.speeds_mm_s
     fast = free & (speeds > _SPEED_SLACK * most)
+    slow_way = _first_point(path) if path.expected_s == () else 0
     for index in _worst(fast, speeds, path):
         figures = {"value": round(float(speeds[index])), "maximum": round(most)}
-        yield _at(path, index, FindingCode.TOOL_TOO_FAST, figures)
+        found = _at(path, index, FindingCode.TOOL_TOO_FAST, figures)
+        # how fast a recording is approached is nothing that is recorded
+        yield replace(found, approach=Approach.WAY) if index < slow_way else found
 
 
 def _collisions(path: PlannedPath, arm: ArmModel) -> Iterator[Finding]:
@@ -272,14 +274,14 @@ def _collisions(path: PlannedPath, arm: ArmModel) -> Iterator[Finding]:
         index = int(looked_at[which])
         row = int(path.rows[index])
         approach = None
-        if not recorded and which <= end_of_first:
+        if which <= end_of_first:
             approach = Approach.WAY if which else Approach.HERE
             if which == end_of_first:
                 approach = None  # the point itself
             elif (row, Approach.HERE) in told:
                 continue  # it has not come clear yet, or will be looked at again
-        # of a recording the first of those on end is enough
-        before = which - 1 in hits and recorded
+        # of a recording the first of those on end is enough: on the way there, and in itself
+        before = which - 1 in hits and recorded and which != end_of_first
         if (row, approach) not in told and not before:
             told.add((row, approach))
             one, other = hits[which].split("/")
@@ -302,6 +304,12 @@ def _worst(mask: Flags, badness: Array, path: PlannedPath) -> Iterable[int]:
     _, firsts = np.unique(groups[order], return_index=True)
     worst: list[int] = marked[order[firsts]].tolist()
     return worst
+
+
+def _first_point(path: PlannedPath) -> int:
+    """Return the place on the path where the arm has come to the first point or sample."""
+    further = np.flatnonzero((np.diff(path.rows) != 0) | (np.diff(path.cycles) != 0))
+    return int(further[0]) if len(further) else len(path.rows) - 1
 
 
 def _by_row(path: PlannedPath, flags: Sequence[bool]) -> Flags:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Final
+from typing import Final, NamedTuple
 
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
@@ -38,8 +38,25 @@ def to_text(points: Sequence[Waypoint]) -> str:
     )
 
 
+class PastedPoints(NamedTuple):
+    """Points from a text.
+
+    Attributes:
+        points: All of them.
+        taught_on: The arm they were taught on, where a file says so; "": not known.
+    """
+
+    points: tuple[Waypoint, ...]
+    taught_on: str = ""
+
+
 def from_text(text: str, like: MoveMode = MoveMode.MOVE_J) -> tuple[Waypoint, ...]:
-    """The points in a text.
+    """Return the points in a text; see `pasted`."""
+    return pasted(text, like).points
+
+
+def pasted(text: str, like: MoveMode = MoveMode.MOVE_J) -> PastedPoints:
+    """Return the points in a text, and of which arm they are.
 
     Understood are what :func:`to_text` writes, whole files of this program, lines of its ``.log``
     format, and rows of a spreadsheet: perhaps the kind of motion, six values, perhaps speed in
@@ -55,7 +72,7 @@ def from_text(text: str, like: MoveMode = MoveMode.MOVE_J) -> tuple[Waypoint, ..
     if log_file.is_log(text) or json_file.is_json(text) or csv_file.is_csv(text):
         content = files.read_text(text, "clipboard")
         if isinstance(content, Trajectory):
-            return content.points
+            return PastedPoints(content.points, content.taught_on)
         raise broken(RefusalCode.FILE_KIND_UNKNOWN, 1)
     # not splitlines: it would part a note at signs that end no line in a spreadsheet
     numbered = enumerate(text.replace("\r\n", "\n").split("\n"), 1)
@@ -64,7 +81,7 @@ def from_text(text: str, like: MoveMode = MoveMode.MOVE_J) -> tuple[Waypoint, ..
         raise broken(RefusalCode.FILE_EMPTY)
     if not _has_figure(lines[0][1]) and len(lines) > 1:
         lines = lines[1:]
-    return tuple(_read_row(line, number, like) for number, line in lines)
+    return PastedPoints(tuple(_read_row(line, number, like) for number, line in lines))
 
 
 def _one_line(text: str) -> str:

@@ -70,6 +70,16 @@ def change(points: Points, changed: Mapping[int, Waypoint]) -> Points:
     return tuple(result)
 
 
+def turned(points: Points, by_deg: Sequence[float]) -> Points:
+    """With the joints of every point turned by so much; poses stay, which count from the base."""
+    return tuple(
+        replace(point, target=tuple(a + by for a, by in zip(point.target, by_deg, strict=True)))
+        if point.is_joint
+        else point
+        for point in points
+    )
+
+
 def chosen(points: Points, rows: Iterable[int]) -> Points:
     """The points of some rows, from top to bottom."""
     return tuple(points[row] for row in sorted(set(rows)))

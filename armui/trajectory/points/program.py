@@ -7,7 +7,7 @@ An arc of MOVE C begins where the point before it ends and goes over a middle po
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, fields
 from datetime import UTC, datetime
 from itertools import starmap
@@ -192,6 +192,32 @@ def _unpacked(  # noqa: PLR0917 - as pickle hands them on
 ) -> Trajectory:
     """The other way round than :meth:`Trajectory.__reduce__`."""
     return Trajectory(name, note, tuple(starmap(Waypoint, points)), modified, closing, taught_on)
+
+
+class SpeedsFrom(NamedTuple):
+    """The speeds of the points from a row on, up to the next `SpeedsFrom`.
+
+    Attributes:
+        row: The first such row.
+        low, high: The lowest and highest speed percentage of all points from any of these rows on.
+    """
+
+    row: int
+    low: int
+    high: int
+
+
+def speeds_of(points: Sequence[Waypoint]) -> tuple[SpeedsFrom, ...]:
+    """Return the lowest and highest speed from each row on, where that differs; rows rise."""
+    found: list[SpeedsFrom] = []
+    low, high = 100, 1
+    for row in range(len(points) - 1, -1, -1):
+        percent = points[row].speed_percent
+        low, high = min(low, percent), max(high, percent)
+        if found and found[-1][1:] == (low, high):
+            found.pop()
+        found.append(SpeedsFrom(row, low, high))
+    return tuple(reversed(found))
 
 
 def check_figure(field: str, value: float) -> Refusal | None:

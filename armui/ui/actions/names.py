@@ -7,7 +7,7 @@ the program. Pure.
 from __future__ import annotations
 
 import json
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from typing import Final
 
 from armui.system import paths
@@ -21,7 +21,8 @@ class Names:
     """Looks texts up.
 
     Args:
-        rows: Chinese, English, and the pinyin of the Chinese with a space between two syllables.
+        rows: Chinese, English ("": a synonym, which has none), and the pinyin of the Chinese with a
+            space between two syllables.
     """
 
     def __init__(self, rows: Iterable[tuple[str, str, str]] = ()) -> None:
@@ -29,20 +30,22 @@ class Names:
         self._others: dict[str, set[str]] = {}
         for chinese, english, pinyin in rows:
             self._pinyin[chinese] = tuple(pinyin.split())
-            self._others.setdefault(chinese, set()).add(english)
-            self._others.setdefault(english, set()).add(chinese)
+            if english:  # a synonym has no text of its own
+                self._others.setdefault(chinese, set()).add(english)
+                self._others.setdefault(english, set()).add(chinese)
 
     @property
     def known(self) -> bool:
         """Whether there are any."""
         return bool(self._pinyin)
 
-    def search_text(self, title: str, place: str) -> SearchText:
+    def search_text(self, title: str, place: str, synonyms: Sequence[str] = ()) -> SearchText:
         """All that something can be found by.
 
         Args:
             title: What it is called, in the language that is shown.
             place: Where it is done, likewise.
+            synonyms: What else it is called, in any language; lower case.
         """
         names, more = self._called(title), self._called(place)
         return SearchText(
@@ -50,6 +53,8 @@ class Names:
             more=tuple(name.lower() for name in more),
             pinyin=self._spelled(names),
             more_pinyin=self._spelled(more),
+            synonyms=tuple(synonyms),
+            synonym_pinyin=self._spelled(synonyms),
         )
 
     def _called(self, text: str) -> list[str]:
@@ -80,5 +85,5 @@ def read_names() -> Names:
     return Names(
         (chinese, english, pinyin)
         for chinese, (pinyin, sources) in known.items()
-        for english in sources
+        for english in sources or [""]
     )

@@ -104,10 +104,7 @@ class CommandPalette(ArmDialog):
         self._offers = [
             (
                 offer,
-                replace(
-                    self._names.search_text(offer.title, offer.place),
-                    synonyms=synonyms(offer.name),
-                ),
+                self._names.search_text(offer.title, offer.place, synonyms(offer.name)),
             )
             for offer in self._source.now(self)
         ]

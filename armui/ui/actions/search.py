@@ -24,6 +24,7 @@ class SearchText:
         pinyin: Of each Chinese name of its own its syllables, without tones.
         more_pinyin: Of the names of its place.
         synonyms: What else it is called, in any language; lower case.
+        synonym_pinyin: Of each Chinese synonym its syllables.
     """
 
     names: tuple[str, ...]
@@ -31,6 +32,7 @@ class SearchText:
     pinyin: tuple[tuple[str, ...], ...] = ()
     more_pinyin: tuple[tuple[str, ...], ...] = ()
     synonyms: tuple[str, ...] = ()
+    synonym_pinyin: tuple[tuple[str, ...], ...] = ()
 
 
 def rank(query: str, text: SearchText) -> tuple[int, ...] | None:
@@ -45,7 +47,7 @@ def rank(query: str, text: SearchText) -> tuple[int, ...] | None:
         own = min(
             _in_names(word, text.names),
             _in_pinyin(word, text.pinyin),
-            _in_synonyms(word, text.synonyms),
+            _in_synonyms(word, text),
         )
         place = min(_in_names(word, text.more), _in_pinyin(word, text.more_pinyin))
         best = min(own, _WITHIN + 1 + place)
@@ -70,12 +72,14 @@ def _in_names(word: str, names: Sequence[str]) -> int:
     return best
 
 
-def _in_synonyms(word: str, synonyms: Sequence[str]) -> int:
+def _in_synonyms(word: str, text: SearchText) -> int:
     """As good as the start of a name where it is the whole word; its beginning, as within one."""
-    if word in synonyms:
+    spelled = _in_pinyin(word, text.synonym_pinyin)
+    if word in text.synonyms or spelled == _INITIALS:
         return _START
     long_enough = len(word) >= (_SHORTEST_LATIN if word.isascii() else 1)
-    return _WITHIN if long_enough and any(each.startswith(word) for each in synonyms) else _NONE
+    begins = spelled == _START or any(each.startswith(word) for each in text.synonyms)
+    return _WITHIN if long_enough and begins else _NONE
 
 
 def _in_pinyin(word: str, names: Sequence[tuple[str, ...]]) -> int:

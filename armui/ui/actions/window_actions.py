@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QObject, Qt
 from PySide6.QtWidgets import QAbstractButton, QApplication, QDialog, QWidget
 
 from armui.control.operating_state import StopState
+from armui.control.safety.recovery_steps import StepKind
 from armui.ui.actions.commands_button import CommandsButton
 from armui.ui.actions.keys import listen_for
 from armui.ui.shell.first_steps import FirstSteps
@@ -23,6 +24,13 @@ if TYPE_CHECKING:
     from armui.ui.shell.diagnosis_dialogs import DiagnosisDialogs
     from armui.ui.shell.page_doings import PageDoings
     from armui.ui.shell.watch_windows import WatchWindows
+
+
+_IN_THE_RUN_STRIP: Final = {
+    StepKind.RUN_PAUSED: "run_continue",
+    StepKind.RUN_WAITS: "run_pause",
+}
+"""The buttons of those steps that the line above the panels has no button for."""
 
 
 class WindowActions(QObject):
@@ -155,15 +163,20 @@ class WindowActions(QObject):
         return "" if stopped else self.tr("The arm is not stopped.")
 
     def _step_button(self) -> QWidget | None:
-        names = ("recovery_button", "recovery_hold_button")
+        names = ["recovery_button", "recovery_hold_button"]
+        kind = self._controller.recovery.step.kind
+        if kind in _IN_THE_RUN_STRIP:
+            names.append(_IN_THE_RUN_STRIP[kind])
         buttons = (self._window.findChild(QWidget, name) for name in names)
         return next((each for each in buttons if each is not None and each.isVisible()), None)
 
     def _take_step(self) -> None:
-        from armui.ui.actions.offer import use  # noqa: PLC0415 - faster start
+        from armui.ui.actions.offer import lead_to, use  # noqa: PLC0415 - faster start
 
         button = self._step_button()
-        if button is not None:
+        if button is not None and button.objectName() in _IN_THE_RUN_STRIP.values():
+            lead_to(button)  # it sets the arm moving: with a press of its own
+        elif button is not None:
             use(button)
 
     def _why_no_step(self) -> str:

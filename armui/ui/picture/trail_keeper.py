@@ -88,7 +88,7 @@ class TrailKeeper:
             return None
         x, y, z = self._controller.cartesian.tool[:3]
         model = self._controller.operating_state.model
-        reach_mm = z if z > 0.0 else model_data(model).gripper.reach_mm
+        reach_mm = model_data(model).tool_mm(z)
         rows = shape.flange(shape.links(angles_deg))
         place = moved(rows, (x / _MM, y / _MM, reach_mm / _MM))
         return (place[0] * _MM, place[1] * _MM, place[2] * _MM)

@@ -36,6 +36,7 @@ class PageBar(Translated, QWidget):
     def __init__(self) -> None:
         super().__init__()
         self.setObjectName("page_bar")
+        self._before: Page | None = None
         self._back = _tool("page_back")
         self._take_out = _tool("page_take_out")
         self._take_out.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
@@ -62,23 +63,25 @@ class PageBar(Translated, QWidget):
                 old.hide()
                 old.deleteLater()
         for page in before:
-            crumb = named("page_crumb", QToolButton())
-            crumb.setProperty("crumb", True)
-            crumb.setText(page.title)
-            crumb.setAccessibleName(page.title)
+            crumb = named("page_crumb", _Crumb(page))
             crumb.clicked.connect(lambda _on=False, page=page: self.page_wanted.emit(page))
+            page.titled.connect(self._describe_back)
             arrow = text_label(rank="muted")
             arrow.setText("›")
             for widget in (crumb, arrow):
                 self._crumbs.addWidget(widget)
                 widget.show()
         self._name.show_text(shown.title)
-        to = before[-1].title if before else self.tr("the panel")
+        self._before = before[-1] if before else None
+        self._describe_back()
+
+    def _describe_back(self) -> None:
+        to = self.tr("the panel") if self._before is None else self._before.title
         describe(self._back, self.tr("Back"), self.tr("Back to {where} (Esc)").format(where=to))
 
     def retranslate_ui(self) -> None:
         """Put every word into the operator's language."""
-        describe(self._back, self.tr("Back"))
+        self._describe_back()
         self._take_out.setText(self.tr("Own window"))
         tip = self.tr("Takes this page out into a window of its own, for a second screen.")
         describe(self._take_out, self.tr("Own window"), tip)
@@ -87,6 +90,25 @@ class PageBar(Translated, QWidget):
         colors = colors_of(self)
         self._back.setIcon(icons.icon("back", colors.text))
         self._take_out.setIcon(icons.icon("take_out", colors.muted))
+
+
+class _Crumb(QToolButton):
+    """Leads to a page and is called as that page is, which may stand elsewhere.
+
+    Args:
+        page: The page.
+    """
+
+    def __init__(self, page: Page) -> None:
+        super().__init__()
+        self._page = page
+        self.setProperty("crumb", True)
+        page.titled.connect(self._show_title)
+        self._show_title()
+
+    def _show_title(self) -> None:
+        self.setText(self._page.title)
+        self.setAccessibleName(self._page.title)
 
 
 def _tool(name: str) -> QToolButton:

@@ -21,10 +21,17 @@ class Flow(QLayout):
     Args:
         owner: The widget whose layout it becomes.
         spacing_px: Between two widgets, and between two lines.
+        most: So many are in a line at most; ``None``: as many as there is room for.
     """
 
-    def __init__(self, owner: QWidget | None = None, spacing_px: int = _SPACING_PX) -> None:
+    def __init__(
+        self,
+        owner: QWidget | None = None,
+        spacing_px: int = _SPACING_PX,
+        most: int | None = None,
+    ) -> None:
         super().__init__(owner)
+        self._most = most
         self._items: list[QLayoutItem] = []
         self._pushed: set[QWidget] = set()
         self.setSpacing(spacing_px)
@@ -114,7 +121,8 @@ class Flow(QLayout):
         used = 0
         for item in self._shown():
             wanted = item.sizeHint().width()
-            if lines and used + self.spacing() + wanted <= width:
+            full = bool(lines) and len(lines[-1]) == self._most
+            if lines and not full and used + self.spacing() + wanted <= width:
                 lines[-1].append(item)
                 used += self.spacing() + wanted
             else:

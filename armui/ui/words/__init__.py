@@ -5,6 +5,7 @@ The words are looked up at every call, so a caller that asks again after the lan
 """
 
 from armui.ui.words.arm import (
+    arm_kind,
     arm_status,
     control_mode,
     control_mode_short,
@@ -31,6 +32,7 @@ from armui.ui.words.refusals import file_error, refusal, why_not
 from armui.ui.words.steps import step, step_action, step_danger, step_question
 
 __all__ = [
+    "arm_kind",
     "arm_status",
     "control_mode",
     "control_mode_short",

@@ -13,6 +13,7 @@ from PySide6.QtCore import QT_TRANSLATE_NOOP, QCoreApplication
 from armui.arm.device import Device
 from armui.arm.gripper import GripperFault
 from armui.arm.joint_status import Item, StatusVerdict, Word
+from armui.arm.model_check import OLDER_ZEROS
 from armui.protocol.codes import EndLoad, Mounting, TeachingState, TrajectoryCommand
 from armui.ui.words.text import Texts, sentence
 
@@ -180,6 +181,13 @@ _MODES: Final = Texts("OtherMode") | {
     "cpv": "CPV",
     "high_follow": "high-follow",
 }
+_KINDS: Final = Texts("ArmKind") | {"older": "{model} (zeros before S-V1.6-3)"}
+
+
+def arm_kind(kind: str) -> str:
+    """Return a `ModelFit.kind` in the operator's language."""
+    model = kind.removesuffix(OLDER_ZEROS)
+    return kind if model == kind else _KINDS.text("older", {"model": model})
 
 
 def other_mode(mode: str) -> str:

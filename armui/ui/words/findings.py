@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Final
 
 from armui.trajectory.planning.findings import Approach, Finding, FindingCode
+from armui.ui.words.arm import arm_kind
 from armui.ui.words.text import Texts
 
 _FINDINGS: Final = Texts("Finding") | {
@@ -123,6 +124,8 @@ _APPROACH: Final = Texts("Finding") | {
 def finding(found: Finding) -> str:
     """What was found in the operator's language; the row is told beside it."""
     params = {k: _text(v) for k, v in found.params.items()}
+    if found.code is FindingCode.OTHER_ARM:
+        params = {k: arm_kind(v) for k, v in params.items()}
     if found.approach is Approach.HERE:
         return _APPROACH.text(found.approach, params)
     text = _FINDINGS.text(found.code, params)

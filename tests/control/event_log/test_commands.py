@@ -8,8 +8,6 @@ from types import SimpleNamespace
 import pytest
 
 from armui.arm.parameters import Parameter
-from armui.control.event_log.commands import COMMANDS, LASTING, kind_of, who_of
-from armui.control.events import EventCode
 from armui.control.safety.recovery_steps import StepKind
 from armui.protocol.codes import EndLoad, MoveMode, TeachingState, TrajectoryCommand
 from armui.sim.faults.schedule import fault
@@ -308,20 +306,3 @@ def test_another_host_is_there_from_its_first_frame_to_its_last(rig, other_host)
         assert begun_s <= each.at_s <= each.ended_s <= rig.time_s - 2.0
     moves = only(rig, "other_host_moves")
     assert moves.ended_s == only(rig, "other_host_gone").at_s
-
-
-# The tables ----------------------------------------------------------------------------------
-
-
-@pytest.mark.parametrize("code", EventCode)
-def test_every_notice_has_its_sort_and_its_asker(code):
-    assert kind_of(code) in EventKind
-    assert who_of(code) in Asker
-
-
-def test_what_ends_a_command_is_no_command():
-    ends = {end for rule in COMMANDS.values() for end in rule.ends}
-    assert not ends & set(COMMANDS)
-    assert not set(LASTING) & {end for ends in LASTING.values() for end in ends} - {
-        EventCode.LINK_LOST
-    }

@@ -14,7 +14,7 @@ from armui.control.operating_state import LinkState, StopState
 from armui.control.run.progress import Run
 from armui.control.run.replay import Replay
 from armui.control.safety.recovery_steps import Action
-from armui.kinematics.poses import JogFrame
+from armui.kinematics.poses import JogFrame, flange_pose
 from armui.protocol.codes import EndLoad, LinkageRole, MoveMode, TeachingState, TrajectoryCommand
 from armui.protocol.generation import Generation
 from armui.sim.faults.schedule import fault
@@ -92,7 +92,7 @@ class Actors:
     def move_tool(self, joints_deg: tuple[float, ...], move: int) -> None:
         pose = self._kinematics.forward(joints_deg)
         refusal = self._controller.cartesian.move(pose, MoveMode(move))
-        self._ask(Kind.POSE, refusal, pose=tuple(pose))
+        self._ask(Kind.POSE, refusal, pose=flange_pose(pose, self._controller.cartesian.tool))
 
     def hold_joint(self, joint: int, direction: int) -> None:
         refusal = self._controller.jogging.start(JointJog(joint, direction))

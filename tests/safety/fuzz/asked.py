@@ -29,7 +29,7 @@ class Asked:
     Attributes:
         kind: What it was.
         at_s: When.
-        goal_deg, pose: Where it leads, as far as it says.
+        goal_deg, pose: Where it leads (of the flange), as far as it says.
         joint, delta: Of a step: what is to turn, and by how much.
         bases: Where a step may start from: the arm, and our own target while it stands.
         cancelled: What has ended it.

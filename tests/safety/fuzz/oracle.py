@@ -240,6 +240,8 @@ class Oracle:
         self._ours_deg = started.goal_deg
         if started.said.after is None:  # from before anybody watched
             return []
+        if _apart(started.goal_deg, started.here_deg) <= _SAME_DEG:
+            return []  # holds it where it stands, as the way out of the MIT mode does first
         why = self._why_unasked(started)
         if why is None:
             return []

@@ -8,7 +8,7 @@ from functools import partial
 from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtWidgets import QButtonGroup, QFrame, QLabel, QWidget
+from PySide6.QtWidgets import QButtonGroup, QFrame, QLabel, QSizePolicy, QWidget
 
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
@@ -23,7 +23,7 @@ from armui.ui.theme import scaled_font
 from armui.ui.widgets.buttons import caption, choice_button, describe, named
 from armui.ui.widgets.flow import Flow
 from armui.ui.widgets.hold_guard import UNATTENDED_S
-from armui.ui.widgets.layouts import empty_grid, in_column, in_row
+from armui.ui.widgets.layouts import in_column, in_row
 from armui.ui.widgets.text_label import ValueLabel
 from armui.ui.widgets.translated import Translated
 
@@ -36,6 +36,7 @@ if TYPE_CHECKING:
 
 
 _ACROSS: Final = 3
+_GAP_PX: Final = 8
 _JOINTS: Final = tuple(f"J{joint}" for joint in range(1, 7))
 _WIDEST: Final = "-0000.000 mm"
 _NAME_PX: Final = 24
@@ -54,6 +55,7 @@ class JogCell(JogRow):
         self._name = QLabel()
         self._name.setFont(scaled_font(self._name, 1.0, bold=True))
         self._name.setFixedWidth(_NAME_PX)
+        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Preferred)
         self.measured = named(
             f"box_measured_{place + 1}",
             ValueLabel(_WIDEST, alignment=Qt.AlignmentFlag.AlignHCenter),
@@ -136,11 +138,10 @@ class JogBox(Translated, QFrame):
             head.addWidget(widget)
         for widget in more:
             head.push(widget)
-        grid = empty_grid(gaps=(16, 4))
-        for place, cell in enumerate(self._cells):
-            grid.addWidget(cell, place // _ACROSS, place % _ACROSS)
-            grid.setColumnStretch(place % _ACROSS, 1)
-        in_column(head, grid, on=self, spacing=6, margins=(10, 8, 10, 8))
+        cells = Flow(spacing_px=_GAP_PX, most=_ACROSS)
+        for cell in self._cells:
+            cells.addWidget(cell)
+        in_column(head, cells, on=self, spacing=6, margins=(10, 8, 10, 8))
 
     def _connect(self) -> None:
         self._kinds.idClicked.connect(self._on_kind)

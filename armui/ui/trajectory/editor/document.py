@@ -25,11 +25,13 @@ class Document(QObject):
     Signals:
         changed: A :class:`Change` of the points, after it was made.
         note_changed: The trajectory's note is another.
+        taught_on_changed: The arm it was taught on is another, or known now.
         saved_changed: Whether everything is saved, when that differs.
     """
 
     changed = Signal(object)
     note_changed = Signal()
+    taught_on_changed = Signal()
     saved_changed = Signal(bool)
 
     def __init__(self, trajectory: Trajectory, parent: QObject | None = None) -> None:
@@ -81,15 +83,27 @@ class Document(QObject):
         self.stack.push(_Edit(self, change, label))
         return True
 
-    def note_taught(self, arm: str) -> None:
-        """Take over on which arm the first point was taught; what others hold stays as it is."""
-        if arm and len(self.points) == 1 and not self._trajectory.taught_on:
-            self._trajectory = replace(self._trajectory, taught_on=arm)
+    def note_taught(self, arm: str, count: int = 1) -> None:
+        """Take over on which arm the first points were taught; of others it is not known.
+
+        Args:
+            arm: As `ModelFit.taught_on` tells; "": not known.
+            count: How many points there are if these are all.
+        """
+        if arm and len(self.points) == count and not self._trajectory.taught_on:
+            self.take_taught_on(arm)
 
     @property
     def taught_on(self) -> str:
         """The arm it was taught on; "" where that is not known."""
         return self._trajectory.taught_on
+
+    def convert(self, points: Points, arm: str, label: str) -> None:
+        """Put points as they are for another arm in the place of the present ones, as one edit."""
+        self.stack.beginMacro(label)
+        self.edit(points, label)
+        self.stack.push(_EditTaughtOn(self, self.taught_on, arm))
+        self.stack.endMacro()
 
     def set_note(self, note: str, label: str) -> None:
         """Change what the trajectory is for."""
@@ -110,6 +124,11 @@ class Document(QObject):
         """Set the note; only the undo stack calls this."""
         self._trajectory = replace(self._trajectory, note=note)
         self.note_changed.emit()
+
+    def take_taught_on(self, arm: str) -> None:
+        """Set the arm it was taught on; beside `note_taught` only the undo stack calls this."""
+        self._trajectory = replace(self._trajectory, taught_on=arm)
+        self.taught_on_changed.emit()
 
 
 class _Edit(QUndoCommand):
@@ -140,3 +159,18 @@ class _EditNote(QUndoCommand):
 
     def undo(self) -> None:
         self._document.take_note(self._before)
+
+
+class _EditTaughtOn(QUndoCommand):
+    """Another arm that the points are meant for."""
+
+    def __init__(self, document: Document, before: str, after: str) -> None:
+        super().__init__()
+        self._document = document
+        self._before, self._after = before, after
+
+    def redo(self) -> None:
+        self._document.take_taught_on(self._after)
+
+    def undo(self) -> None:
+        self._document.take_taught_on(self._before)

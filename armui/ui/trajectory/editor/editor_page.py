@@ -18,7 +18,7 @@ from armui.protocol.codes import MoveMode
 from armui.trajectory.files.errors import TrajectoryFileError
 from armui.trajectory.planning.findings import Severity
 from armui.trajectory.points.edits import Change
-from armui.trajectory.points.program import Trajectory, Waypoint
+from armui.trajectory.points.program import Trajectory, Waypoint, speeds_of
 from armui.ui import words
 from armui.ui.trajectory.editor.document import Document
 from armui.ui.trajectory.editor.draft_keeper import DraftKeeper
@@ -29,7 +29,8 @@ from armui.ui.trajectory.editor.find_bar import FindBar
 from armui.ui.trajectory.editor.finder import Finder
 from armui.ui.trajectory.editor.findings_pane import FindingsPane
 from armui.ui.trajectory.editor.leave_question import LeaveQuestion
-from armui.ui.trajectory.editor.point_edits import Outcome, PointEdits
+from armui.ui.trajectory.editor.other_arm_line import OtherArmLine
+from armui.ui.trajectory.editor.point_edits import OfOtherArm, Outcome, PointEdits
 from armui.ui.trajectory.editor.points_model import PointsModel
 from armui.ui.trajectory.editor.points_table import PointsTable
 from armui.ui.trajectory.running.preflight import Checks, Preflight
@@ -100,6 +101,7 @@ class EditorPage(Page):
         self._finder = Finder(self.document, self.table, self._find_bar)
         self._note = named("trajectory_note", QLineEdit(trajectory.note))
         self._note.setMinimumWidth(_NOTE_PX)
+        self._other_arm = OtherArmLine()
         self._message = named("editor_message", MessageLine(keeps_room=False))
         self._findings = FindingsPane()
         self._run_bar = RunBar(
@@ -116,10 +118,7 @@ class EditorPage(Page):
         self._lay_out()
         self._connect()
         self.retranslate_ui()
-        arm = controller.operating_state.model_fit.kind
-        if trajectory.taught_on not in {"", arm}:
-            text = self.tr("This was taught on another arm: {taught}. Chosen is {arm}.")
-            self._say(text.format(taught=trajectory.taught_on, arm=arm), Level.WARNING)
+        self._show_arms()
         if draft is not None:
             self._take_draft(draft)
         self._show_count()
@@ -150,7 +149,8 @@ class EditorPage(Page):
         self._find_bar.hide()
         # what comes and goes takes room from the table: jog buttons and 发送 stay where they are
         fill(self.body, self._actions.bar(self._note), self._find_bar, (self.table, 1))
-        fill(self.body, self._findings, self._message, self._jog, self._run_bar)
+        fill(self.body, self._findings, self._other_arm, self._message)
+        fill(self.body, self._jog, self._run_bar)
 
     def _connect(self) -> None:
         stack = self.document.stack
@@ -163,6 +163,9 @@ class EditorPage(Page):
         self.document.saved_changed.connect(self._show_title)
         self.document.note_changed.connect(lambda: self._note.setText(self.document.note))
         self._note.editingFinished.connect(self._on_note)
+        self.document.taught_on_changed.connect(self._show_arms)
+        self._controller.operating_state_changed.connect(self._show_arms)
+        self._other_arm.convert_wanted.connect(self._convert_zeros)
         self._find_bar.closed.connect(self.table.setFocus)
         self._drafts.failed.connect(self._show_failure)
         self.table.row_chosen.connect(self.selected_row_changed)
@@ -205,6 +208,19 @@ class EditorPage(Page):
             self.used.emit()
         return super().event(event)
 
+    def _show_arms(self, *_: object) -> None:
+        fit = self._controller.operating_state.model_fit
+        self._other_arm.show_arms(self.document.taught_on, fit)
+
+    def _convert_zeros(self) -> None:
+        if self._edits.convert_zeros():
+            text = self.tr(
+                "The angles count from the zeros of {arm} now; poses stay as they are. Save it, "
+                "or undo it."
+            )
+            self._say(text.format(arm=words.arm_kind(self.document.taught_on)), Level.DONE)
+        self.table.setFocus()
+
     def _on_jogged(self, refusal: Refusal | None) -> None:
         self._say("" if refusal is None else words.refusal(refusal), Level.WARNING)
 
@@ -229,7 +245,10 @@ class EditorPage(Page):
     def _take_draft(self, draft: Trajectory) -> None:
         """Bring back what was not saved, as an edit that can be undone."""
         self.document.set_note(draft.note, self.tr("Unsaved changes"))
-        self.document.edit(draft.points, self.tr("Unsaved changes"))
+        if draft.taught_on == self.document.taught_on:
+            self.document.edit(draft.points, self.tr("Unsaved changes"))
+        else:
+            self.document.convert(draft.points, draft.taught_on, self.tr("Unsaved changes"))
         self._say(
             self.tr(
                 "These changes were not saved when the program ended. Save them, or undo them."
@@ -259,11 +278,10 @@ class EditorPage(Page):
     def _show_count(self) -> None:
         count = len(self.document.points)
         empty = Refusal(RefusalCode.RUN_EMPTY, {"name": self.document.name})
-        percents = [point.speed_percent for point in self.document.points]
         self._run_bar.show_content(
             self.document.name,
             count,
-            speeds=(min(percents), max(percents)) if percents else None,
+            speeds=speeds_of(self.document.points),
             nothing=None if count else empty,
         )
         for name in _OF_POINTS:
@@ -392,6 +410,13 @@ class EditorPage(Page):
         elif isinstance(outcome, TrajectoryFileError):
             text = self.tr("Not pasted. {reason}").format(reason=words.file_error(outcome))
             self._say(text, Level.WARNING)
+        elif isinstance(outcome, OfOtherArm):
+            text = self.tr(
+                "These points were taught on another arm: {pasted}. Those here were taught on "
+                "{here}. The same joint angles may hold the tool elsewhere: check them, or undo."
+            )
+            kinds = {"pasted": words.arm_kind(outcome.pasted), "here": words.arm_kind(outcome.here)}
+            self._say(text.format(**kinds), Level.WARNING)
         else:
             self._say(words.refusal(outcome), Level.WARNING)
 

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import replace
-from typing import TYPE_CHECKING, Final
+from typing import TYPE_CHECKING, Final, NamedTuple
 
-from PySide6.QtCore import QObject
+from PySide6.QtCore import QMimeData, QObject
 from PySide6.QtGui import QGuiApplication
 
 from armui.arm.refusal import Refusal
@@ -15,8 +15,8 @@ from armui.protocol.codes import MoveMode
 from armui.trajectory.files.errors import TrajectoryFileError
 from armui.trajectory.planning.convert import comes_from, to_joints, to_move, to_pose
 from armui.trajectory.points import edits
-from armui.trajectory.points.clipboard import from_text, to_text
-from armui.trajectory.points.program import VALUE_COUNT, Waypoint
+from armui.trajectory.points.clipboard import pasted, to_text
+from armui.trajectory.points.program import VALUE_COUNT, Waypoint, check_text
 
 if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
@@ -25,8 +25,23 @@ if TYPE_CHECKING:
 
 _ZERO: Final = (0.0,) * VALUE_COUNT
 
-Outcome = Refusal | TrajectoryFileError | None
-"""``None``: done."""
+_TAUGHT_ON: Final = "application/x-armui-taught-on"
+"""Beside the text in the clipboard: the arm that the points were taught on."""
+
+
+class OfOtherArm(NamedTuple):
+    """Points were pasted that were taught on another arm than those that are there.
+
+    Attributes:
+        pasted, here: The two arms, as `ModelFit.kind` tells.
+    """
+
+    pasted: str
+    here: str
+
+
+Outcome = Refusal | TrajectoryFileError | OfOtherArm | None
+"""``None``: done. Of another arm: done, and worth a look."""
 
 
 class PointEdits(QObject):
@@ -185,7 +200,11 @@ class PointEdits(QObject):
         rows = self._table.rows()
         if not rows:
             return _no_rows()
-        QGuiApplication.clipboard().setText(to_text(edits.chosen(self._document.points, rows)))
+        data = QMimeData()
+        data.setText(to_text(edits.chosen(self._document.points, rows)))
+        if self._document.taught_on:
+            data.setData(_TAUGHT_ON, self._document.taught_on.encode())
+        QGuiApplication.clipboard().setMimeData(data)
         return None
 
     def cut(self) -> Outcome:
@@ -198,12 +217,27 @@ class PointEdits(QObject):
         like = self._document.points[rows[-1]].move if rows else MoveMode.MOVE_J
         like = MoveMode.MOVE_L if like is MoveMode.MOVE_C else like
         try:
-            new = from_text(QGuiApplication.clipboard().text(), like)
+            new = pasted(QGuiApplication.clipboard().text(), like)
         except TrajectoryFileError as error:
             return error
-        return self._insert(self._below(), new)
+        arm, here = new.taught_on or _arm_in_clipboard(), self._document.taught_on
+        self._insert(self._below(), new.points)
+        if arm and here and arm != here:
+            return OfOtherArm(arm, here)
+        self._document.note_taught(arm, len(new.points))
+        return None
 
     # The arm ----------------------------------------------------------------------------------
+
+    def convert_zeros(self) -> bool:
+        """Have all joints count from the zeros of the arm; tell whether it was done."""
+        fit = self._controller.operating_state.model_fit
+        by_deg = fit.zeros_from_deg(self._document.taught_on)
+        if by_deg is None:
+            return False
+        points = edits.turned(self._document.points, by_deg)
+        self._document.convert(points, fit.kind, self.tr("Convert zeros"))
+        return True
 
     def go_to(self) -> Outcome:
         """Send the arm to the current point, at the speed set for motions, without its actions."""
@@ -218,6 +252,13 @@ class PointEdits(QObject):
         cartesian = self._controller.cartesian
         move = MoveMode.MOVE_L if point.move is MoveMode.MOVE_L else MoveMode.MOVE_P
         return cartesian.move(tool_pose(point.target, cartesian.tool), move)
+
+
+def _arm_in_clipboard() -> str:
+    data = QGuiApplication.clipboard().mimeData()
+    kept = b"" if data is None else bytes(data.data(_TAUGHT_ON).data())
+    name = kept.decode(errors="replace")
+    return "" if check_text("taught_on", name, lines=1) else name
 
 
 def _no_rows() -> Refusal:

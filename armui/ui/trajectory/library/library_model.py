@@ -147,7 +147,9 @@ class LibraryModel(TableModel):
             )
         if self._is_of_other_arm(entry):
             text = self.tr("This was taught on another arm: {taught}. Chosen is {arm}.")
-            told = text.format(taught=entry.taught_on, arm=self._kind)
+            told = text.format(
+                taught=words.arm_kind(entry.taught_on), arm=words.arm_kind(self._kind)
+            )
             return "\n".join(filter(None, (told, entry.note)))
         return entry.note
 

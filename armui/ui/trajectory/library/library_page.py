@@ -251,7 +251,7 @@ class LibraryPage(Page):
             nothing = Refusal(RefusalCode.NO_ROWS_CHOSEN)
         elif one.count == 0:
             nothing = Refusal(RefusalCode.RUN_EMPTY, {"name": one.name})
-        name, count, speeds = ("", 0, None) if one is None else (one.name, one.count, one.speeds)
+        name, count, speeds = ("", 0, ()) if one is None else (one.name, one.count, one.speeds)
         self._run_bar.show_content(name, count, speeds=speeds, recording=recording, nothing=nothing)
         if chosen:  # while the list is made anew, nothing is chosen for a moment
             self._run_bar.drop_check(but=name)

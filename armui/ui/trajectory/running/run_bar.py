@@ -25,6 +25,7 @@ from armui.trajectory.library.run_options import (
 )
 from armui.trajectory.library.store import IndexEntry
 from armui.trajectory.planning.timing import APPROACH_PERCENT
+from armui.trajectory.points.program import SpeedsFrom
 from armui.ui import words
 from armui.ui.actions.keys import keys_of, listen_for
 from armui.ui.trajectory.running.preflight import CheckJob, Checks, Preflight
@@ -144,7 +145,7 @@ class RunBar(Translated, QWidget):
         self._shared = choices
         self._content = content
         self._name = ""
-        self._speeds: tuple[int, int] | None = None
+        self._speeds: Sequence[SpeedsFrom] = ()
         self._job: CheckJob | None = None
         self._reading: object | None = None
         self._recording = False
@@ -204,7 +205,7 @@ class RunBar(Translated, QWidget):
         name: str,
         count: int,
         *,
-        speeds: tuple[int, int] | None = None,
+        speeds: Sequence[SpeedsFrom] = (),
         recording: bool = False,
         nothing: Refusal | None = None,
     ) -> None:
@@ -213,7 +214,7 @@ class RunBar(Translated, QWidget):
         Args:
             name: Its own; "" while there is nothing.
             count: How many points it has.
-            speeds: The lowest and the highest speed percentage of its points.
+            speeds: The lowest and highest speed percentage of its points from each row on.
             recording: Whether it has none, because it is a recording.
             nothing: Why there is nothing to be run.
         """
@@ -325,10 +326,16 @@ class RunBar(Translated, QWidget):
             tip = self.tr("The first sample is approached at {percent} %.")
             tip = tip.format(percent=APPROACH_PERCENT)
         else:
-            low, high = (sent_percent(one, factor) for one in self._speeds or (1, 1))
+            # further cycles begin with the first row
+            row = self._first.value() if self._cycles.currentIndex() == _ONCE else 1
+            low, high = (sent_percent(one, factor) for one in self._range_from(row))
             figures = f"{low} %" if low == high else f"{low}–{high} %"
             text = self.tr("Effective speed {percent}").format(percent=figures)
-            tip = self.tr("The speed of each row × that of the run, 1–100 %; all rows.")
+            tip = self.tr("The speed of each row × that of the run, 1–100 %; of all rows that run.")
+            if row > 1:
+                tip = self.tr(
+                    "The speed of each row × that of the run, 1–100 %; from row {row} on."
+                ).format(row=row)
         lines = [tip, self.tr("The speed in the top bar does not change a run.")]
         if not self._shared.has_run(self._name):
             text = self.tr("{text} · first run").format(text=text)
@@ -337,10 +344,15 @@ class RunBar(Translated, QWidget):
                 "before you choose more."
             )
             lines.append(begin.format(name=self._name, percent=round(100 * FIRST_RUN_FACTOR)))
-        known = bool(self._name) and (self._recording or self._speeds is not None)
+        known = bool(self._name) and (self._recording or bool(self._speeds))
         # it is always there, so that 发送 stays in its place
         self._effective.setText(text if known else "")
         self._effective.setToolTip("\n".join(lines) if known else "")
+
+    def _range_from(self, row: int) -> tuple[int, int]:
+        """Return the lowest and highest speed percentage of the points from a row on, from 1."""
+        before = [one for one in self._speeds if one.row < row]
+        return before[-1][1:] if before else (1, 1)
 
     def stand_back(self, wanted: bool) -> None:
         """Whether something else on the page is done more often than running it."""

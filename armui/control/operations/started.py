@@ -1,0 +1,97 @@
+"""A command that was begun, and what became of it: told by the part that follows it; pure."""
+
+from __future__ import annotations
+
+import enum
+from dataclasses import dataclass, field
+from itertools import count
+from typing import TYPE_CHECKING, Final
+
+from armui.arm.refusal_codes import RefusalCode
+from armui.control.event_log.observed import ObservedCode
+from armui.telemetry.events import EventOutcome, Level
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from armui.arm.refusal import Refusal
+
+_CUT_OFF: Final = frozenset(
+    {RefusalCode.LINK_LOST, RefusalCode.ENDED_BY_STOP, RefusalCode.ARM_CHANGED}
+)
+_IN_VAIN: Final = frozenset(
+    {
+        RefusalCode.SETTING_UNANSWERED,
+        RefusalCode.SETTING_NOT_READ_BACK,
+        RefusalCode.ORDER_TOO_LATE,
+    }
+)
+_NUMBERS: Final[Callable[[], int]] = count(1).__next__
+
+
+class Ending(enum.Enum):
+    """How a command ended."""
+
+    SENT = enum.auto()
+    """The arm says nothing of it: all that is known is that it was sent."""
+    ANSWERED = enum.auto()
+    """The arm has answered (0x476), and what it did cannot be read back."""
+    DONE = enum.auto()
+    """It was read back from the arm."""
+    REFUSED = enum.auto()
+    """The arm, or the program after the operator's press, has refused it."""
+    FAILED = enum.auto()
+    """The arm has not done it, or not in time."""
+    CUT_OFF = enum.auto()
+    """Something else has ended it: a stop, another command, the loss of the arm."""
+
+
+@dataclass(eq=False, slots=True)
+class Started:
+    """A command from its beginning to its end.
+
+    Attributes:
+        operation: The id of the operation; of a command that is none, a name of its own.
+        number: Counts up over the whole program.
+        answer: What the arm has answered last (0x476).
+        result: The last that is known of it; there is none where the operator is told nothing.
+        ending: How it ended; ``None``: it goes on.
+    """
+
+    operation: str
+    number: int = field(default_factory=_NUMBERS, init=False)
+    answer: EventOutcome | None = field(default=None, init=False)
+    result: EventOutcome | None = field(default=None, init=False)
+    ending: Ending | None = field(default=None, init=False)
+
+    def answered(self, index: int, at_s: float) -> None:
+        """Note that the arm has answered (0x476).
+
+        Args:
+            index: What the answer names.
+            at_s: Monotonic time.
+        """
+        figures = {"index": f"0x{index:02X}"}
+        self.answer = EventOutcome(ObservedCode.ANSWERED, at_s, Level.DONE, figures)
+
+    def report(self, result: EventOutcome) -> None:
+        """Note what is known of it by now, which is not its end."""
+        if self.ending is None:
+            self.result = result
+
+    def close(self, ending: Ending, result: EventOutcome | None = None) -> None:
+        """Note how it ended; nothing changes that any more.
+
+        Args:
+            ending: How.
+            result: What the operator is told of it.
+        """
+        if self.ending is None:
+            self.ending, self.result = ending, result or self.result
+
+
+def ending_of(refusal: Refusal) -> Ending:
+    """Return how a command ended that this is told of: cut off, in vain, or refused."""
+    if refusal.code in _CUT_OFF:
+        return Ending.CUT_OFF
+    return Ending.FAILED if refusal.code in _IN_VAIN else Ending.REFUSED

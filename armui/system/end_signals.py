@@ -1,0 +1,72 @@
+"""The signals by which the system, or whoever started it, asks the program to end.
+
+Source: signal(7).
+"""
+
+from __future__ import annotations
+
+import signal
+import threading
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from types import FrameType
+from typing import Any, Final
+
+_NAMES: Final = ("SIGTERM", "SIGHUP", "SIGINT", "SIGBREAK")
+
+Handler = Callable[[int, FrameType | None], Any]
+
+
+def take_over(handler: Handler) -> dict[int, Any]:
+    """Have each of them handled, but for those that are ignored, as ``nohup`` has it.
+
+    Args:
+        handler: Called in the main thread; this can be called only there, too.
+
+    Returns:
+        Who handled them before.
+    """
+    numbers = [getattr(signal, name) for name in _NAMES if hasattr(signal, name)]
+    followed = [each for each in numbers if signal.getsignal(each) is not signal.SIG_IGN]
+    return {number: signal.signal(number, handler) for number in followed}
+
+
+def give_back(before: dict[int, Any]) -> None:
+    """Have them handled by whoever handled them before."""
+    for number, handler in before.items():
+        signal.signal(number, handler)
+
+
+@contextmanager
+def handled_by(handler: Handler) -> Iterator[None]:
+    """Have them handled for a while; in another thread than the main one nothing is done."""
+    if threading.current_thread() is not threading.main_thread():
+        yield
+        return
+    before = take_over(handler)
+    try:
+        yield
+    finally:
+        give_back(before)
+
+
+@contextmanager
+def interrupting() -> Iterator[list[int]]:
+    """Let each of them raise `KeyboardInterrupt`; yields those that came."""
+    heard: list[int] = []
+
+    def interrupt(number: int, _frame: FrameType | None) -> None:
+        heard.append(number)
+        raise KeyboardInterrupt
+
+    with handled_by(interrupt):
+        yield heard
+
+
+def end_at_once_on_ctrl_c() -> None:
+    """Let Ctrl-C end the process as SIGTERM does, on the spot, until something is to be ended.
+
+    Python's own exception would get lost in Qt, or tell of whatever was half loaded.
+    """
+    if signal.getsignal(signal.SIGINT) is signal.default_int_handler:
+        signal.signal(signal.SIGINT, signal.SIG_DFL)

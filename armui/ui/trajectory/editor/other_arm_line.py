@@ -1,0 +1,66 @@
+"""Says above the points that they were taught on another arm, and offers to convert its zeros."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import Signal
+from PySide6.QtWidgets import QWidget
+
+from armui.arm.model_check import ModelFit
+from armui.control.events import Level
+from armui.ui import words
+from armui.ui.widgets.buttons import describe, named, push_button
+from armui.ui.widgets.layouts import in_row
+from armui.ui.widgets.message_line import MessageLine
+from armui.ui.widgets.translated import Translated
+
+
+class OtherArmLine(Translated, QWidget):
+    """There as long as the chosen arm is another than the one a trajectory was taught on.
+
+    Signals:
+        convert_wanted: The points shall count from the zeros of the arm that is connected.
+    """
+
+    convert_wanted = Signal()
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._taught_on = ""
+        self._fit = ModelFit()
+        self._message = named("editor_other_arm", MessageLine(keeps_room=False))
+        self._convert = push_button("convert_zeros", on_enter=False)
+        in_row((self._message, 1), self._convert, on=self, spacing=8, margins=0)
+        self._convert.clicked.connect(self.convert_wanted)
+        self.hide()
+
+    def show_arms(self, taught_on: str, fit: ModelFit) -> None:
+        """Compare the arms.
+
+        Args:
+            taught_on: The one the trajectory was taught on; "": not known.
+            fit: The one that is connected, or was chosen.
+        """
+        if (taught_on, fit) != (self._taught_on, self._fit):
+            self._taught_on, self._fit = taught_on, fit
+            self.retranslate_ui()
+
+    def retranslate_ui(self) -> None:
+        """Put every word into the operator's language."""
+        other = self._taught_on not in {"", self._fit.kind}
+        text = self.tr("This was taught on another arm: {taught}. Chosen is {arm}.")
+        text = text.format(
+            taught=words.arm_kind(self._taught_on), arm=words.arm_kind(self._fit.kind)
+        )
+        self._message.show_message(text if other else "", Level.WARNING)
+        by_deg = self._fit.zeros_from_deg(self._taught_on)
+        self._convert.setVisible(by_deg is not None)
+        if by_deg is not None:
+            tip = self.tr(
+                "Turns the joints of every point by {degrees}, so that the arm comes to the same "
+                "place. Poses stay: they count from the base. It can be undone."
+            )
+            turns = enumerate(by_deg, start=1)
+            each = ", ".join(f"J{joint} {turn:+g}°" for joint, turn in turns if turn)
+            describe(self._convert, self.tr("Convert zeros"), tip.format(degrees=each))
+            self._convert.setText(self.tr("Convert zeros"))
+        self.setVisible(other)
