@@ -1116,6 +1116,13 @@
     </message>
 </context>
 <context>
+    <name>ColorDialog</name>
+    <message>
+        <source>Colour of the lamps</source>
+        <translation>灯光颜色</translation>
+    </message>
+</context>
+<context>
     <name>ColumnPicker</name>
     <message>
         <source>Guessed: check it</source>
@@ -4478,24 +4485,20 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
         <translation>全部</translation>
     </message>
     <message>
+        <source>Opens a window to pick a colour in; nothing is sent.</source>
+        <translation>打开选取颜色的窗口，不发送任何指令。</translation>
+    </message>
+    <message>
+        <source>Pick a colour…</source>
+        <translation>选取颜色…</translation>
+    </message>
+    <message>
         <source>All lamps of the joint</source>
         <translation>该关节的全部灯珠</translation>
     </message>
     <message>
-        <source>Hue and saturation</source>
-        <translation>色相和饱和度</translation>
-    </message>
-    <message>
-        <source>Click, drag or use the arrow keys to pick a colour.</source>
-        <translation>点击、拖动或按方向键选取颜色。</translation>
-    </message>
-    <message>
-        <source>Brightness</source>
-        <translation>亮度</translation>
-    </message>
-    <message>
-        <source>The same colour, darker or brighter</source>
-        <translation>同一颜色，调暗或调亮</translation>
+        <source>Colour of the lamps</source>
+        <translation>灯光颜色</translation>
     </message>
     <message>
         <source>Effect</source>

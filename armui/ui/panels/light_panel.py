@@ -9,6 +9,7 @@ from PySide6.QtGui import QBrush, QColor, QPaintEvent
 from PySide6.QtWidgets import (
     QButtonGroup,
     QCheckBox,
+    QColorDialog,
     QFrame,
     QHBoxLayout,
     QLabel,
@@ -26,7 +27,7 @@ from armui.protocol.codes import ALL_LAMPS
 from armui.ui import format as fmt
 from armui.ui import words
 from armui.ui.actions.keys import keys_of
-from armui.ui.panels.hue_field import HueField
+from armui.ui.dialogs.base import ArmDialog, CloseButton
 from armui.ui.panels.panel import Panel
 from armui.ui.theme import colors_of, scaled_font
 from armui.ui.widgets import painting
@@ -160,15 +161,60 @@ class ChannelRow(QWidget):
 
 
 _CHANNELS: Final = ("red", "green", "blue")
-_TALLEST_CARD_PX: Final = 520
+_TALLEST_CARD_PX: Final = 270
 _FIELD_PX: Final = 74
 _CONFIRM_KEY: Final = keys_of("light.confirm")
+_PICKER: Final = (
+    QColorDialog.ColorDialogOption.DontUseNativeDialog,
+    QColorDialog.ColorDialogOption.NoButtons,
+    QColorDialog.ColorDialogOption.NoEyeDropperButton,
+)
+
+
+class ColorDialog(ArmDialog):
+    """Qt's own picker beside the stop; what is picked counts at once.
+
+    It has no eye-dropper: that would grab the mouse, and the stop could not be pressed.
+
+    Signals:
+        picked: The operator has picked a colour.
+    """
+
+    picked = Signal(QColor)
+
+    def __init__(self, controller: ArmController, parent: QWidget | None = None) -> None:
+        super().__init__(controller, parent)
+        self.setObjectName("color_dialog")
+        self._picker = QColorDialog()
+        self._picker.setWindowFlags(Qt.WindowType.Widget)
+        for option in _PICKER:
+            self._picker.setOption(option)
+        self._picker.currentColorChanged.connect(self.picked)
+        self._picker.finished.connect(self.close)  # Escape in it
+        self.body.addWidget(self._picker)
+        self.footer.addStretch(1)
+        self.footer.addWidget(CloseButton(self))
+        self.retranslate_ui()
+
+    def show_color(self, color: QColor) -> None:
+        """Show a colour without telling anyone."""
+        with QSignalBlocker(self._picker):
+            self._picker.setCurrentColor(color)
+
+    def open(self) -> None:
+        """Show it; Escape may have hidden the picker in it."""
+        self._picker.show()
+        super().open()
+
+    def retranslate_ui(self) -> None:
+        """Put every word into the operator's language."""
+        self.set_title(self.tr("Colour of the lamps"))
 
 
 class LightPanel(Panel):
     """What is to be sent to the lamps; it never claims to know what colour they have.
 
-    Fields, sliders and picker are three ways to the same colour. Everything stays as it was left
+    Fields, sliders and a picker are three ways to the same colour. Everything stays as it was left
     while another panel is used.
     """
 
@@ -184,11 +230,8 @@ class LightPanel(Panel):
         self._all_lamps = named("all_lamps", QCheckBox())
         self._all_lamps.setChecked(True)
         self._rows = {name: ChannelRow(name) for name in _CHANNELS}
-        self._hue = named("hue_field", HueField())
-        self._brightness_label = QLabel()
-        self._brightness = named("brightness_slider", TrackSlider(1.0, origin=0.0))
-        self._brightness.setRange(0, FULL)
-        self._brightness.setPageStep(16)
+        self._pick = push_button("pick_color_button")
+        self._picker: ColorDialog | None = None
         self._effect_label = QLabel()
         self._effect = named("effect_strip", ColorStrip())
         self._confirm = push_button("light_confirm_button", primary=True)
@@ -213,10 +256,8 @@ class LightPanel(Panel):
         for place, row in enumerate(self._rows.values(), start=2):
             grid.addWidget(row.label, place, 0)
             grid.addWidget(row, place, 1)
-        grid.addWidget(self._hue, 5, 0, 1, 2)
-        grid.addWidget(self._brightness_label, 6, 0)
-        grid.addWidget(self._brightness, 6, 1)
-        grid.setRowStretch(5, 1)
+        grid.addWidget(self._pick, 5, 1)
+        grid.setRowStretch(6, 1)
         grid.setColumnStretch(1, 1)
 
         effect = in_row(self._effect_label, (self._effect, 1), spacing=12)
@@ -238,8 +279,7 @@ class LightPanel(Panel):
         self._lamp.value_edited.connect(self._on_edited)
         for row in self._rows.values():
             row.edited.connect(self._on_channel_edited)
-        self._hue.picked.connect(self._on_picked)
-        self._brightness.valueChanged.connect(self._on_brightness_moved)
+        self._pick.clicked.connect(self._on_pick)
         self._confirm.clicked.connect(self._on_confirm)
         self._controller.operating_state_changed.connect(self._on_operating_state_changed)
 
@@ -254,27 +294,27 @@ class LightPanel(Panel):
 
     def _on_channel_edited(self) -> None:
         color = self.color()
-        if color is not None:
-            self._hue.show_color(color)
-            self._brightness.show_requested(color.value())
         self._effect.show_color(color)
+        if color is not None and self._picker is not None:
+            self._picker.show_color(color)
         self._on_edited()
 
-    def _on_picked(self) -> None:
-        """Picking while it is dark means that there shall be light."""
-        self._show_color(self._hue.color((self._brightness.value() or FULL) / FULL))
-        self._on_edited()
+    def _on_pick(self) -> None:
+        if self._picker is None:
+            self._picker = ColorDialog(self._controller, self.window())
+            self._picker.picked.connect(self._on_picked)
+        color = self.color()
+        if color is not None:
+            self._picker.show_color(color)
+        self._picker.open()
 
-    def _on_brightness_moved(self) -> None:
-        self._show_color(self._hue.color(self._brightness.value() / FULL))
+    def _on_picked(self, color: QColor) -> None:
+        self._show_color(color)
         self._on_edited()
 
     def _show_color(self, color: QColor) -> None:
-        """Put a colour into everything but the mark of the picker, which may stand finer."""
         for name, value in zip(_CHANNELS, (color.red(), color.green(), color.blue()), strict=True):
             self._rows[name].show_value(value)
-        with QSignalBlocker(self._brightness):
-            self._brightness.show_requested(color.value())
         self._effect.show_color(color)
 
     # -- actions ------------------------------------------------------------------------------
@@ -367,11 +407,8 @@ class LightPanel(Panel):
         self._all_lamps.setAccessibleName(self.tr("All lamps of the joint"))
         for name, row in self._rows.items():
             row.describe(words.light_figure(name), _range_text(name))
-        tip = self.tr("Click, drag or use the arrow keys to pick a colour.")
-        describe(self._hue, self.tr("Hue and saturation"), tip)
-        self._brightness_label.setText(self.tr("Brightness"))
-        tip = self.tr("The same colour, darker or brighter")
-        describe(self._brightness, self.tr("Brightness"), tip)
+        tip = self.tr("Opens a window to pick a colour in; nothing is sent.")
+        caption(self._pick, self.tr("Pick a colour…"), tip=tip)
         self._effect_label.setText(self.tr("Effect"))
         describe(self._effect, self.tr("Effect"), self.tr("The colour that Confirm sends"))
         caption(self._confirm, self.tr("Confirm"), key=_CONFIRM_KEY)
