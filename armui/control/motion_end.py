@@ -47,7 +47,6 @@ DRIVE_NOTHING: Final = (
     "armui.ui.watch.curves_item",
     "armui.ui.watch.figure",
     "armui.ui.watch.graph",
-    "armui.ui.watch.heights",
     "armui.ui.watch.layout_file",
     "armui.ui.watch.plot_bar",
     "armui.ui.watch.plot_board",

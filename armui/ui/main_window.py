@@ -28,21 +28,25 @@ from armui.ui.picture.picture_work import PictureWork
 from armui.ui.shell.diagnosis_dialogs import DiagnosisDialogs
 from armui.ui.shell.drawer import Drawer
 from armui.ui.shell.layout_keeper import LayoutKeeper
-from armui.ui.shell.leaving import close_unless_moving, end_motion_then
+from armui.ui.shell.leaving import (
+    KeepsWork,
+    close_unless_moving,
+    end_motion_then,
+    leave_then,
+    unsaved,
+)
 from armui.ui.shell.operation_area import OperationArea, menu_entries
 from armui.ui.shell.page_area import PageArea
 from armui.ui.shell.page_doings import PageDoings
 from armui.ui.shell.recovery_line import RecoveryLine
 from armui.ui.shell.robot_in_view import RobotInView, show_in_view
-from armui.ui.shell.run_place import RunPlace
 from armui.ui.shell.side_menu import JointStatusButton, LibraryButton, SideMenu, WatchMenu
 from armui.ui.shell.status_bar import FailureLine, ModelMark, StatusBar
 from armui.ui.shell.top_bar import TopBar
 from armui.ui.shell.trajectory_pages import TrajectoryPages
-from armui.ui.shell.unsaved import KeepsWork, leave_then, unsaved
 from armui.ui.shell.view_region import ViewRegion
 from armui.ui.shell.watch_windows import WatchWindows
-from armui.ui.shell.work_area import WindowLayout, WorkArea, WorkColumn
+from armui.ui.shell.work_area import RunPlace, WindowLayout, WorkArea, WorkColumn
 from armui.ui.shell.workspace import Workspace
 from armui.ui.theme import DARK, colors_of
 from armui.ui.trajectory.preview.path_preview import PathPreview

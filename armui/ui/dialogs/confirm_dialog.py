@@ -1,4 +1,4 @@
-"""A question before something that the operator might regret."""
+"""The questions of the program, none of which blocks a window."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The file chooser, with an emergency stop in it."""
+"""Choosing files and folders, and saving something to one."""
 
 from __future__ import annotations
 

@@ -32,7 +32,7 @@ from armui.ui.gamepad.gamepad_dialog import GamepadDialog
 from armui.ui.widgets.buttons import caption, named, push_button
 from armui.ui.widgets.layouts import STRETCH, empty_grid, fill, in_row
 from armui.ui.widgets.message_line import MessageLine
-from armui.ui.widgets.repolish import repolish
+from armui.ui.widgets.painting import repolish
 from armui.ui.widgets.text_label import ElidedLabel
 
 if TYPE_CHECKING:

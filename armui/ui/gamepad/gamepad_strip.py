@@ -19,7 +19,7 @@ from armui.ui.widgets import icons, painting
 from armui.ui.widgets.buttons import named
 from armui.ui.widgets.hold_guard import HoldGuard
 from armui.ui.widgets.layouts import in_row
-from armui.ui.widgets.repolish import set_rank
+from armui.ui.widgets.painting import set_rank
 from armui.ui.widgets.text_label import ElidedLabel
 from armui.ui.widgets.translated import Translated
 from armui.ui.words.gamepad import gamepad_button, gamepad_mode

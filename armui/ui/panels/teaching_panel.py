@@ -19,9 +19,9 @@ from armui.protocol.codes import TeachingState, TrajectoryCommand
 from armui.ui import format as fmt
 from armui.ui import words
 from armui.ui.dialogs.confirm_dialog import confirm
-from armui.ui.dialogs.drag_assistance import DragAssistanceDialog
 from armui.ui.freshness import is_stale
 from armui.ui.panels.panel import Panel
+from armui.ui.panels.parameters.levels_panel import DragAssistanceDialog
 from armui.ui.widgets.buttons import caption, enable_or_explain, named
 from armui.ui.widgets.hold_button import HoldButton
 from armui.ui.widgets.layouts import STRETCH, empty_grid, in_column, in_row, scrolled

@@ -1,4 +1,4 @@
-"""Region 7: the panel chosen in the menu; each is made when it is first shown."""
+"""The panels of the menu, each made when it is first shown (region 7)."""
 
 from __future__ import annotations
 
@@ -15,9 +15,12 @@ from armui.ui.panels.light_panel import LightPanel
 from armui.ui.panels.linkage_panel import LinkagePanel
 from armui.ui.panels.motor_panel import MotorPanel
 from armui.ui.panels.parameters.end_load_panel import EndLoadPanel
-from armui.ui.panels.parameters.joint_settings_panel import JointSettingsPanel
+from armui.ui.panels.parameters.figure_panels import (
+    EndLimitsPanel,
+    GripperSettingsPanel,
+    JointSettingsPanel,
+)
 from armui.ui.panels.parameters.levels_panel import CollisionPanel
-from armui.ui.panels.parameters.listed_panels import EndLimitsPanel, GripperSettingsPanel
 from armui.ui.panels.teaching_panel import TeachingPanel
 from armui.ui.shell.side_menu import MenuEntry
 

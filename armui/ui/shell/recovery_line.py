@@ -18,7 +18,7 @@ from armui.ui.theme import Colors, colors_of
 from armui.ui.widgets import icons, painting
 from armui.ui.widgets.buttons import named, show_primary
 from armui.ui.widgets.hold_button import HoldButton
-from armui.ui.widgets.repolish import repolish
+from armui.ui.widgets.painting import repolish
 from armui.ui.widgets.text_label import text_label
 from armui.ui.widgets.translated import Translated
 

@@ -1,4 +1,4 @@
-"""Region 2: the vertical menu; below it regions 9 and 10."""
+"""The menu at the left: panels, library, what watches, joint status (regions 2, 9 and 10)."""
 
 from __future__ import annotations
 

@@ -26,7 +26,7 @@ from armui.ui.widgets.buttons import named, push_button
 from armui.ui.widgets.curve_menu import tell_quantities
 from armui.ui.widgets.layouts import in_row
 from armui.ui.widgets.message_line import MessageLine
-from armui.ui.widgets.repolish import set_rank
+from armui.ui.widgets.painting import set_rank
 from armui.ui.widgets.text_label import ElidedLabel
 from armui.ui.widgets.translated import Translated
 

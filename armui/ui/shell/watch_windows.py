@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QDialog, QWidget
 
 from armui.control.events import EventCode
 from armui.ui.shell.side_menu import WatchEntry
-from armui.ui.watch.recordings.recording_mark import RecordingMark
+from armui.ui.watch.recordings.recording_card import RecordingMark
 from armui.ui.watch.recordings.sessions_window import SessionsWindow
 from armui.ui.words.text import Text
 from armui.viewport.view import ArmView

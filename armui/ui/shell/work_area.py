@@ -1,4 +1,4 @@
-"""Panels or pages at the left, the 3D picture at the right, and how wide each is."""
+"""Between the next step and the status bar: panels or pages, the picture, a run, the drawer."""
 
 from __future__ import annotations
 
@@ -14,8 +14,11 @@ from armui.ui.shell.page_area import PageArea
 from armui.ui.widgets.layouts import in_column
 
 if TYPE_CHECKING:
+    from armui.control.arm_controller import ArmController
+    from armui.control.operating_state import OperatingState
     from armui.ui.shell.layout_keeper import LayoutKeeper
     from armui.ui.shell.workspace_layout import WorkspaceLayout
+    from armui.ui.trajectory.running.run_strip import RunStrip
 
 
 PANEL_PX: Final = 440
@@ -24,6 +27,30 @@ _LEAST_PANEL_PX: Final = 400
 _LEAST_VIEW_PX: Final = 300
 _LEAST_WORK_PX: Final = 260
 _MOVED: Final = frozenset({QEvent.Type.Move, QEvent.Type.Resize, QEvent.Type.WindowStateChange})
+
+
+class RunPlace(QWidget):
+    """Takes no room before something has run.
+
+    Args:
+        controller: Knows whether something runs.
+    """
+
+    def __init__(self, controller: ArmController) -> None:
+        super().__init__()
+        self._controller = controller
+        self._strip: RunStrip | None = None
+        self._column = in_column(on=self, spacing=0, margins=0)
+        controller.operating_state_changed.connect(self._on_operating_state)
+
+    def _on_operating_state(self, operating_state: OperatingState) -> None:
+        if not operating_state.running or self._strip is not None:
+            return
+        from armui.ui.trajectory.running.run_strip import RunStrip  # noqa: PLC0415 - faster start
+
+        self._strip = RunStrip(self._controller)
+        self._column.addWidget(self._strip)
+        self._strip.show()
 
 
 class WorkArea(QSplitter):

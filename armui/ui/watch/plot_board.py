@@ -11,20 +11,20 @@ from PySide6.QtCore import QEvent, QPoint, Qt, QTimer, Signal
 from PySide6.QtWidgets import QFrame, QLabel, QScrollArea, QWidget
 
 from armui.telemetry.quantities import QUANTITIES
-from armui.ui.watch.carrying import from_mime
 from armui.ui.watch.curve_cache import CurveBook
 from armui.ui.watch.curves_item import polygon
 from armui.ui.watch.plot_layout import PlotLayout
-from armui.ui.watch.plot_pane import PlotPane
+from armui.ui.watch.plot_pane import PlotPane, from_mime
 from armui.ui.watch.time_axis import TimeStrip
 from armui.ui.watch.time_frame import TimeFrame
-from armui.ui.watch.wall_clock import clock_time
 from armui.ui.widgets.buttons import named
 from armui.ui.widgets.layouts import in_column
 from armui.ui.widgets.seen_timer import SeenTimer
 from armui.ui.widgets.translated import Translated
 
 if TYPE_CHECKING:
+    from datetime import datetime
+
     from PySide6.QtGui import QDragEnterEvent, QDropEvent, QResizeEvent, QShowEvent
 
     from armui.telemetry.store import Telemetry
@@ -44,6 +44,11 @@ _BREATH_MS: Final = 1
 """With 0 the next piece of work would be done before the window system is asked for a press."""
 _AT_ONCE_S: Final = 0.004
 """So long plots are drawn before whatever else waits in the thread: a press, for one."""
+
+
+def clock_time(at: datetime) -> str:
+    """The time of day, to the millisecond."""
+    return f"{at:%H:%M:%S}.{at.microsecond // 1000:03d}"
 
 
 class DropStrip(Translated, QLabel):

@@ -6,19 +6,18 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Final
 
-from PySide6.QtCore import QEvent, QPoint, QPointF, QRectF, QSize, Qt, Signal
-from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPolygonF
+from PySide6.QtCore import QEvent, QMimeData, QPoint, QPointF, QRectF, QSize, Qt, Signal
+from PySide6.QtGui import QColor, QDrag, QFontMetricsF, QPainter, QPolygonF
 from PySide6.QtWidgets import QApplication, QSizePolicy, QWidget
 
 from armui.arm.state import is_fresh
 from armui.telemetry.quantities import QUANTITIES
 from armui.ui.theme import DARK, colors_of, scaled_font
-from armui.ui.watch.carrying import carry_away, from_mime
 from armui.ui.watch.curve_cache import CurveBook
+from armui.ui.watch.curve_shapes import AutoHeight, together
 from armui.ui.watch.curves_item import DrawnCurve
 from armui.ui.watch.figure import FigurePlot
 from armui.ui.watch.graph import Graph
-from armui.ui.watch.heights import AutoHeight, together
 from armui.ui.widgets import painting
 from armui.ui.widgets.layouts import in_column
 from armui.ui.words import quantities as names
@@ -58,6 +57,34 @@ _GAP_PX: Final = 6.0
 _BETWEEN_PX: Final = 18.0
 _LINE_PX: Final = 4.0
 _WIDEST: Final = "−0000.000"
+MIME: Final = "application/x-armui-quantities"
+"""Keys of quantities, one a line; a plot they are taken from stands behind a tab."""
+
+
+def mime_of(keys: Sequence[str], plot: int | None = None) -> QMimeData:
+    """Quantities on their way into a plot."""
+    data = QMimeData()
+    text = "\n".join(keys) if plot is None else "\n".join(f"{key}\t{plot}" for key in keys)
+    data.setData(MIME, text.encode())
+    return data
+
+
+def from_mime(data: QMimeData) -> tuple[list[str], int | None]:
+    """Which quantities come, and from which plot; none of what is anything else."""
+    if not data.hasFormat(MIME):
+        return [], None
+    lines = bytes(data.data(MIME).data()).decode("utf-8", "replace").splitlines()
+    parts = [line.partition("\t") for line in lines]
+    plots = {plot for _key, _tab, plot in parts}
+    plot = next(iter(plots)) if len(plots) == 1 else ""
+    return [key for key, _tab, _plot in parts], int(plot) if plot.isdecimal() else None
+
+
+def carry_away(source: QWidget, keys: Sequence[str], plot: int | None = None) -> None:
+    """Let the operator drop quantities somewhere; returns when they are dropped."""
+    drag = QDrag(source)
+    drag.setMimeData(mime_of(keys, plot))
+    drag.exec(Qt.DropAction.MoveAction if plot is not None else Qt.DropAction.CopyAction)
 
 
 @dataclass(frozen=True, slots=True)

@@ -8,7 +8,7 @@ from PySide6.QtCore import QObject
 from PySide6.QtGui import QKeySequence
 from PySide6.QtWidgets import QAbstractButton, QPushButton, QToolButton, QWidget
 
-from armui.ui.widgets.repolish import repolish
+from armui.ui.widgets.painting import repolish
 
 Named = TypeVar("Named", bound=QObject)
 

@@ -1,4 +1,4 @@
-"""Rows, columns and grids of widgets, said in one line each."""
+"""Rows, columns and grids of widgets, said in one line each, and cards that scroll."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A page: work with a title of its own that stands beside the 3D picture, or in its own window."""
+"""A page: work with a title of its own beside the 3D picture or in its own window; its stacks."""
 
 from __future__ import annotations
 

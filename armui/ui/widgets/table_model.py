@@ -1,4 +1,4 @@
-"""What the models of the program's tables share: rows of one kind under titled columns."""
+"""Tables of the program: their models, their looks, and a hint in an empty one."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Labels as the program uses them."""
+"""Labels as the program uses them: plain text, a figure, a text that is cut short."""
 
 from __future__ import annotations
 

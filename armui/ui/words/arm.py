@@ -1,4 +1,4 @@
-"""The codes of the arm's status frame in words (frame 0x2A1, table «机械臂状态反馈»).
+"""The arm and its parts in words: codes of its status frame (0x2A1), joints, gripper, lamps, modes.
 
 Both generations share the tables: generation 2 only adds codes at their ends. A code that is in
 no table is shown as unknown with its number, never as its nearest neighbour.

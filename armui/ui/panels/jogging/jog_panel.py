@@ -1,4 +1,4 @@
-"""What 运动控制 and 末端控制 share: targets beside what is measured, a step, and keys to jog by."""
+"""What 运动控制 and 末端控制 share: targets beside what is measured, a step, two ways to jog."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A panel of a level for each joint, and one click for all of them."""
+"""Panels of a level for each joint, 碰撞等级 and 拖动助力, and one click for all of them."""
 
 from __future__ import annotations
 
@@ -11,6 +11,7 @@ from PySide6.QtWidgets import QButtonGroup, QFrame, QLabel, QSizePolicy, QWidget
 from armui.arm.parameters import Batch, Group, Parameter, heard
 from armui.control.arm_controller import ArmController
 from armui.ui import format as fmt
+from armui.ui.dialogs.base import ArmDialog
 from armui.ui.panels.parameters.parameter_panel import ParameterPanel
 from armui.ui.panels.parameters.setting_cell import SettingCell, cell_name
 from armui.ui.widgets.buttons import choice_button, named
@@ -23,6 +24,8 @@ _HEIGHT_PX: Final = 30
 _NO_DETECTION: Final = 0
 _COLLISION_CARD_PX: Final = 420
 _DRAG_ASSISTANCE_CARD_PX: Final = 470
+_DIALOG_WIDTH_PX: Final = 520
+_DIALOG_HEIGHT_PX: Final = 700
 
 
 class LevelRow(QWidget):
@@ -261,3 +264,31 @@ class DragAssistancePanel(LevelsPanel):
             "From 0, the joint does not help the hand, to 10, it helps most. Read and set with "
             "the arm at rest; keep a hand on it when it is led for the first time afterwards."
         )
+
+
+class DragAssistanceDialog(ArmDialog):
+    """What was entered and not saved is still there when it is opened again.
+
+    Args:
+        controller: Whom to ask.
+        open_backup: Opens 参数备份.
+        parent: The window it belongs to.
+    """
+
+    def __init__(
+        self,
+        controller: ArmController,
+        open_backup: Callable[[], object],
+        parent: QWidget | None = None,
+    ) -> None:
+        super().__init__(controller, parent)
+        self.setObjectName("drag_assistance_dialog")
+        self.panel = DragAssistancePanel(controller, open_backup)
+        self.panel.stand_in_dialog()
+        self.body.addWidget(self.panel)
+        self.resize(_DIALOG_WIDTH_PX, _DIALOG_HEIGHT_PX)
+        self.retranslate_ui()
+
+    def retranslate_ui(self) -> None:
+        """Put every word into the operator's language."""
+        self.set_title(self.panel.title())

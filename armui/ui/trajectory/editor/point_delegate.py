@@ -28,7 +28,7 @@ from armui.ui.trajectory.editor.cell_editors import (
     TextEditor,
 )
 from armui.ui.trajectory.editor.points_model import PointsModel
-from armui.ui.widgets.repolish import repolish
+from armui.ui.widgets.painting import repolish
 from armui.ui.widgets.table_model import Index
 
 _LEAVING: Final = frozenset(

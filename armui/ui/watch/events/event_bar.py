@@ -1,4 +1,4 @@
-"""Above the events: what is searched for, how grave, of whom, of which sort."""
+"""Above the events: what is searched for, how grave, of whom, of which sort; and saving them."""
 
 from __future__ import annotations
 

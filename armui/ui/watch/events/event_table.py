@@ -1,4 +1,4 @@
-"""The table of events: its columns, as wide as their words."""
+"""The table of events: its rows and cells, its columns as wide as their words."""
 
 from __future__ import annotations
 

@@ -29,8 +29,14 @@ from armui.ui import format as fmt
 from armui.ui import words
 from armui.ui.background import Job
 from armui.ui.dialogs.base import ArmDialog
-from armui.ui.watch.recordings import figures, recording_files
-from armui.ui.watch.recordings.recording_card import RecordingCard, RingCard
+from armui.ui.watch.recordings import recording_files
+from armui.ui.watch.recordings.recording_card import (
+    RecordingCard,
+    RingCard,
+    length_text,
+    moment_text,
+    size_text,
+)
 from armui.ui.widgets.buttons import named, push_button
 from armui.ui.widgets.layouts import STRETCH, fill, in_row
 from armui.ui.widgets.message_line import MessageLine
@@ -190,11 +196,11 @@ class SessionsModel(TableModel):
         if column is SessionColumn.NAME:
             return entry.name
         if column is SessionColumn.BEGUN:
-            return figures.moment(entry.begun_unix_s)
+            return moment_text(entry.begun_unix_s)
         if column is SessionColumn.LENGTH:
-            return figures.length(entry.length_s)
+            return length_text(entry.length_s)
         if column is SessionColumn.SIZE:
-            return figures.size(entry.total_bytes)
+            return size_text(entry.total_bytes)
         if column is SessionColumn.FAULTS:
             return fmt.NOTHING if entry.faults is None else str(entry.faults)
         if column is SessionColumn.STOPS:

@@ -1,4 +1,4 @@
-"""Where the marks of a log stand on its time line, no more than one a pixel of each kind: pure."""
+"""The marks of a log: the next one, and where they stand, at most one a pixel of each kind. Pure."""
 
 from __future__ import annotations
 
