@@ -26,8 +26,7 @@ from armui.control.arm_controller import ArmController
 from armui.control.events import Event, EventCode
 from armui.control.operating_state import LinkState, OperatingState
 from armui.ending import SystemEnd
-from armui.protocol.generation import Generation
-from armui.protocol.piper_model import PiperModel
+from armui.protocol.generation import Generation, PiperModel
 from armui.settings import Choices, Settings, SettingsStore, default_path
 from armui.start import StartOptions
 from armui.system import failures, paths
@@ -53,6 +52,8 @@ if TYPE_CHECKING:
     from armui.control.link.neighbours import Neighbours
     from armui.control.sessions.choices import SessionChoices
     from armui.viewport.client import PictureClient
+
+_LOG: Final = logging.getLogger(__name__)
 
 _SWITCH_INTERVAL_S: Final = 0.0005
 """How long a thread may keep Python's lock while another wants it. The default of 5 ms, once for
@@ -259,7 +260,12 @@ class _GoingFirst(QObject):
 def run(options: StartOptions) -> int:
     """Open the window and stay until it is closed; returns the exit code."""
     with failures.hooks(), log_to(paths.logs()):
-        return _run(options)
+        try:
+            return _run(options)
+        except Exception:
+            # whoever starts it from a desktop sees no terminal
+            _LOG.exception("The program ends before its window has done its work")
+            raise
 
 
 def _run(options: StartOptions) -> int:

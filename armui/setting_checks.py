@@ -8,7 +8,7 @@ from typing import Final, Literal, get_args
 from armui.arm.json_fields import finite
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
-from armui.protocol.piper_model import PiperModel
+from armui.protocol.generation import PiperModel
 
 Language = Literal["zh", "en"]
 ThemeName = Literal["light", "dark", "system"]

@@ -35,8 +35,7 @@ from armui.setting_checks import (
 )
 from armui.system import paths
 from armui.system.atomic import write_whole
-from armui.system.error_text import error_text
-from armui.system.files import open_file
+from armui.system.files import error_text, open_file
 
 if TYPE_CHECKING:
     from concurrent.futures import Executor, Future

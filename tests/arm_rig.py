@@ -20,8 +20,7 @@ from armui.control.events import Event
 from armui.control.operating_state import LinkState
 from armui.protocol.codec import Codec, Message
 from armui.protocol.frame import Frame
-from armui.protocol.generation import Generation
-from armui.protocol.piper_model import PiperModel
+from armui.protocol.generation import Generation, PiperModel
 from armui.sim.firmware import Firmware
 from armui.sim.node import Node
 from tests.arm_rig_bus import ArmBus, HostBus

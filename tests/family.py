@@ -2,7 +2,7 @@
 
 from armui.arm.models import all_models, model_data
 from armui.kinematics.geometry import Geometry
-from armui.protocol.piper_model import PiperModel
+from armui.protocol.generation import PiperModel
 
 MODELS = tuple(PiperModel)
 PIPER = model_data(PiperModel.PIPER).geometry

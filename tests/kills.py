@@ -25,11 +25,10 @@ import can
 
 from armui.protocol.frame import Frame
 from armui.session.reader import LogFile
-from armui.session.recording.collector import Collector
+from armui.session.recording.collector import Collector, FrameRing
 from armui.session.recording.kinds import RecordingFormat
 from armui.session.recording.lane import FrameLane
 from armui.session.recording.recorded_session import RecordedSession
-from armui.session.recording.ring import FrameRing
 from armui.session.recording.session_recording import SessionRecording
 from armui.session.recording.writer import RecordingPlan, TimeBase
 from armui.system.clock import steady_s

@@ -77,11 +77,8 @@ TESTS: dict[str, Judges] = {
         ("tests/control/test_context.py",), ("tests/safety/test_s12*", "tests/safety/test_s13*")
     ),
     "armui/bus/outbox.py": Judges(
-        ("tests/bus/test_outbox*",),
+        ("tests/bus/test_outbox*", "tests/bus/test_sending.py"),
         ("tests/bus/test_worker.py", "tests/safety/test_s03*", "tests/safety/test_s17*"),
-    ),
-    "armui/bus/sending.py": Judges(
-        ("tests/bus/test_sending.py",), ("tests/safety/test_s03*", "tests/safety/test_s17*")
     ),
     "armui/control/safety/emergency_stop.py": Judges(
         ("tests/control/test_emergency_stop.py",),

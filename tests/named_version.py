@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from armui.control.arm_controller import ArmController
-from armui.protocol.version import ArmIdentity
+from armui.protocol.firmware_version import ArmIdentity
 from armui.sim.firmware import Firmware
 
 

@@ -58,7 +58,8 @@ def test_what_calls_itself_pure_is_held_to_it():
         if re.search(r"\bpure\b", ast.get_docstring(tree(path)) or "", re.IGNORECASE)
     }
 
-    assert pure == held
+    # of a room that is held it is said once
+    assert {name for name in pure if name.rpartition(".")[0] not in held} == held
 
 
 OPENERS = (
@@ -86,8 +87,8 @@ OPENED_ELSEWHERE = {
     "armui.system.presence: filelock.FileLock": "a lock of a name of its own in a private folder",
     "armui.ui.trajectory.library.library_presence: PySide6.QtCore.QLockFile": "looked at before",
     "armui.settings: filelock.FileLock": "a lock in a private folder, opened to read and write",
-    "armui.system.rotating_file: logging.handlers.RotatingFileHandler": "its _open is ours",
-    "armui.system.transfer: tempfile.NamedTemporaryFile": "made anew in a folder made anew",
+    "armui.system.log_file: logging.handlers.RotatingFileHandler": "its _open is ours",
+    "armui.system.helper_process: tempfile.NamedTemporaryFile": "made anew in a folder made anew",
     "armui.trajectory.library.bin: shutil.copy2": "checked in the line before",
     "armui.session.database_logs: can.SqliteReader": "opened by LogSource before",
     "armui.session.mf4_process: can.MF4Reader": "as above",
@@ -95,7 +96,7 @@ OPENED_ELSEWHERE = {
     # these are given opened files, or bytes and lines in memory
     "armui.session.blf_logs: can.BLFReader": "a stream",
     "armui.session.recording.mf4: can.BLFReader": "an opened file",
-    "armui.session.recording.text_formats: can.ASCWriter": "a stream in memory",
+    "armui.session.recording.formats: can.ASCWriter": "a stream in memory",
     "armui.session.exports.parquet_table: pyarrow.parquet.ParquetWriter": "a WholeFile's stream",
     "armui.session.exports.ros.mcap_file: mcap.writer.Writer": "a WholeFile's stream",
     "armui.session.foreign.indexed: numpy.memmap": "an opened file",

@@ -4,7 +4,7 @@ import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 
-from armui.arm.gripper import GripperFault
+from armui.arm.state import GripperFault
 from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
 from armui.ui.dialogs.confirm_dialog import ConfirmDialog

@@ -8,7 +8,7 @@ import pytest
 from armui.arm.device import Device
 from armui.arm.models import model_data, robot_description
 from armui.control.operating_state import LinkState
-from armui.protocol.piper_model import PiperModel
+from armui.protocol.generation import PiperModel
 from armui.settings import SettingsStore
 from armui.ui.dialogs.connect import ConnectDialog
 from armui.ui.dialogs.kept_models import MOST, KeptModels, last_model

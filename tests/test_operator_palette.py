@@ -7,7 +7,7 @@ from PySide6.QtWidgets import QAbstractButton, QPushButton, QToolButton
 
 from armui.control.run.progress import RunPhase
 from armui.control.safety.recovery_steps import StepKind
-from armui.ui.actions.catalogue import actions, is_dangerous
+from armui.ui.actions.catalogue import actions
 from armui.ui.actions.command import always, while_editing
 from armui.ui.actions.keys import SHORTCUTS
 from armui.ui.actions.palette import CommandPalette
@@ -89,11 +89,11 @@ def test_what_is_dangerous_is_never_first_where_anything_else_is_found(app_drive
     words |= {word[:3] for word in words} | {"zero", "off", "零", "失能", "恢复", "reset", "power"}
     for word in sorted(words):
         palette.search.setText(word)
-        dangerous = [is_dangerous(row.name) for row in rows(palette)]
+        dangerous = [row.dangerous for row in rows(palette)]
         assert dangerous == sorted(dangerous), word
     palette.search.setText("zero")
     titles = [row.title for row in rows(palette)]
-    assert any(is_dangerous(row.name) for row in rows(palette)), titles  # it is found all the same
+    assert any(row.dangerous for row in rows(palette)), titles  # it is found all the same
 
 
 def test_it_moves_the_arm_by_the_panels_own_button(app_driver):

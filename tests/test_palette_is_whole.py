@@ -258,7 +258,6 @@ def test_windows_and_curves(driver):
     assert driver.dialog(CommandPalette).isVisible()
 
 
-def test_synonyms_and_dangers_are_of_actions_there_are():
+def test_synonyms_are_of_actions_there_are():
     names = {action.name for action in actions()}
     assert catalogue._SYNONYMS.keys() <= names
-    assert all(any(name.startswith(each) for name in names) for each in catalogue._DANGEROUS)

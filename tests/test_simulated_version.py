@@ -9,7 +9,7 @@ import pytest
 
 from armui.app import SIMULATED, open_device
 from armui.cli import main
-from armui.protocol.version import VERSION_ID, find_version
+from armui.protocol.firmware_version import VERSION_ID, find_version
 
 WITHIN_S = 20.0
 

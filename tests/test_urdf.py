@@ -14,7 +14,7 @@ import yourdfpy
 
 from armui.arm.models import model_data, robot_description
 from armui.kinematics.geometry import DhRow
-from armui.protocol.piper_model import PiperModel
+from armui.protocol.generation import PiperModel
 from armui.system.paths import URDF
 from armui.viewport.process.urdf_file import load_robot
 from tests.family import MODELS

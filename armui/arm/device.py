@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any, Final
 
-from armui.protocol.piper_model import PiperModel
+from armui.protocol.generation import PiperModel
 
 DEFAULT_BITRATE: Final = 1_000_000
 """What the maker's hardware runs at today; generation 1's text says 500 kbit/s."""

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Final, NamedTuple
 from armui.arm.models import ModelData, all_models, model_data
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
-from armui.protocol.piper_model import PiperModel
+from armui.protocol.generation import PiperModel
 
 if TYPE_CHECKING:
     from armui.kinematics.geometry import Geometry

@@ -19,7 +19,7 @@ from armui.arm.json_fields import FieldError, Fields
 from armui.arm.limits import JointLimits
 from armui.kinematics.geometry import Geometry, GeometryError
 from armui.protocol.firmware_version import FirmwareVersion, quirks_of
-from armui.protocol.piper_model import PiperModel
+from armui.protocol.generation import PiperModel
 from armui.system.files import read_file
 from armui.system.paths import URDF
 

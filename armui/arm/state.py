@@ -6,14 +6,72 @@ Nothing here is assumed: what has not been heard is ``None``. Times are those of
 
 from __future__ import annotations
 
+import enum
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from types import MappingProxyType
 from typing import Annotated, Final, Generic, NamedTuple, TypeVar
 
-from armui.arm.gripper import GripperState
 from armui.arm.limits import JOINTS, JointLimits
-from armui.protocol.version import ArmIdentity, NamedVersion
+from armui.protocol.firmware_version import ArmIdentity, NamedVersion
+
+
+class GripperFault(enum.StrEnum):
+    """What the gripper's driver complains of, by the signal that says so (generation 2)."""
+
+    UNDERVOLTAGE = "Undervoltage"
+    MOTOR_OVERTEMPERATURE = "MotorOvertemperature"
+    OVERCURRENT = "Overcurrent"
+    DRIVER_OVERTEMPERATURE = "DriverOvertemperature"
+    SENSOR = "SensorFault"
+    DRIVER = "DriverFault"
+
+
+class GripperState(NamedTuple):
+    """What 0x2A8 says.
+
+    Attributes:
+        opening_mm: Generation 2; ``None`` in generation 1, and while it tells an angle.
+        angle_deg: Generation 1, and generation 2 once it was told an angle (from S-V1.8-8).
+        enabled: Whether its motor holds.
+        torque_nm: Generation 2; ``None`` in generation 1.
+        speed_rad_s: Generation 1; ``None`` in generation 2.
+        homed: Whether it knows its zero; ``None`` in generation 1, which does not say.
+        faults: What is wrong; always empty in generation 1, which has no bits for it.
+    """
+
+    opening_mm: float | None
+    angle_deg: float | None
+    enabled: bool
+    torque_nm: float | None = None
+    speed_rad_s: float | None = None
+    homed: bool | None = None
+    faults: frozenset[GripperFault] = frozenset()
+
+    @property
+    def travel(self) -> float:
+        """How far it is open, in the unit that `unit` says."""
+        return (self.angle_deg if self.opening_mm is None else self.opening_mm) or 0.0
+
+    @property
+    def unit(self) -> str:
+        """Of `travel`: mm or degrees."""
+        return "°" if self.opening_mm is None else "mm"
+
+
+def gripper_of(signals: Mapping[str, float]) -> GripperState:
+    """The gripper by the signals of 0x2A8 of either generation."""
+    homed = signals.get("Homed")
+    return GripperState(
+        opening_mm=signals.get("Opening"),
+        angle_deg=signals.get("Angle"),
+        enabled=signals["Enabled"] == 1,
+        torque_nm=signals.get("Torque"),
+        speed_rad_s=signals.get("Speed"),
+        homed=None if homed is None else homed == 1,
+        faults=frozenset(fault for fault in GripperFault if signals.get(fault) == 1),
+    )
+
 
 T = TypeVar("T")
 Six = tuple[T, T, T, T, T, T]
@@ -253,3 +311,50 @@ def _six_values(heard: Six[Reading[float] | None]) -> Six[float] | None:
     if a is None or b is None or c is None or d is None or e is None or f is None:
         return None
     return (a.value, b.value, c.value, d.value, e.value, f.value)
+
+
+# What of a state means the same in both generations of the protocol.
+#
+# The frames of both share identifiers and lengths. Before it is known which one an arm speaks, what
+# the other would read differently is not known at all.
+
+_ALIKE: Final = frozenset(
+    {
+        "epoch",
+        "sequence",
+        "last_feedback_s",
+        "silences",
+        "pauses",
+        "status",
+        "joints_deg",
+        "pose",
+        "firmware",
+        "identity",
+        "version_heard_s",
+        "versions_named",
+        "status_heard_s",
+        "foreign_targets_s",
+        "frames",
+        "oddities",
+    }
+)
+"""All else has other units, other bits, or frames that only one generation has."""
+
+_NOTHING_HEARD: Final = ArmState()
+_UNKNOWN: Final = {
+    name: value for name, value in _NOTHING_HEARD._asdict().items() if name not in _ALIKE
+}
+
+
+def common_to_generations(state: ArmState) -> ArmState:
+    """The same state without what only one of the generations can explain.
+
+    Angles, the pose, the modes of 0x2A1 and what proves that the arm is there stay.
+    """
+    status = state.status
+    if status is not None:
+        neutral = status.value._replace(
+            speed_percent=None, trajectory_point=None, limit_exceeded=(False,) * 6
+        )
+        status = replace(status, value=neutral)
+    return state._replace(status=status, **_UNKNOWN)

@@ -10,7 +10,6 @@ from collections.abc import Callable, Mapping
 from types import MappingProxyType
 from typing import Any, Final
 
-from armui.arm.gripper import GripperState, gripper_of
 from armui.arm.joints import EACH_JOINT, JointNumber, PerJoint
 from armui.arm.limits import JOINTS, JointLimits
 from armui.arm.state import (
@@ -21,15 +20,17 @@ from armui.arm.state import (
     DriverFast,
     DriverSlow,
     EndMotion,
+    GripperState,
     Reading,
     Six,
     Status,
+    gripper_of,
 )
-from armui.arm.units import DEGREES_PER
 from armui.protocol.addressing import OFFSETS
 from armui.protocol.codec import Codec, InvalidFrame, InvalidFrameKind, Message
+from armui.protocol.firmware_version import AnswerCollector, is_question
+from armui.protocol.layout import DEGREES_PER
 from armui.protocol.message_fields import record_reader
-from armui.protocol.version import AnswerCollector, is_question
 
 _Signals = Mapping[str, float]
 

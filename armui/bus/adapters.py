@@ -15,7 +15,7 @@ from armui.arm.device import DEFAULT_BITRATE, Device, bitrate_is_ours
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.bus.send_errors import causes
-from armui.system.error_text import error_text
+from armui.system.files import error_text
 
 _SEARCH_S: Final = 5.0
 

@@ -1,12 +1,20 @@
-"""The state of the connection to a device, apart from whether an arm answers on it."""
+"""The state of the connection to a device, apart from whether an arm answers on it: pure."""
 
 from __future__ import annotations
 
 import enum
-from typing import NamedTuple
+from typing import Final, NamedTuple
 
 from armui.arm.device import Device
 from armui.arm.refusal import Refusal
+from armui.arm.refusal_codes import RefusalCode
+from armui.telemetry.bus_errors import LINUX_ERROR_FRAMES
+
+HEARD_S: Final = 0.5
+"""Frames heard not longer ago than this: the receiving side works."""
+
+_BUS_OFF: Final = 0x040
+_RESTARTED: Final = 0x100
 
 
 class BusState(enum.Enum):
@@ -37,3 +45,52 @@ class BusReport(NamedTuple):
     device: Device
     problem: Refusal | None = None
     worker: int = 0
+
+
+class BusHealth:
+    """Watches one open bus: whether frames get through, by error frames and the outbox.
+
+    Args:
+        device: Whose bus it is.
+    """
+
+    def __init__(self, device: Device) -> None:
+        self._device = device
+        self._bus_off = False
+        self._heard_s: float | None = None
+
+    def on_frame(self, now_s: float) -> None:
+        """A data frame was received: the controller takes part in the bus."""
+        self._bus_off = False
+        self._heard_s = now_s
+
+    def on_error_frame(self, arbitration_id: int) -> None:
+        """The adapter reports an error of the bus."""
+        if self._device.interface not in LINUX_ERROR_FRAMES:
+            return
+        if arbitration_id & _BUS_OFF:
+            self._bus_off = True
+        elif arbitration_id & _RESTARTED:
+            self._bus_off = False
+
+    def problem(self, now_s: float, *, blocked: bool) -> Refusal | None:
+        """What is wrong with the bus, or ``None``: frames get through as far as can be seen.
+
+        Args:
+            now_s: Monotonic time.
+            blocked: Nothing has gone out for half a second, though something should have.
+        """
+        device = self._device
+        params = {
+            "device": device.name,
+            "interface": device.interface,
+            "channel": str(device.channel),
+        }
+        if self._bus_off:
+            return Refusal(RefusalCode.BUS_OFF, params)
+        if not blocked:
+            return None
+        heard = self._heard_s is not None and now_s - self._heard_s < HEARD_S
+        return Refusal(
+            RefusalCode.BUS_SEND_BLOCKED if heard else RefusalCode.BUS_UNACKNOWLEDGED, params
+        )

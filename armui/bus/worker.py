@@ -1,6 +1,6 @@
 """The thread that owns the bus: it receives, decodes and folds; the GUI thread only reads.
 
-Sending has a thread of its own (:mod:`armui.bus.sending`): a driver that blocks in ``send`` holds
+Sending has a thread of its own (:mod:`armui.bus.outbox`): a driver that blocks in ``send`` holds
 up neither the receiving nor the window.
 """
 
@@ -8,8 +8,8 @@ from __future__ import annotations
 
 import logging
 import threading
-from collections.abc import Callable, Sequence
-from contextlib import AbstractContextManager
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import AbstractContextManager, contextmanager
 from typing import Final
 
 import can
@@ -20,19 +20,30 @@ from armui.arm.other_hosts import OtherTraffic
 from armui.arm.refusal import Refusal
 from armui.arm.state import ArmState
 from armui.bus.adapters import explain
-from armui.bus.echo import is_own_echo
-from armui.bus.health import BusHealth
 from armui.bus.intake import Intake
-from armui.bus.link import BusReport, BusState
-from armui.bus.outbox import KEEP_S, Outbox
+from armui.bus.link import BusHealth, BusReport, BusState
+from armui.bus.outbox import KEEP_S, Outbox, SendingThread
 from armui.bus.receive_clock import STAMPED, ReceiveClock
 from armui.bus.receive_queue import ReceiveQueue
-from armui.bus.sending import SendingThread
 from armui.protocol.codec import Codec
 from armui.protocol.frame import Frame, FrameFlag
 from armui.system.clock import steady_s
 from armui.system.failures import is_our_own
 from armui.telemetry.tap import Tap
+
+_MARKS_NEIGHBOURS: Final = frozenset({"socketcan"})
+"""Back-ends that mark frames of other programs on the same PC as not received.
+
+Linux sets MSG_DONTROUTE on every frame that was sent from this computer, by whichever program, and
+python-can makes ``is_rx`` false of it. Our own frames do not come back at all: python-can opens the
+socket without CAN_RAW_RECV_OWN_MSGS.
+"""
+
+
+def is_own_echo(message: can.Message, interface: str) -> bool:
+    """Whether a frame is one of ours that the adapter hands back; nobody else has said it then."""
+    return not message.is_rx and interface not in _MARKS_NEIGHBOURS
+
 
 _LOG: Final = logging.getLogger(__name__)
 
@@ -265,3 +276,22 @@ def _flags(message: can.Message) -> int:
     if message.is_error_frame:
         flags |= FrameFlag.ERROR
     return flags | FrameFlag.FD if message.is_fd else flags
+
+
+def opener_after(before: Sequence[threading.Event], opener: Opener) -> Opener:
+    """Opens a device when other threads have closed theirs: it may be the same one.
+
+    Args:
+        before: Set by the threads that are ending, each when its device is closed. The threads
+            themselves may be gone by then.
+        opener: How to open it.
+    """
+
+    @contextmanager
+    def open_device(device: Device) -> Iterator[can.BusABC]:
+        for released in before:
+            released.wait()
+        with opener(device) as bus:
+            yield bus
+
+    return open_device if before else opener

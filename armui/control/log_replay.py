@@ -10,11 +10,11 @@ from typing import TYPE_CHECKING, Final
 from PySide6.QtCore import QObject, QTimer, Signal
 
 from armui.arm.device import Device, RecordedArm
-from armui.bus.playback.log_clock import LogClock
+from armui.bus.playback.log_cursor import LogClock
 from armui.bus.playback.log_player import FILLED_S
 from armui.bus.playback.log_worker import FASTEST, SLOWEST, LogWorker
 from armui.control.arm_controller import ArmController
-from armui.protocol.piper_model import PiperModel
+from armui.protocol.generation import PiperModel
 from armui.system.clock import local_time
 
 if TYPE_CHECKING:

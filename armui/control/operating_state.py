@@ -17,8 +17,7 @@ from armui.arm.state import Six, Status
 from armui.control.motion.motion_command import Hold, Mover, why_held
 from armui.control.run.progress import RunPhase
 from armui.protocol.addressing import Addressing
-from armui.protocol.generation import Generation
-from armui.protocol.piper_model import PiperModel
+from armui.protocol.generation import Generation, PiperModel
 
 
 class LinkState(enum.Enum):

@@ -8,18 +8,63 @@ from itertools import chain
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from armui.decode.firmware import FirmwareFinder
+import numpy as np
+
 from armui.decode.lines import LineFormat
 from armui.protocol.codec import Codec
-from armui.protocol.firmware_version import RECOMMENDED, FirmwareVersion, quirks_of
+from armui.protocol.firmware_version import (
+    RECOMMENDED,
+    VERSION_ID,
+    AnswerCollector,
+    FirmwareVersion,
+    is_question,
+    quirks_of,
+)
 from armui.protocol.generation import Generation
-from armui.session.detection import detect_generation
-from armui.session.frames import NotALogError
+from armui.session.frames import NOT_OF_THE_ARM, NotALogError
+from armui.session.log_model import detect_generation
 from armui.session.reader import SUFFIXES, LogFile
 from armui.system.command_line import detach_output
 
 if TYPE_CHECKING:
     from armui.session.frames import Channel, FrameBatch
+
+_MIT_IDS = range(0x15A, 0x160)
+
+
+class FirmwareFinder:
+    """Looks for versions in one batch after the other.
+
+    Attributes:
+        versions: By the channel they were named on, in the order they were first heard.
+        has_mit: Whether MIT frames have passed.
+    """
+
+    def __init__(self) -> None:
+        self.versions: dict[Channel, FirmwareVersion] = {}
+        self.has_mit = False
+        self._collectors: dict[Channel, AnswerCollector] = {}
+
+    def feed(self, batch: FrameBatch) -> None:
+        """Take in the frames of a batch, in their order."""
+        plain = (batch.flags & NOT_OF_THE_ARM) == 0
+        self.has_mit |= bool(np.isin(batch.ids[plain], _MIT_IDS).any())
+        for row in np.flatnonzero(plain & (batch.ids == VERSION_ID)).tolist():
+            payload = batch.data(row)
+            if is_question(payload):
+                continue
+            channel = batch.channel_names[int(batch.channels[row])]
+            collector = self._collectors.setdefault(channel, AnswerCollector())
+            identity = collector.take(payload, float(batch.times_s[row]))
+            version = identity and FirmwareVersion.parse(identity.software)
+            if version is not None:
+                self.versions[channel] = version
+
+    @property
+    def first(self) -> FirmwareVersion | None:
+        """The version of the arm that named one first, ``None`` while none has."""
+        return next(iter(self.versions.values()), None)
+
 
 EXIT_COMPLETE = 0
 """Every frame of the log was read; unknown frames are no failure."""

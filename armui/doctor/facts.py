@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+import enum
+from collections.abc import Mapping
+from dataclasses import dataclass, field
 
 
 @dataclass(frozen=True, slots=True)
@@ -284,3 +286,40 @@ class Facts:
     screen: ScreenFacts | None = None
     can: CanFacts | None = None
     heard: tuple[HeardFacts, ...] = ()
+
+
+class DiagnosisLevel(enum.Enum):
+    """How grave a finding is."""
+
+    OK = "ok"
+    NOTE = "note"
+    WARNING = "warning"
+    FAULT = "fault"
+
+
+class Section(enum.Enum):
+    """What a finding is about."""
+
+    PROGRAM = "program"
+    SCREEN = "screen"
+    CAN = "can"
+    ARM = "arm"
+
+
+@dataclass(frozen=True, slots=True)
+class Diagnosis:
+    """One thing found out.
+
+    Attributes:
+        section: What it is about.
+        code: Names its words in ``resources/doctor/texts.toml``.
+        severity: How grave it is.
+        params: What the words mention.
+        commands: The remedy, to be copied; a line each.
+    """
+
+    section: Section
+    code: str
+    severity: DiagnosisLevel
+    params: Mapping[str, str] = field(default_factory=dict)
+    commands: tuple[str, ...] = ()

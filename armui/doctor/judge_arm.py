@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from typing import Final
 
-from armui.doctor.facts import ArmFacts, HeardFacts, LimitFacts
-from armui.doctor.finding import Diagnosis, DiagnosisLevel, Section
+from armui.doctor.facts import ArmFacts, Diagnosis, DiagnosisLevel, HeardFacts, LimitFacts, Section
 from armui.protocol.firmware_version import (
     RECOMMENDED,
     FirmwareBug,

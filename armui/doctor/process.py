@@ -7,7 +7,7 @@ import subprocess
 from collections.abc import Callable, Sequence
 from typing import Final
 
-from armui.doctor.finding import Diagnosis
+from armui.doctor.facts import Diagnosis
 from armui.doctor.report import findings_of_json, load_texts
 from armui.system.command_process import CommandProcess
 

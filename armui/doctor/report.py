@@ -11,7 +11,9 @@ from pathlib import Path
 from typing import Final, Literal
 
 from armui import __version__
-from armui.doctor.finding import Diagnosis, DiagnosisLevel, Section
+from armui.doctor.facts import Diagnosis, DiagnosisLevel, Section
+from armui.doctor.judge import judge_can
+from armui.doctor.probes.can_devices import look_at_adapters
 from armui.system.files import read_file
 
 Language = Literal["zh", "en"]
@@ -152,4 +154,23 @@ def findings_of_json(text: str) -> list[Diagnosis]:
             tuple(each["commands"]),
         )
         for each in json.loads(text)["findings"]
+    ]
+
+
+_GRAVE = (DiagnosisLevel.FAULT, DiagnosisLevel.WARNING)
+
+
+def adapter_trouble() -> list[Diagnosis]:
+    """Interfaces that are down or wrongly set, adapters without a driver, ports nobody may open.
+
+    No device is opened, and python-can is not asked. Takes some milliseconds, as a rule; for a
+    thread that may wait. Faults come first.
+    """
+    load_texts()  # whoever shows the findings must not wait for the disk
+    findings = judge_can(look_at_adapters())
+    return [
+        each
+        for level in _GRAVE
+        for each in findings
+        if each.severity is level and each.code != "no_devices"
     ]

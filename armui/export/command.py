@@ -8,14 +8,12 @@ import math
 import re
 import sys
 import time
+from collections.abc import Callable
 from dataclasses import asdict
 from pathlib import Path
-from typing import TYPE_CHECKING, Final
+from typing import TYPE_CHECKING, Final, TextIO
 
-from armui.export.progress_bar import ProgressBar
-from armui.export.words import problem_text, report_lines
-from armui.protocol.generation import Generation
-from armui.protocol.piper_model import PiperModel
+from armui.protocol.generation import Generation, PiperModel
 from armui.session.exports.request import (
     ArmWishes,
     ExportCancelledError,
@@ -31,6 +29,120 @@ from armui.system.command_line import detach_output
 
 if TYPE_CHECKING:
     from armui.session.exports.request import ExportReport
+
+_WIDTH: Final = 30
+_EVERY_S: Final = 0.1
+
+
+class ProgressBar:
+    """Draws over itself; on anything but a terminal it draws nothing.
+
+    Args:
+        stream: Where to, commonly the error output.
+        clock: Monotonic time in seconds.
+    """
+
+    def __init__(self, stream: TextIO, clock: Callable[[], float] = time.monotonic) -> None:
+        self._stream = stream
+        self._clock = clock
+        self._shown = 0
+        self._began_s = clock()
+        self._drawn_s = -math.inf
+        self._wanted = stream.isatty()
+
+    def show(self, done: float | None, words: str) -> None:
+        """Draw it anew, unless it has just been drawn.
+
+        Args:
+            done: 0 to 1; ``None`` where nobody knows.
+            words: Behind it.
+        """
+        now_s = self._clock()
+        if not self._wanted or now_s - self._drawn_s < _EVERY_S:
+            return
+        self._drawn_s = now_s
+        line = words
+        if done is not None:
+            full = round(done * _WIDTH)
+            line = f"[{'#' * full}{'.' * (_WIDTH - full)}] {done:4.0%}  {words}"
+            if done > 0:
+                left_s = (now_s - self._began_s) * (1.0 - done) / done
+                line += f"  {left_s:.0f} s left"
+        self._stream.write("\r" + line.ljust(self._shown))
+        self._stream.flush()
+        self._shown = len(line)
+
+    def clear(self) -> None:
+        """Leave the line as if nothing had been drawn."""
+        if self._shown:
+            self._stream.write("\r" + " " * self._shown + "\r")
+            self._stream.flush()
+            self._shown = 0
+
+
+def problem_text(problem: ExportProblem, detail: str, request: ExportRequest) -> str:
+    """Why nothing was written, and what helps."""
+    target = request.target
+    texts = {
+        ExportProblem.NO_LOG: detail,
+        ExportProblem.NO_CHANNEL: (
+            f"no frame of the channel {request.wishes.channel!r} near its beginning; "
+            f"there are: {detail}"
+        ),
+        ExportProblem.NO_FRAMES: "nothing to export: it has no frames; no file was written",
+        ExportProblem.NO_ARM: (
+            "nothing to export: no frame in it is an arm's; no file was written "
+            "(armui decode shows what is in it)"
+        ),
+        ExportProblem.NO_ANGLES: (
+            "nothing to export: a table has a row for each set of joint angles (0x2A5-0x2A7), and "
+            "none was heard; no file was written (--to mcap wants none)"
+        ),
+        ExportProblem.NOTHING_THEN: (
+            "nothing to export: nothing was heard between --from and --to-time; no file was written"
+        ),
+        ExportProblem.EXISTS: (
+            f"{target} is there already; give another name with -o, or --force to replace it"
+        ),
+        ExportProblem.SAME_FILE: "the target is the log itself; give another name with -o",
+        ExportProblem.CANNOT_WRITE: f"cannot write {target}: {detail}",
+        ExportProblem.NO_PYARROW: (
+            "Parquet needs the package pyarrow: pip install 'armui[parquet]' "
+            "(CSV has the same table without it)"
+        ),
+    }
+    return texts[problem]
+
+
+def report_lines(report: ExportReport) -> list[str]:
+    """What was noticed on the way."""
+    lines = [f"read as generation {report.generation}: {report.why_generation}"]
+    lines.append(f"taken for a {report.model}: {report.why_model}")
+    if report.offset:
+        lines.append(f"the arm's feedback has the identifier offset 0x{report.offset:02X} (0x470)")
+    if report.of_other_channels:
+        others = ", ".join(report.other_channels)
+        lines.append(
+            f"only the channel {report.channel} was exported; {report.of_other_channels:,} frames "
+            f"of {others} were left out (--channel chooses)"
+        )
+    if report.not_understood:
+        lines.append(
+            f"{report.not_understood:,} frames are none of the arm's and were left out "
+            "(armui decode shows them)"
+        )
+    if report.without_stamp:
+        lines.append(
+            f"{report.without_stamp:,} frames have a time that no ROS time stamp can tell and were "
+            "left out"
+        )
+    for damage in report.damages:
+        words = "contradicts itself" if damage.frame_given else "cannot be read"
+        lines.append(f"{damage.place} {words}: {damage.reason}")
+    if further := report.damage_count - len(report.damages):
+        lines.append(f"{further} further places cannot be read")
+    return lines
+
 
 EXIT_COMPLETE = 0
 """Everything asked for was exported."""

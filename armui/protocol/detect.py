@@ -6,9 +6,9 @@ import statistics
 from typing import NamedTuple
 
 from armui.protocol.codec import Codec
+from armui.protocol.firmware_version import LONGEST, VERSION_ID, find_version, is_question
 from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
-from armui.protocol.version import LONGEST, VERSION_ID, find_version, is_question
 
 _CLEAR_LEAD = 20
 """So many frames of one generation more than of the other leave no doubt."""

@@ -3,15 +3,28 @@
 from __future__ import annotations
 
 import copy
+import math
+from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from functools import partial
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any, Final, NamedTuple
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Container, Iterable, Mapping, Sequence
+    from collections.abc import Callable, Container, Iterable, Sequence
 
     from cantools.database.can import Message as DbcMessage
     from cantools.database.can import Signal as DbcSignal
+
+DEGREES_PER: Final[Mapping[str, float]] = {
+    "deg": 1.0,
+    "rad": math.degrees(1.0),
+    "rpm": 6.0,
+    "rad/s": math.degrees(1.0),
+    "rpm/s": 6.0,
+    "rad/s^2": math.degrees(1.0),
+}
+"""Degrees (per second, per second squared) in one of the units of the DBC files."""
+
 
 LEAVE_UNCHANGED = "Leave unchanged"
 """What the value tables call the raw value that leaves a setting as it is (generation 2)."""

@@ -14,12 +14,15 @@ from typing import TYPE_CHECKING, Final
 from armui.arm.device import DEFAULT_BITRATE, Device, bitrate_is_ours
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
-from armui.session.recording.collector import Collector
-from armui.session.recording.kinds import MF4_SUFFIX, RecordingFormat
+from armui.session.recording.collector import Collector, FrameRing
+from armui.session.recording.kinds import (
+    MF4_SUFFIX,
+    RecordingFormat,
+    is_name,
+    name_for,
+    why_not_written,
+)
 from armui.session.recording.lane import FrameLane
-from armui.session.recording.names import is_name, name_for
-from armui.session.recording.problems import why_not_written
-from armui.session.recording.ring import FrameRing
 from armui.session.recording.session_recording import SessionRecording
 from armui.session.recording.writer import RecordingPlan, TimeBase
 from armui.system.clock import steady_s

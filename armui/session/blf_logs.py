@@ -3,20 +3,234 @@
 from __future__ import annotations
 
 import struct
+import zlib
 from typing import TYPE_CHECKING, BinaryIO, Final, cast
 
 import can
 from can.io import blf
 
-from armui.session.blf_objects import ObjectStream, container
 from armui.session.frames import NotALogError
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
+    from collections.abc import Callable, Iterator
 
     from armui.session.frames import FrameBatch
     from armui.session.gather import Gatherer
     from armui.session.source import LogSource
+
+# The objects of a BLF file, one after another, past whatever is damaged between them.
+#
+# The layout is that of python-can's reader, which is given these objects: a file header, then
+# objects that begin with LOBJ, most of them containers with more objects inside, packed by zlib.
+
+_SIGNATURE: Final = b"LOBJ"
+_BASE: Final = struct.Struct("<4sHHLL")
+"""Signature, header size, header version, object size, object type."""
+_CONTAINER: Final = struct.Struct("<H6xL4x")
+"""Method of compression, size unpacked."""
+_HEADERS: Final = {
+    1: _BASE.size + blf.OBJ_HEADER_V1_STRUCT.size,
+    2: _BASE.size + blf.OBJ_HEADER_V2_STRUCT.size,
+}
+_BODIES: Final = {
+    blf.CAN_MESSAGE: blf.CAN_MSG_STRUCT.size,
+    blf.CAN_MESSAGE2: blf.CAN_MSG_STRUCT.size,
+    blf.CAN_ERROR_EXT: blf.CAN_ERROR_EXT_STRUCT.size,
+    blf.CAN_FD_MESSAGE: blf.CAN_FD_MSG_STRUCT.size,
+    blf.CAN_FD_MESSAGE_64: blf.CAN_FD_MSG_64_STRUCT.size,
+}
+"""Bytes that the reader unpacks of an object, by type; some tools leave out unused ones."""
+_SPARED: Final = {blf.CAN_MESSAGE: 8, blf.CAN_MESSAGE2: 8, blf.CAN_FD_MESSAGE: 64}
+"""Bytes of data at the end of an object, of which a writer may leave out what the frame lacks."""
+_LARGEST: Final = 1 << 24
+"""A larger object is taken for a damaged length."""
+_PIECE: Final = 1 << 20
+_PACKED_PIECE: Final = 1 << 14
+_PATIENT_BYTES: Final = 1 << 26
+"""So many unpacked bytes without an object, and the rest of a container is passed over."""
+_PADDING: Final = 7
+"""Most bytes between two objects."""
+
+
+class ObjectStream:
+    """Whole objects, unpacked, in pieces of bounded size.
+
+    Args:
+        source: The file, behind its header.
+        position: Bytes of the file read so far.
+        note: Called with the byte's number and the reason for each damaged place.
+    """
+
+    def __init__(self, source: LogSource, position: int, note: Callable[[int, str], None]) -> None:
+        self._source = source
+        self.position = position
+        self._note = note
+        self._ahead = b""
+        self._tail = b""
+        self._cut = self._is_broken_off = False
+        self._idle_bytes = 0
+
+    def pieces(self) -> Iterator[bytes]:
+        """Some whole objects each, without gaps between pieces."""
+        while (top := self._next_top()) is not None:
+            place, kind, body = top
+            if kind != blf.LOG_CONTAINER:
+                yield from self._whole(body, place)
+                continue
+            for data in self._unpacked(body, place):
+                yield from self._whole(data, place)
+        if self._is_broken_off or self._tail.strip(b"\0"):
+            # once: a container that is cut leaves an object that is cut
+            self._note(self.position, self._source.broken or "the file breaks off here")
+
+    def _take(self, size: int) -> bytes:
+        if len(self._ahead) < size:
+            self._ahead += self._source.read(size - len(self._ahead))
+        data, self._ahead = self._ahead[:size], self._ahead[size:]
+        self.position += len(data)
+        return data
+
+    def _next_top(self) -> tuple[int, int, bytes] | None:
+        """Place, type and bytes of the next object of the file; a container's without its head."""
+        while True:
+            place = self.position
+            head = self._take(_BASE.size)
+            if len(head) < _BASE.size:
+                if head.strip(b"\0") or self._source.broken:
+                    self._is_broken_off = True
+                return None
+            signature, _header_size, _version, size, kind = _BASE.unpack(head)
+            if signature != _SIGNATURE or not _BASE.size <= size <= _LARGEST:
+                if not self._find_next(place, head):
+                    return None
+                continue
+            body = self._take(size - _BASE.size)
+            if len(body) < size - _BASE.size:
+                self._is_broken_off = True
+            else:
+                self._take(size % 4)
+            return place, kind, body if kind == blf.LOG_CONTAINER else head + body
+
+    def _find_next(self, place: int, head: bytes) -> bool:
+        """Goes on to the next place that begins as an object does."""
+        self._ahead = head[1:] + self._ahead
+        self.position -= len(head) - 1
+        skipped = head[:1]
+        while (found := self._ahead.find(_SIGNATURE)) < 0:
+            more = self._source.read(_PIECE)
+            if not more:
+                self._lose_thread()
+                self._note(place, "no object begins here, and none follows")
+                return False
+            gone = max(len(self._ahead) - len(_SIGNATURE) + 1, 0)
+            skipped += self._ahead[: max(_PADDING + 1 - len(skipped), 0)]
+            self.position += gone
+            self._ahead = self._ahead[gone:] + more
+        skipped += self._ahead[:found]
+        self.position += found
+        self._ahead = self._ahead[found:]
+        if len(skipped) > _PADDING or skipped.strip(b"\0"):
+            self._lose_thread()
+            self._note(place, f"damaged here; the next object begins at byte {self.position}")
+        return True
+
+    def _unpacked(self, body: bytes, place: int) -> Iterator[bytes]:
+        """What a container holds, as far as it can be unpacked."""
+        if len(body) < _CONTAINER.size:
+            return
+        method, _size = _CONTAINER.unpack_from(body)
+        packed = memoryview(body)[_CONTAINER.size :]
+        if method == blf.NO_COMPRESSION:
+            yield bytes(packed)
+            return
+        if method != blf.ZLIB_DEFLATE:
+            self._note(place, f"packed by the unknown method {method}")
+            self._lose_thread()
+            return
+        unpacker = zlib.decompressobj()
+        try:
+            for start in range(0, len(packed), _PACKED_PIECE):
+                piece: bytes | memoryview = packed[start : start + _PACKED_PIECE]
+                while piece:
+                    yield unpacker.decompress(piece, _PIECE)
+                    piece = unpacker.unconsumed_tail
+                    if self._idle_bytes > _PATIENT_BYTES:
+                        return
+        except zlib.error as error:
+            self._note(place, f"damaged here ({error})")
+            self._lose_thread()
+
+    def _lose_thread(self) -> None:
+        """What comes next may begin in the middle of an object, whose beginning is lost."""
+        self._tail = b""
+        self._cut = True
+        self._idle_bytes = 0
+
+    def _whole(self, data: bytes, place: int) -> Iterator[bytes]:
+        """The whole objects in data that follow on the tail of what was there before."""
+        data = self._tail + data
+        self._tail = b""
+        if self._cut:
+            data = self._behind_damage(data)
+        pos = run = 0
+        unpack = _BASE.unpack_from
+        while True:
+            begin = data.find(_SIGNATURE, pos, pos + _PADDING + 1)
+            if begin < 0:
+                if len(data) - pos <= _PADDING:
+                    break
+                yield data[run:pos]
+                begin = data.find(_SIGNATURE, pos)
+                self._note(place, "what this part of the file holds is damaged")
+                if begin < 0:
+                    self._lose_thread()
+                    return
+                run = pos = begin
+            if len(data) - begin < _BASE.size:
+                break
+            _signature, _header_size, version, size, kind = unpack(data, begin)
+            if not _BASE.size <= size <= _LARGEST:
+                yield data[run:pos]
+                self._note(place, f"an object in this part of the file claims {size} bytes")
+                run = pos = begin + 1
+                continue
+            if begin + size > len(data):
+                break
+            least = _HEADERS.get(version, 0) + _BODIES.get(kind, -_LARGEST)
+            if size < least:
+                yield data[run:pos]
+                yield from self._completed(data[begin : begin + size], least, place)
+                run = begin + size
+            pos = begin + size
+        yield data[run:pos]
+        self._tail = data[pos:]
+
+    def _behind_damage(self, data: bytes) -> bytes:
+        """From where an object begins again; nothing if none does."""
+        begin = data.find(_SIGNATURE)
+        if begin < 0:
+            self._idle_bytes += len(data)
+            return b""
+        self._cut = self._is_broken_off = False
+        self._idle_bytes = 0
+        return data[begin:]
+
+    def _completed(self, shortened: bytes, least: int, place: int) -> Iterator[bytes]:
+        """An object whose last, unused bytes were left out, with them; nothing if more lacks."""
+        signature, header_size, version, size, kind = _BASE.unpack_from(shortened)
+        if least - size <= _SPARED.get(kind, -1):
+            head = _BASE.pack(signature, header_size, version, least, kind)
+            yield head + shortened[_BASE.size :].ljust(least - _BASE.size, b"\0")
+        else:
+            self._note(place, f"an object in this part of the file has {size} bytes, not {least}")
+
+
+def container(objects: bytes) -> bytes:
+    """Objects as a container that is not packed."""
+    size = _BASE.size + _CONTAINER.size + len(objects)
+    head = _BASE.pack(_SIGNATURE, _BASE.size, 1, size, blf.LOG_CONTAINER)
+    return head + _CONTAINER.pack(blf.NO_COMPRESSION, len(objects)) + objects + bytes(size % 4)
+
 
 _ROWS: Final = 4_096
 _HEADER: Final = blf.FILE_HEADER_STRUCT

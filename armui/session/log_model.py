@@ -4,18 +4,23 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Final, TypeVar
 
+import numpy as np
+
 from armui.arm.model_check import FittingArm, fitting_arms
 from armui.protocol.addressing import Addressing
 from armui.protocol.codec import Codec, Message
+from armui.protocol.detect import GenerationDetector
 from armui.protocol.frame import Frame
-from armui.protocol.piper_model import PiperModel
+from armui.protocol.generation import PiperModel
+from armui.session.frames import NOT_OF_THE_ARM
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterable, Mapping
+    from collections.abc import Callable, Iterable, Iterator, Mapping
     from typing import Any
 
+    from armui.protocol.detect import GenerationVerdict
     from armui.protocol.generation import Generation
-    from armui.session.frames import Channel
+    from armui.session.frames import Channel, FrameBatch
     from armui.session.session import Session
 
 _PLACES: Final = (1.0, 0.0, 0.5, 0.25, 0.75)
@@ -106,3 +111,36 @@ def _fitting(
         return frozenset()
     angles, pose = ([heard[name][signal] for name, signal in each] for each in (ANGLES, END_POSE))
     return fitting_arms(angles, pose, None)
+
+
+# Which generation the arm of a log speaks, found out from the log's beginning.
+
+_FRAMES_LOOKED_AT: Final = 6_000
+"""So many frames, two seconds of an arm, tell the generation as well as all of them."""
+_MOST_FRAMES_LOOKED_AT: Final = 200_000
+"""Among foreign frames the arm's are looked for longer, but not without end."""
+
+
+def detect_generation(
+    batches: Iterator[FrameBatch],
+) -> tuple[list[FrameBatch], GenerationVerdict]:
+    """Reads a log's beginning until its generation is certain.
+
+    Returns:
+        What was read for it, and the verdict.
+    """
+    detector = GenerationDetector()
+    looked_at: list[FrameBatch] = []
+    count = 0
+    for batch in batches:
+        looked_at.append(batch)
+        for row in np.flatnonzero((batch.flags & NOT_OF_THE_ARM) == 0).tolist():
+            detector.feed(Frame(int(batch.ids[row]), batch.data(row)), float(batch.times_s[row]))
+            if detector.certain:
+                return looked_at, detector.verdict()
+            count += 1
+            if count >= _FRAMES_LOOKED_AT and detector.has_evidence:
+                return looked_at, detector.verdict()
+        if count >= _MOST_FRAMES_LOOKED_AT:
+            break
+    return looked_at, detector.verdict()

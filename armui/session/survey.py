@@ -11,10 +11,9 @@ import numpy as np
 from armui.protocol.addressing import OFFSETS
 from armui.protocol.codec import Codec
 from armui.protocol.detect import GenerationDetector
+from armui.protocol.firmware_version import VERSION_ID, AnswerCollector, is_question
 from armui.protocol.frame import Frame
-from armui.protocol.generation import Generation
-from armui.protocol.piper_model import PiperModel
-from armui.protocol.version import VERSION_ID, AnswerCollector, is_question
+from armui.protocol.generation import Generation, PiperModel
 from armui.session.frames import NOT_OF_THE_ARM
 from armui.session.log_model import model_of_log, zeros_of_log
 from armui.session.session import HasDataRows

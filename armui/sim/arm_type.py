@@ -12,7 +12,7 @@ from armui.protocol.firmware_version import (
     FirmwareVersion,
     quirks_of,
 )
-from armui.protocol.piper_model import PiperModel
+from armui.protocol.generation import PiperModel
 from armui.sim.mechanics.rigid_body import RigidLink, rigid_links
 
 SixFactors = tuple[float, ...]

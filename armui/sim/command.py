@@ -13,8 +13,7 @@ import can
 
 from armui.protocol.addressing import OFFSETS
 from armui.protocol.firmware_version import RECOMMENDED, FirmwareBug, FirmwareVersion
-from armui.protocol.generation import Generation
-from armui.protocol.piper_model import PiperModel
+from armui.protocol.generation import Generation, PiperModel
 from armui.sim.arm_type import ArmType
 from armui.sim.faults.bugs import NAMES as BUG_NAMES
 from armui.sim.faults.bugs import PURPOSES

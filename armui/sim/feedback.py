@@ -8,14 +8,14 @@ from dataclasses import dataclass
 from functools import cache, partial
 from typing import TYPE_CHECKING, Final
 
-from armui.arm.gripper import GripperFault
 from armui.arm.limits import JOINTS
-from armui.arm.units import DEGREES_PER
+from armui.arm.state import GripperFault
 from armui.kinematics.poses import Pose
 from armui.protocol.codec import Codec
 from armui.protocol.database import load_database
 from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
+from armui.protocol.layout import DEGREES_PER
 from armui.sim.condition import Alarm
 from armui.sim.mechanics.powered_joints import STANDSTILL, SixValues
 

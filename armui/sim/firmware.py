@@ -33,8 +33,7 @@ from armui.protocol.codes import (
 )
 from armui.protocol.firmware_version import RECOMMENDED, FirmwareBug
 from armui.protocol.frame import Frame
-from armui.protocol.generation import Generation
-from armui.protocol.piper_model import PiperModel
+from armui.protocol.generation import Generation, PiperModel
 from armui.sim.arm_role import CONTROL, ArmRole
 from armui.sim.arm_type import ArmType
 from armui.sim.condition import Condition

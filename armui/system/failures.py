@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import contextlib
 import logging
+import platform
 import sys
 import threading
 import traceback
@@ -111,8 +112,6 @@ class Repeats(logging.Filter):
 
 
 def _failure(record: logging.LogRecord, error: BaseException, count: int) -> Failure:
-    import platform  # noqa: PLC0415 - faster start
-
     line = " ".join(f"{type(error).__name__}: {error}".split())
     trace = "".join(traceback.format_exception(error))
     text = (

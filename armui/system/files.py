@@ -104,3 +104,8 @@ def _check(found: os.stat_result, path: Any) -> None:
     if not stat.S_ISREG(found.st_mode):
         kind = next((name for is_it, name in _KINDS if is_it(found.st_mode)), "something else")
         raise NotAFileError(errno.EINVAL, f"it is {kind}, not a file", str(path))
+
+
+def error_text(error: BaseException) -> str:
+    """Of the system's errors its words without number and path, of others theirs, or the kind."""
+    return getattr(error, "strerror", None) or str(error) or type(error).__name__

@@ -5,7 +5,9 @@ from __future__ import annotations
 import contextlib
 import errno
 import logging
+import mmap
 import os
+import pickle
 import shutil
 import signal
 import tempfile
@@ -27,11 +29,91 @@ from pathlib import Path
 from queue import Empty, SimpleQueue
 from typing import TYPE_CHECKING, Any, Final
 
+from armui.system.files import open_file
+
 if TYPE_CHECKING:
     from concurrent.futures import ProcessPoolExecutor
     from multiprocessing.process import BaseProcess
 
-    from armui.system.transfer import Packed
+# Values between two processes: large arrays travel as a file that the receiver maps. Copying two
+# hours of samples through a pipe holds Python's lock for tens of milliseconds at a stretch, in
+# which no button is heard. Writing them to a file and mapping it holds it for none.
+
+LARGE_BYTES: Final = 1 << 18
+"""Arrays of this size and more go into the file."""
+
+_ALIGNED: Final = 64
+
+
+@dataclass(frozen=True, slots=True)
+class Packed:
+    """A value on its way.
+
+    Attributes:
+        data: Everything but its large arrays.
+        path: The file that holds those; the receiver removes it. ``None`` where there are none.
+        spans: Where each begins in the file, and how many bytes it has.
+    """
+
+    data: bytes
+    path: Path | None = None
+    spans: tuple[tuple[int, int], ...] = ()
+
+
+def pack(value: object, folder: Path) -> Packed:
+    """Make a value ready to be sent.
+
+    Args:
+        value: Anything that can be pickled.
+        folder: Where its large arrays may be written.
+
+    Raises:
+        OSError: They were not written.
+    """
+    large: list[memoryview] = []
+
+    def is_small(buffer: pickle.PickleBuffer) -> bool:
+        raw = buffer.raw()
+        if raw.nbytes < LARGE_BYTES:
+            return True
+        large.append(raw)
+        return False
+
+    data = pickle.dumps(value, protocol=5, buffer_callback=is_small)
+    if not large:
+        return Packed(data)
+    spans: list[tuple[int, int]] = []
+    with tempfile.NamedTemporaryFile(dir=folder, delete=False) as file:
+        for raw in large:
+            begin = -(-file.tell() // _ALIGNED) * _ALIGNED
+            file.seek(begin)
+            file.write(raw)
+            spans.append((begin, raw.nbytes))
+    return Packed(data, Path(file.name), tuple(spans))
+
+
+def unpack(packed: Packed) -> Any:
+    """The value. Changes of its arrays are seen by nobody else.
+
+    Raises:
+        OSError: The file of its large arrays is gone.
+    """
+    if packed.path is None:
+        return pickle.loads(packed.data)  # noqa: S301 - from our own process
+    with open_file(packed.path) as file:
+        whole = memoryview(mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_COPY))
+    # Windows removes no file that is mapped: there it goes with its folder
+    with contextlib.suppress(OSError):
+        packed.path.unlink()
+    buffers = [whole[begin : begin + length] for begin, length in packed.spans]
+    return pickle.loads(packed.data, buffers=buffers)  # noqa: S301 - as above
+
+
+def call_packed(packed: Packed, folder: Path) -> Packed:
+    """In the other process: call what was sent, send back what comes of it."""
+    function, args, kwargs = unpack(packed)
+    return pack(function(*args, **kwargs), folder)
+
 
 _LOG: Final = logging.getLogger(__name__)
 
@@ -80,8 +162,6 @@ class HelperProcess(Executor):
 
     def _send(self, answer: Future[Any], call: tuple[object, ...]) -> None:
         """Hand a piece of work to the process; its answer comes by a thread of the pool."""
-        from armui.system.transfer import pack  # noqa: PLC0415 - pickle, for those who use it
-
         try:
             if self._folder is None:
                 self._folder = Path(tempfile.mkdtemp(prefix="armui-"))
@@ -99,8 +179,6 @@ class HelperProcess(Executor):
     def _submit(self, packed: Packed, folder: Path) -> Future[Packed]:
         import multiprocessing  # noqa: PLC0415 - 50 ms of the start, for those who never use it
         from concurrent.futures import ProcessPoolExecutor  # noqa: PLC0415 - as above
-
-        from armui.system.transfer import call_packed  # noqa: PLC0415 - as above
 
         before = set(multiprocessing.active_children())
         if self._pool is None:
@@ -323,7 +401,6 @@ def _answer(answer: Future[Any], sent: Future[Packed]) -> None:
     if error is not None:
         _settle(answer, error=error)
         return
-    from armui.system.transfer import unpack  # noqa: PLC0415 - as above
 
     try:
         _settle(answer, unpack(sent.result()))

@@ -7,11 +7,41 @@ import logging
 import queue
 import threading
 from collections.abc import Iterator
+from io import TextIOWrapper
+from logging.handlers import RotatingFileHandler
 from pathlib import Path
 from typing import Final
 
 from armui.system.failures import LOGGERS, Repeats
 from armui.system.files import open_file
+
+_MOST_BYTES: Final = 1_000_000
+_OLD_FILES: Final = 4
+
+
+class RotatingFile(RotatingFileHandler):
+    """Takes lines; the file is opened with the first.
+
+    Args:
+        path: The file; older ones lie beside it, with a number.
+    """
+
+    def __init__(self, path: Path) -> None:
+        self._path = path
+        super().__init__(
+            path, maxBytes=_MOST_BYTES, backupCount=_OLD_FILES, encoding="utf-8", delay=True
+        )
+
+    def add(self, line: str) -> None:
+        """Write a line; waits for the disk."""
+        self.handle(logging.makeLogRecord({"msg": line}))
+
+    def _open(self) -> TextIOWrapper:
+        return TextIOWrapper(open_file(self._path, "ab"), encoding="utf-8")
+
+    def handleError(self, record: logging.LogRecord) -> None:  # noqa: N802 - logging's name
+        """A disk that is full, or a file another program holds: the log goes on when it can."""
+
 
 NAME: Final = "armui.log"
 _MOST_WAITING: Final = 1000
@@ -69,7 +99,6 @@ class _LogThread(threading.Thread):
         if line is None:
             self._lines.task_done()
             return
-        from armui.system.rotating_file import RotatingFile  # noqa: PLC0415 - most starts log nothing
 
         with contextlib.closing(RotatingFile(self._path)) as file:
             while line is not None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import contextlib
 import errno
 import os
+import platform
 import stat
 from pathlib import Path
 
@@ -37,8 +38,6 @@ def runtime() -> Path:
     for folder in named:
         if folder.is_absolute() and is_private(folder):
             return folder / "armui"
-    import platform  # noqa: PLC0415 - faster start
-
     state = platformdirs.user_state_path("armui", appauthor=False)
     return state / f"running-{platform.node() or 'here'}"
 

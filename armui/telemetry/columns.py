@@ -14,10 +14,10 @@ from typing import TYPE_CHECKING, Any, Final, TypeVar
 import numpy as np
 
 from armui.arm.limits import JOINTS
-from armui.arm.units import DEGREES_PER
 from armui.protocol.codec import Codec, EncodeError
 from armui.protocol.columns import payload_words, signal_column
 from armui.protocol.frame import FrameFlag
+from armui.protocol.layout import DEGREES_PER
 from armui.telemetry.quantities import BUS, RECORDS, Field, Record, Source
 from armui.telemetry.series import Row
 

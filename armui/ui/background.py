@@ -11,7 +11,7 @@ from PySide6.QtCore import QObject, Signal
 
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
-from armui.system.error_text import error_text
+from armui.system.files import error_text
 from armui.system.helper_process import FileThread
 
 Result = TypeVar("Result")

@@ -171,10 +171,12 @@ class MainWindow(Translated, KeepsFocus, QWidget):
         self._menu = SideMenu(self._entries, below)
         self._panels = OperationArea(self._entries)
         self._work_area = WorkArea(StackArea(self._panels), self._pages, self._view_region)
-        self._work_column = WorkColumn(self._work_area, RunPlace(self._controller), self._drawer)
+        run = RunPlace(self._controller)
+        self._work_column = WorkColumn(self._work_area, run, self._drawer)
 
         top = TopBar(self._controller, self.open_connect_dialog)
         recovery = RecoveryLine(self._controller, self.open_connect_dialog)
+        self._actions.lead_to(self._menu.open_entry, top.ask_to_resume, recovery, run)
         gamepad = GamepadStrip(self._controller, self._preferences)
         self._failure_line = FailureLine()
         work = in_column(recovery, gamepad, (self._work_column, 1), spacing=0)

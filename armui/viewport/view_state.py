@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import Final, NamedTuple
 
 from armui.arm.models import robot_description
-from armui.protocol.piper_model import PiperModel
+from armui.protocol.generation import PiperModel
 from armui.viewport.camera import HOME_CAMERA, OrbitCamera
 from armui.viewport.palette import LIGHT, ScenePalette
 from armui.viewport.path_picture import NOTHING, Preview, Reach, Trail

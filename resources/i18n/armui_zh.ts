@@ -10996,10 +10996,6 @@ Afterwards the motors must be enabled again.</source>
 <context>
     <name>WindowActions</name>
     <message>
-        <source>The arm is not stopped.</source>
-        <translation>机械臂未处于急停。</translation>
-    </message>
-    <message>
         <source>There is no next step now.</source>
         <translation>现在没有下一步。</translation>
     </message>

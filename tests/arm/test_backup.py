@@ -8,14 +8,13 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from armui.arm.backup import Backup, from_text, to_text
-from armui.arm.comparison import ComparisonVerdict, compare
+from armui.arm.backup import Backup, ComparisonVerdict, compare, from_text, to_text
 from armui.arm.limits import JointLimits
 from armui.arm.parameters import Parameter, all_batches
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import ArmState, Reading
-from armui.protocol.piper_model import PiperModel
+from armui.protocol.generation import PiperModel
 
 BATCHES = list(all_batches(teaching=True, drag_assistance=True))
 EVERY = [each for batch in BATCHES for each in batch.parameters()]

@@ -1,6 +1,6 @@
 """Before the generation is known, only what both mean alike is known of an arm."""
 
-from armui.arm.generations import common_to_generations
+from armui.arm.state import common_to_generations
 from armui.arm.tracker import Tracker
 from armui.protocol.codec import Codec
 from armui.protocol.frame import Frame

@@ -8,8 +8,7 @@ from armui.arm.models import model_data
 from armui.arm.refusal_codes import RefusalCode
 from armui.kinematics.forward import flange_transforms
 from armui.protocol.codec import Codec, Message
-from armui.protocol.generation import Generation
-from armui.protocol.piper_model import PiperModel
+from armui.protocol.generation import Generation, PiperModel
 from armui.sim.firmware import Firmware
 from tests.family import MODELS, ranges
 

@@ -14,7 +14,7 @@ from armui.arm.models import (
     read_model,
 )
 from armui.kinematics.geometry import Geometry, GeometryError, Wrist
-from armui.protocol.piper_model import PiperModel
+from armui.protocol.generation import PiperModel
 from tests.family import MODELS
 
 MASSES_KG = {

@@ -13,11 +13,10 @@ from armui.arm.tracker import Tracker
 from armui.bus.tap import TapLine
 from armui.protocol.codec import Codec
 from armui.protocol.generation import Generation
-from armui.session.recording.collector import Collector
+from armui.session.recording.collector import MOST_BYTES, Collector, FrameRing
 from armui.session.recording.kinds import RecordingFormat
 from armui.session.recording.lane import FrameLane
 from armui.session.recording.recorded_session import RecordedSession
-from armui.session.recording.ring import MOST_BYTES, FrameRing
 from armui.session.recording.rows import rows_of
 from armui.session.recording.writer import RecordingPlan, RecordingWriter, TimeBase
 from tests.benchmarks import rig

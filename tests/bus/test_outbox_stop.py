@@ -5,8 +5,7 @@ import time
 
 import pytest
 
-from armui.bus.outbox import Outbox
-from armui.bus.sending import SendingThread
+from armui.bus.outbox import Outbox, SendingThread
 from armui.protocol.frame import Frame
 from tests.bus.driver import FULL, GONE, LIMIT_S, Driver, InDriver, quickest_s, took_s
 from tests.bus.test_outbox import STOP, frames

@@ -7,8 +7,7 @@ import time
 import can
 import pytest
 
-from armui.bus.outbox import Outbox
-from armui.bus.sending import SendingThread
+from armui.bus.outbox import Outbox, SendingThread
 from tests.bus.test_outbox import STOP, Wire, frames
 
 LIMIT_S = 5.0

@@ -18,7 +18,7 @@ from armui.control.motion.motion_command import CommandKind, End, Mover
 from armui.control.operating_state import LinkState
 from armui.protocol.addressing import Addressing
 from armui.protocol.codes import MoveMode
-from armui.protocol.piper_model import PiperModel
+from armui.protocol.generation import PiperModel
 from tests.control.heard_arm import DRIVER, HERE, status
 from tests.moments import now
 from tests.ui.arm_states import heard_six

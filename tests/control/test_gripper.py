@@ -5,9 +5,9 @@ import errno
 import can
 import pytest
 
-from armui.arm.gripper import GripperFault, gripper_of
 from armui.arm.parameters import Parameter
 from armui.arm.refusal_codes import RefusalCode
+from armui.arm.state import GripperFault, gripper_of
 from armui.control.devices.gripper_ranges import figures_of
 from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation

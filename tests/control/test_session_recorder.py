@@ -19,7 +19,7 @@ from armui.control.sessions import mf4_making
 from armui.control.sessions.choices import SessionChoices
 from armui.control.sessions.mf4_making import Mf4Making
 from armui.protocol.frame import Frame, FrameFlag
-from armui.session.recording import disk_file, mf4
+from armui.session.recording import mf4, writer
 from armui.session.recording.folder import RecordingEntry, list_recordings, rename
 from armui.session.recording.kinds import RecordingFormat
 from armui.session.recording.lane import MOST_WAITING
@@ -224,7 +224,7 @@ def test_a_disk_that_fails_ends_it_with_a_clear_word(
     def fail(_file, _data):
         raise error
 
-    monkeypatch.setattr(disk_file.DiskFile, "_write", fail)
+    monkeypatch.setattr(writer.DiskFile, "_write", fail)
     rig.run(0.5)
     wait_for(lambda: "session_failed" in rig.codes())
     monkeypatch.undo()

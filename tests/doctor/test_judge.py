@@ -10,6 +10,8 @@ from armui.doctor.facts import (
     ArmFacts,
     CanFacts,
     DeviceFacts,
+    Diagnosis,
+    DiagnosisLevel,
     Facts,
     HeardFacts,
     LimitFacts,
@@ -21,10 +23,8 @@ from armui.doctor.facts import (
     SerialPortFacts,
     UsbAdapterFacts,
 )
-from armui.doctor.finding import Diagnosis, DiagnosisLevel
-from armui.doctor.judge import an_arm_answers, judge, judge_program, judge_screen
+from armui.doctor.judge import an_arm_answers, judge, judge_can, judge_program, judge_screen
 from armui.doctor.judge_arm import judge_heard
-from armui.doctor.judge_can import judge_can
 
 UBUNTU = ("ubuntu", "debian")
 ARM = ArmFacts(

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from armui.doctor.finding import Diagnosis, DiagnosisLevel, Section
+from armui.doctor.facts import Diagnosis, DiagnosisLevel, Section
 from armui.doctor.report import Words, as_json, as_text, findings_of_json, language_of_system
 
 DOCTOR = Path(__file__).parents[2] / "armui" / "doctor"

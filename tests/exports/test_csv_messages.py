@@ -14,7 +14,6 @@ from armui.export.process import ExportProcess
 from armui.protocol.codec import Codec, Message
 from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
-from armui.session.exports import target as targets
 from armui.session.exports.export import export_log
 from armui.session.exports.request import (
     ArmWishes,
@@ -25,6 +24,7 @@ from armui.session.exports.request import (
     ExportRequest,
     default_target,
 )
+from armui.system.atomic import WholeFolder
 from tests.exports.logs import START_S, candump, session
 
 KIND = ExportFormat.CSV_MESSAGES
@@ -115,7 +115,7 @@ def test_a_folder_that_cannot_take_its_name_leaves_the_old_one(tmp_path, monkeyp
             raise OSError("no")
         return moved(path, target)
 
-    whole = targets.WholeFolder(tmp_path / "run-messages", ".csv", replace=True)
+    whole = WholeFolder(tmp_path / "run-messages", ".csv", replace=True)
     (whole.unfinished / "new").write_text("")
     monkeypatch.setattr(Path, "replace", replace)
     with whole, pytest.raises(OSError, match="no"):

@@ -12,9 +12,9 @@ from pathlib import Path
 import pytest
 
 from armui.export import add_arguments, run
+from armui.export.command import ProgressBar
 from armui.export.process import ExportDone, ExportProcess
-from armui.export.progress_bar import ProgressBar
-from armui.protocol.piper_model import PiperModel
+from armui.protocol.generation import PiperModel
 from armui.session.exports.request import (
     ArmWishes,
     ExportFormat,
@@ -89,7 +89,7 @@ def test_ctrl_c_leaves_nothing(log, capsys, monkeypatch):
     def pressed(*_args, **_keywords):
         raise KeyboardInterrupt
 
-    monkeypatch.setattr("armui.session.exports.csv_table.CsvTable.take", pressed)
+    monkeypatch.setattr("armui.session.exports.csv_files.CsvTable.take", pressed)
     assert export(log, "--to", "csv") == 130
     assert "nothing was written" in capsys.readouterr().err
     assert list(log.parent.iterdir()) == [log]

@@ -21,8 +21,7 @@ from armui.kinematics.arm_kinematics import Kinematics
 from armui.kinematics.forward import links
 from armui.protocol.codec import Codec
 from armui.protocol.frame import Frame
-from armui.protocol.generation import Generation
-from armui.protocol.piper_model import PiperModel
+from armui.protocol.generation import Generation, PiperModel
 from armui.session.exports.export import export_log
 from armui.session.exports.request import ArmWishes, ExportFormat, ExportReport, ExportRequest
 from tests.exports.logs import START_S, candump, session

@@ -166,7 +166,7 @@ def test_a_session_says_what_the_codec_says_frame_by_frame(tmp_path, kind, gener
 def test_long_logs_are_the_same_in_many_pieces(tmp_path, monkeypatch):
     log = candump(tmp_path / "a.log", session(1.0))
     whole = table(log, ExportFormat.CSV)
-    monkeypatch.setattr("armui.session.exports.frames._ENOUGH", 1)
+    monkeypatch.setattr("armui.session.exports.history._ENOUGH", 1)
     monkeypatch.setattr("armui.session.text_logs._LINES_AT_ONCE", 7)
     monkeypatch.setattr("armui.session.source._BLOCK", 700)
     pd.testing.assert_frame_equal(table(log, ExportFormat.CSV), whole)

@@ -19,7 +19,7 @@ import pytest
 
 from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
-from armui.session.exports.export import export_log
+from armui.session.exports.export import SessionSource, export_log
 from armui.session.exports.request import (
     ArmWishes,
     ExportCancelledError,
@@ -29,7 +29,6 @@ from armui.session.exports.request import (
     ExportReport,
     ExportRequest,
 )
-from armui.session.exports.source import SessionSource
 from armui.session.frames import Damage, FrameBatch
 from armui.session.reader import LogFile
 from tests.exports.logs import blf, candump, session
@@ -220,7 +219,7 @@ def test_a_full_disk_leaves_nothing(tmp_path, kind, monkeypatch):
         return Path("/dev/full").open("wb", buffering=0)
 
     monkeypatch.setattr("armui.system.atomic.open_file", full)
-    monkeypatch.setattr("armui.session.exports.csv_messages.open_file", full)
+    monkeypatch.setattr("armui.session.exports.csv_files.open_file", full)
     assert problem(log, kind) is ExportProblem.CANNOT_WRITE
 
 
@@ -236,7 +235,7 @@ def test_parquet_without_its_package(tmp_path, monkeypatch):
 @ALL
 def test_a_cancelled_export_leaves_nothing(tmp_path, kind, monkeypatch):
     log = candump(tmp_path / "a.log", session(0.5))
-    monkeypatch.setattr("armui.session.exports.frames._ENOUGH", 1)
+    monkeypatch.setattr("armui.session.exports.history._ENOUGH", 1)
     monkeypatch.setattr("armui.session.source._BLOCK", 2_000)
     told: list[int] = []
     request = ExportRequest(log, tmp_path / f"a.{kind}", kind)

@@ -7,11 +7,10 @@ from typing import Any, cast
 import pytest
 
 from armui.arm.models import model_data
-from armui.protocol.generation import Generation
-from armui.protocol.piper_model import PiperModel
+from armui.protocol.generation import Generation, PiperModel
+from armui.session.exports.export import FileSource, SessionSource, open_source
 from armui.session.exports.exported_arm import look_at
 from armui.session.exports.request import ArmWishes
-from armui.session.exports.source import FileSource, SessionSource, open_source
 from armui.session.reader import LogFile
 from armui.sim.firmware import Firmware
 from tests.exports.logs import candump

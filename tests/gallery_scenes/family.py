@@ -11,7 +11,7 @@ from PySide6.QtGui import QImage, QPixmap
 from PySide6.QtWidgets import QDialog, QGridLayout, QLabel
 
 from armui.arm.models import model_data, robot_description
-from armui.protocol.piper_model import PiperModel
+from armui.protocol.generation import PiperModel
 from armui.viewport.camera import HOME_CAMERA
 from armui.viewport.palette import DARK, LIGHT, ScenePalette
 from armui.viewport.process.scene import Scene

@@ -6,7 +6,7 @@ from typing import Final
 
 from PySide6.QtWidgets import QDialog
 
-from armui.protocol.piper_model import PiperModel
+from armui.protocol.generation import PiperModel
 from tests.app_driver import AppDriver
 from tests.gallery_scenes import dialogs
 

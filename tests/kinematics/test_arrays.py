@@ -13,7 +13,7 @@ from armui.kinematics.inverse import missing_mm, solutions
 from armui.kinematics.poses import matrix_to_pose
 from armui.kinematics.singularity import jacobians, margins
 from armui.kinematics.spherical import arm_joints
-from armui.protocol.piper_model import PiperModel
+from armui.protocol.generation import PiperModel
 from tests.family import GEOMETRIES, ranges
 
 OPW_MM = {

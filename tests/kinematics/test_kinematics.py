@@ -11,7 +11,7 @@ from armui.kinematics.forward import flange_transforms
 from armui.kinematics.inverse import solutions
 from armui.kinematics.poses import Pose, matrix_to_pose, pose_to_matrix
 from armui.kinematics.singularity import smallest_singular_values
-from armui.protocol.piper_model import PiperModel
+from armui.protocol.generation import PiperModel
 from tests.family import GEOMETRIES, MODELS, PIPER, ranges
 
 # a(i-1) mm, alpha(i-1) deg, d(i) mm, theta offset deg; the tables of the maker's software

@@ -7,7 +7,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QListWidget, QWidget
 
 from armui.protocol.codes import MoveMode
-from armui.protocol.piper_model import PiperModel
+from armui.protocol.generation import PiperModel
 from armui.trajectory.points.program import Trajectory, Waypoint
 from armui.ui.trajectory.editor.editor_page import EditorPage
 from tests.app_driver import Slow

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from pathlib import Path
 
-from armui.bus.playback.log_clock import LogClock
+from armui.bus.playback.log_cursor import LogClock
 from armui.bus.playback.log_player import LogPlayer
 from armui.control.log_replay import LogReplay
 from armui.protocol.codec import Codec, Message

@@ -10,7 +10,7 @@ import pytest
 from armui.arm.device import RecordedArm
 from armui.control.event_log.log_events import log_events
 from armui.protocol.generation import Generation
-from armui.session.id_rows import IdRows
+from armui.session.log_marks import IdRows
 from armui.session.recording.recorded_session import RecordedSession
 from armui.session.recording.rows import rows_of
 from armui.session.recording.sidecar import event_line

@@ -12,7 +12,7 @@ from armui.protocol.firmware_version import (
     ModeExit,
     quirks_of,
 )
-from armui.protocol.piper_model import PiperModel
+from armui.protocol.generation import PiperModel
 
 STRAIGHT = (1, 1, 1, 1, 1, 1)
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from armui.protocol.version import (
+from armui.protocol.firmware_version import (
     AnswerCollector,
     ArmIdentity,
     find_identity,

@@ -13,8 +13,7 @@ from armui.control.operating_state import LinkState
 from armui.control.parameters.arm_model import arm_model, start_deg
 from armui.kinematics.arm_kinematics import Kinematics
 from armui.kinematics.poses import Pose, apart
-from armui.protocol.generation import Generation
-from armui.protocol.piper_model import PiperModel
+from armui.protocol.generation import Generation, PiperModel
 from armui.sim.firmware import Firmware
 from armui.sim.node import Node
 from armui.trajectory.library.run_options import RunOptions

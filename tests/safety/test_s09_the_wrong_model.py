@@ -12,7 +12,7 @@ from armui.arm.refusal_codes import RefusalCode
 from armui.control.motion.jog_path import ToolJog
 from armui.kinematics.poses import JogFrame
 from armui.protocol.codes import MoveMode
-from armui.protocol.piper_model import PiperModel
+from armui.protocol.generation import PiperModel
 from tests.control.under_way import OUT, run_of, to
 from tests.family import MODELS
 from tests.moments import now

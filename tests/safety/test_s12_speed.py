@@ -13,8 +13,7 @@ from armui.control.safety.overspeed import tool_pace
 from armui.protocol import commands
 from armui.protocol.codes import ControlMode, MoveMode
 from armui.protocol.frame import Frame
-from armui.protocol.generation import Generation
-from armui.protocol.piper_model import PiperModel
+from armui.protocol.generation import Generation, PiperModel
 from armui.trajectory.planning.check import CheckRequest, preflight
 from armui.trajectory.planning.findings import Severity
 from armui.trajectory.points.program import Waypoint

@@ -4,7 +4,7 @@ import can
 import pytest
 
 from armui.arm.refusal_codes import RefusalCode
-from armui.bus.echo import is_own_echo
+from armui.bus.worker import is_own_echo
 from armui.control.motion.jog_path import JointJog
 from armui.control.motion.motion_command import Mover
 from armui.control.run.progress import Run, RunPhase

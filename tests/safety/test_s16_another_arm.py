@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QWidget
 
 from armui.arm.model_check import ModelFit
 from armui.kinematics.arm_kinematics import Kinematics
-from armui.protocol.piper_model import PiperModel
+from armui.protocol.generation import PiperModel
 from armui.trajectory.files import csv_file, json_file, log_file, npz_file
 from armui.trajectory.library.store import Library
 from armui.trajectory.planning.check import check

@@ -6,8 +6,7 @@ import numpy as np
 import pytest
 
 from armui.protocol.codes import MoveMode
-from armui.protocol.generation import Generation
-from armui.protocol.piper_model import PiperModel
+from armui.protocol.generation import Generation, PiperModel
 from armui.trajectory.planning.check import CheckRequest, preflight
 from armui.trajectory.planning.findings import FindingCode, Severity
 from armui.trajectory.points.program import Trajectory

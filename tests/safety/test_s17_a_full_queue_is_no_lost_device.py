@@ -8,8 +8,7 @@ from can.interfaces.kvaser import constants as kvaser
 
 from armui.arm.device import Device
 from armui.arm.refusal_codes import RefusalCode
-from armui.bus.health import BusHealth
-from armui.bus.link import BusState
+from armui.bus.link import BusHealth, BusState
 from armui.bus.send_errors import queue_is_full
 from armui.control.operating_state import LinkState
 from armui.ui import words
@@ -184,7 +183,7 @@ def test_error_frames_of_another_layout_are_not_read():
 
 
 def test_bus_off_reaches_the_operator(rig, qtbot, monkeypatch):
-    monkeypatch.setattr("armui.bus.health.LINUX_ERROR_FRAMES", frozenset({"virtual"}))
+    monkeypatch.setattr("armui.bus.link.LINUX_ERROR_FRAMES", frozenset({"virtual"}))
     rig.connect()
     rig._arm_bus.send(
         can.Message(arbitration_id=BUS_OFF, is_error_frame=True, data=bytes(8), is_extended_id=True)

@@ -9,6 +9,7 @@ import argparse
 import base64
 import json
 import math
+from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
@@ -18,9 +19,17 @@ from PySide6.QtCore import Qt
 
 from armui import decode, export
 from armui.protocol.generation import Generation
+from armui.session.exports.export import export_log
+from armui.session.exports.request import (
+    ArmWishes,
+    ExportCancelledError,
+    ExportFormat,
+    ExportRequest,
+)
 from armui.session.frames import LATEST_S, NotALogError
 from armui.session.gather import FURTHER_CHANNELS
 from armui.session.log_model import told_firmware, told_model
+from armui.session.reader import LogFile
 from armui.session.recording import index_file, sidecar
 from armui.session.recording.counted import counts_in
 from armui.session.recording.folder import list_recordings, rename, throw_away
@@ -186,6 +195,35 @@ def test_no_time_is_more_than_a_calendar_has(at_s):
     assert 0.0 <= in_calendar_s(at_s) <= LATEST_S
     assert moment_text(at_s) == "—"
     assert moment(at_s)
+
+
+@pytest.mark.parametrize("suffix", [".log", ".csv"])
+def test_a_large_text_is_looked_up_from_often(suffix, some, tmp_path):
+    """How far it is, and whether anybody still wants it: every half megabyte at most.
+
+    300 MB take a minute; a process that reads 2 MB/s looks up four times a second.
+    """
+    if suffix == ".log":
+        path = candump(tmp_path / "a.log", some * 10)
+    else:
+        path = as_csv(tmp_path / "a.csv", some * 10, float)
+    with LogFile(path) as log:
+        places = [0, *(log.position for _batch in log.batches())]
+    assert places[-1] == path.stat().st_size > 2e6
+    assert max(b - a for a, b in pairwise(places)) <= 2**19
+    asked: list[bool] = []
+
+    def is_wanted() -> bool:
+        asked.append(True)
+        return len(asked) < 3
+
+    wishes = ArmWishes(None, None, None, None)
+    target = tmp_path / "b.csv"
+    request = ExportRequest(path, target, ExportFormat.CSV, 0.0, math.inf, wishes)
+    with pytest.raises(ExportCancelledError):
+        export_log(request, is_wanted=is_wanted)
+    assert len(asked) == 3
+    assert [each.name for each in tmp_path.iterdir()] == [path.name]
 
 
 # --- channels -----------------------------------------------------------------------------------

@@ -1,6 +1,8 @@
 """S23: what nobody expected is told once, kept in the log, ends its own motion and nothing else."""
 
 import logging
+import os
+import subprocess
 import sys
 import threading
 from typing import Any
@@ -196,3 +198,30 @@ def test_work_that_fails_in_the_helper_process_is_logged(caplog):
         helper.submit(divmod, 1, 0).result(60)
     helper.shutdown()
     assert "ZeroDivisionError" in caplog.text
+
+
+@pytest.mark.parametrize("when", ["before", "after"])
+def test_a_window_that_cannot_be_built_ends_with_a_word_and_a_code(tmp_path, when):
+    """In the real start: what is half built is taken apart without a crash, and it is kept."""
+    code = (
+        "import sys\n"
+        "from armui import app\n"
+        "from armui.start import StartOptions\n"
+        "from armui.ui.shell.status_bar import StatusBar\n"
+        "make = StatusBar.__init__\n"
+        "def planted(*arguments):\n"
+        f"    if {when!r} == 'after': make(*arguments)\n"
+        "    raise RuntimeError('planted')\n"
+        "StatusBar.__init__ = planted\n"
+        "if __name__ == '__main__': sys.exit(app.run(StartOptions(sim_generation=2)))\n"
+    )
+    own = ("HOME", "XDG_CONFIG_HOME", "XDG_DATA_HOME", "XDG_STATE_HOME", "XDG_RUNTIME_DIR")
+    environment = {**os.environ, **dict.fromkeys(own, str(tmp_path))}
+    environment["QT_QPA_PLATFORM"] = "offscreen"
+    ended = subprocess.run(
+        [sys.executable, "-c", code], env=environment, capture_output=True, text=True, check=False
+    )
+    assert ended.returncode == 1, ended.stderr
+    assert ended.stderr.endswith("RuntimeError: planted\n")
+    (log,) = tmp_path.rglob("armui.log")
+    assert "RuntimeError: planted" in log.read_text()

@@ -7,8 +7,7 @@ from armui.arm.refusal_codes import RefusalCode
 from armui.control.operating_state import LinkState
 from armui.control.safety.recovery_steps import Action
 from armui.protocol.frame import Frame
-from armui.protocol.generation import Generation
-from armui.protocol.piper_model import PiperModel
+from armui.protocol.generation import Generation, PiperModel
 from armui.sim.firmware import Firmware
 from armui.sim.node import Node
 from armui.sim.parameters.parameter_server import identity_text

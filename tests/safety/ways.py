@@ -39,8 +39,7 @@ from armui.protocol import commands
 from armui.protocol.codec import Codec
 from armui.protocol.codes import ControlMode, MoveMode
 from armui.protocol.frame import Frame
-from armui.protocol.generation import Generation
-from armui.protocol.piper_model import PiperModel
+from armui.protocol.generation import Generation, PiperModel
 from armui.sim.firmware import Firmware
 from armui.trajectory.planning.check import CheckOutcome, CheckRequest, check, preflight
 from armui.trajectory.planning.findings import Finding, FindingCode, Severity

@@ -5,8 +5,7 @@ from __future__ import annotations
 import tempfile
 from pathlib import Path
 
-from armui.session.foreign.columns import MOST_FRAMES
-from armui.session.foreign.indexed import IndexedLog
+from armui.session.foreign.indexed import MOST_FRAMES, IndexedLog
 from armui.session.foreign.indexing import index_log
 
 

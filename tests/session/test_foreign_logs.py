@@ -13,9 +13,8 @@ import pytest
 from armui.arm.refusal import Refusal
 from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
-from armui.session.foreign.columns import PROGRESS, ReadingProgress
-from armui.session.foreign.indexing import index_log, index_or_reason
-from armui.session.foreign.times import straightened
+from armui.session.foreign.indexed import PROGRESS, ReadingProgress
+from armui.session.foreign.indexing import index_log, index_or_reason, straightened
 from armui.session.frames import FrameBatch, LoggedFrame
 from armui.session.reader import LogFile
 from armui.session.session import REMEMBERED_IDS

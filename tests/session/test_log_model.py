@@ -6,8 +6,7 @@ import pytest
 
 from armui.arm.device import RecordedArm
 from armui.control.log_replay import LogReplay
-from armui.protocol.generation import Generation
-from armui.protocol.piper_model import PiperModel
+from armui.protocol.generation import Generation, PiperModel
 from armui.session.log_model import told_model
 from armui.session.survey import survey
 from armui.sim.firmware import Firmware

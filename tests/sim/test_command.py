@@ -11,8 +11,7 @@ import pytest
 
 from armui.protocol.addressing import Addressing
 from armui.protocol.firmware_version import FirmwareBug
-from armui.protocol.generation import Generation
-from armui.protocol.piper_model import PiperModel
+from armui.protocol.generation import Generation, PiperModel
 from armui.sim import command
 from armui.sim.faults.schedule import FAULTS, Fault
 from armui.sim.firmware import Firmware

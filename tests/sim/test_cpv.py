@@ -7,8 +7,7 @@ import math
 
 import pytest
 
-from armui.protocol.generation import Generation
-from armui.protocol.piper_model import PiperModel
+from armui.protocol.generation import Generation, PiperModel
 from armui.sim.firmware import Firmware
 from tests.sim.talk import DISABLE, ENABLE, RESUME, STOP, mode, ready, target, tell
 

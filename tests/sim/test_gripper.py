@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from armui.arm.gripper import GripperFault
+from armui.arm.state import GripperFault
 from armui.protocol.codec import Codec
 from armui.protocol.firmware_version import FirmwareVersion
 from armui.protocol.generation import Generation

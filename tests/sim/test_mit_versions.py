@@ -7,8 +7,7 @@ import math
 import pytest
 
 from armui.protocol.codes import MoveMode
-from armui.protocol.generation import Generation
-from armui.protocol.piper_model import PiperModel
+from armui.protocol.generation import Generation, PiperModel
 from armui.sim.firmware import Firmware
 from armui.sim.mechanics.driver_loop import DriverSetpoint
 from tests.sim.talk import ENABLE, RESUME, mode, status_bytes, target, tell

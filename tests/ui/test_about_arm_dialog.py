@@ -16,8 +16,7 @@ from armui.arm.state import Reading
 from armui.control.operating_state import LinkState, OperatingState
 from armui.doctor.facts import LinkFacts
 from armui.protocol.addressing import Addressing
-from armui.protocol.generation import Generation
-from armui.protocol.piper_model import PiperModel
+from armui.protocol.generation import Generation, PiperModel
 from armui.ui.background import Background
 from armui.ui.dialogs import about_arm
 from armui.ui.dialogs.about_arm import AboutArmDialog, OnlineSince

@@ -10,8 +10,7 @@ from armui.arm.backup import Backup
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.control.events import Level
-from armui.protocol.generation import Generation
-from armui.protocol.piper_model import PiperModel
+from armui.protocol.generation import Generation, PiperModel
 from armui.ui.dialogs.backup import difference_text, origin_text, restored_text, saved_text
 
 PATH = Path("arm.json")

@@ -13,9 +13,8 @@ from armui.arm.device import Device
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.control.operating_state import LinkState, OperatingState
-from armui.doctor.facts import CanFacts, LinkFacts, SerialPortFacts
-from armui.doctor.finding import Diagnosis
-from armui.doctor.judge_can import judge_can
+from armui.doctor.facts import CanFacts, Diagnosis, LinkFacts, SerialPortFacts
+from armui.doctor.judge import judge_can
 from armui.ui.background import Background
 from armui.ui.dialogs.confirm_dialog import ConfirmDialog
 from armui.ui.dialogs.connect import AdapterTrouble, ConnectDialog

@@ -14,7 +14,7 @@ from armui.arm.device import Device
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.control.operating_state import LinkState
-from armui.doctor.finding import Diagnosis, DiagnosisLevel, Section
+from armui.doctor.facts import Diagnosis, DiagnosisLevel, Section
 from armui.ui.dialogs.connect import ConnectDialog
 from armui.ui.dialogs.doctor import DoctorDialog
 from tests.ui.arm_states import NOW_S, arm_state, operating_state

@@ -8,10 +8,10 @@ from datetime import UTC, datetime
 import pytest
 from PySide6.QtWidgets import QApplication
 
-from armui.arm.gripper import GripperFault
 from armui.arm.joint_status import FAULTS, Item
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
+from armui.arm.state import GripperFault
 from armui.control.event_log.observed import ObservedCode
 from armui.control.events import EventCode
 from armui.control.motion.motion_command import End

@@ -13,8 +13,7 @@ from PySide6.QtWidgets import QLabel, QToolButton
 from pytestqt.qtbot import QtBot
 
 from armui.export.process import ExportDone
-from armui.protocol.generation import Generation
-from armui.protocol.piper_model import PiperModel
+from armui.protocol.generation import Generation, PiperModel
 from armui.session.exports.request import (
     ArmWishes,
     ExportFormat,

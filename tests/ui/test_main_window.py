@@ -21,7 +21,7 @@ from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import ArmState
 from armui.control.operating_state import LinkState, OperatingState
-from armui.protocol.piper_model import PiperModel
+from armui.protocol.generation import PiperModel
 from armui.settings import SettingsStore
 from armui.ui.dialogs.confirm_dialog import ConfirmDialog
 from armui.ui.dialogs.settings import SettingsDialog

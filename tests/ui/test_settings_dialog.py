@@ -12,7 +12,7 @@ from pytestqt.qtbot import QtBot
 from armui.arm.model_check import ModelFit
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
-from armui.protocol.piper_model import PiperModel
+from armui.protocol.generation import PiperModel
 from armui.settings import SettingsStore
 from armui.ui.dialogs.files import FileDialog
 from armui.ui.dialogs.settings import SettingsDialog

@@ -12,7 +12,7 @@ from PySide6.QtCore import QPoint, Qt, QTimer
 from armui.arm.models import robot_description
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
-from armui.protocol.piper_model import PiperModel
+from armui.protocol.generation import PiperModel
 from armui.viewport.camera import ViewDirection
 from armui.viewport.camera_input import press_key
 from armui.viewport.client import PictureClient

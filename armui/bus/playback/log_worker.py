@@ -19,8 +19,7 @@ if TYPE_CHECKING:
     from armui.arm.other_hosts import OtherTraffic
     from armui.arm.state import ArmState
     from armui.bus.playback.curve_history import CurveHistory
-    from armui.bus.playback.log_clock import LogClock
-    from armui.bus.playback.log_cursor import ReplayedFrame
+    from armui.bus.playback.log_cursor import LogClock, ReplayedFrame
     from armui.bus.samples import SampleRing
     from armui.protocol.codec import Codec
     from armui.protocol.frame import Frame

@@ -6,17 +6,16 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Final
 
-from armui.arm.gripper import GripperState
 from armui.arm.parameters import Parameter
 from armui.arm.quirks import why_not_by_firmware
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
-from armui.arm.state import ArmState
+from armui.arm.state import ArmState, GripperState
 from armui.control.context import Context, ControllerPart
 from armui.control.devices.gripper_ranges import Figures, check, figures_of
 from armui.control.events import EventCode
 from armui.control.operating_state import OperatingState
-from armui.control.operations.operation import begun, operation
+from armui.control.operations.operation import Consent, begun, operation
 from armui.control.operations.started import Ending, Started
 from armui.control.parameters.arm_settings import ArmSettings
 from armui.control.parameters.setting_cell import CellState
@@ -210,7 +209,7 @@ class GripperControl(ControllerPart):
         self._start(self.enable, "enable", frames, lambda gripper: gripper.enabled)
         return None
 
-    @operation("gripper.disable", "Disable the gripper", why_not_let_go)
+    @operation("gripper.disable", "Disable the gripper", why_not_let_go, consent=Consent.PRESS)
     def disable(self) -> Refusal | None:
         """Take its power: it lets go of what it holds. A run under way ends."""
         refusal = why_not_let_go(self._context.refresh())
@@ -238,7 +237,9 @@ class GripperControl(ControllerPart):
             return False
         return abs(now.value.travel - then.value.travel) <= _THERE
 
-    @operation("gripper.set_zero", "Set the gripper's zero", why_not_set_zero)
+    @operation(
+        "gripper.set_zero", "Set the gripper's zero", why_not_set_zero, consent=Consent.PRESS
+    )
     def set_zero(self) -> Refusal | None:
         """Make where it stands its zero, in generation 2; it has no power afterwards."""
         refusal = why_not_set_zero(self._context.refresh())

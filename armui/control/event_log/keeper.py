@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QObject, QTimer
 
-from armui.system.error_text import error_text
+from armui.system.files import error_text
 from armui.telemetry import event_json
 from armui.telemetry.event_json import to_json
 

@@ -25,7 +25,7 @@ from armui.telemetry.events import MOST_ENTRIES, Asker, EventEntry, EventKind, E
 if TYPE_CHECKING:
     from armui.arm.device import RecordedArm
     from armui.session.frames import Channel
-    from armui.session.id_rows import IdRows
+    from armui.session.log_marks import IdRows
     from armui.session.session import Session, SessionMark
 
 Wall = Callable[[float], datetime]
@@ -99,8 +99,7 @@ def _gathered(
 ) -> IdRows:
     """The frames that tell what happened."""
     from armui.control.event_log.heard import WATCHED  # noqa: PLC0415 - with such a log
-    from armui.session.id_rows import IdRows  # noqa: PLC0415 - numpy
-    from armui.session.log_marks import marked_ids  # noqa: PLC0415 - as above
+    from armui.session.log_marks import IdRows, marked_ids  # noqa: PLC0415 - numpy
 
     generation = Generation(arm.generation)
     codec = Codec(generation, Addressing(arm.feedback_offset))

@@ -7,9 +7,9 @@ from collections.abc import Hashable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Final
 
-from armui.arm.gripper import GripperFault
 from armui.arm.joint_status import Item, Word
 from armui.arm.limits import JOINTS, plausible
+from armui.arm.state import GripperFault
 from armui.control.event_log import heard as h
 from armui.control.event_log.heard import Heard, InvalidFrames
 from armui.control.event_log.observed import EventChange, EventPhase, ObservedCode

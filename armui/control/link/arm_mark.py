@@ -5,10 +5,10 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, NamedTuple
 
 from armui.protocol.addressing import Addressing
-from armui.protocol.piper_model import PiperModel
+from armui.protocol.generation import PiperModel
 
 if TYPE_CHECKING:
-    from armui.protocol.version import ArmIdentity
+    from armui.protocol.firmware_version import ArmIdentity
 
 
 class ArmMark(NamedTuple):

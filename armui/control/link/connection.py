@@ -10,10 +10,9 @@ from typing import TYPE_CHECKING, Final, TypeAlias
 from PySide6.QtCore import QObject, Signal
 
 from armui.arm.device import Device
-from armui.arm.generations import common_to_generations
 from armui.arm.other_hosts import OtherHosts, OtherTraffic
 from armui.arm.refusal import Refusal
-from armui.arm.state import ArmState, is_fresh
+from armui.arm.state import ArmState, common_to_generations, is_fresh
 from armui.bus.link import BusReport, BusState
 from armui.control.events import EventCode
 from armui.control.link.arm_mark import ArmMark
@@ -21,8 +20,7 @@ from armui.control.link.offsets import OffsetFollower
 from armui.control.operating_state import LinkState
 from armui.protocol.addressing import Addressing
 from armui.protocol.frame import Frame
-from armui.protocol.generation import Generation
-from armui.protocol.piper_model import PiperModel
+from armui.protocol.generation import Generation, PiperModel
 
 if TYPE_CHECKING:
     from armui.bus.playback.log_worker import LogWorker
@@ -215,8 +213,7 @@ class Connection(QObject):
     def _bus_worker(
         self, device: Device, codec: Codec, number: int, taps: Sequence[Tap]
     ) -> BusWorker:
-        from armui.bus.opening import opener_after  # noqa: PLC0415 - see open()
-        from armui.bus.worker import BusWorker  # noqa: PLC0415 - see open()
+        from armui.bus.worker import BusWorker, opener_after  # noqa: PLC0415 - see open()
 
         # without a parent: a thread that a driver keeps from ending must not be destroyed
         return BusWorker(

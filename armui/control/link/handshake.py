@@ -10,10 +10,9 @@ from armui.arm.state import ArmState, is_fresh
 from armui.protocol import commands
 from armui.protocol.addressing import Addressing
 from armui.protocol.codec import Codec
-from armui.protocol.firmware_version import FirmwareVersion
+from armui.protocol.firmware_version import ArmIdentity, FirmwareVersion
 from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
-from armui.protocol.version import ArmIdentity
 
 _VERSION_WAIT_S: Final = 0.5
 """So long an answer is collected. A second question during it would shift its text."""

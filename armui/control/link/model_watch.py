@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from armui.arm.device import Device
     from armui.arm.state import ArmState
     from armui.control.context import Context
-    from armui.protocol.piper_model import PiperModel
+    from armui.protocol.generation import PiperModel
 
 _EVERY_S: Final = 0.5
 _LOOKS: Final = 2

@@ -13,7 +13,7 @@ from PySide6.QtCore import QObject, Signal
 
 from armui.control.events import Event, EventCode
 from armui.control.operating_state import OperatingState
-from armui.system.error_text import error_text
+from armui.system.files import error_text
 from armui.system.presence import PresenceWatch
 
 if TYPE_CHECKING:

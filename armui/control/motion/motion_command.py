@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, NamedTuple
 from armui.arm.models import model_data
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
-from armui.protocol.piper_model import PiperModel
+from armui.protocol.generation import PiperModel
 
 if TYPE_CHECKING:
     from armui.arm.limits import JointLimits

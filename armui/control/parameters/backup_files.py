@@ -14,11 +14,9 @@ from armui.arm.parameters import Parameter, heard
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import ArmState
-from armui.protocol.generation import Generation
-from armui.protocol.piper_model import PiperModel
+from armui.protocol.generation import Generation, PiperModel
 from armui.system.atomic import write_whole
-from armui.system.error_text import error_text
-from armui.system.files import read_file
+from armui.system.files import error_text, read_file
 
 _LARGEST_BYTES: Final = 1_000_000
 """A backup has a few thousand; anything like this is another file."""

@@ -6,9 +6,9 @@ from collections.abc import Mapping
 from typing import TYPE_CHECKING, Final
 
 from armui.arm.parameters import Batch, Group, Parameter
-from armui.arm.units import DEGREES_PER
 from armui.protocol import commands
 from armui.protocol.codes import SettingIndex
+from armui.protocol.layout import DEGREES_PER
 
 if TYPE_CHECKING:
     from armui.protocol.codec import Codec

@@ -13,8 +13,7 @@ from typing import TYPE_CHECKING, Final, NamedTuple
 
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
-from armui.session.recording.kinds import MF4_SUFFIX
-from armui.session.recording.problems import why_not_written
+from armui.session.recording.kinds import MF4_SUFFIX, why_not_written
 from armui.system.atomic import unfinished_name
 from armui.system.files import read_file
 

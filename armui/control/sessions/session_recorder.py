@@ -22,10 +22,8 @@ from armui.control.sessions.mf4_making import Mf4Making
 from armui.control.sessions.progress import RecordingProgress, RingContent
 from armui.control.sessions.ring_saving import SaveAtFaults
 from armui.control.sessions.sidecar_lines import SidecarLines
-from armui.session.recording.kinds import MF4_SUFFIX
+from armui.session.recording.kinds import MF4_SUFFIX, is_name, name_for, why_not_written
 from armui.session.recording.lane import FrameLane
-from armui.session.recording.names import is_name, name_for
-from armui.session.recording.problems import why_not_written
 from armui.session.session import MarkKind
 from armui.system import paths
 
@@ -33,8 +31,7 @@ if TYPE_CHECKING:
     from armui.bus.link import BusReport
     from armui.control.context import Context
     from armui.control.sessions.event_feed import FedEvent
-    from armui.session.recording.collector import Collector
-    from armui.session.recording.ring import FrameRing
+    from armui.session.recording.collector import Collector, FrameRing
     from armui.session.recording.session_recording import SessionRecording
     from armui.session.recording.sidecar import Line
     from armui.session.recording.writer import RecordingPlan
@@ -267,8 +264,7 @@ class SessionRecorder(QObject):
     def _begin_collecting(self) -> Collector:
         """From the first device, or the first wish, on."""
         # numpy comes with the first device: the window starts without it
-        from armui.session.recording.collector import Collector  # noqa: PLC0415
-        from armui.session.recording.ring import FrameRing  # noqa: PLC0415
+        from armui.session.recording.collector import Collector, FrameRing  # noqa: PLC0415
 
         if self._collector is None or self._ring is None:
             self._ring = FrameRing(KEPT_S)

@@ -5,12 +5,12 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 from functools import cached_property
-from typing import TYPE_CHECKING, Any, Final
+from typing import TYPE_CHECKING, Any, Final, NamedTuple
 
 import numpy as np
 
-from armui.arm.units import DEGREES_PER
 from armui.protocol.codec import EncodeError
+from armui.protocol.layout import DEGREES_PER
 from armui.telemetry.quantities import RECORDS, Field, Record, Source, Space
 
 if TYPE_CHECKING:
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from armui.protocol.codec import Codec
-    from armui.session.exports.history import History, Samples
+    from armui.session.exports.history import History, Samples, TimeSpan
 
 TIME_BASE: Final = "JointFeedback56"
 """The message whose frames end a set of joint angles: each makes a row."""
@@ -164,3 +164,33 @@ def _column(record: Record, field: Field, codec: Codec) -> ExportColumn:
     step = codec.step(record.message, signal)
     whole = factor == 1.0 and step == 1.0
     return ExportColumn(name, field.unit, whole, field.signals, factor)
+
+
+class RowTimes(NamedTuple):
+    """Where the rows of a piece of a log are.
+
+    Attributes:
+        rows: Numbers of their frames within the log.
+        times_s: As recorded.
+    """
+
+    rows: NDArray[np.int64]
+    times_s: NDArray[np.float64]
+
+
+def table_rows(history: History, span: TimeSpan, message: str = TIME_BASE) -> RowTimes | None:
+    """The rows that the newest piece of a log adds; ``None`` if it adds none.
+
+    Args:
+        history: Has taken the piece.
+        span: What lies outside is left out.
+        message: Whose frames make rows.
+    """
+    samples = history.samples(message)
+    if samples is None:
+        return None
+    times_s = samples.times_s[samples.old :]
+    inside = span.holds(times_s)
+    if not inside.any():
+        return None
+    return RowTimes(samples.new_rows[inside], times_s[inside])

@@ -7,9 +7,10 @@ from contextlib import closing
 from typing import TYPE_CHECKING, Final
 
 from armui import __version__
+from armui.session.exports.csv_files import CsvMessages, CsvTable
 from armui.session.exports.exported_arm import NoSuchChannelError, look_at
-from armui.session.exports.frames import ArmFrameReader
-from armui.session.exports.history import History
+from armui.session.exports.history import ArmFrameReader, ExportFacts, History, TimeSpan
+from armui.session.exports.parquet_table import ParquetTable
 from armui.session.exports.request import (
     ExportCancelledError,
     ExportError,
@@ -18,21 +19,123 @@ from armui.session.exports.request import (
     ExportProgress,
     ExportReport,
 )
-from armui.session.exports.sink import ExportFacts, TimeSpan
-from armui.session.exports.source import open_source
-from armui.session.exports.target import WholeFolder
 from armui.session.frames import NotALogError
-from armui.system.atomic import WholeFile, remove_abandoned
+from armui.session.reader import LogFile
+from armui.session.recording.recorded_session import RecordedSession
+from armui.system.atomic import WholeFile, WholeFolder, remove_abandoned
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterator
+    from collections.abc import Callable, Iterator, Mapping, Sequence
     from pathlib import Path
+    from typing import Any
 
     from armui.session.exports.exported_arm import ExportedArm
+    from armui.session.exports.history import Sink
     from armui.session.exports.request import ExportRequest
-    from armui.session.exports.sink import Sink
-    from armui.session.exports.source import ExportSource
-    from armui.session.frames import Channel, FrameBatch
+    from armui.session.frames import Channel, Damage, FrameBatch
+    from armui.session.session import Session
+
+
+class FileSource:
+    """A log file, read once from its beginning to its end.
+
+    Args:
+        path: Of any format that `LogFile` reads.
+
+    Raises:
+        NotALogError: It cannot be opened, or is no log.
+    """
+
+    lines: Sequence[Mapping[str, Any]] = ()
+    """What a recording of this program says of itself; nothing of other logs."""
+
+    def __init__(self, path: Path) -> None:
+        self._log = LogFile(path, pipes=True)
+
+    @property
+    def frames(self) -> int:
+        """Frames read so far."""
+        return self._log.frames
+
+    @property
+    def done(self) -> float | None:
+        """How much of its bytes, 0 to 1; `None` where nobody knows."""
+        return min(self._log.position / self._log.size, 1.0) if self._log.size else None
+
+    @property
+    def damages(self) -> Sequence[Damage]:
+        """The damaged places met so far, bounded."""
+        return self._log.damages.since(0)
+
+    @property
+    def damage_count(self) -> int:
+        """All of them."""
+        return self._log.damages.count
+
+    def batches(self) -> Iterator[FrameBatch]:
+        """The frames; only once."""
+        return self._log.batches()
+
+    def close(self) -> None:
+        """Closes the file."""
+        self._log.close()
+
+
+class SessionSource:
+    """A session with all its files, read as a `FileSource` is.
+
+    Args:
+        session: Closed with this.
+    """
+
+    def __init__(self, session: Session) -> None:
+        self._session = session
+        self._at_s = session.start_s
+        self.lines: Sequence[Mapping[str, Any]] = getattr(session, "lines", ())
+        self.frames = 0
+
+    @property
+    def done(self) -> float | None:
+        """How much of its time, 0 to 1; `None` where nobody knows."""
+        length_s = self._session.end_s - self._session.start_s
+        return min((self._at_s - self._session.start_s) / length_s, 1.0) if length_s > 0 else None
+
+    @property
+    def damages(self) -> Sequence[Damage]:
+        """The damaged places met so far, bounded."""
+        return self._session.damages
+
+    @property
+    def damage_count(self) -> int:
+        """All of them."""
+        return self._session.damage_count
+
+    def batches(self) -> Iterator[FrameBatch]:
+        """The frames; only once."""
+        for batch in self._session.frames_between(-math.inf, math.inf):
+            self.frames += len(batch)
+            self._at_s = float(batch.times_s[-1])
+            yield batch
+
+    def close(self) -> None:
+        """Closes the session."""
+        self._session.close()
+
+
+ExportSource = FileSource | SessionSource
+
+
+def open_source(path: Path) -> ExportSource:
+    """Opens a recording: all files of one of this program's, or any log.
+
+    Raises:
+        NotALogError: It cannot be opened, or is no log.
+    """
+    try:
+        return SessionSource(RecordedSession(path))
+    except NotALogError:
+        return FileSource(path)
+
 
 _MOST_DAMAGES_TOLD: Final = 20
 _LATER_S: Final = 1.0
@@ -178,24 +281,17 @@ def _whole(request: ExportRequest) -> WholeFile | WholeFolder:
 
 
 def _sink(export_format: ExportFormat, target: WholeFile | WholeFolder, facts: ExportFacts) -> Sink:
-    # imported only when asked for: each has packages of its own
     if isinstance(target, WholeFolder):
-        from armui.session.exports.csv_messages import CsvMessages  # noqa: PLC0415 - see above
-
         return CsvMessages(target.unfinished, facts)
     stream = target.stream
     if export_format is ExportFormat.CSV:
-        from armui.session.exports.csv_table import CsvTable  # noqa: PLC0415 - see above
-
         return CsvTable(stream, facts)
     if export_format is ExportFormat.PARQUET:
-        from armui.session.exports.parquet_table import ParquetTable  # noqa: PLC0415 - see above
-
         try:
             return ParquetTable(stream, facts)
         except ImportError as error:
             raise ExportError(ExportProblem.NO_PYARROW, str(error)) from error
-    from armui.session.exports.ros.mcap_file import McapFile  # noqa: PLC0415 - see above
+    from armui.session.exports.ros.mcap_file import McapFile  # noqa: PLC0415 - the packages mcap, zstandard, lz4
 
     return McapFile(stream, facts)
 

@@ -14,16 +14,12 @@ from armui.kinematics.geometry import Geometry
 from armui.kinematics.poses import pose_to_matrix
 from armui.protocol.addressing import OFFSETS, Addressing
 from armui.protocol.codec import Codec
-from armui.protocol.firmware_version import FirmwareVersion
-from armui.protocol.version import VERSION_ID, find_version
-from armui.session.detection import detect_generation
-from armui.session.exports.frames import ArmFrameReader
-from armui.session.exports.history import History
+from armui.protocol.firmware_version import VERSION_ID, FirmwareVersion, find_version
+from armui.session.exports.columns import table_rows
+from armui.session.exports.history import ArmFrameReader, History, TimeSpan
 from armui.session.exports.ros.streams import signals_at
-from armui.session.exports.sink import TimeSpan
-from armui.session.exports.table import table_rows
 from armui.session.frames import NOT_OF_THE_ARM
-from armui.session.log_model import ANGLES, END_POSE, told_firmware, told_model
+from armui.session.log_model import ANGLES, END_POSE, detect_generation, told_firmware, told_model
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator, Mapping, Sequence
@@ -31,8 +27,8 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
-    from armui.protocol.piper_model import PiperModel
-    from armui.session.exports.frames import ArmFrames
+    from armui.protocol.generation import PiperModel
+    from armui.session.exports.history import ArmFrames
     from armui.session.exports.request import ArmWishes
     from armui.session.frames import Channel, FrameBatch
 

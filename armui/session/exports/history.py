@@ -7,23 +7,115 @@ under way, and in front of them the last one of before.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, Final
+from typing import TYPE_CHECKING, Any, Final, Protocol
 
 import numpy as np
 
 from armui.arm.state import FRESH_FOR_S
 from armui.protocol.codes import MotorAction
-from armui.protocol.columns import signal_column
-from armui.session.exports.frames import ArmFrames, no_frames
+from armui.protocol.columns import payload_words, signal_column
+from armui.session.frames import NOT_OF_THE_ARM
+from armui.telemetry.columns import joined
 from armui.telemetry.store import ENDS
 
 if TYPE_CHECKING:
-    from collections.abc import Collection
+    from collections.abc import Collection, Iterable, Iterator, Mapping
 
     from numpy.typing import NDArray
 
+    from armui.kinematics.geometry import Geometry
     from armui.protocol.codec import Codec
     from armui.protocol.layout import MessageLayout
+    from armui.session.frames import Channel, FrameBatch
+
+# The frames of one arm, in pieces of a size that is worth working on at once.
+
+_ENOUGH: Final = 32_768
+"""Frames of a piece at least: then the cost of a piece no longer counts."""
+
+
+@dataclass(frozen=True, slots=True)
+class ArmFrames:
+    """Consecutive frames of one channel that an arm or its host may have sent.
+
+    Attributes:
+        rows: The number of each within the log, int64.
+        times_s: As recorded, float64.
+        ids: Identifiers on the wire, uint32.
+        lengths: Bytes of data, uint8.
+        words: The data as a big-endian number, uint64.
+    """
+
+    rows: NDArray[np.int64]
+    times_s: NDArray[np.float64]
+    ids: NDArray[np.uint32]
+    lengths: NDArray[np.uint8]
+    words: NDArray[np.uint64]
+
+    def __len__(self) -> int:
+        return len(self.rows)
+
+
+def no_frames() -> ArmFrames:
+    """A piece without any."""
+    return ArmFrames(
+        np.empty(0, np.int64),
+        np.empty(0, np.float64),
+        np.empty(0, np.uint32),
+        np.empty(0, np.uint8),
+        np.empty(0, np.uint64),
+    )
+
+
+class ArmFrameReader:
+    """Makes the pieces of a log's batches.
+
+    Args:
+        channel: Whose frames are taken; `None` where the log has no channels.
+
+    Attributes:
+        channel: As above.
+        taken: Frames of this channel so far.
+        of_other_channels: Frames left out so far because of their channel.
+        of_other_kinds: Frames left out because no arm sends such: error frames, extended ones.
+        other_channels: The channels left out, in the order of their first frames.
+    """
+
+    def __init__(self, channel: Channel) -> None:
+        self.channel = channel
+        self.taken = self.of_other_channels = self.of_other_kinds = 0
+        self.other_channels: dict[Channel, None] = {}
+
+    def pieces(self, batches: Iterable[FrameBatch]) -> Iterator[ArmFrames]:
+        """The frames, in the order of the log."""
+        waiting: list[ArmFrames] = []
+        for batch in batches:
+            waiting.append(self._of_the_arm(batch))
+            if sum(map(len, waiting)) >= _ENOUGH:
+                yield joined(waiting)
+                waiting.clear()
+        if waiting:
+            yield joined(waiting)
+
+    def _of_the_arm(self, batch: FrameBatch) -> ArmFrames:
+        here = np.array([name == self.channel for name in batch.channel_names], np.bool_)
+        mine = here[batch.channels]
+        if not mine.all():
+            self.of_other_channels += int(np.count_nonzero(~mine))
+            for place in np.unique(batch.channels[~mine]).tolist():
+                self.other_channels[batch.channel_names[place]] = None
+        plain = (batch.flags & NOT_OF_THE_ARM) == 0
+        self.taken += int(np.count_nonzero(mine))
+        self.of_other_kinds += int(np.count_nonzero(mine & ~plain))
+        rows = np.flatnonzero(mine & plain)
+        return ArmFrames(
+            batch.first + rows.astype(np.int64),
+            batch.times_s[rows],
+            batch.ids[rows],
+            batch.lengths[rows],
+            payload_words(batch.payloads[rows]),
+        )
+
 
 _NEVER: Final = -1
 
@@ -170,3 +262,71 @@ class History:
 
 def _last_of(samples: Samples) -> Samples:
     return Samples(samples.layout, samples.rows[-1:], samples.times_s[-1:], samples.words[-1:], 1)
+
+
+@dataclass(frozen=True, slots=True)
+class ExportFacts:
+    """What a format may have to know of the recorded arm, and what it tells of it.
+
+    Attributes:
+        codec: Speaks its generation.
+        geometry: Of the arm.
+        gripper_turned_deg: How its gripper is mounted, about the flange's Z axis.
+        start_s: When the log's first frame was recorded.
+        notes: In words: source, generation, firmware; for the file's metadata.
+    """
+
+    codec: Codec
+    geometry: Geometry
+    gripper_turned_deg: float
+    start_s: float
+    notes: Mapping[str, str]
+
+
+class TimeSpan:
+    """A stretch of a log.
+
+    Args:
+        begin_s: From there on, as recorded; minus infinity for everything.
+        end_s: Up to there, itself included; infinity for everything.
+    """
+
+    def __init__(self, begin_s: float, end_s: float) -> None:
+        self.begin_s = begin_s
+        self.end_s = end_s
+
+    def holds(self, times_s: NDArray[np.float64]) -> NDArray[np.bool_]:
+        """Which times lie in it."""
+        inside: NDArray[np.bool_] = (times_s >= self.begin_s) & (times_s <= self.end_s)
+        return inside
+
+
+class Sink(Protocol):
+    """A file of one format, being written.
+
+    Attributes:
+        items: Rows or messages written so far.
+    """
+
+    items: int
+
+    def take(self, history: History, span: TimeSpan) -> None:
+        """Write what a piece of the log adds.
+
+        Args:
+            history: Has just taken the piece.
+            span: Only what lies in it is written.
+
+        Raises:
+            OSError: The disk does not take it.
+        """
+
+    def finish(self) -> None:
+        """Write what comes at the end of the file.
+
+        Raises:
+            OSError: The disk does not take it.
+        """
+
+    def abandon(self) -> None:
+        """Let go of the file, which nobody wants any more; never fails."""

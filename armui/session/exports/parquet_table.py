@@ -7,12 +7,10 @@ from typing import TYPE_CHECKING, Any, BinaryIO, Final
 
 import numpy as np
 
-from armui.session.exports.columns import ExportColumn, TableColumns
-from armui.session.exports.table import RowTimes, table_rows
+from armui.session.exports.columns import ExportColumn, RowTimes, TableColumns, table_rows
 
 if TYPE_CHECKING:
-    from armui.session.exports.history import History
-    from armui.session.exports.sink import ExportFacts, TimeSpan
+    from armui.session.exports.history import ExportFacts, History, TimeSpan
 
 _GROUP_ROWS: Final = 20_000
 """Rows that are kept until they are written together: some 20 MB."""

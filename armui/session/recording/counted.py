@@ -13,8 +13,7 @@ from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any, Final, NamedTuple
 
 from armui.protocol.codes import ArmStatusCode
-from armui.session.id_rows import IdRows
-from armui.session.log_marks import LogFrames, marked_ids, marks_of
+from armui.session.log_marks import IdRows, LogFrames, marked_ids, marks_of
 from armui.session.recording import index_file, sidecar
 from armui.session.session import MarkKind
 from armui.session.survey import survey

@@ -13,10 +13,8 @@ from typing import Any, Final
 
 from armui.session.recording import index_file, sidecar
 from armui.session.recording.counted import counts_in
-from armui.session.recording.kinds import MF4_SUFFIX, RecordingFormat
-from armui.session.recording.names import file_name, is_name
-from armui.system.error_text import error_text
-from armui.system.files import open_file
+from armui.session.recording.kinds import MF4_SUFFIX, RecordingFormat, file_name, is_name
+from armui.system.files import error_text, open_file
 
 BIN: Final = "deleted"
 """The folder inside that of the recordings where deleted ones wait to be brought back by hand."""

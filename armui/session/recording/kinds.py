@@ -1,9 +1,17 @@
-"""The formats in which a session can be recorded."""
+"""The formats in which a session can be recorded, its files' names, and why it cannot be: pure."""
 
 from __future__ import annotations
 
 import enum
+import errno
+import re
+from datetime import datetime
+from pathlib import Path
 from typing import TYPE_CHECKING, Final, Protocol
+
+from armui.arm.refusal import Refusal
+from armui.arm.refusal_codes import RefusalCode
+from armui.system.files import error_text
 
 if TYPE_CHECKING:
     import numpy as np
@@ -49,19 +57,64 @@ class BlockFormat(Protocol):
         """Frames, to be written at a place of the file."""
 
 
-def block_format(kind: RecordingFormat, start_s: float, channel: str) -> BlockFormat:
-    """The format of a new file.
+# What the files of a recording are called.
+#
+# A recording NAME has ``NAME.blf``, ``NAME.002.blf`` and so on, its sidecar ``NAME.armui.jsonl``
+# and its index ``NAME.armui.idx``.
 
-    Args:
-        kind: Which.
-        start_s: Time of its first frame, since 1970.
-        channel: The bus's name, where the format has room for it.
-    """
-    from armui.session.recording.blf_format import BlfFormat  # noqa: PLC0415 - python-can
-    from armui.session.recording.text_formats import AscFormat, CandumpFormat  # noqa: PLC0415 - as above
+_PART: Final = re.compile(r"(?P<name>.+)\.(?P<number>\d{3,})$")
+_FORBIDDEN: Final = re.compile(r'[<>:"/\\|?*\x00-\x1f\x7f]')
+LONGEST_NAME: Final = 120
 
-    if kind is RecordingFormat.BLF:
-        return BlfFormat(start_s)
-    if kind is RecordingFormat.ASC:
-        return AscFormat(start_s, channel)
-    return CandumpFormat(start_s, channel)
+
+def file_name(name: str, number: int, suffix: str) -> str:
+    """What the file with a number, from 1, is called."""
+    return f"{name}{suffix}" if number == 1 else f"{name}.{number:03}{suffix}"
+
+
+def names_of(path: Path) -> tuple[str, ...]:
+    """What the recording may be called that a file belongs to, the likeliest first."""
+    stem = path.stem
+    found = _PART.fullmatch(stem)
+    return (stem,) if found is None else (found["name"], stem)
+
+
+def name_for(at: datetime) -> str:
+    """A name for what is recorded from a moment on."""
+    return f"session-{at:%Y%m%d-%H%M%S}"
+
+
+def is_name(text: str) -> bool:
+    """Whether a recording can be called so, on every system."""
+    return (
+        0 < len(text) <= LONGEST_NAME
+        and text == text.strip()
+        and not text.startswith(".")
+        and not text.endswith(".")
+        and _FORBIDDEN.search(text) is None
+        and _PART.fullmatch(text) is None
+    )
+
+
+_CODES: Final = {
+    errno.ENOSPC: RefusalCode.SESSION_DISK_FULL,
+    errno.EDQUOT: RefusalCode.SESSION_DISK_FULL,
+    errno.EFBIG: RefusalCode.SESSION_DISK_FULL,
+    errno.EACCES: RefusalCode.SESSION_READ_ONLY,
+    errno.EPERM: RefusalCode.SESSION_READ_ONLY,
+    errno.EROFS: RefusalCode.SESSION_READ_ONLY,
+    errno.ENOENT: RefusalCode.SESSION_FOLDER_GONE,
+    errno.ENODEV: RefusalCode.SESSION_FOLDER_GONE,
+    errno.ENXIO: RefusalCode.SESSION_FOLDER_GONE,
+    errno.EIO: RefusalCode.SESSION_FOLDER_GONE,
+    errno.ESTALE: RefusalCode.SESSION_FOLDER_GONE,
+}
+
+
+def why_not_written(error: BaseException, folder: Path) -> Refusal:
+    """What is wrong with a folder, from what writing into it raised."""
+    code = error.errno if isinstance(error, OSError) else None
+    known = _CODES.get(code or 0)
+    if known is not None:
+        return Refusal(known, {"folder": str(folder)})
+    return Refusal(RefusalCode.SESSION_FAILED, {"folder": str(folder), "text": error_text(error)})

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from typing import Final
 
-from armui.arm.gripper import GripperFault
+from armui.arm.state import GripperFault
 from armui.protocol.codes import GripperMeasure
 from armui.protocol.generation import Generation
 from armui.sim.parameters.settings import ArmSettingsRecord

@@ -24,7 +24,7 @@ import numpy.typing as npt
 
 from armui.arm.models import ModelData, model_data
 from armui.kinematics.geometry import Geometry
-from armui.protocol.piper_model import PiperModel
+from armui.protocol.generation import PiperModel
 
 Values = npt.NDArray[np.float64]
 

@@ -12,8 +12,8 @@ from armui.arm.limits import JOINTS, JointLimits
 from armui.arm.parameters import KINDS, Group, ParameterKind
 from armui.protocol.addressing import OFFSETS
 from armui.protocol.codes import EndLoad, LinkageRole
+from armui.protocol.generation import PiperModel
 from armui.protocol.message_fields import signal_names
-from armui.protocol.piper_model import PiperModel
 from armui.sim.parameters.settings import (
     ArmSettingsRecord,
     HandleSettings,
@@ -21,8 +21,7 @@ from armui.sim.parameters.settings import (
     factory_settings,
 )
 from armui.system.atomic import write_whole
-from armui.system.error_text import error_text
-from armui.system.files import read_file
+from armui.system.files import error_text, read_file
 
 _FORMAT: Final = 1
 _END_LIMITS: Final = 4

@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING, Final
 from armui.arm.joints import JointNumber
 from armui.arm.limits import JOINTS, JointLimits
 from armui.arm.models import model_data
-from armui.arm.units import DEGREES_PER
 from armui.protocol.codec import Codec, InvalidFrame
 from armui.protocol.codes import (
     ALL_JOINTS,
@@ -20,8 +19,9 @@ from armui.protocol.codes import (
     SettingIndex,
 )
 from armui.protocol.frame import Frame
+from armui.protocol.generation import PiperModel
+from armui.protocol.layout import DEGREES_PER
 from armui.protocol.message_fields import record_reader, signal_names
-from armui.protocol.piper_model import PiperModel
 from armui.sim.parameters.settings import ArmSettingsRecord, HandleSettings, Light
 
 if TYPE_CHECKING:

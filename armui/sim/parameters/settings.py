@@ -8,7 +8,7 @@ from typing import Annotated, NamedTuple
 from armui.arm.limits import JOINTS, JointLimits
 from armui.arm.models import model_data
 from armui.protocol.codes import EndLoad, LinkageRole
-from armui.protocol.piper_model import PiperModel
+from armui.protocol.generation import PiperModel
 
 
 class HandleSettings(NamedTuple):

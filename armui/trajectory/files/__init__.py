@@ -9,8 +9,7 @@ from pathlib import Path
 from typing import Final
 
 from armui.arm.refusal_codes import RefusalCode
-from armui.system.error_text import error_text
-from armui.system.files import open_file
+from armui.system.files import error_text, open_file
 from armui.trajectory.files import csv_file, json_file, log_file, npz_file
 from armui.trajectory.files.errors import TrajectoryFileError, broken
 from armui.trajectory.files.model import LARGEST_BYTES, Content, UnwritableError

@@ -18,7 +18,7 @@ from typing import Final
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.system.atomic import remove_abandoned
-from armui.system.error_text import error_text
+from armui.system.files import error_text
 from armui.trajectory import columns, files
 from armui.trajectory.files import Content, TrajectoryFileError, UnwritableError
 from armui.trajectory.files.errors import broken

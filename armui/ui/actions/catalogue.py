@@ -36,7 +36,8 @@ _WINDOW: Final = (
     Command("window.enable", Text("Action", "Enable or disable all motors"), "enable_button"),
     Command("everywhere.stop"),
     Command("everywhere.halt", Text("HaltButton", "Halt")),
-    Command("window.resume", Text("TopBar", "Resume after the emergency stop")),
+    Command("window.resume", Text("TopBar", "Resume after the emergency stop"),
+            does=operation_of(Motors.resume)),
     Command("window.next_step", Text("RecoveryLine", "Next step")),
     Command("window.speed", Text("SpeedControl", "Speed percentage"), "speed_field"),
     Command("window.joint_status", Text("Action", "Joint status"), "joint_status_button"),
@@ -47,7 +48,7 @@ _WINDOW: Final = (
     Command("window.sessions", Text("Action", "Session recordings"), "sessions_button"),
     Command("replay.open", Text("Action", "Replay a recording")),
     Command("window.export", Text("Action", "Export a recording")),
-    Command("window.backup", Text("Action", "Back up, compare, restore parameters")),
+    Command("window.backup", Text("Action", "Back up, compare, restore parameters"), risky=True),
     Command("window.diagnosis", Text("DoctorDialog", "Diagnosis")),
     Command("window.about_arm", Text("AboutArmDialog", "About this arm")),
     Command("window.settings", target="settings_button"),
@@ -97,8 +98,10 @@ _PANELS: Final = (
     Command("light.all", Text("LightPanel", "All lamps of the joint"), "all_lamps"),
     Command("light.pick", Text("LightPanel", "Colour of the lamps"), "pick_color_button"),
     Command("light.confirm", target="light_confirm_button", does=operation_of(Lights.set_light)),
-    Command("linkage.input", Text("Action", "Master arm (teaching input arm)"), "linkage_input"),
-    Command("linkage.output", Text("Action", "Slave arm (motion output arm)"), "linkage_output"),
+    Command("linkage.input", Text("Action", "Master arm (teaching input arm)"), "linkage_input",
+            risky=True),
+    Command("linkage.output", Text("Action", "Slave arm (motion output arm)"), "linkage_output",
+            risky=True),
     Command("linkage.confirm", Text("LinkagePanel", "Confirm"), "linkage_confirm_button",
             does=operation_of(LinkageControl.set)),
     Command("gripper.send", target="gripper_send_button", does=operation_of(GripperControl.move)),
@@ -187,13 +190,6 @@ _SYNONYMS: Final = {
 }
 """What else operators call things, in both languages, by the name of the action."""
 
-_DANGEROUS: Final = (
-    *("motor.zero_", "motor.disable_", "gripper.zero", "gripper.disable", "window.resume"),
-    *("linkage.input", "linkage.output", "linkage.confirm", "bus.unlock", "window.backup"),
-    *(f"{panel}.reset" for panel in _CAN_RESET),
-)
-"""Beginnings of the names of what loses a zero, a setting, or the power that holds the arm."""
-
 _MOTOR: Final = (
     ("enable", Text("ActButtons", "Enable"), operation_of(Motors.enable)),
     ("disable", Text("ActButtons", "Disable"), operation_of(Motors.disable)),
@@ -214,11 +210,6 @@ def actions() -> tuple[Command, ...]:
 def synonyms(name: str) -> tuple[str, ...]:
     """Return what else an action is called, in either language."""
     return tuple(_SYNONYMS.get(name, "").split())
-
-
-def is_dangerous(name: str) -> bool:
-    """Tell whether an action is one that nobody should come upon by mistake."""
-    return name.startswith(_DANGEROUS)
 
 
 def _of_panel(panel: str) -> Iterator[Command]:

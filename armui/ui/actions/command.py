@@ -11,7 +11,7 @@ from PySide6.QtCore import QCoreApplication
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.control.operating_state import OperatingState
-from armui.control.operations.operation import Operation
+from armui.control.operations.operation import Consent, Operation
 from armui.ui import words
 from armui.ui.actions.keys import SHORTCUTS
 from armui.ui.words.text import Text
@@ -51,6 +51,7 @@ class Command(NamedTuple):
         does: The operation that it carries out, or why it cannot be done, where it is none.
         arguments: Those of the operation that its reason depends on.
         leads: It is only led to while its page is not seen, as an operation that is shown first.
+        risky: Nobody should come upon it by mistake, as upon an operation that asks first.
     """
 
     name: str
@@ -59,6 +60,7 @@ class Command(NamedTuple):
     does: Operation | Reason = always
     arguments: Mapping[str, object] = MappingProxyType({})
     leads: bool = False
+    risky: bool = False
 
     def why_not(self, now: OperatingState) -> str:
         """Return in words why it cannot be done where its button is not seen; empty: it can."""
@@ -70,6 +72,12 @@ class Command(NamedTuple):
     def shown_first(self) -> bool:
         """Whether it is never done where the operator has not seen its page."""
         return self.leads or (isinstance(self.does, Operation) and self.does.shown_first)
+
+    @property
+    def dangerous(self) -> bool:
+        """Whether it may lose a zero, a setting, or the power that holds the arm."""
+        asks = isinstance(self.does, Operation) and self.does.consent is Consent.PRESS
+        return self.risky or asks
 
     @property
     def title(self) -> Text:

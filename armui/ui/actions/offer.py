@@ -41,6 +41,7 @@ class Offer:
         point_out: Leads to its button instead, where what it does follows from what stands on that
             page: once it is shown, the button waits for a press of its own.
         name: Of its action in the catalogue; "" for what is only on the screen.
+        dangerous: Nobody should come upon it by mistake.
     """
 
     title: str
@@ -51,6 +52,7 @@ class Offer:
     show: Doing | None = None
     point_out: Doing | None = None
     name: str = ""
+    dangerous: bool = False
 
     def is_like(self, other: Offer) -> bool:
         """Whether it is the same one, of another moment."""
@@ -65,15 +67,22 @@ class Offers:
         controller: Who knows why not.
         doings: What has no button.
         openers: By place what opens it, and why that is not possible now.
+        show_panel: Goes to a panel, by its key.
     """
 
     def __init__(
-        self, window: QWidget, controller: ArmController, doings: Doings, openers: Doings
+        self,
+        window: QWidget,
+        controller: ArmController,
+        doings: Doings,
+        openers: Doings,
+        show_panel: Callable[[str], object],
     ) -> None:
         self._window = window
         self._controller = controller
         self._doings = doings
         self._openers = openers
+        self._show_panel = show_panel
 
     def now(self, apart_from: QWidget) -> list[Offer]:
         """All of them, as things stand.
@@ -82,7 +91,10 @@ class Offers:
             apart_from: The palette, whose own buttons are none of them.
         """
         known = {action.target for action in actions()}
-        offers = [replace(self._of(action), name=action.name) for action in actions()]
+        offers = [
+            replace(self._of(action), name=action.name, dangerous=action.dangerous)
+            for action in actions()
+        ]
         return [*offers, *self._of_windows(known, apart_from)]
 
     # -- the catalogue ------------------------------------------------------------------------
@@ -92,7 +104,8 @@ class Offers:
         place = "" if place == title else place
         if not action.target:
             do, reason = self._doings[action.name]
-            return Offer(title, place, action.keys, reason(), do)
+            why_not = reason() or action.why_not(self._controller.operating_state)
+            return Offer(title, place, action.keys, why_not, do)
         do = partial(self.do, action)
         seen = self._seen(action)
         if seen is not None:
@@ -130,9 +143,8 @@ class Offers:
 
     def _show_place(self, place: str) -> None:
         """Go to a panel; what is not saved in the present one asks first, and then nothing else."""
-        menu = self._window.findChild(QAbstractButton, f"menu_{place}")
-        if menu is not None and menu.isVisible() and not menu.isChecked():
-            menu.click()
+        if place in PANELS:
+            self._show_panel(place)
 
     def _seen(self, action: Command) -> QWidget | QAction | None:
         """What does it, if that is shown; of pages with the same buttons that of its place."""

@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QAbstractItemView, QLineEdit, QListView, QWidget
 
 from armui.arm.refusal import Refusal
 from armui.control.events import Level
-from armui.ui.actions.catalogue import is_dangerous, synonyms
+from armui.ui.actions.catalogue import synonyms
 from armui.ui.actions.names import Names, read_names
 from armui.ui.actions.offer import Doing, Offer, Offers, nothing_to_do
 from armui.ui.actions.offer_list import OfferDelegate, OfferModel
@@ -117,7 +117,7 @@ class CommandPalette(ArmDialog):
         ranked = [(rank(query, text), place) for place, (_, text) in enumerate(self._offers)]
         found = [
             # nobody comes upon what is dangerous by Enter while anything else is called so
-            (bool(query.strip()) and is_dangerous(self._offers[place][0].name), how, place)
+            (bool(query.strip()) and self._offers[place][0].dangerous, how, place)
             for how, place in ranked
             if how is not None
         ]

@@ -6,9 +6,8 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QObject, Qt
-from PySide6.QtWidgets import QAbstractButton, QApplication, QDialog, QWidget
+from PySide6.QtWidgets import QApplication, QDialog, QWidget
 
-from armui.control.operating_state import StopState
 from armui.control.safety.recovery_steps import StepKind
 from armui.ui.actions.commands_button import CommandsButton
 from armui.ui.actions.keys import listen_for
@@ -23,14 +22,13 @@ if TYPE_CHECKING:
     from armui.ui.picture.picture_work import PictureWork
     from armui.ui.shell.diagnosis_dialogs import DiagnosisDialogs
     from armui.ui.shell.page_doings import PageDoings
+    from armui.ui.shell.recovery_line import RecoveryLine
     from armui.ui.shell.watch_windows import WatchWindows
+    from armui.ui.shell.work_area import RunPlace
 
 
-_IN_THE_RUN_STRIP: Final = {
-    StepKind.RUN_PAUSED: "run_continue",
-    StepKind.RUN_WAITS: "run_pause",
-}
-"""The buttons of those steps that the line above the panels has no button for."""
+_IN_THE_RUN_STRIP: Final = frozenset({StepKind.RUN_PAUSED, StepKind.RUN_WAITS})
+"""The steps that the line above the panels has no button for."""
 
 
 class WindowActions(QObject):
@@ -70,6 +68,24 @@ class WindowActions(QObject):
         for name, act in openers.items():
             listen_for(f"everywhere.{name}", window, act, everywhere).setAutoRepeat(False)
 
+    def lead_to(
+        self,
+        show_panel: Callable[[str], object],
+        ask_to_resume: Callable[[], object],
+        recovery: RecoveryLine,
+        run: RunPlace,
+    ) -> None:
+        """Take in what the parts of the window do.
+
+        Args:
+            show_panel: Goes to a panel, by its key.
+            ask_to_resume: Asks whether to end the emergency stop.
+            recovery: Takes the next step.
+            run: Goes on with a run that pauses or waits.
+        """
+        self._show_panel, self._ask_to_resume = show_panel, ask_to_resume
+        self._recovery, self._run = recovery, run
+
     def offer(
         self,
         diagnosis: DiagnosisDialogs,
@@ -98,7 +114,9 @@ class WindowActions(QObject):
             from armui.ui.actions.palette import CommandPalette  # noqa: PLC0415 - as above
 
             openers = {} if self._pages is None else self._pages.openers()
-            offers = Offers(self._window, self._controller, self._all_doings(), openers)
+            offers = Offers(
+                *(self._window, self._controller, self._all_doings(), openers, self._show_panel)
+            )
             return CommandPalette(self._controller, offers, self._background, self._window)
 
         self._open("palette", make)
@@ -142,7 +160,7 @@ class WindowActions(QObject):
             "everywhere.halt": (self._controller.halt_and_hold, _always),
             "everywhere.guide": (self.open_guide, _always),
             "everywhere.shortcuts": (self.open_shortcuts, _always),
-            "window.resume": (self._resume, self._why_no_resume),
+            "window.resume": (self._ask_to_resume, _always),
             "window.next_step": (self._take_step, self._why_no_step),
             "window.language": (self._switch_language, _always),
             "window.theme": (self._switch_theme, _always),
@@ -152,29 +170,15 @@ class WindowActions(QObject):
         simple = {name: (do, _always) for name, do in self._doings.items()}
         return {**simple, **own, **({} if self._pages is None else self._pages.doings())}
 
-    def _resume(self) -> None:
-        """Press the stop button of an arm that is stopped: it asks first."""
-        button = self._window.findChild(QAbstractButton, "stop_button")
-        if button is not None and not self._why_no_resume():
-            button.click()
-
-    def _why_no_resume(self) -> str:
-        stopped = self._controller.operating_state.stop is StopState.STOPPED
-        return "" if stopped else self.tr("The arm is not stopped.")
-
     def _step_button(self) -> QWidget | None:
-        names = ["recovery_button", "recovery_hold_button"]
-        kind = self._controller.recovery.step.kind
-        if kind in _IN_THE_RUN_STRIP:
-            names.append(_IN_THE_RUN_STRIP[kind])
-        buttons = (self._window.findChild(QWidget, name) for name in names)
-        return next((each for each in buttons if each is not None and each.isVisible()), None)
+        in_strip = self._controller.recovery.step.kind in _IN_THE_RUN_STRIP
+        return self._run.go_on_button if in_strip else self._recovery.step_button
 
     def _take_step(self) -> None:
         from armui.ui.actions.offer import lead_to, use  # noqa: PLC0415 - faster start
 
         button = self._step_button()
-        if button is not None and button.objectName() in _IN_THE_RUN_STRIP.values():
+        if button is not None and button is self._run.go_on_button:
             lead_to(button)  # it sets the arm moving: with a press of its own
         elif button is not None:
             use(button)

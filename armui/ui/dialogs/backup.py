@@ -12,8 +12,7 @@ from PySide6.QtCore import QCoreApplication, QSortFilterProxyModel, Qt, Signal
 from PySide6.QtGui import QCloseEvent, QShowEvent
 from PySide6.QtWidgets import QCheckBox, QHeaderView, QTableView, QWidget
 
-from armui.arm.backup import SUFFIX, Backup
-from armui.arm.comparison import ComparisonRow, ComparisonVerdict, compare
+from armui.arm.backup import SUFFIX, Backup, ComparisonRow, ComparisonVerdict, compare
 from armui.arm.models import model_data
 from armui.arm.parameters import Parameter, factory_bound
 from armui.arm.refusal import Refusal
@@ -24,8 +23,7 @@ from armui.control.operating_state import OperatingState
 from armui.control.parameters.backup_files import backup_of, read_backup, write_backup
 from armui.control.parameters.parameter_reader import ParameterReader
 from armui.control.parameters.setting_cell import CellState, SettingCellState
-from armui.protocol.generation import Generation
-from armui.protocol.piper_model import PiperModel
+from armui.protocol.generation import Generation, PiperModel
 from armui.ui import format as fmt
 from armui.ui import words
 from armui.ui.background import Background, Job

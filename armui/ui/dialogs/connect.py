@@ -25,9 +25,8 @@ from armui.arm.refusal import Refusal
 from armui.control.arm_controller import ArmController
 from armui.control.events import Level
 from armui.control.operating_state import LinkState, OperatingState
-from armui.doctor.adapters import adapter_trouble
-from armui.doctor.finding import Diagnosis
-from armui.doctor.report import Words
+from armui.doctor.facts import Diagnosis
+from armui.doctor.report import Words, adapter_trouble
 from armui.ui import words
 from armui.ui.background import Background, Job
 from armui.ui.dialogs.base import ArmDialog, CloseButton

@@ -17,8 +17,7 @@ from armui.arm.models import model_data
 from armui.control.arm_controller import ArmController
 from armui.control.events import Level
 from armui.control.operating_state import LinkState
-from armui.doctor.facts import HeardFacts
-from armui.doctor.finding import Diagnosis, DiagnosisLevel, Section
+from armui.doctor.facts import Diagnosis, DiagnosisLevel, HeardFacts, Section
 from armui.doctor.hearing import arm_facts
 from armui.doctor.judge_arm import judge_heard
 from armui.doctor.process import DoctorProcess

@@ -9,7 +9,7 @@ from PySide6.QtCore import QEvent, Qt
 from PySide6.QtGui import QFontDatabase, QGuiApplication
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QLineEdit, QPushButton, QWidget
 
-from armui.doctor.finding import Diagnosis, DiagnosisLevel
+from armui.doctor.facts import Diagnosis, DiagnosisLevel
 from armui.ui.theme import colors_of
 from armui.ui.widgets import icons
 from armui.ui.widgets.buttons import push_button

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QObject
 
-from armui.protocol.piper_model import PiperModel
+from armui.protocol.generation import PiperModel
 
 if TYPE_CHECKING:
     from collections.abc import Mapping

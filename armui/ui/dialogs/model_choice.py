@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QComboBox, QLabel, QWidget
 from armui.arm.device import Device
 from armui.arm.models import all_models, model_data
 from armui.control.operating_state import LinkState
-from armui.protocol.piper_model import PiperModel
+from armui.protocol.generation import PiperModel
 from armui.ui import words
 from armui.ui.format import NOTHING
 from armui.ui.theme import colors_of

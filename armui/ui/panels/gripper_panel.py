@@ -8,10 +8,9 @@ from typing import Final
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QButtonGroup, QFrame, QLabel, QSizePolicy, QWidget
 
-from armui.arm.gripper import GripperState
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
-from armui.arm.state import ArmState, Reading
+from armui.arm.state import ArmState, GripperState, Reading
 from armui.control.arm_controller import ArmController
 from armui.control.devices.gripper import why_not_gripper, why_not_let_go, why_not_move_gripper
 from armui.control.devices.gripper_ranges import Figure, check, figures_of

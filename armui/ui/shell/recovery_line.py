@@ -95,6 +95,12 @@ class RecoveryLine(Translated, QWidget):
         controller.operating_state_changed.connect(self._on_operating_state_changed)
         self._show_step()
 
+    @property
+    def step_button(self) -> QPushButton | HoldButton | None:
+        """The button that takes the next step; ``None`` while there is none to take."""
+        shown = (each for each in (self._button, self._hold_button) if each.isVisible())
+        return next(shown, None)
+
     # -- behaviour ----------------------------------------------------------------------------
 
     def _on_pressed(self) -> None:

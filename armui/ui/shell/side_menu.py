@@ -261,6 +261,13 @@ class SideMenu(Translated, QWidget):
         self.choose(place)
         self.chosen.emit(place)
 
+    def open_entry(self, key: str) -> None:
+        """Have an entry opened, as by a press on it, unless it is open already."""
+        keys = [entry.key for entry in self._entries]
+        place = keys.index(key)
+        if place != self._chosen and self.isVisible():
+            self._on_clicked(place)
+
     def choose(self, place: int | None) -> None:
         """Show an entry, or none, as the chosen one, without telling anyone."""
         self._chosen = place

@@ -420,7 +420,7 @@ class TopBar(Translated, QWidget):
         left = (self._communication, (SpeedControl(controller), 1))
         layout = in_row(*left, on=self, spacing=12, margins=(8, 6, 8, 6))
         layout.addStretch(0)
-        stop = StopButton(controller, ask_to_resume=self._ask_to_resume)
+        stop = StopButton(controller, ask_to_resume=self.ask_to_resume)
         fill(layout, self._enable, HaltButton(controller), stop)
         self._communication.clicked.connect(open_connection)
         self._enable.clicked.connect(self._on_enable)
@@ -444,7 +444,8 @@ class TopBar(Translated, QWidget):
             tip = self.tr("Enables all six motors.")
         self._enable.setToolTip(tip)
 
-    def _ask_to_resume(self) -> None:
+    def ask_to_resume(self) -> None:
+        """Ask whether to end the emergency stop: the arm drops."""
         confirm(
             self.window(),
             self._controller,

@@ -43,6 +43,11 @@ class RunPlace(QWidget):
         self._column = in_column(on=self, spacing=0, margins=0)
         controller.operating_state_changed.connect(self._on_operating_state)
 
+    @property
+    def go_on_button(self) -> QWidget | None:
+        """The button that goes on with a run that pauses or waits, while it is seen."""
+        return None if self._strip is None else self._strip.go_on_button
+
     def _on_operating_state(self, operating_state: OperatingState) -> None:
         if not operating_state.running or self._strip is not None:
             return

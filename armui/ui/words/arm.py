@@ -11,9 +11,9 @@ from typing import Final
 from PySide6.QtCore import QT_TRANSLATE_NOOP, QCoreApplication
 
 from armui.arm.device import Device
-from armui.arm.gripper import GripperFault
 from armui.arm.joint_status import Item, StatusVerdict, Word
 from armui.arm.model_check import OLDER_ZEROS
+from armui.arm.state import GripperFault
 from armui.protocol.codes import EndLoad, Mounting, TeachingState, TrajectoryCommand
 from armui.ui.words.text import Texts, sentence
 

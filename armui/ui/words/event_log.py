@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from typing import Any, Final
 
-from armui.arm.gripper import GripperFault
 from armui.arm.joint_status import Item, Word
 from armui.arm.parameters import Parameter
 from armui.arm.refusal import Refusal
+from armui.arm.state import GripperFault
 from armui.control.event_log.observed import ObservedCode
 from armui.control.motion.motion_command import End
 from armui.protocol.codec import InvalidFrameKind

@@ -6,7 +6,7 @@ from typing import Final
 
 from PySide6.QtCore import QT_TRANSLATE_NOOP
 
-from armui.arm.comparison import ComparisonVerdict
+from armui.arm.backup import ComparisonVerdict
 from armui.arm.parameters import KINDS, Parameter
 from armui.control.parameters.setting_draft import CellStatus
 from armui.ui.words.text import Texts, sentence

@@ -20,8 +20,7 @@ import yourdfpy
 from trimesh.resolvers import FilePathResolver
 
 from armui.arm.refusal_codes import RefusalCode
-from armui.system.error_text import error_text
-from armui.system.files import check_file, open_file, read_file
+from armui.system.files import check_file, error_text, open_file, read_file
 from armui.viewport.errors import SceneError
 from armui.viewport.process.robot import (
     ARM_JOINT_COUNT,

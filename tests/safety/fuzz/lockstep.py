@@ -12,8 +12,7 @@ from typing import Final
 
 import can
 
-from armui.bus.health import BusHealth
-from armui.bus.link import BusState
+from armui.bus.link import BusHealth, BusState
 from armui.bus.worker import BusWorker
 
 _LOG: Final = logging.getLogger("armui.bus.worker")

@@ -14,9 +14,9 @@ import can
 import pytest
 
 from armui.arm.refusal_codes import RefusalCode
-from armui.session.recording import disk_file, sidecar
-from armui.session.recording.kinds import RecordingFormat
-from armui.session.recording.problems import why_not_written
+from armui.session.recording import sidecar
+from armui.session.recording import writer as writing
+from armui.session.recording.kinds import RecordingFormat, why_not_written
 from armui.session.recording.recorded_session import RecordedSession
 from armui.session.recording.rows import rows_of
 from armui.session.recording.session_recording import SessionRecording, write_at_once
@@ -37,7 +37,7 @@ class FullDisk:
     def __init__(self, monkeypatch, room):
         self.room = room
         self._write = os.write
-        monkeypatch.setattr(f"{disk_file.__name__}.os.write", self.write)
+        monkeypatch.setattr(f"{writing.__name__}.os.write", self.write)
 
     def write(self, handle, data):
         if not self.room:
@@ -93,7 +93,7 @@ def test_a_folder_that_cannot_be_written_leaves_nothing_behind(tmp_path, monkeyp
     def refuse(*_args):
         raise OSError(number, os.strerror(number))
 
-    monkeypatch.setattr(f"{disk_file.__name__}.os.open", refuse)
+    monkeypatch.setattr(f"{writing.__name__}.os.open", refuse)
     recording = SessionRecording(plan(tmp_path), still_clock)
     assert recording.wait(5.0)
     assert recording.failure is not None
@@ -182,8 +182,8 @@ def test_a_disk_that_is_busy_for_long_holds_up_nothing_that_is_written(tmp_path,
         asked.set()
         goes_on.wait(10)
 
-    monkeypatch.setattr(disk_file, "_TO_DISK_S", 0.0)
-    monkeypatch.setattr(f"{disk_file.__name__}.os.fsync", busy)
+    monkeypatch.setattr(writing, "_TO_DISK_S", 0.0)
+    monkeypatch.setattr(f"{writing.__name__}.os.fsync", busy)
     made = writer(tmp_path)
     for begin in range(0, 3000, 500):
         made.write(rows_of(FRAMES[begin : begin + 500]))
@@ -201,8 +201,8 @@ def test_a_disk_that_fails_to_keep_what_was_written_ends_it(tmp_path, monkeypatc
         failed.set()
         raise OSError(errno.EIO, "Input/output error")
 
-    monkeypatch.setattr(disk_file, "_TO_DISK_S", 0.0)
-    monkeypatch.setattr(f"{disk_file.__name__}.os.fsync", fail)
+    monkeypatch.setattr(writing, "_TO_DISK_S", 0.0)
+    monkeypatch.setattr(f"{writing.__name__}.os.fsync", fail)
     made = writer(tmp_path)
 
     def write():

@@ -7,8 +7,7 @@ from pathlib import Path
 import pytest
 
 from armui.session.recording.folder import BIN, list_recordings, rename, throw_away
-from armui.session.recording.kinds import RecordingFormat
-from armui.session.recording.names import is_name, names_of
+from armui.session.recording.kinds import RecordingFormat, is_name, names_of
 from armui.session.recording.recorded_session import RecordedSession
 from armui.session.recording.rows import rows_of
 from tests.session.recording.made import BASE, recorded, taken, writer

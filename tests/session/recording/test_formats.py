@@ -10,8 +10,7 @@ import pytest
 from armui.protocol.frame import FrameFlag
 from armui.session.frames import LoggedFrame
 from armui.session.reader import LogFile
-from armui.session.recording.kinds import RecordingFormat
-from armui.session.recording.names import file_name
+from armui.session.recording.kinds import RecordingFormat, file_name
 from armui.session.recording.recorded_session import RecordedSession
 from armui.session.session import REMEMBERED, REMEMBERED_IDS
 from tests.session.recording.made import BASE, all_of, every_kind, recorded, taken

@@ -6,9 +6,8 @@ import numpy as np
 import pytest
 
 from armui.protocol.frame import Frame, FrameFlag
-from armui.session.recording.collector import Collector, Sorter
+from armui.session.recording.collector import KEPT_S, MOST_BYTES, Collector, FrameRing, Sorter
 from armui.session.recording.lane import FrameLane
-from armui.session.recording.ring import KEPT_S, MOST_BYTES, FrameRing
 from armui.session.recording.rows import ROW, FrameRows, in_order, joined, rows_of
 from tests.session.recording.made import taken
 

@@ -7,7 +7,7 @@ import pytest
 import trimesh
 
 from armui.arm.models import model_folder
-from armui.protocol.piper_model import PiperModel
+from armui.protocol.generation import PiperModel
 from armui.system.paths import URDF
 from armui.viewport.process.geometry import is_closed
 from armui.viewport.process.robot import Surface

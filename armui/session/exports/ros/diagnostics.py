@@ -27,9 +27,7 @@ if TYPE_CHECKING:
 
     from armui.protocol.codec import Codec
     from armui.protocol.layout import MessageLayout, SignalLayout
-    from armui.session.exports.frames import ArmFrames
-    from armui.session.exports.history import History
-    from armui.session.exports.sink import ExportFacts, TimeSpan
+    from armui.session.exports.history import ArmFrames, ExportFacts, History, TimeSpan
 
 OK, WARN, ERROR, STALE = range(4)
 """Levels of a status."""

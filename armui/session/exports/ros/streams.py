@@ -7,11 +7,9 @@ from typing import TYPE_CHECKING, Any, Final, NamedTuple, Protocol
 
 import numpy as np
 
-from armui.arm.units import DEGREES_PER
-from armui.session.exports.columns import TIME_BASE
-from armui.session.exports.ros import links
+from armui.protocol.layout import DEGREES_PER
+from armui.session.exports.columns import TIME_BASE, RowTimes, table_rows
 from armui.session.exports.ros.cdr import CdrTemplate, CdrWriter
-from armui.session.exports.table import RowTimes, table_rows
 from armui.session.log_model import ANGLES, END_POSE, joint_signals
 
 if TYPE_CHECKING:
@@ -19,13 +17,83 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
+    from armui.kinematics.geometry import Geometry
     from armui.protocol.codec import Codec
-    from armui.session.exports.history import History
-    from armui.session.exports.sink import ExportFacts, TimeSpan
+    from armui.session.exports.history import ExportFacts, History, TimeSpan
+
+# Where each link of the arm is in the one before it, as ROS has it: metres and quaternions.
+#
+# The frames are those of the robot descriptions in `urdf/`, from the maker's modified DH tables:
+# joint n turns about the Z axis of link n.
+
+BASE: Final = "base_link"
+FLANGE: Final = "flange"
+LINKS: Final = tuple(f"link{joint}" for joint in range(1, 7))
+"""What each joint turns."""
+JOINT_NAMES: Final = tuple(f"joint{joint}" for joint in range(1, 7))
+FINGERS: Final = ("finger_left", "finger_right")
+FINGER_JOINTS: Final = ("gripper_left", "gripper_right")
+GRIPPER_BASE: Final = "gripper_base"
+_MM_PER_M: Final = 1000.0
+
+
+def link_transforms(geometry: Geometry, joints_deg: NDArray[np.float64]) -> NDArray[np.float64]:
+    """(n, 6, 7): for each link x, y, z in m and the quaternion x, y, z, w in the link before.
+
+    Args:
+        geometry: Of the arm.
+        joints_deg: (n, 6) joint angles.
+    """
+    along_x, turns_deg, along_z, zeros_deg = np.array(geometry.rows).T
+    half = np.radians(joints_deg + zeros_deg) / 2.0
+    turned = np.radians(turns_deg) / 2.0
+    cos_x, sin_x = np.cos(turned), np.sin(turned)
+    cos_z, sin_z = np.cos(half), np.sin(half)
+    along_z = along_z / _MM_PER_M
+    result = np.empty((*joints_deg.shape, 7))
+    result[..., 0] = along_x / _MM_PER_M
+    result[..., 1] = -along_z * np.sin(2.0 * turned)
+    result[..., 2] = along_z * np.cos(2.0 * turned)
+    result[..., 3] = sin_x * cos_z
+    result[..., 4] = -sin_x * sin_z
+    result[..., 5] = cos_x * sin_z
+    result[..., 6] = cos_x * cos_z
+    return result
+
+
+def mounted_transforms(gripper_turned_deg: float) -> NDArray[np.float64]:
+    """(1, 2, 7): the flange in link 6, and the gripper in the flange, turned about its Z axis."""
+    result = np.zeros((1, 2, 7))
+    result[..., 6] = 1.0
+    half_rad = np.radians(gripper_turned_deg) / 2.0
+    result[0, 1, 5:] = np.sin(half_rad), np.cos(half_rad)
+    return result
+
+
+def finger_transforms(openings_mm: NDArray[np.float64]) -> NDArray[np.float64]:
+    """(n, 2, 7): the fingers in the gripper's base, each half of the opening from its middle."""
+    result = np.zeros((len(openings_mm), 2, 7))
+    result[:, 0, 1] = openings_mm / 2.0 / _MM_PER_M
+    result[:, 1, 1] = -result[:, 0, 1]
+    result[..., 6] = 1.0
+    return result
+
+
+def pose_figures(poses: NDArray[np.float64]) -> NDArray[np.float64]:
+    """(n, 7): x, y, z in m and the quaternion of (n, 6) poses in mm and degrees, R = Rz·Ry·Rx."""
+    half = np.radians(poses[:, 3:]) / 2.0
+    (cx, cy, cz), (sx, sy, sz) = np.cos(half).T, np.sin(half).T
+    result = np.empty((len(poses), 7))
+    result[:, :3] = poses[:, :3] / _MM_PER_M
+    result[:, 3] = sx * cy * cz - cx * sy * sz
+    result[:, 4] = cx * sy * cz + sx * cy * sz
+    result[:, 5] = cx * cy * sz - sx * sy * cz
+    result[:, 6] = cx * cy * cz + sx * sy * sz
+    return result
+
 
 _US_PER_S: Final = 1_000_000
 _NS_PER_US: Final = 1_000
-_MM_PER_M: Final = 1000.0
 
 
 class TimedMessages(NamedTuple):
@@ -114,8 +182,8 @@ class JointStream:
         self._speeds = () if commanded else tuple((f"DriverFast{n}", "Speed") for n in range(1, 7))
         unit = codec.unit("DriverFast1", "Speed")
         self._speed_rad = math.radians(DEGREES_PER[unit])
-        self._plain = _joint_template(links.JOINT_NAMES, with_speeds=False)
-        self._moving = _joint_template(links.JOINT_NAMES, with_speeds=True)
+        self._plain = _joint_template(JOINT_NAMES, with_speeds=False)
+        self._moving = _joint_template(JOINT_NAMES, with_speeds=True)
 
     def messages(self, history: History, span: TimeSpan) -> TimedMessages | None:
         """What a piece of the log adds, see `Stream`."""
@@ -142,7 +210,7 @@ class GripperStream:
     schema = "sensor_msgs/JointState"
 
     def __init__(self) -> None:
-        self._template = _joint_template(links.FINGER_JOINTS, with_speeds=False)
+        self._template = _joint_template(FINGER_JOINTS, with_speeds=False)
 
     def messages(self, history: History, span: TimeSpan) -> TimedMessages | None:
         """What a piece of the log adds, see `Stream`."""
@@ -162,7 +230,7 @@ class EndPoseStream:
 
     def __init__(self) -> None:
         writer = CdrWriter()
-        writer.header(0, links.BASE)
+        writer.header(0, BASE)
         writer.floats([0.0] * 7, "pose")
         self._template = CdrTemplate(writer)
 
@@ -173,7 +241,7 @@ class EndPoseStream:
             return None
         poses = signals_at(history, at, END_POSE)
         whole = _whole(poses)
-        figures = {"pose": links.pose_figures(poses[whole])}
+        figures = {"pose": pose_figures(poses[whole])}
         return _timed(_only(at, whole), self._template, figures)
 
 
@@ -189,8 +257,8 @@ class LinkStream:
 
     def __init__(self, facts: ExportFacts) -> None:
         self._geometry = facts.geometry
-        parents = (links.BASE, *links.LINKS)
-        self._template = _transform_template(list(zip(parents, links.LINKS, strict=False)))
+        parents = (BASE, *LINKS)
+        self._template = _transform_template(list(zip(parents, LINKS, strict=False)))
 
     def messages(self, history: History, span: TimeSpan) -> TimedMessages | None:
         """What a piece of the log adds, see `Stream`."""
@@ -199,7 +267,7 @@ class LinkStream:
             return None
         angles = signals_at(history, at, ANGLES)
         whole = _whole(angles)
-        transforms = links.link_transforms(self._geometry, angles[whole])
+        transforms = link_transforms(self._geometry, angles[whole])
         return _timed(_only(at, whole), self._template, _by_place(transforms))
 
 
@@ -210,7 +278,7 @@ class FingerStream:
     schema = "tf2_msgs/TFMessage"
 
     def __init__(self) -> None:
-        self._template = _transform_template([(links.GRIPPER_BASE, each) for each in links.FINGERS])
+        self._template = _transform_template([(GRIPPER_BASE, each) for each in FINGERS])
 
     def messages(self, history: History, span: TimeSpan) -> TimedMessages | None:
         """What a piece of the log adds, see `Stream`."""
@@ -218,7 +286,7 @@ class FingerStream:
         if found is None:
             return None
         at, openings_mm = found
-        return _timed(at, self._template, _by_place(links.finger_transforms(openings_mm)))
+        return _timed(at, self._template, _by_place(finger_transforms(openings_mm)))
 
 
 class FixedStream:
@@ -232,8 +300,8 @@ class FixedStream:
     schema = "tf2_msgs/TFMessage"
 
     def __init__(self, facts: ExportFacts) -> None:
-        pairs = [(links.LINKS[-1], links.FLANGE), (links.FLANGE, links.GRIPPER_BASE)]
-        self._mounted = links.mounted_transforms(facts.gripper_turned_deg)
+        pairs = [(LINKS[-1], FLANGE), (FLANGE, GRIPPER_BASE)]
+        self._mounted = mounted_transforms(facts.gripper_turned_deg)
         self._template = _transform_template(pairs)
         self._written = False
 

@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QFileDialog, QWidget
 
 from armui.control.arm_controller import ArmController
 from armui.system.atomic import write_whole
-from armui.system.error_text import error_text
+from armui.system.files import error_text
 from armui.trajectory import files
 from armui.trajectory.files import Content, TrajectoryFileError
 from armui.trajectory.library.file_names import file_stem

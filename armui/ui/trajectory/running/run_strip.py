@@ -75,6 +75,12 @@ class RunStrip(Translated, QWidget):
         self._recolor()
         self.hide()
 
+    @property
+    def go_on_button(self) -> QWidget | None:
+        """The button that goes on with a run that pauses or waits, while it is seen."""
+        shown = (each for each in (self._continue, self._pause) if each.isVisible())
+        return next(shown, None)
+
     def _on_pause(self) -> None:
         go_on = can_go_on(self._runner.progress)
         self._refusal = self._runner.go_on() if go_on else self._runner.pause()

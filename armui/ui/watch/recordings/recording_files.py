@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
-from armui.system.error_text import error_text
+from armui.system.files import error_text
 
 if TYPE_CHECKING:
     from armui.session.recording.folder import RecordingEntry

@@ -18,12 +18,17 @@ from PySide6.QtCore import QObject, QTimer, Signal
 
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
-from armui.session.foreign.columns import PROGRESS_BYTES, LogIndex, ReadingProgress, map_progress
-from armui.session.foreign.indexed import IndexedLog
+from armui.session.foreign.indexed import (
+    PROGRESS_BYTES,
+    IndexedLog,
+    LogIndex,
+    ReadingProgress,
+    map_progress,
+)
 from armui.session.foreign.indexing import index_or_reason
 from armui.session.frames import NotALogError
 from armui.session.survey import ChannelSurvey, survey
-from armui.system.error_text import error_text
+from armui.system.files import error_text
 from armui.system.helper_process import HelperProcess
 from armui.ui.background import Background, Job
 

@@ -1,4 +1,4 @@
-"""The marks of a log: the next one, and where they stand, at most one a pixel of each kind. Pure."""
+"""Marks of a log: the next one, and where they stand, one a pixel of each kind at most: pure."""
 
 from __future__ import annotations
 

@@ -43,7 +43,7 @@ if TYPE_CHECKING:
     from armui.control.operating_state import OperatingState
     from armui.control.safety.recovery_steps import Step
     from armui.protocol.generation import Generation
-    from armui.session.foreign.columns import ReadingProgress
+    from armui.session.foreign.indexed import ReadingProgress
     from armui.session.frames import Channel
     from armui.session.session import Session
     from armui.session.survey import ChannelSurvey

@@ -1,0 +1,161 @@
+"""CSV: one table of everything, or a file for each message: every frame, as decoded signals."""
+
+from __future__ import annotations
+
+import contextlib
+import os
+from operator import itemgetter
+from typing import TYPE_CHECKING, BinaryIO, Final
+
+import numpy as np
+
+from armui.session.exports.columns import RecordColumns, TableColumns, table_rows
+from armui.system.files import open_file
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+    from pathlib import Path
+
+    from armui.protocol.layout import MessageLayout, SignalLayout
+    from armui.session.exports.history import ExportFacts, History, Samples, TimeSpan
+
+BOM: Final = b"\xef\xbb\xbf"
+"""The mark of the encoding: spreadsheets take it for something else otherwise."""
+TIME_TITLES: Final = ("time [s]", "since_start [s]")
+
+
+class CsvTable:
+    """Writes the rows as they come.
+
+    Args:
+        stream: Where to.
+        facts: Of the recorded arm.
+
+    Attributes:
+        items: Rows written so far.
+    """
+
+    def __init__(self, stream: BinaryIO, facts: ExportFacts) -> None:
+        self._stream = stream
+        self._start_s = facts.start_s
+        self._records = TableColumns(facts.codec).records
+        self._templates = {each.message: _table_template(each) for each in self._records}
+        self.items = 0
+        titles = [column.title for record in self._records for column in record.columns]
+        self._stream.write(BOM + ",".join((*TIME_TITLES, *titles)).encode() + b"\r\n")
+
+    def take(self, history: History, span: TimeSpan) -> None:
+        """Write what a piece of the log adds, see `Sink`."""
+        table = table_rows(history, span)
+        if table is None:
+            return
+        since = table.times_s - self._start_s
+        times = zip(table.times_s.tolist(), since.tolist(), strict=True)
+        columns: list[Sequence[str]] = [[f"{at_s:.6f},{t_s:.6f}" for at_s, t_s in times]]
+        for record in self._records:
+            empty = "," * (len(record.columns) - 1)
+            told = record.told_at(history, table.rows, table.times_s)
+            if told is None:
+                columns.append([empty] * len(table.rows))
+                continue
+            samples, which = told
+            texts = [*self._texts(record, samples), empty]  # the last one stands at -1
+            picked = itemgetter(*which.tolist())(texts)
+            columns.append((picked,) if len(which) == 1 else picked)
+        lines = map(",".join, zip(*columns, strict=True))
+        self._stream.write(("\r\n".join(lines) + "\r\n").encode())
+        self.items += len(table.rows)
+
+    def finish(self) -> None:
+        """Nothing more is to come."""
+
+    def abandon(self) -> None:
+        """Nothing is held."""
+
+    def _texts(self, record: RecordColumns, samples: Samples) -> list[str]:
+        """What stands in the columns of a message, for each of its samples."""
+        template = self._templates[record.message]
+        values = [column.values(samples).tolist() for column in record.columns]
+        return [template % figures for figures in zip(*values, strict=True)]
+
+
+def _table_template(record: RecordColumns) -> str:
+    """Figures as the arm sent them are whole in few digits; those turned into degrees are cut."""
+    return ",".join(
+        "%d" if column.whole else "%s" if column.factor == 1.0 else "%.10g"
+        for column in record.columns
+    )
+
+
+class CsvMessages:
+    """Writes the frames as they come.
+
+    Args:
+        folder: Where the files go; it exists, and is empty.
+        facts: Of the recorded arm.
+
+    Attributes:
+        items: Rows written so far, of all files together.
+    """
+
+    def __init__(self, folder: Path, facts: ExportFacts) -> None:
+        self._folder = folder
+        self._start_s = facts.start_s
+        self._files: dict[str, BinaryIO] = {}
+        self.items = 0
+
+    def take(self, history: History, span: TimeSpan) -> None:
+        """Write what a piece of the log adds, see `Sink`."""
+        for samples in history.heard():
+            self._write(samples, span)
+
+    def _write(self, samples: Samples, span: TimeSpan) -> None:
+        inside = span.holds(samples.times_s)
+        inside[: samples.old] = False
+        if not inside.any():
+            return
+        times_s, signals = samples.times_s[inside], samples.layout.signals.values()
+        columns = [times_s.tolist(), (times_s - self._start_s).tolist()]
+        columns += [samples.column(each.name)[inside].tolist() for each in signals]
+        template = ",".join(("%.6f", "%.6f", *map(_template, signals)))
+        lines = [template % row for row in zip(*columns, strict=True)]
+        self._file(samples.layout).write(("\r\n".join(lines) + "\r\n").encode())
+        self.items += int(np.count_nonzero(inside))
+
+    def _file(self, layout: MessageLayout) -> BinaryIO:
+        """The file of a message, begun with its first frame."""
+        file = self._files.get(layout.name)
+        if file is None:
+            path = self._folder / f"{layout.arbitration_id:03X}_{layout.name}.csv"
+            file = self._files[layout.name] = open_file(path, "xb")
+            titles = (*TIME_TITLES, *map(_title, layout.signals.values()))
+            file.write(BOM + ",".join(titles).encode() + b"\r\n")
+        return file
+
+    def finish(self) -> None:
+        """Bring them to the disk.
+
+        Raises:
+            OSError: It does not take them.
+        """
+        for file in self._files.values():
+            file.flush()
+            os.fsync(file.fileno())
+            file.close()
+
+    def abandon(self) -> None:
+        """Close them; their folder is removed by whoever made it."""
+        for file in self._files.values():
+            with contextlib.suppress(OSError):
+                file.close()
+
+
+def _title(signal: SignalLayout) -> str:
+    return f"{signal.name} [{signal.unit}]" if signal.unit else signal.name
+
+
+def _template(signal: SignalLayout) -> str:
+    """Raw values and those divided by a whole number are exact in few digits."""
+    if not signal.is_scaled:
+        return "%d"
+    return "%s" if signal.divisor is not None and not signal.offset else "%.10g"
