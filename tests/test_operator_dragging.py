@@ -17,7 +17,7 @@ from armui.viewport.camera import ViewDirection
 from armui.viewport.client import PictureClient
 from armui.viewport.grips import GripKind
 from armui.viewport.handles import HandleKind
-from armui.viewport.process.outline import shape_of
+from armui.viewport.process.robot import shape_of
 from armui.viewport.process.urdf_file import load_robot
 from tests.picture_hand import Hand
 

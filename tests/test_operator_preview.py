@@ -14,11 +14,11 @@ from armui.protocol.codes import MoveMode
 from armui.system.paths import URDF
 from armui.trajectory.library.store import Library
 from armui.trajectory.points.program import Trajectory, Waypoint
-from armui.ui.picture.trail_keeper import TrailKeeper
+from armui.ui.picture.picture_work import TrailKeeper
 from armui.ui.trajectory.editor.editor_page import EditorPage
 from armui.ui.trajectory.library.library_page import LibraryPage
 from armui.viewport.path_picture import NOTHING
-from armui.viewport.process.outline import shape_of
+from armui.viewport.process.robot import shape_of
 from armui.viewport.process.urdf_file import load_robot
 from tests.control.jogger import hold
 from tests.family import PIPER

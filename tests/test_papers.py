@@ -10,6 +10,8 @@ from pathlib import Path
 
 import pytest
 
+from armui import __version__
+
 ROOT = Path(__file__).resolve().parents[1]
 PAPERS = [
     ROOT / "README.md",
@@ -68,6 +70,16 @@ def test_every_module_to_run_is_there(paper: Path) -> None:
 
 def test_readme_can_be_read_in_one_go() -> None:
     assert len((ROOT / "README.md").read_text(encoding="utf-8").split()) <= MOST_WORDS
+
+
+def test_the_last_version_of_the_changes_is_the_program_s() -> None:
+    """«Unreleased» stands above the versions; the newest one is what `armui --version` says."""
+    heads = re.findall(r"^## (.+)$", (ROOT / "CHANGELOG.md").read_text("utf-8"), re.MULTILINE)
+    assert heads[0] == "Unreleased"
+    versions = [re.fullmatch(r"(\d+\.\d+\.\d+) – \d{4}-\d\d-\d\d", head) for head in heads[1:]]
+    assert [head for head, found in zip(heads[1:], versions, strict=True) if not found] == []
+    assert versions[0] is not None
+    assert versions[0][1] == __version__
 
 
 def test_every_room_has_its_line_in_the_design() -> None:

@@ -9,7 +9,8 @@ from typing import Final
 import numpy as np
 
 from armui.kinematics import parallel, spherical
-from armui.kinematics.geometry import Geometry, Wrist, out_of_reach_mm, wrist_centres
+from armui.kinematics.forward import out_of_reach_mm, wrist_centres
+from armui.kinematics.geometry import Geometry, Wrist
 from armui.kinematics.poses import Joints, Matrix, wrapped_deg
 
 FREE_DEG: Final = 2e-3

@@ -14,13 +14,8 @@ from typing import Final
 import numpy as np
 import numpy.typing as npt
 
-from armui.kinematics.geometry import (
-    MIDDLES_DEG,
-    Geometry,
-    bar_angles,
-    out_of_reach_mm,
-    wrist_centres,
-)
+from armui.kinematics.forward import bar_angles, out_of_reach_mm, wrist_centres
+from armui.kinematics.geometry import MIDDLES_DEG, Geometry
 from armui.kinematics.poses import Matrix, components, wrapped_deg
 
 WAYS: Final = 8

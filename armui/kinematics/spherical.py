@@ -15,8 +15,8 @@ from typing import Final
 import numpy as np
 import numpy.typing as npt
 
-from armui.kinematics.forward import forearm_axes
-from armui.kinematics.geometry import MIDDLES_DEG, Geometry, bar_angles, wrist_centres
+from armui.kinematics.forward import bar_angles, forearm_axes, wrist_centres
+from armui.kinematics.geometry import MIDDLES_DEG, Geometry
 from armui.kinematics.poses import Matrix, wrapped_deg
 
 STRETCHED_DEG: Final = 2e-3

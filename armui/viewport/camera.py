@@ -102,3 +102,14 @@ _DIRECTIONS_DEG: Final = {
     ViewDirection.ISO: (HOME_CAMERA.azimuth_deg, HOME_CAMERA.elevation_deg),
 }
 """Azimuth and elevation: from +X onto the arm, from its right, from above with X to the right."""
+
+
+_SAME_ANGLE_DEG: Final = 0.005
+"""Less moves nothing by a pixel: an arm at rest that reports the last digit is not drawn anew."""
+
+
+def look_alike(one: tuple[float, ...] | None, other: tuple[float, ...] | None) -> bool:
+    """Whether two poses of the arm, six angles in degrees each, can't be told apart on a screen."""
+    if one is None or other is None:
+        return False
+    return all(abs(a - b) < _SAME_ANGLE_DEG for a, b in zip(one, other, strict=True))

@@ -10,13 +10,15 @@ from typing import TYPE_CHECKING, Final
 from PySide6.QtCore import QObject, Qt, QTimer, Signal
 from PySide6.QtGui import QImage
 
-from armui.viewport.picture_age import LONGEST_S, PictureAge
+from armui.viewport import messages
+from armui.viewport.messages import BYTES_PER_PIXEL
+from armui.viewport.process_link import ENTRY, Lost, PictureFrame, ProcessLink, UpToDate, Wanted
+from armui.viewport.watch import LONGEST_S, PictureAge
 
 if TYPE_CHECKING:
-    from armui.viewport.news import PictureFrame
-    from armui.viewport.process_link import ProcessLink
     from armui.viewport.robot_shape import RobotShape
     from armui.viewport.view_state import ViewState
+
 
 _LOOK_AGAIN_MS: Final = 20
 
@@ -31,7 +33,6 @@ class Picture:
     """
 
     def __init__(self, frame: PictureFrame) -> None:
-        from armui.viewport.messages import BYTES_PER_PIXEL  # noqa: PLC0415 - see PictureClient
 
         self.frame = frame
         width, height = frame.size_px
@@ -61,8 +62,6 @@ class PictureClient(QObject):
         shape: The robot in the picture, as far as it is known.
     """
 
-    # What speaks to the process is loaded with it, when the window stands.
-
     frame_ready = Signal(object)
     joint_picked = Signal(object)
     mark_picked = Signal(int)
@@ -72,7 +71,7 @@ class PictureClient(QObject):
     aged = Signal()
     _told = Signal(object)
 
-    def __init__(self, entry: str | None = None, parent: QObject | None = None) -> None:
+    def __init__(self, entry: str = ENTRY, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._entry = entry
         self._link: ProcessLink | None = None
@@ -113,10 +112,8 @@ class PictureClient(QObject):
 
     def start(self) -> None:
         """Begin to draw, or begin again after the process was given up."""
-        from armui.viewport.process_link import ENTRY, ProcessLink  # noqa: PLC0415 - see above
-
         self.stop()
-        self._link = ProcessLink(self._tell, self._entry or ENTRY)
+        self._link = ProcessLink(self._tell, self._entry)
         self._show_latest()
         self._link.start()
 
@@ -133,8 +130,6 @@ class PictureClient(QObject):
 
     def _show_latest(self) -> None:
         if self._link is not None and self._state is not None:
-            from armui.viewport.news import Wanted  # noqa: PLC0415 - see above
-
             self._link.show(Wanted(self._sequence, self._state))
 
     def frame_used(self, picture: Picture) -> None:
@@ -155,8 +150,6 @@ class PictureClient(QObject):
             self._told.emit((self._link, news))
 
     def _on_told(self, told: tuple[ProcessLink | None, object]) -> None:
-        from armui.viewport import messages  # noqa: PLC0415 - see above
-        from armui.viewport.news import Lost, PictureFrame, UpToDate  # noqa: PLC0415 - see above
 
         link, news = told
         if link is not self._link or link is None:

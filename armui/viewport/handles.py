@@ -5,8 +5,7 @@ from __future__ import annotations
 import enum
 from typing import TYPE_CHECKING, NamedTuple
 
-from armui.viewport.grip_drag import GripDrag
-from armui.viewport.grips import Grip, grip_at, joint_grips, tool_grips
+from armui.viewport.grips import Grip, GripDrag, grip_at, joint_grips, tool_grips
 from armui.viewport.robot_shape import Rows, composed
 from armui.viewport.strokes import Stroke
 

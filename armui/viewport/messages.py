@@ -10,11 +10,29 @@ import enum
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Final
 
+from armui.arm.refusal import Refusal
+from armui.arm.refusal_codes import RefusalCode
+
 if TYPE_CHECKING:
-    from armui.arm.refusal import Refusal
     from armui.viewport.path_picture import PathPicture
     from armui.viewport.robot_shape import RobotShape
     from armui.viewport.view_state import ViewState
+
+
+class SceneError(Exception):
+    """The 3D picture can't be made.
+
+    Args:
+        code: what it is.
+        params: what the sentence names.
+
+    Attributes:
+        refusal: the reason, to be put into words by the user interface.
+    """
+
+    def __init__(self, code: RefusalCode, **params: float | int | str) -> None:
+        self.refusal = Refusal(code, params)
+        super().__init__(str(self.refusal))
 
 
 BYTES_PER_PIXEL: Final = 4

@@ -7,30 +7,443 @@ nothing else. No Qt here. What starts processes is imported by that thread, so t
 
 from __future__ import annotations
 
+import contextlib
+import importlib
 import logging
+import multiprocessing
+import pickle
+import signal
 import threading
 import time
-from typing import TYPE_CHECKING, Final
+from dataclasses import dataclass
+from multiprocessing.connection import wait
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Final, TypeVar
 
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
+from armui.system.files import read_file
+from armui.viewport.frame_memory import SLOTS, FrameMemory
 from armui.viewport.mailbox import Mailbox
-from armui.viewport.messages import LoadFailed, PicturePhase
-from armui.viewport.news import Lost, Wanted
+from armui.viewport.messages import (
+    BYTES_PER_PIXEL,
+    Draw,
+    Drawn,
+    Failed,
+    LoadFailed,
+    PictureBusy,
+    PicturePhase,
+    Ready,
+    RobotRead,
+)
 from armui.viewport.view_state import BUILT_IN_ROBOT, RobotChoice
-from armui.viewport.watch import Restarts
+from armui.viewport.watch import (
+    LIMITS,
+    LOOK_S,
+    Restarts,
+    ThreadTurns,
+    is_starved,
+    is_stuck,
+    silent_too_long,
+)
 
 if TYPE_CHECKING:
     from collections.abc import Callable
+    from multiprocessing.connection import Connection
 
-    from armui.viewport.child_process import ChildProcess
-    from armui.viewport.conversation import Conversation
-    from armui.viewport.view_state import ViewState
+    from armui.viewport.messages import Answer
+    from armui.viewport.path_picture import PathPicture
+    from armui.viewport.view_state import PickRequest, ViewState
+
+
+@dataclass(frozen=True, slots=True)
+class Wanted:
+    """A state to draw, and its number."""
+
+    sequence: int
+    state: ViewState
+
+
+@dataclass(frozen=True, slots=True)
+class PictureFrame:
+    """A finished image.
+
+    Attributes:
+        number: Of the frame, for `ProcessLink.frame_used`.
+        sequence: Number of the state that it shows.
+        memory, slot, size_px: Where it is, and how large.
+        pixel_ratio: Device pixels a logical pixel.
+        is_rough: Whether one with smooth edges follows.
+        began_s, ended_s: When it was drawn, by the system's monotonic clock.
+    """
+
+    number: int
+    sequence: int
+    memory: FrameMemory
+    slot: int
+    size_px: tuple[int, int]
+    pixel_ratio: float
+    is_rough: bool
+    began_s: float
+    ended_s: float
+
+
+@dataclass(frozen=True, slots=True)
+class UpToDate:
+    """The last image shows this state, too; see `armui.viewport.messages.Drawn`."""
+
+    sequence: int
+    is_rough: bool
+
+
+@dataclass(frozen=True, slots=True)
+class Lost:
+    """The process is gone; unless it comes back by itself, no pictures follow."""
+
+    reason: Refusal
+    comes_back: bool
+
+
+_END_LIMIT_S: Final = 1.0
+_SMALL_BYTES: Final = 32_768
+"""A message of this size fits into the pipe: sending it waits for nobody."""
+
+_TAKEN_LIMIT_S: Final = 5.0
+
+
+def run_entry(entry: str, connection: Connection) -> None:
+    """In the new process: find the function and give it the pipe."""
+    module, _, function = entry.partition(":")
+    getattr(importlib.import_module(module), function)(connection)
+
+
+class ChildProcess:
+    """One process, from its start to its end; used by one thread, but for `kill`.
+
+    Args:
+        entry: See `ENTRY`.
+        on_end: Called in another thread when the process has ended by itself or was killed.
+
+    Raises:
+        OSError: the system starts no more processes.
+    """
+
+    def __init__(self, entry: str, on_end: Callable[[], None]) -> None:
+        # a fork would inherit Qt, its threads and every lock they hold
+        context = multiprocessing.get_context("spawn")
+        self._connection, theirs = context.Pipe()
+        self._process = context.Process(
+            target=run_entry, args=(entry, theirs), name="armui-viewport", daemon=True
+        )
+        try:
+            self._process.start()
+        except BaseException:
+            self._connection.close()
+            raise
+        finally:
+            theirs.close()  # so that the process's end is the end of the pipe
+        self._watcher = threading.Thread(
+            target=self._watch, args=(on_end,), name="armui-viewport-end", daemon=True
+        )
+        self._watcher.start()
+
+    @property
+    def pid(self) -> int | None:
+        """The process's number."""
+        return self._process.pid
+
+    def send(self, message: Draw) -> None:
+        """Hand over a request.
+
+        Raises:
+            OSError: the process has ended, or takes nothing any more and was killed for it.
+        """
+        content = pickle.dumps(message)
+        if len(content) < _SMALL_BYTES:
+            self._connection.send_bytes(content)
+            return
+        # A process that stands still does not empty the pipe: a large message would wait for ever.
+        limit = threading.Timer(_TAKEN_LIMIT_S, self.kill)
+        limit.daemon = True
+        limit.start()
+        try:
+            self._connection.send_bytes(content)
+        finally:
+            limit.cancel()
+
+    def receive(self, limit_s: float) -> Answer | None:
+        """The next message; None: there was none within the limit.
+
+        Raises:
+            EOFError, OSError: the process has ended.
+        """
+        if not self._connection.poll(limit_s):
+            return None
+        message: Answer = self._connection.recv()
+        return message
+
+    def turns(self) -> dict[int, ThreadTurns]:
+        """What its threads have had of the processors so far; nothing where that can't be read.
+
+        Source: schedstat and stat of /proc/pid/task/tid of Linux.
+        """
+        turns = {}
+        with contextlib.suppress(OSError, ValueError, IndexError):  # a thread may end meanwhile
+            for task in Path(f"/proc/{self.pid}/task").iterdir():
+                ran_ns, queued_ns = read_file(task / "schedstat").split()[:2]
+                state = read_file(task / "stat").decode().rpartition(") ")[2][:1]
+                turns[int(task.name)] = ThreadTurns(
+                    1e-9 * int(ran_ns), 1e-9 * int(queued_ns), state == "R"
+                )
+        return turns
+
+    def kill(self) -> None:
+        """End the process at once; may be called from any thread, and twice."""
+        with contextlib.suppress(OSError, ValueError):
+            self._process.kill()
+
+    def end(self) -> str:
+        """End the process, wait for it with a limit, give everything back.
+
+        Returns:
+            How it ended: the name of a signal, or an exit code.
+        """
+        self._process.join(_END_LIMIT_S / 2.0)
+        self.kill()
+        self._process.join(_END_LIMIT_S)
+        self._watcher.join(_END_LIMIT_S)
+        self._connection.close()
+        return _describe(self._process.exitcode)
+
+    def _watch(self, on_end: Callable[[], None]) -> None:
+        ready: list[Any] = wait([self._process.sentinel])
+        if ready:
+            on_end()
+
+
+def _describe(exit_code: int | None) -> str:
+    if exit_code is None:
+        return "?"
+    if exit_code < 0:
+        with contextlib.suppress(ValueError):
+            return signal.Signals(-exit_code).name
+    return f"0x{exit_code & 0xFFFFFFFF:X}" if exit_code > 255 else str(exit_code)
+
+
+_LOG = logging.getLogger(__name__)
+
+A = TypeVar("A", Ready, Drawn)
+
+
+class ProcessLostError(Exception):
+    """The process is of no use any more."""
+
+    def __init__(self, reason: Refusal) -> None:
+        self.reason = reason
+        super().__init__(str(reason))
+
+
+class Conversation:
+    """Requests and answers with one process.
+
+    Attributes:
+        is_new: Whether nothing was drawn in it yet.
+        is_rough: Whether the last image wants smooth edges.
+        phase: What the process was last known to do.
+        robot: The one it was last asked to show.
+        proven_robot: The one in the last picture.
+        failed_robot: The last one that could not be shown; the one before stays in the picture.
+        asked_serial: The newest question about a place that was sent; none is sent twice.
+    """
+
+    def __init__(
+        self,
+        child: ChildProcess,
+        mailbox: Mailbox[Wanted],
+        tell: Callable[[object], None],
+        asked_serial: int,
+        robots: dict[RobotChoice, bytes],
+    ) -> None:
+        self._robots = robots
+        self._child = child
+        self._mailbox = mailbox
+        self._tell = tell
+        self._memory: FrameMemory | None = None
+        self._path: PathPicture | None = None
+        self._slot = 0
+        self._sequence = 0
+        self._image_bytes = 0
+        self._answered_serial = asked_serial
+        self._heartbeat_thread: int | None = None
+        self.asked_serial = asked_serial
+        self.is_new = True
+        self.is_rough = False
+        self.phase = PicturePhase.STARTING
+        self.robot: RobotChoice | None = None
+        self.proven_robot: RobotChoice | None = None
+        self.failed_robot: RobotChoice | None = None
+
+    def begin(self) -> None:
+        """Wait until the process takes requests; raises what `request` raises."""
+        self._await(Ready)
+
+    def request(self, wanted: Wanted | None) -> None:
+        """Have a state drawn, or without one the last again with smooth edges.
+
+        Raises:
+            ProcessLostError: the process hangs, or says that it can't go on.
+            OSError, EOFError: it has ended.
+        """
+        self._send(wanted)
+        drawn = self._await(Drawn)
+        self.phase = PicturePhase.DRAWING
+        self.is_new = False
+        self.is_rough = drawn.is_rough
+        if self.robot != self.failed_robot:
+            self.proven_robot = self.robot
+        memory = self._memory
+        if memory is None:
+            return
+        memory.forget_name()
+        if drawn.size_px is None:
+            self._tell(UpToDate(drawn.sequence, drawn.is_rough))
+            return
+        number = self._mailbox.result_sent()
+        self._tell(
+            PictureFrame(
+                number,
+                drawn.sequence,
+                memory,
+                self._slot,
+                drawn.size_px,
+                drawn.pixel_ratio,
+                drawn.is_rough,
+                drawn.began_s,
+                drawn.ended_s,
+            )
+        )
+        self._slot = (self._slot + 1) % SLOTS
+
+    def check(self) -> None:
+        """Whether a process that was asked nothing is still there.
+
+        Raises:
+            EOFError, OSError: it is not.
+        """
+        self._child.receive(0.0)
+
+    def close(self) -> None:
+        """Nothing with a name is left."""
+        if self._memory is not None:
+            self._memory.forget_name()
+
+    def _send(self, wanted: Wanted | None) -> None:
+        if wanted is None:
+            self._child.send(Draw(self._sequence, None, self._slot))
+            return
+        self._sequence = wanted.sequence
+        state = self._unasked(wanted.state)
+        self.robot = state.robot
+        self._image_bytes = state.width_px * state.height_px * BYTES_PER_PIXEL
+        memory = self._memory
+        if memory is None or not memory.suits(self._image_bytes):
+            try:
+                memory = FrameMemory.create(self._image_bytes)
+            except OSError as error:
+                raise ProcessLostError(
+                    Refusal(RefusalCode.PICTURE_PROCESS_ENDED, {"text": str(error)})
+                ) from error
+        path = state.preview.path
+        is_new_path = path is not None and path is not self._path
+        message = Draw(
+            wanted.sequence,
+            state._replace(preview=state.preview._replace(path=None)),
+            self._slot,
+            memory=None if memory is self._memory else memory.name,
+            path=path if is_new_path else None,
+            keeps_path=path is not None and not is_new_path,
+            robot=self._robots.get(state.robot) if self.is_new else None,
+        )
+        self._memory, self._path = memory, path
+        self._child.send(message)
+
+    def _keep(self, content: bytes) -> None:
+        """Keep the robot that was read, and no other, for the next process."""
+        self._robots.clear()
+        if self.robot is not None:
+            # in the place of one that fails at the start, the built-in one is read
+            read = BUILT_IN_ROBOT if self.robot == self.failed_robot else self.robot
+            self._robots[read] = content
+
+    def _unasked(self, state: ViewState) -> ViewState:
+        """The state without questions that an earlier process was asked."""
+
+        def fresh(question: PickRequest | None) -> PickRequest | None:
+            if question is None or question.serial <= self._answered_serial:
+                return None
+            self.asked_serial = max(self.asked_serial, question.serial)
+            return question
+
+        return state._replace(pick=fresh(state.pick), mark_pick=fresh(state.mark_pick))
+
+    def _hear(self) -> Answer | None:
+        """The next message; None: it hangs, for it is silent though it had its turns."""
+        message = self._child.receive(LIMITS[self.phase].silent_s)
+        if message is not None:
+            return message
+        since_s = time.monotonic() - LIMITS[self.phase].silent_s
+        first = before = self._turns()
+        while (message := self._child.receive(LOOK_S)) is None:
+            now = self._turns()
+            ran_s = sum(now[each].ran_s - first[each].ran_s for each in now.keys() & first.keys())
+            silent_s = time.monotonic() - since_s
+            if not is_starved(before, now, LOOK_S) or silent_too_long(self.phase, silent_s, ran_s):
+                return None
+            before = now
+        return message
+
+    def _turns(self) -> dict[int, ThreadTurns]:
+        """Of the threads that do something: whoever waits for Python's lock stands in line, too."""
+        turns = self._child.turns()
+        return {each: had for each, had in turns.items() if each != self._heartbeat_thread}
+
+    def _await(self, kind: type[A]) -> A:
+        """The next answer of a kind; what comes before it is told, or noted."""
+        since_s = looked_s = time.monotonic()
+        turns: dict[int, ThreadTurns] = {}
+        while True:
+            message = self._hear()
+            if message is None:
+                raise ProcessLostError(Refusal(RefusalCode.PICTURE_PROCESS_HUNG))
+            if isinstance(message, Ready):
+                self._heartbeat_thread = message.heartbeat_thread
+            if isinstance(message, kind):
+                return message
+            if isinstance(message, PictureBusy):
+                if message.phase is not self.phase:
+                    self.phase, since_s = message.phase, time.monotonic()
+                before, before_s = turns, looked_s
+                turns, looked_s = self._turns(), time.monotonic()
+                starved = is_starved(before, turns, looked_s - before_s)
+                if is_stuck(message, looked_s - since_s, starved=starved):
+                    raise ProcessLostError(Refusal(RefusalCode.PICTURE_PROCESS_HUNG))
+            elif isinstance(message, RobotRead):
+                self._keep(message.content)
+            elif isinstance(message, Failed):
+                _LOG.error("The 3D view stopped\n%s", message.traceback)
+                raise ProcessLostError(message.reason)
+            else:
+                self._pass_on(message)
+
+    def _pass_on(self, message: Answer) -> None:
+        if isinstance(message, LoadFailed):
+            self.failed_robot = self.robot
+        self._tell(message)
+
 
 ENTRY: Final = "armui.viewport.process.main:run"
 """Module and function that the process runs; by name, so that the program does not load it."""
 
-_LOG = logging.getLogger(__name__)
 _REST_S: Final = 0.15
 """The picture has come to rest when nothing has changed for so long."""
 
@@ -111,9 +524,6 @@ class ProcessLink:
 
     def _draw_in_one_process(self) -> Refusal | None:
         """Draw until the process is lost; why. None: a robot was to blame, and is put aside."""
-        from armui.viewport.child_process import ChildProcess  # noqa: PLC0415 - see above
-        from armui.viewport.conversation import Conversation, ProcessLostError  # noqa: PLC0415
-
         self._mailbox.resume()
         self._mailbox.forget_results()
         try:

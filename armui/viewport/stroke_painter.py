@@ -5,10 +5,17 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING, Final
 
-from PySide6.QtCore import QPointF, QRectF, Qt
-from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter, QPen, QPolygonF, QStaticText
-
-from armui.viewport.kept_layer import KeptLayer
+from PySide6.QtCore import QPoint, QPointF, QRectF, Qt
+from PySide6.QtGui import (
+    QColor,
+    QFont,
+    QFontMetricsF,
+    QPainter,
+    QPen,
+    QPixmap,
+    QPolygonF,
+    QStaticText,
+)
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable, Sequence
@@ -16,6 +23,51 @@ if TYPE_CHECKING:
     from armui.viewport.palette import ScenePalette
     from armui.viewport.projection import Projection
     from armui.viewport.strokes import Stroke
+
+
+class KeptLayer:
+    """Keeps an image of what was drawn last."""
+
+    def __init__(self) -> None:
+        self._key: object = None
+        self._image: QPixmap | None = None
+        self._place = QPoint()
+
+    def paint(
+        self,
+        painter: QPainter,
+        key: object,
+        room: Callable[[], QRectF],
+        draw: Callable[[QPainter], object],
+    ) -> None:
+        """Lay it over.
+
+        Args:
+            painter: Of the widget.
+            key: All that the drawing depends on, beside font and pixels of the painter.
+            room: What it covers; asked where something has changed.
+            draw: Draws it; likewise.
+        """
+        wanted = (key, painter.device().devicePixelRatio(), painter.font())
+        if wanted != self._key:
+            self._key = wanted
+            frame = room().toAlignedRect()
+            self._image = None
+            if not frame.isEmpty():
+                self._place = frame.topLeft()
+                ratio = painter.device().devicePixelRatio()
+                self._image = QPixmap(frame.size() * ratio)
+                self._image.setDevicePixelRatio(ratio)
+                self._image.fill(Qt.GlobalColor.transparent)
+                own = QPainter(self._image)
+                own.setRenderHints(painter.renderHints())
+                own.setFont(painter.font())
+                own.translate(-frame.topLeft())
+                draw(own)
+                own.end()
+        if self._image is not None:
+            painter.drawPixmap(self._place, self._image)
+
 
 _FILL_OPACITY: Final = 0.14
 _HALO_OPACITY: Final = 0.7

@@ -1,18 +1,32 @@
-"""The widget that shows the arm and moves the camera."""
+"""The widget that shows the arm, says where the picture lags or is gone, and moves the camera."""
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+import itertools
+import math
+from typing import TYPE_CHECKING, Final
 
-from PySide6.QtCore import QEvent, QPointF, Qt, Signal
-from PySide6.QtGui import QHelpEvent
-from PySide6.QtWidgets import QToolTip
+from PySide6.QtCore import (
+    QCoreApplication,
+    QEvent,
+    QPoint,
+    QPointF,
+    QRectF,
+    QSize,
+    Qt,
+    QTimer,
+    Signal,
+)
+from PySide6.QtGui import QColor, QHelpEvent, QPainter, QPen
+from PySide6.QtWidgets import QToolTip, QWidget
 
 from armui.arm.limits import JOINTS
+from armui.viewport.camera import look_alike
 from armui.viewport.camera_input import Drag, press_key, turn_wheel
+from armui.viewport.client import Picture, PictureClient
+from armui.viewport.fitting import Box, Room
 from armui.viewport.handles import Handles
-from armui.viewport.look_alike import look_alike
-from armui.viewport.looking_view import LookingView
+from armui.viewport.hud import Hud, HudValues, add_again_button, lost_text, paint_image, paint_plate
 from armui.viewport.palette import LIGHT, ScenePalette
 from armui.viewport.path_overlay import PathOverlay
 from armui.viewport.projection import Projection
@@ -20,29 +34,65 @@ from armui.viewport.robot_shape import IDENTITY, composed, pose_rows
 from armui.viewport.stroke_painter import StrokeLayer, StrokePainter
 from armui.viewport.strokes import joint_range, tool_frame
 from armui.viewport.view_state import BUILT_IN_ROBOT, PickRequest, RobotChoice, ViewState
+from armui.viewport.viewpoint import ViewMode, Viewpoint
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
     from pathlib import Path
 
-    from PySide6.QtGui import QHideEvent, QKeyEvent, QMouseEvent, QPainter, QWheelEvent
-    from PySide6.QtWidgets import QWidget
+    from PySide6.QtGui import (
+        QCloseEvent,
+        QFocusEvent,
+        QHideEvent,
+        QImage,
+        QKeyEvent,
+        QMouseEvent,
+        QPaintEvent,
+        QResizeEvent,
+        QShowEvent,
+        QWheelEvent,
+    )
 
-    from armui.viewport.client import PictureClient
+    from armui.viewport.camera import OrbitCamera, ViewDirection
     from armui.viewport.grips import Grip
     from armui.viewport.handles import HandlePlace
-    from armui.viewport.news import Lost
     from armui.viewport.path_picture import Preview, Reach, Trail
+    from armui.viewport.process_link import Lost
+    from armui.viewport.robot_shape import RobotShape
     from armui.viewport.strokes import Stroke
 
+_VIEWERS = itertools.count()
+_START_MS = 20
+_FIGURES_WAIT_MS = 50
+"""So long new figures wait for the picture of the same moment, to be painted with it."""
 
-class ArmView(LookingView):
+
+_MOST_ASKED = 128
+_REST_MS: Final = 700
+"""An arm that has not moved for so long is at rest: the camera may come nearer."""
+_GLANCE_MS: Final = 80
+"""So often it is looked whether a moving arm is still in the picture."""
+
+
+class ArmView(QWidget):
     """The arm in 3D with the measured figures over it.
+
+    Nothing is drawn while the widget can't be seen. Where the picture lags behind what it should
+    show, or is gone, the widget says so (safety promise S24).
+
+    To begin with, the arm fills the room it has, and the camera steps back when the arm would
+    leave it, or come behind the figures. Once the operator has moved the picture, it stays where
+    it was put; a view chosen, `fit` or `reset_view` brings that back.
 
     Left drag turns, middle drag or shift with left drag moves, the wheel zooms, a double click on
     a link picks its joint. With the focus: arrow keys turn, + and − zoom, Home resets.
 
     Signals:
+        load_failed: why a robot description can't be shown, a `Refusal` with one of the codes
+            `armui.arm.refusal_codes.RefusalCode`; the old one stays.
+        first_frame_shown: the arm is on the screen for the first time.
+        settled: the picture on the screen shows the newest state, see `is_settled`.
+        view_changed: how the arm is looked at has changed, by whomever.
         joint_picked: a link was double-clicked; its joint number, 1–6.
         mark_picked: a point of the previewed path was clicked; its row, from 0.
         finding_picked: the sign of a finding was clicked, a `FindingMark`.
@@ -57,6 +107,10 @@ class ArmView(LookingView):
         client: has the pictures drawn; whoever gives one ends it. One of its own by default.
     """
 
+    load_failed = Signal(object)
+    first_frame_shown = Signal()
+    settled = Signal()
+    view_changed = Signal()
     joint_picked = Signal(int)
     mark_picked = Signal(int)
     finding_picked = Signal(object)
@@ -72,7 +126,21 @@ class ArmView(LookingView):
         client: PictureClient | None = None,
         parent: QWidget | None = None,
     ) -> None:
+        super().__init__(parent)
         choice = BUILT_IN_ROBOT if robot is None else RobotChoice(robot)
+        self._state = ViewState(choice, palette=palette, viewer=next(_VIEWERS))
+        self._asked: dict[int, ViewState] = {}
+        self._shown: ViewState | None = None
+        self._hud = HudValues()
+        self._hud_painter = Hud()
+        self._picture: Picture | None = None
+        self._is_frame_new = False
+        self._lost: Lost | None = None
+        self._is_started = False
+        self._is_shut_down = False
+        self._viewpoint = Viewpoint()
+        self._shape: RobotShape | None = None
+        self._corner_px, self._strip_px = (0.0, 0.0), 0.0
         self._drag = Drag()
         self._pick_serial = 0
         self._tool = IDENTITY
@@ -83,11 +151,95 @@ class ArmView(LookingView):
         self._strokes = StrokePainter()
         self._range_layer = StrokeLayer(self._strokes)
         self._handle_layer = StrokeLayer(self._strokes)
-        super().__init__(choice, palette, client, parent)
-        self._client.joint_picked.connect(self._on_joint_picked)
-        self._client.mark_picked.connect(self.mark_picked)
+        self._owns_client = client is None
+        self._client = client or PictureClient(parent=self)
+        self._connect_client()
+        self._again_button = add_again_button(self, self._start_again)
+        self._figures_wait = QTimer(self, singleShot=True, interval=_FIGURES_WAIT_MS)
+        self._figures_wait.timeout.connect(self._paint_figures)
+        self._rest = QTimer(self, singleShot=True, interval=_REST_MS)
+        self._rest.timeout.connect(self._on_rest)
+        self._glance = QTimer(self, singleShot=True, interval=_GLANCE_MS)
+        self._glance.timeout.connect(self._on_glance)
+        self.setAttribute(Qt.WidgetAttribute.WA_OpaquePaintEvent)
+        self.setMinimumSize(240, 200)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setMouseTracking(True)  # a button that came up elsewhere is seen at the next move
+        application = QCoreApplication.instance()
+        if application is not None:
+            # A child gets no close event when its window closes.
+            application.aboutToQuit.connect(self.shutdown)
+        self.retranslate_ui()
+        if self._client.shape is not None:
+            self._on_robot_shown(self._client.shape)
+
+    def _connect_client(self) -> None:
+        self._client.frame_ready.connect(self._on_frame_ready)
+        self._client.load_failed.connect(self.load_failed)
+        self._client.lost.connect(self._on_lost)
+        self._client.aged.connect(self.update)
+        self._client.robot_shown.connect(self._on_robot_shown)
+        self._client.joint_picked.connect(self._on_joint_picked)
+        self._client.mark_picked.connect(self.mark_picked)
+
+    def sizeHint(self) -> QSize:
+        """Room for the arm and the figures."""
+        return QSize(720, 640)
+
+    @property
+    def is_settled(self) -> bool:
+        """Whether the picture on the screen shows the newest state, with smooth edges."""
+        return (
+            self._picture is not None
+            and not self._is_frame_new
+            and not self._glance.isActive()
+            and self._client.is_settled
+        )
+
+    @property
+    def has_given_up(self) -> bool:
+        """Whether there is no picture, and none will come by itself."""
+        return self._lost is not None and not self._lost.comes_back
+
+    @property
+    def is_current(self) -> bool:
+        """Whether what is on the screen may be taken for what is there now."""
+        return self._picture is not None and not self._notice()
+
+    @property
+    def is_late(self) -> bool:
+        """Whether the picture lags, or is gone: nothing is aimed at in it."""
+        return self._client.looks_old or self._lost is not None
+
+    def taken_picture(self) -> QImage | None:
+        """A copy of the picture with the figures, as it is on the screen; None without one."""
+        return None if self._picture is None else self.grab().toImage()
+
+    def shutdown(self) -> None:
+        """End drawing for good and wait for it; may be called twice."""
+        self._is_shut_down = True
+        if self._owns_client:
+            self._client.stop()
+
+    @property
+    def camera(self) -> OrbitCamera:
+        """Where the arm is seen from."""
+        return self._state.camera
+
+    @property
+    def mode(self) -> ViewMode:
+        """Who moves the camera."""
+        return self._viewpoint.mode
+
+    @property
+    def projection(self) -> Projection:
+        """From places to the widget's pixels and back, by the camera of now."""
+        return Projection(self._state.camera, self.width(), self.height())
+
+    @property
+    def shape(self) -> RobotShape | None:
+        """The robot in the picture, once it is known."""
+        return self._shape
 
     @property
     def highlighted_joint(self) -> int | None:
@@ -200,7 +352,189 @@ class ArmView(LookingView):
         if self._handles.set_place(place):
             self.update()
 
-    # ------------------------------------------------------------------------------------------
+    # how it is looked at ----------------------------------------------------------------------
+
+    def reset_view(self) -> None:
+        """The first view again."""
+        self._viewpoint.reset()
+        self._take_camera()
+
+    def fit(self) -> None:
+        """Show all of the arm as large as the room allows."""
+        self._viewpoint.fit()
+        self._take_camera()
+
+    def look_from(self, direction: ViewDirection) -> None:
+        """Look from a direction at all of the arm."""
+        self._viewpoint.look_from(direction)
+        self._take_camera()
+
+    def follow_tool(self, *, wanted: bool) -> None:
+        """Keep the tool in the middle, or show all of the arm again."""
+        self._viewpoint.follow(wanted=wanted)
+        self._take_camera()
+
+    def set_orthographic(self, *, wanted: bool) -> None:
+        """Show parallel lines as such, or with perspective."""
+        if wanted != self._viewpoint.camera.orthographic:
+            self._viewpoint.set_orthographic(wanted=wanted)
+            self._take_camera()
+
+    def set_covered(self, corner_px: tuple[float, float], strip_px: float) -> None:
+        """Say what lies over the picture, so that the arm stands beside it.
+
+        Args:
+            corner_px: Width and height of the buttons at the bottom right.
+            strip_px: How wide the buttons along the right edge are.
+        """
+        if (corner_px, strip_px) == (self._corner_px, self._strip_px):
+            return
+        self._corner_px, self._strip_px = corner_px, strip_px
+        self._resized()
+        self._show(self._state)
+
+    def _resized(self) -> None:
+        frame = self._hud_painter.frame(self.font())
+        figures = Box(0.0, 0.0, frame.right(), frame.bottom())
+        self._take_arm(self._state)
+        width, height = float(self.width()), float(self.height())
+        corner = Box(0.0, 0.0, 0.0, 0.0)
+        if any(self._corner_px):
+            corner = Box(width - self._corner_px[0], height - self._corner_px[1], width, height)
+        room = Room(width, height, figures, corner, self._strip_px)
+        self._viewpoint.take_room(room)
+        self._state = self._state._replace(camera=self._viewpoint.camera)
+
+    def _on_robot_shown(self, shape: RobotShape) -> None:
+        self._shape = shape
+        self._viewpoint.take_shape(shape)
+        self._take_camera()
+
+    def _on_rest(self) -> None:
+        if self.isVisible():
+            self._viewpoint.come_to_rest()
+            self._take_camera()
+
+    def _look_at(self, state: ViewState) -> None:
+        """Show a state in which the arm or its ghost may stand elsewhere."""
+        moved = state.angles_deg is not self._state.angles_deg
+        moved = moved or state.preview.ghost_deg != self._state.preview.ghost_deg
+        if moved and self.isVisible():
+            self._rest.start()
+            if self.mode is ViewMode.FOLLOW or not self._glance.isActive():
+                self._glance.start()
+                self._take_arm(state)
+                state = state._replace(camera=self._viewpoint.camera)
+        self._show(state)
+
+    def _take_arm(self, state: ViewState) -> None:
+        ghost_deg = state.preview.ghost_deg
+        self._viewpoint.take_arm(state.angles_deg, state.gripper_mm or 0.0, ghost_deg)
+
+    def _on_glance(self) -> None:
+        if self.isVisible():
+            self._take_arm(self._state)
+            self._show(self._state._replace(camera=self._viewpoint.camera))
+
+    def _take_camera(self) -> None:
+        self._show(self._state._replace(camera=self._viewpoint.camera))
+        self.view_changed.emit()
+
+    def _look_through(self, camera: OrbitCamera | None) -> None:
+        """The operator has moved the camera."""
+        if camera is None or self._viewpoint.is_carried:
+            return
+        before = self._state.camera
+        turned = (camera.focus_m, camera.distance_m) == (before.focus_m, before.distance_m)
+        self._viewpoint.move_by_hand(camera, only_turned=turned)
+        self._take_camera()
+
+    # what is asked for, and what comes ---------------------------------------------------------
+
+    def _show(self, state: ViewState) -> None:
+        self._state = state
+        if self._client.is_running and self.isVisible() and not self._is_shut_down:
+            self._client.show(state)
+            self._asked[self._client.sequence] = state
+            if len(self._asked) > _MOST_ASKED:  # no picture has come for seconds
+                del self._asked[min(self._asked)]
+
+    def _set_hud(self, values: HudValues) -> None:
+        if values == self._hud:
+            return
+        self._hud = values
+        if not self._client.is_running or self._client.is_settled or self._lost is not None:
+            self._paint_figures()  # no picture is on its way
+        elif not self._figures_wait.isActive():
+            self._figures_wait.start()
+
+    def _paint_figures(self) -> None:
+        self.update(self._hud_painter.frame(self.font()).toAlignedRect())
+
+    def _fit_size(self) -> None:
+        """Ask for a picture as large as the widget, in device pixels."""
+        ratio = self.devicePixelRatioF()
+        self._state = self._state._replace(
+            width_px=max(1, round(self.width() * ratio)),
+            height_px=max(1, round(self.height() * ratio)),
+            pixel_ratio=ratio,
+        )
+        self._resized()
+        self._show(self._state)
+
+    def _start(self) -> None:
+        if self.isVisible() and not self._is_shut_down and not self._client.is_running:
+            self._client.start()
+            self._fit_size()
+
+    def _start_again(self) -> None:
+        self._again_button.hide()
+        self._lost = None
+        self._client.start()
+        self.update()
+
+    def _on_frame_ready(self, picture: Picture) -> None:
+        is_first = self._picture is None
+        sequence = picture.frame.sequence
+        shown = self._asked.get(sequence, self._state)
+        self._asked = {each: state for each, state in self._asked.items() if each >= sequence}
+        if is_first and shown.camera != self._state.camera:
+            # it was drawn before it was known how large the robot is
+            self._client.frame_used(picture)
+            return
+        self._picture = picture
+        self._shown = shown
+        self._is_frame_new = True
+        self._lost = None
+        self._figures_wait.stop()
+        self.update()
+        if is_first:
+            self.first_frame_shown.emit()
+
+    def _on_lost(self, lost: Lost) -> None:
+        """Nothing is aimed at in a picture that is gone (S24)."""
+        self._lost = lost
+        self._again_button.setVisible(not lost.comes_back)
+        self.update()
+        self.give_up_drag()
+
+    def _notice(self) -> str:
+        """What is wrong with the picture, in words; empty when nothing is."""
+        if self._lost is not None:
+            return lost_text(self._lost)
+        if self._picture is None:
+            return QCoreApplication.translate("ArmView", "Loading the 3D model …")
+        late = QCoreApplication.translate("ArmView", "Picture delayed")
+        return late if self._client.looks_old else ""
+
+    def retranslate_ui(self) -> None:
+        """Put the words into the operator's language."""
+        self._again_button.setText(QCoreApplication.translate("ArmView", "Start the 3D view again"))
+
+    def quantities_at(self, place: QPoint) -> list[str]:
+        """The key of the figure at a place; see `armui.telemetry.quantities`."""
+        key = self._hud_painter.quantity_at(QPointF(place), self.font())
+        return [] if key is None else [key]
 
     def _on_joint_picked(self, number: int | None) -> None:
         self.highlight_joint(number)
@@ -248,17 +582,77 @@ class ArmView(LookingView):
             self._take_camera()
             self.handle_left.emit(given_up)
 
-    # the operator's hand ----------------------------------------------------------------------
+    # events -----------------------------------------------------------------------------------
+
+    def showEvent(self, event: QShowEvent) -> None:
+        """Ask for a picture of the size shown."""
+        super().showEvent(event)
+        self._fit_size()
 
     def hideEvent(self, event: QHideEvent) -> None:
         """Forget a drag that was under way."""
         super().hideEvent(event)
         self.give_up_drag()
 
-    def _on_lost(self, lost: Lost) -> None:
-        """Nothing is aimed at in a picture that is gone (S24)."""
-        super()._on_lost(lost)
-        self.give_up_drag()
+    def closeEvent(self, event: QCloseEvent) -> None:
+        """End drawing: as a window of its own the view is closed for good."""
+        self.shutdown()
+        super().closeEvent(event)
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Ask for a picture of the new size."""
+        super().resizeEvent(event)
+        self._fit_size()
+
+    def paintEvent(self, _event: QPaintEvent) -> None:
+        """Show the last picture, the figures and, if need be, why there is no picture."""
+        palette = self._state.palette
+        painter = QPainter(self)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        notice = self._notice()
+        image = None if self._picture is None else self._picture.image
+        paint_image(painter, self.size(), image, palette, faded=bool(notice))
+        if self._shown is not None and not notice:
+            self._paint_over(painter, self._shown)
+        self._hud_painter.paint(painter, self._hud, palette, self.font())
+        if notice:
+            paint_plate(painter, self.rect(), notice, palette)
+        if self.hasFocus():
+            painter.setPen(QPen(QColor(palette.accent), 1.0))
+            painter.setBrush(Qt.BrushStyle.NoBrush)
+            painter.drawRect(QRectF(self.rect()).adjusted(0.5, 0.5, -0.5, -0.5))
+        painter.end()
+        if not self._is_started:
+            # Loading the libraries is work for a window that the operator already sees.
+            self._is_started = True
+            QTimer.singleShot(_START_MS, self, self._start)
+        if self._is_frame_new and self._picture is not None:
+            # Only a picture on the screen makes room for the next: a covered window draws nothing.
+            self._is_frame_new = False
+            self._client.frame_used(self._picture)
+            if self._client.is_settled:
+                self.settled.emit()
+        if not math.isclose(self._state.pixel_ratio, self.devicePixelRatioF()):
+            self._fit_size()
+
+    def changeEvent(self, event: QEvent) -> None:
+        """Follow the language."""
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.LanguageChange:
+            self.retranslate_ui()
+            self.update()
+
+    def focusInEvent(self, event: QFocusEvent) -> None:
+        """Show the focus."""
+        super().focusInEvent(event)
+        self.update()
+
+    def focusOutEvent(self, event: QFocusEvent) -> None:
+        """Show that the focus is gone."""
+        super().focusOutEvent(event)
+        self.update()
+
+    # the operator's hand ----------------------------------------------------------------------
 
     def give_up_drag(self) -> None:
         """End a drag that is under way; what a handle has changed goes back to what it was."""

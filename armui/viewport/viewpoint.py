@@ -8,7 +8,7 @@ import math
 from collections.abc import Iterator, Sequence
 from typing import Final
 
-from armui.viewport.camera import HOME_CAMERA, OrbitCamera, Vector, ViewDirection
+from armui.viewport.camera import HOME_CAMERA, OrbitCamera, Vector, ViewDirection, look_alike
 from armui.viewport.fitting import (
     Ball,
     Room,
@@ -18,7 +18,6 @@ from armui.viewport.fitting import (
     is_clear,
     outermost,
 )
-from armui.viewport.look_alike import look_alike
 from armui.viewport.path_picture import Reach
 from armui.viewport.projection import Projection
 from armui.viewport.robot_shape import RobotShape, moved

@@ -14,7 +14,7 @@ from armui.trajectory import files
 from armui.trajectory.library.store import Library
 from armui.ui.dialogs.files import FileDialog
 from armui.ui.trajectory.library.bin_dialog import BinDialog
-from armui.ui.trajectory.library.import_report import ImportReport
+from armui.ui.trajectory.library.library_exchange import ImportReport
 from armui.ui.trajectory.library.library_page import LibraryPage
 from tests.app_driver import AppDriver
 from tests.gallery_scenes.trajectories import library

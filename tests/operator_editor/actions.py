@@ -8,8 +8,8 @@ from armui.protocol.codes import MoveMode
 from armui.trajectory.library.store import Library
 from armui.trajectory.points.cells import PointColumn
 from armui.trajectory.points.program import Trajectory, Waypoint
-from armui.ui.trajectory.editor.cell_editors import CellEditor
 from armui.ui.trajectory.editor.editor_page import EditorPage
+from armui.ui.trajectory.editor.point_delegate import CellEditor
 from armui.ui.trajectory.library.library_page import LibraryPage
 
 OUT = (20.0, 40.0, -40.0, 10.0, 20.0, 15.0)

@@ -8,7 +8,7 @@ from PySide6.QtWidgets import QApplication, QFileDialog, QTableWidget, QWidget
 from armui.trajectory import files
 from armui.trajectory.points.program import Trajectory
 from armui.ui.dialogs.files import FileDialog
-from armui.ui.trajectory.library.import_report import ImportReport
+from armui.ui.trajectory.library.library_exchange import ImportReport
 from tests.operator_library.actions import POINT, LibraryDriver
 
 

@@ -19,7 +19,7 @@ from armui.trajectory.library.drafts import Drafts
 from armui.trajectory.library.store import Library
 from armui.trajectory.points.program import Trajectory, Waypoint
 from armui.trajectory.samples.recording import Recording
-from armui.viewport.errors import SceneError
+from armui.viewport.messages import SceneError
 from tests.examples import examples
 
 POINTS = Trajectory("a", "", (Waypoint(MoveMode.MOVE_J, (0.0, 10.0, -20.0, 0.0, 0.0, 0.0)),))

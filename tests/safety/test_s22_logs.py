@@ -41,8 +41,8 @@ from armui.ui.watch.recordings.recording_card import length_text, moment_text
 from armui.ui.watch.recordings.sessions_window import SessionColumn, SessionsWindow
 from armui.ui.watch.replay.log_time import duration, moment
 from armui.ui.watch.replay.time_line import mark_text
+from tests.bus.playback.logs import Player
 from tests.operator_replay import Replay
-from tests.playback.logs import Player
 from tests.session.indexed import open_indexed
 from tests.session.recording.made import recorded, taken
 from tests.session.recordings import START_S, frames, greeting

@@ -35,7 +35,7 @@ from armui.trajectory.library.store import Library
 from armui.ui.dialogs.backup import BackupDialog
 from armui.ui.shell.workspace_layout import from_text
 from armui.ui.watch import layout_file
-from armui.viewport.errors import SceneError
+from armui.viewport.messages import SceneError
 
 pytestmark = [
     pytest.mark.timeout(30),  # what is held up here is held up for good

@@ -24,9 +24,9 @@ from armui.ui.trajectory.library.library_page import LibraryPage
 from armui.viewport.client import PictureClient
 from armui.viewport.grips import GripKind
 from armui.viewport.handles import HandleKind
-from armui.viewport.news import Lost
-from armui.viewport.process.outline import shape_of
+from armui.viewport.process.robot import shape_of
 from armui.viewport.process.urdf_file import load_robot
+from armui.viewport.process_link import Lost
 from tests.app_driver import AppDriver
 from tests.picture_hand import Hand
 from tests.waiting import wait_until

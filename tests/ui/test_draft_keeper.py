@@ -6,8 +6,7 @@ from armui.protocol.codes import MoveMode
 from armui.trajectory.library.store import Library
 from armui.trajectory.points.program import Trajectory, Waypoint
 from armui.ui.background import Background
-from armui.ui.trajectory.editor.document import Document
-from armui.ui.trajectory.editor.draft_keeper import DraftKeeper
+from armui.ui.trajectory.editor.document import Document, DraftKeeper
 from armui.ui.trajectory.library.library_work import LibraryWork
 from tests.app_driver import AtOnce, Slow
 

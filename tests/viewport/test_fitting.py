@@ -14,7 +14,7 @@ from armui.viewport.fitting import (
     is_ball_clear,
     is_clear,
 )
-from armui.viewport.process.outline import shape_of
+from armui.viewport.process.robot import shape_of
 from armui.viewport.process.urdf_file import load_robot
 from armui.viewport.projection import Projection
 from armui.viewport.viewpoint import ViewMode, Viewpoint

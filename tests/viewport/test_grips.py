@@ -7,9 +7,9 @@ import pytest
 
 from armui.system.paths import URDF
 from armui.viewport.camera import HOME_CAMERA, OrbitCamera, ViewDirection
-from armui.viewport.grip_drag import GripDrag
 from armui.viewport.grips import (
     EDGE_ON,
+    GripDrag,
     GripKind,
     grip_at,
     joint_grips,
@@ -18,7 +18,7 @@ from armui.viewport.grips import (
     tool_grips,
 )
 from armui.viewport.palette import LIGHT
-from armui.viewport.process.outline import shape_of
+from armui.viewport.process.robot import shape_of
 from armui.viewport.process.urdf_file import load_robot
 from armui.viewport.projection import Projection
 from armui.viewport.robot_shape import composed, pose_rows, rotation

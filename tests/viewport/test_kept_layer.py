@@ -6,10 +6,9 @@ from PySide6.QtCore import QRectF
 from PySide6.QtGui import QColor, QFont, QImage, QPainter
 
 from armui.viewport.camera import HOME_CAMERA, ViewDirection
-from armui.viewport.kept_layer import KeptLayer
 from armui.viewport.palette import DARK, LIGHT
 from armui.viewport.projection import Projection
-from armui.viewport.stroke_painter import StrokeLayer, StrokePainter
+from armui.viewport.stroke_painter import KeptLayer, StrokeLayer, StrokePainter
 from armui.viewport.strokes import Stroke
 from tests.viewport.test_views import pixels
 

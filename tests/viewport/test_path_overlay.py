@@ -11,8 +11,8 @@ from PySide6.QtCore import QPoint, Qt
 
 from armui.viewport.camera import HOME_CAMERA, OrbitCamera
 from armui.viewport.palette import LIGHT, rgb
+from armui.viewport.path_overlay import finding_at, signs, tags
 from armui.viewport.path_picture import NOTHING, FindingMark, PathPicture, Preview, Trail
-from armui.viewport.point_tags import finding_at, signs, tags
 from armui.viewport.projection import Projection
 from tests.viewport.pinhole import HEIGHT, WIDTH, project
 from tests.viewport.test_views import pixels

@@ -2,7 +2,7 @@
 
 import pytest
 
-from armui.viewport.picture_age import PictureAge
+from armui.viewport.watch import PictureAge
 
 
 def test_a_picture_of_the_newest_state_is_never_old():

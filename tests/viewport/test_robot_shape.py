@@ -8,7 +8,7 @@ import pytest
 from armui.kinematics.arm_kinematics import Kinematics
 from armui.kinematics.poses import pose_to_matrix
 from armui.system.paths import URDF
-from armui.viewport.process.outline import shape_of
+from armui.viewport.process.robot import shape_of
 from armui.viewport.process.urdf_file import load_robot
 from armui.viewport.robot_shape import moved, pose_rows
 from tests.family import PIPER

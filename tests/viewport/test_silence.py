@@ -11,11 +11,9 @@ from typing import Any
 import pytest
 
 from armui.arm.refusal_codes import RefusalCode
-from armui.viewport.child_process import ChildProcess
-from armui.viewport.conversation import Conversation, ProcessLostError
 from armui.viewport.mailbox import Mailbox
 from armui.viewport.messages import Drawn, PicturePhase, Ready
-from armui.viewport.news import Wanted
+from armui.viewport.process_link import ChildProcess, Conversation, ProcessLostError, Wanted
 from armui.viewport.view_state import BUILT_IN_ROBOT, ViewState
 from armui.viewport.watch import ThreadTurns
 

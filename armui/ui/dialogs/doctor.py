@@ -19,7 +19,7 @@ from armui.control.events import Level
 from armui.control.operating_state import LinkState
 from armui.doctor.facts import Diagnosis, DiagnosisLevel, HeardFacts, Section
 from armui.doctor.hearing import arm_facts
-from armui.doctor.judge_arm import judge_heard
+from armui.doctor.judge import judge_heard
 from armui.doctor.process import DoctorProcess
 from armui.doctor.report import Words, as_text
 from armui.protocol.codec import Codec

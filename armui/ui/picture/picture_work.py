@@ -3,33 +3,244 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING
+from functools import partial
+from typing import TYPE_CHECKING, Final
 
-from PySide6.QtCore import QObject
-from PySide6.QtWidgets import QApplication, QWidget
+from PySide6.QtCore import QBuffer, QByteArray, QEvent, QIODevice, QObject, Qt, QTimer
+from PySide6.QtGui import QGuiApplication, QImage
+from PySide6.QtWidgets import QApplication, QLabel, QWidget
 
+from armui.arm.models import model_data
+from armui.control.events import Level
+from armui.control.run.progress import OVER
+from armui.system.atomic import write_whole
+from armui.ui.dialogs.files import FileExport
+from armui.ui.freshness import is_stale
+from armui.ui.panels.jogging.cartesian_panel import CartesianPanel
 from armui.ui.panels.jogging.motion_panel import JointRow, MotionPanel
-from armui.ui.picture.picture_export import PictureExport
-from armui.ui.picture.picture_note import PictureNote
-from armui.ui.picture.trail_keeper import TrailKeeper
+from armui.ui.picture.target_drag import CartesianTarget, MotionTarget, TargetDrag
 from armui.ui.picture.view_bar import ViewBar
-from armui.viewport.camera import ViewDirection
+from armui.ui.theme import colors_of
+from armui.viewport.camera import ViewDirection, look_alike
 from armui.viewport.path_picture import Reach
+from armui.viewport.robot_shape import moved
+from armui.viewport.tool_trail import ToolTrail
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+    from pathlib import Path
+
     from armui.arm.state import ArmState
     from armui.control.arm_controller import ArmController
     from armui.control.operating_state import OperatingState
     from armui.settings import Settings, SettingsStore
     from armui.ui.background import Background
-    from armui.ui.picture.drag_targets import DragTarget
-    from armui.ui.picture.target_drag import TargetDrag
+    from armui.ui.picture.target_drag import DragTarget
     from armui.ui.trajectory.preview.path_preview import PathPreview
     from armui.ui.trajectory.preview.preview_link import PreviewLink
+    from armui.viewport.camera import Vector
     from armui.viewport.handles import HandleKind
     from armui.viewport.view import ArmView
 
-_MM = 0.001
+
+class PictureExport(FileExport):
+    """Writes what is on the screen; where the picture is old, or not there, it says so instead.
+
+    Args:
+        controller: Whom the stop button of the file chooser tells.
+        view: Shows the picture.
+        background: Writes files.
+        window: Whose the file chooser is.
+    """
+
+    def __init__(
+        self, controller: ArmController, view: ArmView, background: Background, window: QWidget
+    ) -> None:
+        super().__init__(controller, background, window)
+        self._view = view
+
+    def copy(self) -> None:
+        """Put the picture into the clipboard."""
+        image = self._taken()
+        if image is not None:
+            QGuiApplication.clipboard().setImage(image)
+            self.said.emit(self.tr("Picture copied"), Level.DONE)
+
+    def save(self) -> None:
+        """Let the operator say where to, and write it there: as it was when it was asked for."""
+        image = self._taken()
+        if image is not None:
+            self._choose(self.tr("Save picture"), "armui", "png", partial(self.write, image))
+
+    def write(self, image: QImage, path: Path) -> None:
+        """Write a picture to a file, out of the window's way."""
+        self._background.begin_here(self._job(path), _write, image, path)
+
+    def _taken(self) -> QImage | None:
+        if not self._view.is_current:
+            text = self.tr("There is no picture of now to be taken: wait until it is drawn.")
+            self.said.emit(text, Level.WARNING)
+            return None
+        return self._view.taken_picture()
+
+
+def _write(image: QImage, path: Path) -> None:
+    """Write a PNG; a file that was there is replaced when the new one is whole.
+
+    Raises:
+        OSError: It cannot be written.
+    """
+    data = QByteArray()
+    buffer = QBuffer(data)
+    buffer.open(QIODevice.OpenModeFlag.WriteOnly)
+    if not image.save(buffer, "PNG"):  # type: ignore[call-overload]
+        raise OSError(str(path))
+    write_whole(path, bytes(data.data()))
+
+
+_MM_PER_M: Final = 1000.0
+_BETWEEN_S: Final = 0.1
+"""A trail that grows is handed over this often: it is copied and drawn as a whole."""
+
+
+class TrailKeeper:
+    """Follows the arm while the picture is seen; what went by hidden is not made up.
+
+    The place is the one whose path is planned: the tool centre point, or the tip of the gripper
+    where no tool is set.
+
+    Args:
+        controller: Knows the arm and what was sent to it.
+        view: Shows the trail.
+        length_s: How many seconds of motion are shown.
+    """
+
+    def __init__(self, controller: ArmController, view: ArmView, length_s: float) -> None:
+        self._controller = controller
+        self._view = view
+        self._trail = ToolTrail(length_s)
+        self._device = controller.operating_state.device
+        self._seen: tuple[tuple[float, ...] | None, tuple[float, ...] | None] = (None, None)
+        self._is_new = False
+        self._handed_over_s = 0.0
+
+    def set_length(self, length_s: float) -> None:
+        """Show so many seconds of motion; 0: nothing."""
+        self._trail.set_length(length_s)
+        if length_s <= 0:
+            self._trail.clear()
+        self._view.set_trail(self._trail.trail)
+
+    def clear(self) -> None:
+        """Begin anew: the tool is another one."""
+        self._trail.clear()
+        self._view.set_trail(None)
+
+    def follow(self, state: ArmState) -> None:
+        """Take the newest state."""
+        operating_state = self._controller.operating_state
+        if operating_state.device != self._device:
+            self._device = operating_state.device
+            self.clear()
+        angles_deg = state.angles_deg()
+        if self._trail.length_s <= 0 or angles_deg is None or not self._view.isVisible():
+            return
+        if any(is_stale(heard, state, operating_state) for heard in state.joints_deg):
+            return
+        now_s = state.last_feedback_s or 0.0
+        if self._is_new and not 0.0 <= now_s - self._handed_over_s < _BETWEEN_S:
+            self._is_new, self._handed_over_s = False, now_s
+            self._view.set_trail(self._trail.trail)
+        setpoint_deg = self._controller.motion.setpoint_deg
+        if look_alike(tuple(angles_deg), self._seen[0]) and setpoint_deg == self._seen[1]:
+            return
+        self._seen = (tuple(angles_deg), setpoint_deg)
+        driven_mm = self._tool_mm(angles_deg)
+        if driven_mm is None:
+            return
+        commanded_mm = None if setpoint_deg is None else self._tool_mm(setpoint_deg)
+        self._is_new |= self._trail.add(now_s, driven_mm, commanded_mm)
+
+    def _tool_mm(self, angles_deg: Sequence[float]) -> Vector | None:
+        """Where the picture has the tool at six angles."""
+        shape = self._view.shape
+        if shape is None:
+            return None
+        x, y, z = self._controller.cartesian.tool[:3]
+        model = self._controller.operating_state.model
+        reach_mm = model_data(model).tool_mm(z)
+        rows = shape.flange(shape.links(angles_deg))
+        place = moved(rows, (x / _MM_PER_M, y / _MM_PER_M, reach_mm / _MM_PER_M))
+        return (place[0] * _MM_PER_M, place[1] * _MM_PER_M, place[2] * _MM_PER_M)
+
+
+_LONG_MS: Final = 6000
+_WIDEST_PX: Final = 420
+
+
+class PictureNote(QLabel):
+    """Stands at the lower left of the picture; the mouse goes through it."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.setObjectName("picture_note")
+        self.setWordWrap(True)
+        self.setTextFormat(Qt.TextFormat.PlainText)
+        self.setMaximumWidth(_WIDEST_PX)
+        self.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
+        self._words: str | Callable[[], str] = ""
+        self._level = Level.INFO
+        self._end = QTimer(self, singleShot=True, interval=_LONG_MS)
+        self._end.timeout.connect(self.hide)
+        self.hide()
+
+    def say(
+        self,
+        words: str | Callable[[], str],
+        level: Level = Level.INFO,
+        *,
+        stays: bool = False,
+    ) -> None:
+        """Say something; an empty text says nothing.
+
+        Args:
+            words: What; something to be called has words in whichever language is chosen.
+            level: How much it matters.
+            stays: Whether it stands until something else is said.
+        """
+        self._end.stop()
+        self._words, self._level = words, level
+        text = words if isinstance(words, str) else words()
+        self.setText(text)
+        self.setAccessibleName(text)
+        self._color()
+        self.setVisible(bool(text))
+        if text and not stays:
+            self._end.start()
+
+    def changeEvent(self, event: QEvent) -> None:
+        """Follow the language and the colours."""
+        if event.type() == QEvent.Type.LanguageChange and not isinstance(self._words, str):
+            self.setText(self._words())
+        elif event.type() == QEvent.Type.PaletteChange and self.text():
+            self._color()
+        super().changeEvent(event)
+
+    def _color(self) -> None:
+        colors = colors_of(self)
+        ground, line = {
+            Level.WARNING: (colors.warn_pale, colors.warn),
+            Level.FAULT: (colors.stop_pale, colors.stop_ink),
+        }.get(self._level, (colors.surface, colors.border))
+        sheet = (
+            f"#picture_note {{ background: {ground}; border: 1px solid {line}; "
+            f"border-radius: 6px; padding: 6px 10px; color: {colors.text}; }}"
+        )
+        if sheet != self.styleSheet():  # which is itself a change of the palette
+            self.setStyleSheet(sheet)
+
+
+_M_PER_MM: Final = 0.001
 
 
 class PictureWork(QObject):
@@ -111,8 +322,6 @@ class PictureWork(QObject):
 
     def _choose_handles(self, kind: HandleKind | None) -> None:
         if self._drag is None:
-            from armui.ui.picture.target_drag import TargetDrag  # noqa: PLC0415 - faster start
-
             self._drag = TargetDrag(
                 self._controller, self._view, self._preview, self.note, self._target
             )
@@ -120,9 +329,6 @@ class PictureWork(QObject):
 
     def _target(self) -> DragTarget | None:
         """The chosen point while an editor is seen, else the target of the panel that is shown."""
-        from armui.ui.panels.jogging.cartesian_panel import CartesianPanel  # noqa: PLC0415 - faster start
-        from armui.ui.picture.drag_targets import CartesianTarget, MotionTarget  # noqa: PLC0415 - as above
-
         point = None if self._link is None else self._link.target
         if point is not None or self._panel is None:
             return point
@@ -149,8 +355,6 @@ class PictureWork(QObject):
     def _on_state(self, state: ArmState) -> None:
         self._trail.follow(state)
         if self._preview.name is not None:
-            from armui.control.run.progress import OVER  # noqa: PLC0415 - faster start
-
             progress = self._controller.player.progress
             under_way = progress.phase not in OVER and progress.name == self._preview.name
             self._preview.light_row(progress.index if under_way else None)
@@ -165,7 +369,7 @@ class PictureWork(QObject):
             self._view.set_reach(None)
             return
         limits = self._controller.operating_state.limits
-        x, y, z = (length * _MM for length in self._tool[:3])
+        x, y, z = (length * _M_PER_MM for length in self._tool[:3])
         self._view.set_reach(
             Reach(tuple((each.min_deg, each.max_deg) for each in limits), (x, y, z))
         )

@@ -2,26 +2,237 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
 from functools import partial
-from typing import TYPE_CHECKING, Final
+from typing import TYPE_CHECKING, Final, Protocol
 
 from PySide6.QtCore import QObject, QTimer
 
+from armui.arm.limits import ANGLE_STEP_DEG, check_joints
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.control.events import Level
+from armui.kinematics import poses
+from armui.kinematics.poses import JogFrame, flange_pose
 from armui.ui import words
-from armui.ui.picture.drag_solver import DragBase, dragged_to
+from armui.viewport.grips import GripKind, snapped
 from armui.viewport.handles import HandleKind, HandlePlace
 
 if TYPE_CHECKING:
+    from armui.arm.limits import JointLimits
     from armui.control.arm_controller import ArmController
-    from armui.ui.picture.drag_targets import DragTarget
-    from armui.ui.picture.picture_note import PictureNote
+    from armui.kinematics.arm_kinematics import Kinematics
+    from armui.ui.panels.jogging.cartesian_panel import CartesianPanel
+    from armui.ui.panels.jogging.motion_panel import MotionPanel
+    from armui.ui.picture.picture_work import PictureNote
     from armui.ui.trajectory.preview.path_preview import PathPreview
     from armui.viewport.handles import Dragged
     from armui.viewport.view import ArmView
+
+
+COARSE: Final = {GripKind.AXIS: 10.0, GripKind.RING: 15.0, GripKind.JOINT: 5.0}
+"""Steps with Ctrl held: mm along an axis, degrees about one."""
+FINE: Final = {GripKind.AXIS: 1.0, GripKind.RING: 1.0, GripKind.JOINT: 1.0}
+"""Steps with Shift held."""
+
+
+@dataclass(frozen=True)
+class DragBase:
+    """What a drag begins with.
+
+    Attributes:
+        angles_deg: Of the arm, or of its ghost.
+        kind: Which handles.
+        tool: The tool centre point in the flange, mm and degrees.
+        kinematics: Of the arm.
+        limits: Of its joints.
+    """
+
+    angles_deg: tuple[float, ...]
+    kind: HandleKind
+    tool: tuple[float, ...]
+    kinematics: Kinematics
+    limits: Sequence[JointLimits]
+
+
+def dragged_to(
+    base: DragBase,
+    dragged: Dragged,
+    near_deg: Sequence[float],
+    *,
+    coarse: bool = False,
+    fine: bool = False,
+) -> tuple[float, ...] | Refusal:
+    """The six angles with the handle where it was carried.
+
+    Args:
+        base: At the beginning of the drag.
+        dragged: The handle, and how far.
+        near_deg: The angles before: of several ways the nearest is taken.
+        coarse: Only in the steps of `COARSE`: to whole coordinates of the base and whole angles of
+            a joint, of the tool's own axes to whole steps from where it was.
+        fine: Likewise, in those of `FINE`.
+
+    Returns:
+        The angles as they can be sent, or why the arm can't stand there.
+    """
+    grip = dragged.grip
+    steps = COARSE if coarse else FINE if fine else {}
+    amount = dragged.amount
+    if grip.kind is GripKind.JOINT:
+        angles = list(base.angles_deg)
+        angle_deg = angles[grip.number - 1] + amount
+        if grip.kind in steps:
+            angle_deg = snapped(angle_deg, steps[grip.kind])
+        angles[grip.number - 1] = _rounded(angle_deg)
+        return check_joints(angles, base.limits) or tuple(angles)
+
+    from armui.arm.reach import check_pose  # noqa: PLC0415 - scipy, loaded when needed
+
+    tool_point = poses.tool_matrix(base.kinematics.matrix(base.angles_deg), base.tool)
+    own = base.kind is HandleKind.TOOL_FRAME
+    if grip.kind in steps:
+        begun_at = 0.0
+        if grip.kind is GripKind.AXIS and not own:
+            begun_at = float(tool_point[grip.number, 3])
+        amount = snapped(begun_at + amount, steps[grip.kind]) - begun_at
+    place = grip.number + (3 if grip.kind is GripKind.RING else 0)
+    frame = JogFrame.TOOL if own else JogFrame.BASE
+    target = poses.shifted(tool_point, place, amount, frame)
+    flange = poses.matrix_to_pose(poses.flange_matrix(target, base.tool))
+    answer = check_pose(base.kinematics, flange, near_deg, base.limits)
+    return answer if isinstance(answer, Refusal) else tuple(map(_rounded, answer))
+
+
+def _rounded(angle_deg: float) -> float:
+    """As an angle is sent."""
+    return round(angle_deg / ANGLE_STEP_DEG) * ANGLE_STEP_DEG
+
+
+class DragTarget(Protocol):
+    """Something that stands for a pose of the arm, and can be given another one."""
+
+    def angles_deg(self) -> tuple[float, ...] | None:
+        """The six angles it stands for now; None: it stands for none."""
+
+    def begin(self) -> None:
+        """It is taken hold of."""
+
+    def is_as_begun(self) -> bool:
+        """Tell whether it still is what was taken hold of."""
+
+    def carry(self, angles_deg: tuple[float, ...]) -> None:
+        """Show that it is being dragged there; nothing is sent."""
+
+    def drop(self, angles_deg: tuple[float, ...]) -> Refusal | None:
+        """The drag has ended there: keep it; or why it can't be kept."""
+
+    def give_up(self, angles_deg: tuple[float, ...]) -> None:
+        """The drag was given up: stand where it stood before."""
+
+
+class MotionTarget:
+    """The target fields of 运动控制; 发送 sends them.
+
+    Args:
+        panel: The panel.
+    """
+
+    def __init__(self, panel: MotionPanel) -> None:
+        self._panel = panel
+        self._given = panel.given()
+
+    def begin(self) -> None:
+        """Note which fields follow the arm."""
+        self._given = self._panel.given()
+
+    def is_as_begun(self) -> bool:
+        """Tell that the fields are the same; see `DragTarget`."""
+        return True
+
+    def angles_deg(self) -> tuple[float, ...] | None:
+        """What stands in the six fields."""
+        return self._panel.targets()
+
+    def carry(self, angles_deg: tuple[float, ...]) -> None:
+        """Into the fields."""
+        self._panel.take_targets(angles_deg)
+
+    def drop(self, angles_deg: tuple[float, ...]) -> Refusal | None:
+        """It stands there already."""
+        self._panel.take_targets(angles_deg)
+        return None
+
+    def give_up(self, angles_deg: tuple[float, ...]) -> None:
+        """Back into the fields; those that followed the arm go on."""
+        self._panel.take_targets(angles_deg, self._given)
+
+
+class CartesianTarget:
+    """The target fields of 末端控制; MOVE P and MOVE L send them.
+
+    Args:
+        panel: The panel.
+        controller: Knows the arm and its kinematics.
+    """
+
+    def __init__(self, panel: CartesianPanel, controller: ArmController) -> None:
+        self._panel = panel
+        self._controller = controller
+        self._solved: tuple[tuple[float, ...], tuple[float, ...] | None] | None = None
+        self._given = panel.given()
+        self._pose = panel.targets()
+
+    def begin(self) -> None:
+        """Note which fields follow the arm, and what stands in them."""
+        self._given = self._panel.given()
+        self._pose = self._panel.targets()
+
+    def is_as_begun(self) -> bool:
+        """Tell that the fields are the same; see `DragTarget`."""
+        return True
+
+    def angles_deg(self) -> tuple[float, ...] | None:
+        """Angles for what stands in the six fields, near to where the arm is, if there are any."""
+        pose = self._panel.targets()
+        measured_deg = self._controller.state.angles_deg()
+        if pose is None or measured_deg is None:
+            return None
+        if self._solved is None or self._solved[0] != pose:
+            self._solved = (pose, self._solve(pose, measured_deg))
+        return self._solved[1]
+
+    def carry(self, angles_deg: tuple[float, ...]) -> None:
+        """Into the fields, as the pose of the tool centre point."""
+        cartesian = self._controller.cartesian
+        tool_point = poses.tool_matrix(cartesian.kinematics().matrix(angles_deg), cartesian.tool)
+        self._panel.take_targets(poses.matrix_to_pose(tool_point))
+        pose = self._panel.targets()
+        if pose is not None:
+            self._solved = (pose, angles_deg)  # what leads there is known: it was dragged there
+
+    def drop(self, angles_deg: tuple[float, ...]) -> Refusal | None:
+        """It stands there already."""
+        self.carry(angles_deg)
+        return None
+
+    def give_up(self, _angles_deg: tuple[float, ...]) -> None:
+        """Back into the fields; those that followed the arm go on."""
+        if self._pose is not None:
+            self._panel.take_targets(self._pose, self._given)
+
+    def _solve(
+        self, pose: tuple[float, ...], near_deg: Sequence[float]
+    ) -> tuple[float, ...] | None:
+        from armui.arm.reach import check_pose  # noqa: PLC0415 - scipy, loaded when needed
+
+        cartesian = self._controller.cartesian
+        limits = self._controller.operating_state.limits
+        flange = flange_pose(pose, cartesian.tool)
+        answer = check_pose(cartesian.kinematics(), flange, near_deg, limits)
+        return None if isinstance(answer, Refusal) else tuple(answer)
+
 
 _LOOK_MS: Final = 100
 _ELSEWHERE_DEG: Final = 0.05

@@ -18,6 +18,7 @@ from armui.ui.widgets.translated import Translated
 from armui.ui.words.text import Texts
 from armui.viewport.camera import ViewDirection
 from armui.viewport.handles import HandleKind
+from armui.viewport.viewpoint import ViewMode
 
 if TYPE_CHECKING:
     from armui.settings import SettingsStore
@@ -211,7 +212,6 @@ class ViewBar(Translated, QFrame):
             trail.setChecked(True)
 
     def _show_mode(self) -> None:
-        from armui.viewport.viewpoint import ViewMode  # noqa: PLC0415 - loaded with the view
 
         self.view_actions["follow"].setChecked(self._view.mode is ViewMode.FOLLOW)
 

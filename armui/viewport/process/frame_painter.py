@@ -8,8 +8,7 @@ from typing import TYPE_CHECKING, Final
 
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
-from armui.viewport.errors import SceneError
-from armui.viewport.messages import PicturePhase
+from armui.viewport.messages import PicturePhase, SceneError
 from armui.viewport.process.settle_in import limited_memory
 from armui.viewport.view_state import BUILT_IN_ROBOT, ViewState
 

@@ -21,7 +21,7 @@ from vtkmodules.vtkCommonCore import vtkObject, vtkUnsignedCharArray
 from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow
 
 from armui.arm.refusal_codes import RefusalCode
-from armui.viewport.errors import SceneError
+from armui.viewport.messages import SceneError
 
 
 class Pixels:

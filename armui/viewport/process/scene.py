@@ -8,24 +8,271 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING
 
-from vtkmodules.vtkRenderingCore import vtkCellPicker
+import numpy as np
+import pyvista as pv
+from vtkmodules.vtkCommonMath import vtkMatrix4x4
+from vtkmodules.vtkRenderingCore import (
+    vtkActor,
+    vtkCellPicker,
+    vtkFollower,
+    vtkLight,
+    vtkPolyDataMapper,
+)
+from vtkmodules.vtkRenderingFreeType import vtkVectorText
 
 from armui.viewport.camera import HOME_CAMERA, VIEW_ANGLE_DEG
-from armui.viewport.palette import LIGHT, ScenePalette
+from armui.viewport.palette import LIGHT, ScenePalette, mix, rgb
 from armui.viewport.path_picture import NOTHING, Preview
+from armui.viewport.process.geometry import (
+    actor_of,
+    axis_arrow,
+    flat,
+    floor_lines,
+    is_closed,
+    smooth,
+)
 from armui.viewport.process.offscreen import Canvas, Pixels
 from armui.viewport.process.preview_actors import PreviewActors
-from armui.viewport.process.reach_actor import ReachActor
-from armui.viewport.process.robot_actors import RobotActors
-from armui.viewport.process.stage import Stage
-from armui.viewport.process.trail_actors import TrailActors
+from armui.viewport.process.reach import ReachActor
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
     from pathlib import Path
 
-    from armui.viewport.process.robot import Robot
+    from vtkmodules.vtkRenderingCore import vtkRenderer
+
+    from armui.viewport.path_picture import Trail
+    from armui.viewport.process.robot import Matrix, Rgb, Robot
     from armui.viewport.view_state import ViewState
+
+
+_FLOOR_RADIUS_M = 0.9
+_FLOOR_STEP_M = 0.1
+_AXIS_LENGTH_M = 0.2
+_LETTER_HEIGHT_M = 0.022
+_AXES = (("X", (1.0, 0.0, 0.0)), ("Y", (0.0, 1.0, 0.0)), ("Z", (0.0, 0.0, 1.0)))
+
+
+class Stage:
+    """Floor grid, labelled axes and lights of one renderer."""
+
+    def __init__(self, renderer: vtkRenderer) -> None:
+        self._renderer = renderer
+        lines, self._outward = floor_lines(_FLOOR_RADIUS_M, _FLOOR_STEP_M)
+        self._lines = lines
+        self._lines.point_data["color"] = np.zeros((lines.n_points, 3), np.uint8)
+        self._lines.point_data.active_scalars_name = "color"
+        self._grid = self._unlit(self._lines)
+        self._arrows = [
+            self._unlit(axis_arrow(direction, _AXIS_LENGTH_M)) for _, direction in _AXES
+        ]
+        self._letters = [self._letter(text, direction) for text, direction in _AXES]
+        self._light()
+
+    def paint(self, palette: ScenePalette) -> None:
+        """Take the colours of a theme."""
+        background, grid = rgb(palette.background), rgb(palette.grid)
+        self._renderer.SetBackground(background)
+        shares = self._outward[:, np.newaxis] ** 2
+        colors = np.asarray(grid) * (1.0 - shares) + np.asarray(background) * shares
+        self._lines.point_data["color"] = np.round(np.clip(colors, 0.0, 1.0) * 255.0).astype(
+            np.uint8
+        )
+        for color, arrow, letter in zip(palette.axes, self._arrows, self._letters, strict=True):
+            arrow.GetProperty().SetColor(*rgb(color))
+            letter.GetProperty().SetColor(*mix(rgb(color), rgb(palette.text), 0.15))
+
+    def scale_lines(self, pixel_ratio: float) -> None:
+        """Keep the floor lines as wide to the eye on screens with small pixels."""
+        self._grid.GetProperty().SetLineWidth(pixel_ratio)
+
+    def _unlit(self, surface: pv.PolyData) -> vtkActor:
+        actor = actor_of(surface)
+        actor.GetProperty().LightingOff()
+        self._add(actor)
+        return actor
+
+    def _letter(self, text: str, direction: tuple[float, float, float]) -> vtkFollower:
+        shape = vtkVectorText()
+        shape.SetText(text)
+        mapper = vtkPolyDataMapper()
+        mapper.SetInputConnection(shape.GetOutputPort())
+        follower = vtkFollower()
+        follower.SetMapper(mapper)
+        follower.SetScale(_LETTER_HEIGHT_M)
+        follower.SetPosition([1.1 * _AXIS_LENGTH_M * part for part in direction])
+        follower.SetCamera(self._renderer.GetActiveCamera())
+        follower.GetProperty().LightingOff()
+        self._add(follower)
+        return follower
+
+    def _add(self, actor: vtkActor) -> None:
+        actor.PickableOff()
+        self._renderer.AddActor(actor)
+
+    def _light(self) -> None:
+        """A soft head light, a key light over the left shoulder, a faint one from the right."""
+        for position, intensity in (
+            ((0, 0, 1), 0.40),
+            ((-0.6, 1.2, 0.9), 0.56),
+            ((0.9, 0.1, 0.5), 0.2),
+        ):
+            light = vtkLight()
+            light.SetLightTypeToCameraLight()
+            light.SetIntensity(intensity)
+            light.SetPosition(position)
+            self._renderer.AddLight(light)
+
+
+_PLAIN: Rgb = (0.80, 0.82, 0.85)
+_FADED_SHARE = 0.6
+_HIGHLIGHT_SHARE = 0.55
+_GHOST_OPACITY = 0.3
+_SAME = 1e-3
+"""Poses that differ by less, in metres and in the figures of their rotation, are one."""
+
+
+class RobotActors:
+    """Builds the actors of a robot and moves and colours them."""
+
+    def __init__(self, robot: Robot) -> None:
+        self._robot = robot
+        self._joint_numbers = robot.joint_numbers()
+        self._matrices = {part.link: vtkMatrix4x4() for part in robot.parts}
+        self._poses: dict[str, Matrix] = {}
+        self._parts: list[tuple[str, vtkActor, Rgb]] = []
+        for part in robot.parts:
+            actor = actor_of(smooth(part.surface))
+            # One matrix a link, shared by its actors: a pose is set once and moves them all.
+            actor.SetUserMatrix(self._matrices[part.link])
+            actor.GetProperty().SetInterpolationToPhong()
+            actor.GetProperty().SetSpecularPower(30.0)
+            # saves a third of a picture's cost where the processor draws it
+            actor.GetProperty().SetBackfaceCulling(is_closed(part.surface))
+            self._parts.append((part.link, actor, part.color or _PLAIN))
+
+    @property
+    def actors(self) -> list[vtkActor]:
+        """All actors, to be put into a renderer or taken out of it."""
+        return [actor for _, actor, _ in self._parts]
+
+    def pose(self, angles_deg: Sequence[float], opening_mm: float) -> None:
+        """Move every link; joint angles as on the bus."""
+        poses = self._poses = self._robot.link_poses(angles_deg, opening_mm)
+        for link, matrix in self._matrices.items():
+            matrix.DeepCopy(flat(poses[link]))
+
+    def leave_out_what_stands_on(self, other: RobotActors) -> None:
+        """Hide the links that are where another robot's are: two surfaces in one place flicker."""
+        for link, actor, _ in self._parts:
+            own, its = self._poses.get(link), other._poses.get(link)
+            is_same = own is not None and its is not None and np.abs(own - its).max() < _SAME
+            actor.SetVisibility(not is_same)
+
+    def paint(self, palette: ScenePalette, *, fresh: bool, highlighted_joint: int | None) -> None:
+        """Colour the robot.
+
+        Args:
+            palette: the theme.
+            fresh: False fades the arm into the background: this pose is not what the arm reports
+                now.
+            highlighted_joint: its links take the accent colour.
+        """
+        for link, actor, own_color in self._parts:
+            color = own_color
+            is_highlighted = highlighted_joint == self._joint_numbers.get(link, 0)
+            if is_highlighted:
+                color = mix(color, rgb(palette.accent), _HIGHLIGHT_SHARE)
+            if not fresh:
+                color = mix(color, rgb(palette.background), _FADED_SHARE)
+            # Faded is flat, too: on a light background a white shell fades by losing its shades.
+            ambient, diffuse, specular = (0.12, 1.0, 0.25) if fresh else (0.7, 0.35, 0.0)
+            look = actor.GetProperty()
+            look.SetColor(*color)
+            look.SetAmbient(ambient)
+            look.SetDiffuse(diffuse)
+            look.SetSpecular(specular)
+
+    def make_ghost(self, palette: ScenePalette) -> None:
+        """Let the robot shine through, in the accent colour: it is where no arm is."""
+        for _, actor, _ in self._parts:
+            actor.PickableOff()
+            look = actor.GetProperty()
+            look.SetColor(*rgb(palette.accent))
+            look.SetOpacity(_GHOST_OPACITY)
+            look.BackfaceCullingOff()
+            look.SetSpecular(0.0)
+
+    def joint_of(self, picked: object) -> int | None:
+        """Number (1–6) of the joint that moves an actor; None for the base and the unknown."""
+        for link, actor, _ in self._parts:
+            if actor is picked:
+                return self._joint_numbers.get(link)
+        return None
+
+
+_MM = 0.001
+_DRIVEN_PX, _COMMANDED_PX = 7.0, 2.0
+_OLDEST_SHARE = 0.12
+"""Of its colour is left to the oldest place; the rest is the background's."""
+
+
+class TrailActors:
+    """Keeps the lines of a trail in a renderer."""
+
+    def __init__(self, renderer: vtkRenderer) -> None:
+        self._driven = _FadingLine(renderer, _DRIVEN_PX)
+        self._commanded = _FadingLine(renderer, _COMMANDED_PX)
+        self._shown: tuple[Trail | None, ScenePalette, float] | None = None
+
+    def show(self, trail: Trail | None, palette: ScenePalette, pixel_ratio: float) -> None:
+        """Show a trail; nothing is done where it is the same as before."""
+        wanted = (trail, palette, pixel_ratio)
+        if wanted == self._shown:
+            return
+        self._shown = wanted
+        driven, commanded = (b"", b"") if trail is None else (trail.driven, trail.commanded)
+        self._commanded.show(commanded, palette.commanded, palette.background, pixel_ratio)
+        self._driven.show(driven, palette.driven, palette.background, pixel_ratio)
+
+
+class _FadingLine:
+    """One line; it grows ten times a second, so only its places are put in anew."""
+
+    def __init__(self, renderer: vtkRenderer, width_px: float) -> None:
+        self._renderer = renderer
+        self._width_px = width_px
+        self._line = pv.PolyData()
+        self._actor = actor_of(self._line)
+        self._actor.GetProperty().LightingOff()
+        self._actor.PickableOff()
+        self._is_there = False
+        self._colors_of: tuple[int, str, str] | None = None
+
+    def show(self, places: bytes, color: str, ground: str, pixel_ratio: float) -> None:
+        """Go through places, three 32-bit floats each, mm; fewer than two are no line."""
+        points = np.frombuffer(places, np.float32).reshape(-1, 3) * np.float32(_MM)
+        is_there = len(points) > 1
+        if is_there:
+            self._line.points = points
+            wanted = (len(points), color, ground)
+            if wanted != self._colors_of:
+                self._colors_of = wanted
+                self._line.lines = np.concatenate(([len(points)], np.arange(len(points))))
+                self._line.point_data["color"] = _fading(*wanted)
+                self._line.point_data.active_scalars_name = "color"
+            self._actor.GetProperty().SetLineWidth(self._width_px * pixel_ratio)
+        if is_there != self._is_there:
+            self._is_there = is_there
+            change = self._renderer.AddActor if is_there else self._renderer.RemoveActor
+            change(self._actor)
+
+
+def _fading(count: int, color: str, ground: str) -> np.ndarray:
+    shares = np.linspace(_OLDEST_SHARE, 1.0, count)[:, np.newaxis]
+    far, own = np.asarray(rgb(ground)), np.asarray(rgb(color))
+    return np.round((far * (1.0 - shares) + own * shares) * 255.0).astype(np.uint8)
+
 
 _FAR_BEHIND_FOCUS_M = 5.0
 _FAR_BEFORE_FOCUS_M = 3.0

@@ -21,7 +21,7 @@ from trimesh.resolvers import FilePathResolver
 
 from armui.arm.refusal_codes import RefusalCode
 from armui.system.files import check_file, error_text, open_file, read_file
-from armui.viewport.errors import SceneError
+from armui.viewport.messages import SceneError
 from armui.viewport.process.robot import (
     ARM_JOINT_COUNT,
     HINGES,

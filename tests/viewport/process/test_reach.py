@@ -9,8 +9,7 @@ from armui.system.paths import URDF
 from armui.viewport.palette import DARK, LIGHT
 from armui.viewport.path_picture import Reach
 from armui.viewport.process.frame_painter import FramePainter
-from armui.viewport.process.reach_shell import shell_of
-from armui.viewport.process.reach_volume import VOXEL_M, reached
+from armui.viewport.process.reach import VOXEL_M, reached, shell_of
 from armui.viewport.process.scene import Scene
 from armui.viewport.process.urdf_file import load_robot
 from armui.viewport.view_state import BUILT_IN_ROBOT, ViewState

@@ -6,7 +6,7 @@ import trimesh
 
 from armui.system.paths import URDF
 from armui.viewport.camera import HOME_CAMERA
-from armui.viewport.errors import SceneError
+from armui.viewport.messages import SceneError
 from armui.viewport.palette import DARK, LIGHT, rgb
 from armui.viewport.process.scene import Scene
 from armui.viewport.process.urdf_file import load_robot

@@ -10,7 +10,7 @@ import trimesh
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.system.paths import URDF
-from armui.viewport.errors import SceneError
+from armui.viewport.messages import SceneError
 from armui.viewport.process.urdf_file import load_robot
 from tests.viewport.foreign import joint, link, mesh, write_arm
 

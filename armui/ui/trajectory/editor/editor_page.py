@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QEvent, Qt, Signal
 from PySide6.QtGui import QKeySequence, QShortcut
-from PySide6.QtWidgets import QHeaderView, QLineEdit
+from PySide6.QtWidgets import QHeaderView, QLineEdit, QWidget
 
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
@@ -20,13 +20,10 @@ from armui.trajectory.planning.findings import Severity
 from armui.trajectory.points.edits import Change
 from armui.trajectory.points.program import Trajectory, Waypoint, speeds_of
 from armui.ui import words
-from armui.ui.trajectory.editor.document import Document
-from armui.ui.trajectory.editor.draft_keeper import DraftKeeper
-from armui.ui.trajectory.editor.editor_actions import EditorActions
-from armui.ui.trajectory.editor.editor_hint import EditorHint
-from armui.ui.trajectory.editor.editor_jog import EditorJog
-from armui.ui.trajectory.editor.find_bar import FindBar
-from armui.ui.trajectory.editor.finder import Finder
+from armui.ui.panels.jogging.jog_box import JogBox
+from armui.ui.trajectory.editor.document import Document, DraftKeeper
+from armui.ui.trajectory.editor.editor_actions import EditorActions, EditorHint
+from armui.ui.trajectory.editor.find_bar import FindBar, Finder
 from armui.ui.trajectory.editor.findings_pane import FindingsPane
 from armui.ui.trajectory.editor.leave_question import LeaveQuestion
 from armui.ui.trajectory.editor.other_arm_line import OtherArmLine
@@ -35,15 +32,61 @@ from armui.ui.trajectory.editor.points_model import PointsModel
 from armui.ui.trajectory.editor.points_table import PointsTable
 from armui.ui.trajectory.running.preflight import Checks, Preflight
 from armui.ui.trajectory.running.run_bar import RunBar, RunChoices
-from armui.ui.widgets.buttons import named
-from armui.ui.widgets.layouts import fill
+from armui.ui.widgets.buttons import named, push_button
+from armui.ui.widgets.layouts import fill, in_column
 from armui.ui.widgets.message_line import MessageLine
 from armui.ui.widgets.page import Page
+from armui.ui.widgets.translated import Translated
 
 if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
     from armui.trajectory.library.run_options import RunOptions
+    from armui.ui.panels.jogging.jog_box import JogBox
     from armui.ui.trajectory.library.library_work import LibraryWork
+
+
+class EditorJog(Translated, QWidget):
+    """Folded away at first, and made when it is first wanted.
+
+    Args:
+        controller: Whom the box asks for motion.
+        keys: What the button's key is called.
+
+    Signals:
+        refused: A :class:`Refusal`, or ``None`` when something was done.
+        insert_wanted: The button was pressed.
+    """
+
+    refused = Signal(object)
+    insert_wanted = Signal()
+
+    def __init__(self, controller: ArmController, keys: str) -> None:
+        super().__init__()
+        self._controller = controller
+        self._keys = keys
+        self._box: JogBox | None = None
+        self._insert = push_button("box_insert", primary=True, on_enter=False)
+        self._insert.clicked.connect(lambda _checked=False: self.insert_wanted.emit())
+        self._column = in_column(on=self, margins=0)
+        self.hide()
+        self.retranslate_ui()
+
+    def unfold(self, wanted: bool) -> None:
+        """Show the box, or put it away; what is put away moves nothing."""
+        if wanted and self._box is None:
+            self._box = JogBox(self._controller, self._insert)
+            self._box.refused.connect(self.refused)
+            self._column.addWidget(self._box)
+        self.setVisible(wanted)
+
+    def retranslate_ui(self) -> None:
+        """Put every word into the operator's language."""
+        text = self.tr("Insert current pose")
+        self._insert.setText(f"{text}  ({self._keys})")
+        self._insert.setAccessibleName(text)
+        tip = self.tr("Makes a point of where the arm is now, after the chosen row.")
+        self._insert.setToolTip(tip)
+
 
 _OF_POINTS: Final = ("go_to", "find", "check")
 """What can be done with points alone."""

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Final
+from typing import TYPE_CHECKING, Final
 
-from PySide6.QtCore import Qt, Signal
+from PySide6.QtCore import QObject, Qt, Signal
 from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QComboBox, QLineEdit, QWidget
 
@@ -18,6 +18,11 @@ from armui.ui.widgets.buttons import named, push_button
 from armui.ui.widgets.flow import in_flow
 from armui.ui.widgets.text_label import text_label
 from armui.ui.widgets.translated import Translated
+
+if TYPE_CHECKING:
+    from armui.ui.trajectory.editor.document import Document
+    from armui.ui.trajectory.editor.points_table import PointsTable
+
 
 _NOTE: Final = "note"
 _FIELDS: Final = (_NOTE, *JOINT_NAMES, *POSE_NAMES, "speed", "dwell")
@@ -126,3 +131,56 @@ class FindBar(Translated, QWidget):
             self._put_away()
         else:
             super().keyPressEvent(event)
+
+
+class Finder(QObject):
+    """Does what the bar asks for.
+
+    Args:
+        document: Whose points.
+        table: Shows the row that is found.
+        bar: Says what is sought.
+    """
+
+    def __init__(self, document: Document, table: PointsTable, bar: FindBar) -> None:
+        super().__init__(bar)
+        self._document, self._table, self._bar = document, table, bar
+        bar.next_wanted.connect(self._find)
+        bar.replace_wanted.connect(self._replace)
+
+    def _find(self, by: int) -> None:
+        rows = self._bar.found(self._document.points)
+        if isinstance(rows, Refusal):
+            self._bar.show_refusal(rows)
+            return
+        if not rows:
+            self._bar.show_result(self.tr("Not found"))
+            return
+        here = self._table.current_row()
+        ahead = [row for row in rows if row > here] if by > 0 else [r for r in rows if r < here]
+        row = (ahead or rows)[0 if by > 0 else -1]
+        self._table.select_row(row)
+        self._bar.show_result(
+            self.tr("{place} of {count}").format(place=rows.index(row) + 1, count=len(rows))
+        )
+
+    def _replace(self, everywhere: bool) -> None:
+        points = self._document.points
+        rows = self._bar.found(points)
+        if not isinstance(rows, Refusal) and not everywhere:
+            rows = [row for row in rows if row == self._table.current_row()]
+        changed: dict[int, Waypoint] = {}
+        for row in [] if isinstance(rows, Refusal) else rows:
+            point = self._bar.replaced(points[row])
+            if isinstance(point, Refusal):
+                rows = point
+                break
+            changed[row] = point
+        if isinstance(rows, Refusal):
+            self._bar.show_refusal(rows)
+            return
+        self._document.edit(edits.change(points, changed), self.tr("Replace"))
+        if everywhere:
+            self._bar.show_result(self.tr("{count} replaced").format(count=len(changed)))
+        else:
+            self._find(1)

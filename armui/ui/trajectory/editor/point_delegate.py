@@ -5,7 +5,7 @@ It paints nothing: a delegate's painting in Python is called for every cell, tim
 
 from __future__ import annotations
 
-from typing import Final, cast
+from typing import Final, Protocol, cast, runtime_checkable
 
 from PySide6.QtCore import (
     QAbstractItemModel,
@@ -17,19 +17,204 @@ from PySide6.QtCore import (
     Signal,
 )
 from PySide6.QtGui import QKeyEvent
-from PySide6.QtWidgets import QLineEdit, QStyledItemDelegate, QStyleOptionViewItem, QWidget
-
-from armui.trajectory.points.cells import VALUES, PointColumn
-from armui.ui.trajectory.editor.cell_editors import (
-    CellEditor,
-    GripperEditor,
-    LightEditor,
-    MoveEditor,
-    TextEditor,
+from PySide6.QtWidgets import (
+    QComboBox,
+    QLabel,
+    QLineEdit,
+    QStyledItemDelegate,
+    QStyleOptionViewItem,
+    QWidget,
 )
+
+from armui.trajectory.files.log_points import LETTERS
+from armui.trajectory.points.cells import VALUES, PointColumn
 from armui.ui.trajectory.editor.points_model import PointsModel
+from armui.ui.widgets.buttons import named
+from armui.ui.widgets.layouts import in_row
 from armui.ui.widgets.painting import repolish
 from armui.ui.widgets.table_model import Index
+from armui.ui.widgets.text_label import text_label
+from armui.ui.widgets.translated import Translated
+
+_FIELD_PX: Final = 62
+_COLOR_PX: Final = 130
+_ALL: Final = "all"
+_JOINTS: Final = 6
+
+
+@runtime_checkable
+class CellEditor(Protocol):
+    """What the delegate asks of an editor."""
+
+    def text(self) -> str:
+        """What is entered."""
+
+    def set_text(self, text: str) -> None:
+        """Show what stood in the cell."""
+
+
+class TextEditor(QLineEdit):
+    """A figure, six of them, or a note."""
+
+    def __init__(self, parent: QWidget, *, figure: bool) -> None:
+        super().__init__(parent)
+        if figure:
+            self.setAlignment(Qt.AlignmentFlag.AlignRight)
+
+    def set_text(self, text: str) -> None:
+        """Show what stood in the cell, ready to be typed over."""
+        self.setText(text)
+        self.selectAll()
+
+
+class MoveEditor(QComboBox):
+    """The four kinds of motion; choosing one is enough.
+
+    Signals:
+        decided: One was chosen.
+    """
+
+    decided = Signal()
+
+    def __init__(self, parent: QWidget) -> None:
+        super().__init__(parent)
+        for letter in LETTERS:
+            self.addItem(f"MOVE {letter}")
+        self.activated.connect(self.decided)
+
+    def text(self) -> str:
+        """The one chosen."""
+        return self.currentText()
+
+    def set_text(self, text: str) -> None:
+        """Choose what stood in the cell."""
+        self.setCurrentText(text)
+
+
+class _Row(Translated, QWidget):
+    """Fields side by side, over the cell and what is at its right."""
+
+    def __init__(self, parent: QWidget) -> None:
+        super().__init__(parent)
+        self.setAutoFillBackground(True)
+        self._layout = in_row(on=self, spacing=4, margins=(2, 0, 4, 0))
+        self.kind = QComboBox()
+        self._layout.addWidget(self.kind)
+        self.setFocusProxy(self.kind)
+
+    def add_field(self, name: str, width_px: int = _FIELD_PX) -> QLineEdit:
+        """One more field at the right end."""
+        field = named(name, QLineEdit())
+        field.setFixedWidth(width_px)
+        self._layout.addWidget(field)
+        return field
+
+    def add_label(self) -> QLabel:
+        """A unit behind it."""
+        label = text_label(rank="muted")
+        self._layout.addWidget(label)
+        return label
+
+    def retranslate_ui(self) -> None:
+        """Put every word into the operator's language."""
+
+
+class GripperEditor(_Row):
+    """What the gripper does on arrival: nothing, to an opening, or to an angle."""
+
+    _UNITS: Final = (("", ""), ("mm", "N·m"), ("°", "rad/s"))
+    _FIRST: Final = (("", ""), ("0", "1"), ("0", "1"))
+
+    def __init__(self, parent: QWidget) -> None:
+        super().__init__(parent)
+        self.kind.setObjectName("gripper_kind")
+        self.kind.addItems(["", "", ""])
+        self.place = self.add_field("gripper_place")
+        self._place_unit = self.add_label()
+        self.force = self.add_field("gripper_force")
+        self._force_unit = self.add_label()
+        self.kind.currentIndexChanged.connect(self._on_kind)
+        self.retranslate_ui()
+        self._on_kind(0)
+
+    def retranslate_ui(self) -> None:
+        """The kinds in the operator's language."""
+        texts = (self.tr("Nothing"), self.tr("Opening"), self.tr("Angle"))
+        for place, text in enumerate(texts):
+            self.kind.setItemText(place, text)
+
+    def _on_kind(self, kind: int) -> None:
+        place, force = self._FIRST[kind]
+        for field, text in ((self.place, place), (self.force, force)):
+            field.setEnabled(kind > 0)
+            field.setText(text)
+        self._place_unit.setText(self._UNITS[kind][0])
+        self._force_unit.setText(self._UNITS[kind][1])
+
+    def text(self) -> str:
+        """As in ``35mm@1Nm``; empty for nothing."""
+        kind = self.kind.currentIndex()
+        if kind == 0:
+            return ""
+        units = ("mm", "Nm") if kind == 1 else ("°", "rad/s")
+        return f"{_plain(self.place)}{units[0]}@{_plain(self.force)}{units[1]}"
+
+    def set_text(self, text: str) -> None:
+        """Show the action of such a text."""
+        place, _, force = text.partition("@")
+        self.kind.setCurrentIndex(0 if not text else 1 if place.endswith("mm") else 2)
+        if text:
+            self.place.setText(place.removesuffix("mm").removesuffix("°"))
+            self.force.setText(force.removesuffix("Nm").removesuffix("rad/s"))
+
+
+class LightEditor(_Row):
+    """What the lamps do on arrival: those of which joint, which of them, in what colour."""
+
+    def __init__(self, parent: QWidget) -> None:
+        super().__init__(parent)
+        self.kind.setObjectName("light_joint")
+        self.kind.addItem("")
+        self.kind.addItems([f"J{joint}" for joint in range(1, _JOINTS + 1)])
+        self.lamp = self.add_field("light_lamp")
+        self.color = self.add_field("light_color", _COLOR_PX)
+        self.kind.currentIndexChanged.connect(self._on_joint)
+        self.retranslate_ui()
+        self._on_joint(0)
+
+    def retranslate_ui(self) -> None:
+        """What the fields are, in the operator's language."""
+        self.kind.setItemText(0, self.tr("Nothing"))
+        self.lamp.setToolTip(self.tr("Lamp: 0 to 254, or all"))
+        self.color.setToolTip(self.tr("Grey values of red, green and blue, 0 to 255: 255,128,0"))
+        self.color.setPlaceholderText("R,G,B")
+
+    def _on_joint(self, joint: int) -> None:
+        self.lamp.setEnabled(joint > 0)
+        self.color.setEnabled(joint > 0)
+        if joint > 0 and not self.lamp.text():
+            self.lamp.setText(_ALL)
+            self.color.setText("255,255,255")
+
+    def text(self) -> str:
+        """As in ``1/all:255,128,0``; empty for nothing."""
+        joint = self.kind.currentIndex()
+        if joint == 0:
+            return ""
+        return f"{joint}/{_plain(self.lamp).lower()}:{self.color.text().replace(' ', '')}"
+
+    def set_text(self, text: str) -> None:
+        """Show the action of such a text."""
+        joint, _, rest = text.partition("/")
+        lamp, _, color = rest.partition(":")
+        self.lamp.setText(lamp)
+        self.color.setText(color)
+        self.kind.setCurrentIndex(int(joint) if joint else 0)
+
+
+def _plain(field: QLineEdit) -> str:
+    return field.text().strip().replace(",", ".").replace("−", "-")
+
 
 _LEAVING: Final = frozenset(
     {Qt.Key.Key_Return, Qt.Key.Key_Enter, Qt.Key.Key_Tab, Qt.Key.Key_Backtab}

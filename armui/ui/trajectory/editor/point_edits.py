@@ -11,6 +11,7 @@ from PySide6.QtGui import QGuiApplication
 
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
+from armui.kinematics.poses import tool_pose
 from armui.protocol.codes import MoveMode
 from armui.trajectory.files.errors import TrajectoryFileError
 from armui.trajectory.planning.convert import comes_from, to_joints, to_move, to_pose
@@ -247,7 +248,6 @@ class PointEdits(QObject):
         point = self._document.points[row]
         if point.is_joint:
             return self._controller.motion.send_joints(point.target)
-        from armui.kinematics.poses import tool_pose  # noqa: PLC0415 - numpy and scipy, loaded when needed
 
         cartesian = self._controller.cartesian
         move = MoveMode.MOVE_L if point.move is MoveMode.MOVE_L else MoveMode.MOVE_P

@@ -5,16 +5,20 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from datetime import datetime
 from functools import partial
+from typing import Final
 
-from PySide6.QtCore import QObject, Signal
+from PySide6.QtCore import QObject, Qt, Signal
+from PySide6.QtWidgets import QPushButton, QWidget
 
 from armui.control.events import Level
 from armui.trajectory.library.history import Deletion, LibraryHistory, Origin, Renaming, Step
 from armui.trajectory.library.store import Deleted, Listing
 from armui.trajectory.points.program import Trajectory
+from armui.ui.actions.keys import key_text, listen_for
 from armui.ui.trajectory.library.library_work import LibraryWork
 from armui.ui.trajectory.text import name_list
 from armui.ui.widgets.message_line import Words
+from armui.ui.widgets.translated import Translated
 
 
 class LibraryActions(QObject):
@@ -189,3 +193,39 @@ class LibraryActions(QObject):
             }[step.origin]
             effect = self.tr("Deletes it; for 30 days it can be brought back.")
         return text.format(names=names), effect
+
+
+_WIDEST_PX: Final = 210
+_SIDES_PX: Final = 40
+
+
+class UndoButton(Translated, QPushButton):
+    """There while something can be undone; Ctrl+Z in its page presses it.
+
+    Args:
+        actions: Undoes.
+        page: Where the key counts.
+    """
+
+    def __init__(self, actions: LibraryActions, page: QWidget) -> None:
+        super().__init__(page)
+        self._actions = actions
+        self.setObjectName("library_undo")
+        self.setAutoDefault(False)
+        listen_for("library.undo", page, actions.undo)
+        self.clicked.connect(lambda _checked=False: actions.undo())
+        actions.undo_changed.connect(self.show_step)
+        self.show_step()
+
+    def show_step(self) -> None:
+        """Say what would be undone now."""
+        text, effect = self._actions.undo_text()
+        room_px = _WIDEST_PX - _SIDES_PX
+        self.setText(self.fontMetrics().elidedText(text, Qt.TextElideMode.ElideRight, room_px))
+        self.setToolTip(f"{text} ({key_text('library.undo')})\n{effect}")
+        self.setAccessibleName(text)
+        self.setVisible(bool(text))
+
+    def retranslate_ui(self) -> None:
+        """Put every word into the operator's language."""
+        self.show_step()

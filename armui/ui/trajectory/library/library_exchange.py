@@ -5,24 +5,279 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from functools import partial
 from pathlib import Path
-from typing import Final
+from typing import Final, NamedTuple
 
-from PySide6.QtCore import QObject, Signal
-from PySide6.QtWidgets import QWidget
+from PySide6.QtCore import QCoreApplication, QEvent, QMimeData, QObject, QSize, Qt, Signal
+from PySide6.QtGui import QDragMoveEvent, QDropEvent
+from PySide6.QtWidgets import QFileDialog, QHeaderView, QPushButton, QTableWidgetItem, QWidget
 from shiboken6 import isValid
 
 from armui.arm.refusal import Refusal
 from armui.control.arm_controller import ArmController
 from armui.control.events import Level
-from armui.trajectory.files import TrajectoryFileError
-from armui.trajectory.library.store import Imported, LibraryError, import_files
+from armui.system.atomic import write_whole
+from armui.system.files import error_text
+from armui.trajectory import files
+from armui.trajectory.files import Content, TrajectoryFileError
+from armui.trajectory.library.file_names import file_stem
+from armui.trajectory.library.store import Imported, Library, LibraryError, import_files
 from armui.ui import words
 from armui.ui.background import Background, Job
-from armui.ui.trajectory.library import library_files
-from armui.ui.trajectory.library.import_report import ReportButton, Result
+from armui.ui.dialogs.base import ArmDialog, CloseButton
+from armui.ui.dialogs.files import FileDialog, choose_file
 from armui.ui.trajectory.library.library_work import LibraryWork
-from armui.ui.trajectory.table_import.columns_offer import ColumnsOffer
+from armui.ui.trajectory.table_import.columns_page import ColumnsOffer
 from armui.ui.trajectory.text import name_list
+from armui.ui.widgets.layouts import STRETCH, fill
+from armui.ui.widgets.table_model import plain_table
+from armui.ui.widgets.text_label import text_label
+from armui.ui.widgets.translated import Translated
+
+_PATTERNS: Final = "*.log *.csv *.json *.npz *.txt"
+
+Problem = tuple[str, str]
+"""The name of a file or trajectory, and what is wrong with it in the system's words."""
+
+
+def choose_imports(
+    parent: QWidget, controller: ArmController, on_chosen: Callable[[list[Path]], object]
+) -> FileDialog:
+    """Let the operator choose files to import, several at once."""
+    kinds = QCoreApplication.translate("LibraryFiles", "Trajectories")
+    every = QCoreApplication.translate("LibraryFiles", "All files")
+    dialog = FileDialog(
+        controller,
+        parent,
+        title=QCoreApplication.translate("LibraryFiles", "Import files"),
+        name_filter=f"{kinds} ({_PATTERNS});;{every} (*)",
+    )
+    dialog.setFileMode(QFileDialog.FileMode.ExistingFiles)
+    dialog.filesSelected.connect(lambda names: on_chosen([Path(name) for name in names]))
+    dialog.show()
+    return dialog
+
+
+def choose_export(
+    parent: QWidget,
+    controller: ArmController,
+    name: str,
+    suffix: str,
+    on_chosen: Callable[[Path], object],
+) -> FileDialog:
+    """Let the operator say to which file one trajectory is written."""
+    return choose_file(
+        parent,
+        controller,
+        title=QCoreApplication.translate("LibraryFiles", "Export file"),
+        name_filter=f"{suffix} (*{suffix})",
+        on_chosen=on_chosen,
+        new_file=file_stem(name) + suffix,
+    )
+
+
+def choose_folder(
+    parent: QWidget, controller: ArmController, on_chosen: Callable[[Path], object]
+) -> FileDialog:
+    """Let the operator say into which folder several trajectories are written."""
+    dialog = FileDialog(
+        controller,
+        parent,
+        title=QCoreApplication.translate("LibraryFiles", "Export files into a folder"),
+        name_filter="*",
+    )
+    dialog.setFileMode(QFileDialog.FileMode.Directory)
+    dialog.setOption(QFileDialog.Option.ShowDirsOnly, on=True)
+    dialog.fileSelected.connect(lambda chosen: on_chosen(Path(chosen)))
+    dialog.show()
+    return dialog
+
+
+def write_one(content: Content, path: Path) -> Problem | None:
+    """Write a trajectory to a file, whole or not at all: ``None``, or what the system says."""
+    try:
+        write_whole(path, files.to_bytes(content, path.suffix))
+    except (OSError, ValueError) as error:
+        return path.name, error_text(error)
+    return None
+
+
+Failure = Problem | LibraryError | TrajectoryFileError
+"""Why one of several trajectories was not written."""
+
+
+def write_all(
+    library: Library, names: Sequence[str], path_of: Callable[[str], Path]
+) -> tuple[list[str], list[Failure]]:
+    """Write trajectories of the library to files, each by itself.
+
+    Returns:
+        The names of the files written, and what speaks against the others.
+    """
+    written: list[str] = []
+    failures: list[Failure] = []
+    for name in names:
+        try:
+            content = library.load(name)
+        except (LibraryError, TrajectoryFileError) as error:
+            failures.append(error)
+            continue
+        path = path_of(name)
+        problem = write_one(content, path)
+        if problem is None:
+            written.append(path.name)
+        else:
+            failures.append(problem)
+    return written, failures
+
+
+def free_path(folder: Path, name: str, suffix: str) -> Path:
+    """Where a trajectory can be written in a folder without writing over anything."""
+    stem = file_stem(name)
+    path, number = folder / f"{stem}{suffix}", 1
+    while path.exists():
+        number += 1
+        path = folder / f"{stem} {number}{suffix}"
+    return path
+
+
+_SIZE: Final = QSize(860, 520)
+_FILE_PX: Final = 260
+
+
+class Result(NamedTuple):
+    """What became of a file.
+
+    Attributes:
+        file: Its name.
+        name: Under which its content is in the library now; "" if it is not.
+        requested: The name its content brought along; another one than `name` if that was taken.
+        problem: Why it is not in the library; "" if it is.
+    """
+
+    file: str
+    name: str = ""
+    requested: str = ""
+    problem: str = ""
+
+
+class ImportReport(ArmDialog):
+    """A line for each file, those that were not imported first.
+
+    Args:
+        controller: Whom the emergency stop tells.
+        results: Of all files, as they were imported.
+        parent: The window it belongs to.
+    """
+
+    def __init__(
+        self, controller: ArmController, results: Sequence[Result], parent: QWidget | None = None
+    ) -> None:
+        super().__init__(controller, parent)
+        self._results = sorted(results, key=lambda result: not result.problem)
+        self._summary = text_label("report_summary")
+        self._table = plain_table("report_table", 2, wide=1)
+        self._table.setRowCount(len(results))
+        self._table.verticalHeader().setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
+        self._table.setColumnWidth(0, _FILE_PX)
+        fill(self.body, self._summary, (self._table, 1))
+        fill(self.footer, STRETCH, CloseButton(self, on_enter=True))
+        self.retranslate_ui()
+        self.resize(_SIZE)
+
+    def retranslate_ui(self) -> None:
+        """Put every word into the operator's language."""
+        self.set_title(self.tr("What became of the files"))
+        taken = sum(not result.problem for result in self._results)
+        text = self.tr("{taken} imported, {left} not imported.")
+        self._summary.setText(text.format(taken=taken, left=len(self._results) - taken))
+        self._table.setHorizontalHeaderLabels([self.tr("File"), self.tr("Result")])
+        self._table.setAccessibleName(self.tr("What became of the files"))
+        for row, result in enumerate(self._results):
+            for column, cell in enumerate((result.file, self._tell(result))):
+                item = QTableWidgetItem(cell)
+                item.setToolTip(cell)
+                self._table.setItem(row, column, item)
+
+    def _tell(self, result: Result) -> str:
+        """A sign and a sentence."""
+        if result.problem:
+            return f"✕ {result.problem}"
+        if result.name != result.requested:
+            text = self.tr("✓ As “{name}”: the name “{requested}” was taken")
+            return text.format(name=result.name, requested=result.requested)
+        return self.tr("✓ As “{name}”").format(name=result.name)
+
+
+class ReportButton(Translated, QPushButton):
+    """Opens the report of the last import; there while its message is.
+
+    Args:
+        controller: Whom the emergency stop in the report tells.
+        window: The report belongs to it.
+    """
+
+    def __init__(self, controller: ArmController, window: QWidget) -> None:
+        super().__init__(window)
+        self._controller = controller
+        self._results: Sequence[Result] = ()
+        self.setObjectName("library_report")
+        self.setAutoDefault(False)
+        self.clicked.connect(lambda _checked=False: self._open())
+        self.hide()
+        self.retranslate_ui()
+
+    def show_for(self, results: Sequence[Result]) -> None:
+        """Offer the report of these, or none."""
+        self._results = results
+        self.setVisible(bool(results))
+
+    def _open(self) -> None:
+        report = ImportReport(self._controller, self._results, self.window())
+        report.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        report.open()
+
+    def retranslate_ui(self) -> None:
+        """Put every word into the operator's language."""
+        self.setText(self.tr("Results…"))
+
+
+class FileDrop(QObject):
+    """Lets files, and nothing else, be dropped on a widget; they are read, never moved.
+
+    Args:
+        target: Where.
+
+    Signals:
+        dropped: The paths of the files.
+    """
+
+    dropped = Signal(object)
+
+    def __init__(self, target: QWidget) -> None:
+        super().__init__(target)
+        target.setAcceptDrops(True)
+        target.installEventFilter(self)
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        """Take what is a file."""
+        kinds = {QEvent.Type.DragEnter, QEvent.Type.DragMove, QEvent.Type.Drop}
+        if event.type() not in kinds or not isinstance(event, QDropEvent | QDragMoveEvent):
+            return super().eventFilter(watched, event)
+        paths = _files(event.mimeData())
+        if paths:
+            event.setDropAction(Qt.DropAction.CopyAction)
+            event.accept()
+        else:
+            event.ignore()
+        if paths and event.type() == QEvent.Type.Drop:
+            self.dropped.emit(paths)
+        return True
+
+
+def _files(data: QMimeData) -> list[Path]:
+    """Files of this computer; a link to a page is none."""
+    return [Path(url.toLocalFile()) for url in data.urls() if url.isLocalFile()]
+
 
 _MOST_PROBLEMS: Final = 3
 """That are told in the message itself."""
@@ -70,7 +325,7 @@ class LibraryExchange(QObject):
 
     def choose_imports(self) -> None:
         """Let the operator choose files to import."""
-        library_files.choose_imports(self._window, self._controller, self.import_files)
+        choose_imports(self._window, self._controller, self.import_files)
 
     def import_files(self, paths: Sequence[Path]) -> None:
         """Take over what is whole of some files, beside the window; each of the others is told.
@@ -135,7 +390,7 @@ class LibraryExchange(QObject):
     def export(self, names: Sequence[str], suffix: str) -> None:
         """Let the operator say where to, and write trajectories there in a format."""
         if len(names) == 1:
-            library_files.choose_export(
+            choose_export(
                 self._window,
                 self._controller,
                 names[0],
@@ -143,23 +398,21 @@ class LibraryExchange(QObject):
                 lambda path: self._write(names, lambda _name: path),
             )
         else:
-            library_files.choose_folder(
+            choose_folder(
                 self._window,
                 self._controller,
-                lambda folder: self._write(
-                    names, lambda name: library_files.free_path(folder, name, suffix)
-                ),
+                lambda folder: self._write(names, lambda name: free_path(folder, name, suffix)),
             )
 
     def _write(self, names: Sequence[str], path_of: Callable[[str], Path]) -> None:
         """Write each; one that cannot be written keeps none of the others back."""
         self._work.do(
-            lambda: library_files.write_all(self._library, names, path_of),
+            lambda: write_all(self._library, names, path_of),
             self._on_written,
             lambda text: self.said.emit(text, Level.FAULT),
         )
 
-    def _on_written(self, result: tuple[list[str], list[library_files.Failure]]) -> None:
+    def _on_written(self, result: tuple[list[str], list[Failure]]) -> None:
         written, failures = result
         problems = [_problem_text(failure) for failure in failures]
         lines = []
@@ -177,7 +430,7 @@ def _problem_lines(problems: Sequence[str], one: str, rest: str) -> list[str]:
     return [*lines, rest.format(count=more)] if more > 0 else lines
 
 
-def _problem_text(failure: library_files.Failure) -> str:
+def _problem_text(failure: Failure) -> str:
     if isinstance(failure, LibraryError):
         return words.refusal(failure.refusal)
     if isinstance(failure, TrajectoryFileError):

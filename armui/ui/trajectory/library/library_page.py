@@ -21,20 +21,19 @@ from armui.trajectory.library.store import IndexEntry, Library, Listing
 from armui.ui import words
 from armui.ui.background import Background
 from armui.ui.trajectory.editor.findings_pane import FindingsPane
-from armui.ui.trajectory.library.bin_button import BinButton
-from armui.ui.trajectory.library.file_drop import FileDrop
-from armui.ui.trajectory.library.library_actions import LibraryActions
+from armui.ui.trajectory.library.bin_dialog import BinButton
+from armui.ui.trajectory.library.library_actions import LibraryActions, UndoButton
 from armui.ui.trajectory.library.library_bar import LibraryBar
-from armui.ui.trajectory.library.library_company import LibraryCompany
 from armui.ui.trajectory.library.library_editors import LibraryEditors
-from armui.ui.trajectory.library.library_exchange import LibraryExchange
-from armui.ui.trajectory.library.library_hint import LibraryHint
+from armui.ui.trajectory.library.library_exchange import FileDrop, LibraryExchange
 from armui.ui.trajectory.library.library_model import ENTRY_ROLE, LibraryFilter, LibraryModel
-from armui.ui.trajectory.library.library_presence import LibraryPresence
-from armui.ui.trajectory.library.library_table import LibraryTable
-from armui.ui.trajectory.library.library_watch import LibraryWatch
+from armui.ui.trajectory.library.library_presence import (
+    LibraryCompany,
+    LibraryPresence,
+    LibraryWatch,
+)
+from armui.ui.trajectory.library.library_table import LibraryHint, LibraryTable
 from armui.ui.trajectory.library.library_work import LibraryWork
-from armui.ui.trajectory.library.undo_button import UndoButton
 from armui.ui.trajectory.recording.recording_page import RecordingPage
 from armui.ui.trajectory.running.preflight import Checks, Preflight
 from armui.ui.trajectory.running.run_bar import RunBar, RunChoices

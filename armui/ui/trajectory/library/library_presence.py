@@ -4,9 +4,16 @@ from __future__ import annotations
 
 import os
 import secrets
+from collections.abc import Sequence
 from pathlib import Path
+from typing import Final
 
-from PySide6.QtCore import QLockFile
+from PySide6.QtCore import QFileSystemWatcher, QLockFile, QObject, QTimer, Signal
+
+from armui.control.events import Level
+from armui.ui.trajectory.text import name_list
+from armui.ui.widgets.message_line import MessageLine
+from armui.ui.widgets.translated import Translated
 
 
 class LibraryPresence:
@@ -54,3 +61,66 @@ class LibraryPresence:
         lock = QLockFile(str(path))
         lock.setStaleLockTime(0)  # however long a program runs, it is there
         return lock
+
+
+class LibraryCompany(Translated, MessageLine):
+    """Not there while this program is alone."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._others: Sequence[str] = ()
+        self.setObjectName("library_company")
+        self.hide()
+
+    def show_others(self, others: Sequence[str]) -> None:
+        """Name the other programs, each by its computer and process."""
+        if tuple(others) != tuple(self._others):
+            self._others = tuple(others)
+            self.retranslate_ui()
+
+    def retranslate_ui(self) -> None:
+        """Put every word into the operator's language."""
+        self.setVisible(bool(self._others))
+        if not self._others:
+            self.show_message("")
+            return
+        text = self.tr(
+            "Another program has this library open, too ({names}). What it saves appears in this "
+            "list. Do not edit the same trajectory in both."
+        )
+        self.show_message(text.format(names=name_list(list(self._others))), Level.WARNING)
+
+
+_PAUSE_MS: Final = 150
+"""A change comes as several: a new file, its renaming, the cache of the list."""
+
+
+class LibraryWatch(QObject):
+    """Follows a folder; where the system reports nothing, as on network disks, it stays silent.
+
+    Args:
+        folder: It need not exist.
+        parent: Its owner.
+
+    Signals:
+        changed: Files have come, gone or been replaced.
+    """
+
+    changed = Signal()
+
+    def __init__(self, folder: Path, parent: QObject) -> None:
+        super().__init__(parent)
+        self._folder = folder
+        self._watcher = QFileSystemWatcher(self)
+        self._timer = QTimer(self, singleShot=True, interval=_PAUSE_MS)
+        self._timer.timeout.connect(self.changed)
+        self._watcher.directoryChanged.connect(lambda _path: self.later())
+
+    def follow(self, *, exists: bool) -> None:
+        """Make sure that the folder is followed, also one that was made only now."""
+        if exists and not self._watcher.directories():
+            self._watcher.addPath(str(self._folder))
+
+    def later(self) -> None:
+        """Tell of the change in a moment, or once more."""
+        self._timer.start()

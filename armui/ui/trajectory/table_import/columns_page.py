@@ -2,35 +2,86 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
-from pathlib import PurePath
-from typing import TYPE_CHECKING, Final
+from functools import partial
+from pathlib import Path, PurePath
+from typing import Final
 
-from PySide6.QtCore import Qt, Signal
-from PySide6.QtWidgets import QComboBox, QLabel, QLineEdit, QSpinBox
+from PySide6.QtCore import QCoreApplication, QObject, Qt, QThread, Signal
+from PySide6.QtWidgets import QComboBox, QLabel, QLineEdit, QPushButton, QSpinBox, QWidget
 
 from armui.arm.refusal_codes import RefusalCode
 from armui.control.events import Level
 from armui.protocol.codes import MoveMode
 from armui.trajectory import columns
-from armui.trajectory.columns import ColumnMapping, ColumnQuantity
+from armui.trajectory.columns import ColumnMapping, ColumnQuantity, TableFile
 from armui.trajectory.columns.model import JOINTS, POSE
 from armui.trajectory.files import TrajectoryFileError
 from armui.trajectory.library.store import Library, LibraryError
 from armui.trajectory.points.program import check_name
 from armui.ui import words
+from armui.ui.trajectory.library.library_work import LibraryWork
 from armui.ui.trajectory.table_import.columns_table import ColumnsTable
 from armui.ui.trajectory.table_import.dialect_bar import DialectBar
-from armui.ui.trajectory.table_import.table_import import TableImport
 from armui.ui.widgets.buttons import named, push_button
 from armui.ui.widgets.flow import in_flow, pair
 from armui.ui.widgets.layouts import STRETCH, fill, in_row
 from armui.ui.widgets.message_line import MessageLine
 from armui.ui.widgets.page import Page
 from armui.ui.widgets.text_label import text_label
+from armui.ui.widgets.translated import Translated
 
-if TYPE_CHECKING:
-    from armui.trajectory.columns import TableFile
+
+class TableImport(QThread):
+    """Reads one table: 180,000 rows take seconds, in which the window must answer.
+
+    The library is opened anew here, as another program would: it is for one thread.
+
+    Args:
+        table: The file.
+        mapping: Which column is what.
+        name: What the result is called.
+        folder: Of the library.
+        parent: Whoever waits for it.
+
+    Attributes:
+        name: As given.
+        error: What spoke against it, once it has finished; nothing of the library has changed
+            then.
+        done: Whether it is in the library; neither this nor an error where it was interrupted.
+    """
+
+    def __init__(
+        self, table: TableFile, mapping: ColumnMapping, name: str, folder: Path, parent: QObject
+    ) -> None:
+        super().__init__(parent)
+        self._table = table
+        self._mapping = mapping
+        self.name = name
+        self._folder = folder
+        self.error: TrajectoryFileError | LibraryError | None = None
+        self.done = False
+        if (app := QCoreApplication.instance()) is not None:
+            app.aboutToQuit.connect(self._end)
+
+    def run(self) -> None:
+        """Do it; what came of it stands in the attributes when this has finished."""
+        table, name = self._table, self.name
+        try:
+            content = columns.apply(table.text, table.sheet, self._mapping, name)
+            if self.isInterruptionRequested():
+                return
+            Library(self._folder).save(content)
+            self.done = True
+        except (TrajectoryFileError, LibraryError) as error:
+            self.error = error
+
+    def _end(self) -> None:
+        """The program ends: what is being saved is saved, what is not is not."""
+        self.requestInterruption()
+        self.wait()
+
 
 _FIELD_PX: Final = 34
 _MOVES: Final = (None, MoveMode.MOVE_J, MoveMode.MOVE_P, MoveMode.MOVE_L)
@@ -303,3 +354,82 @@ class ColumnsPage(Page):
             more = self.tr("; {count} further columns are left out").format(count=f"{hidden:,}")
             text += more
         return text
+
+
+class ColumnsOffer(Translated, QPushButton):
+    """Opens the page for one file after the other.
+
+    Args:
+        work: Reads the files; its library takes what is imported.
+        owner: The page that holds it.
+
+    Signals:
+        page_made: A :class:`ColumnsPage`, before it wants to be shown.
+        imported: The name of what was taken over.
+        refused: Why a file cannot be opened any more, as a text.
+    """
+
+    page_made = Signal(object)
+    imported = Signal(str)
+    refused = Signal(str)
+
+    def __init__(self, work: LibraryWork, owner: QWidget) -> None:
+        super().__init__(owner)
+        self._work = work
+        self._opening = False
+        self._paths: list[Path] = []
+        self._page: ColumnsPage | None = None
+        self.setObjectName("library_by_columns")
+        self.setAutoDefault(False)
+        self.hide()
+        self.clicked.connect(self._open)
+        self.retranslate_ui()
+
+    @property
+    def paths(self) -> Sequence[Path]:
+        """The files that are offered, the next one first."""
+        return tuple(self._paths)
+
+    def show_for(self, paths: Sequence[Path]) -> None:
+        """Offer some files and no others."""
+        self._paths = list(paths)
+        self.setVisible(bool(paths))
+        self.retranslate_ui()
+
+    def _open(self) -> None:
+        if self._page is not None:
+            self._page.open()
+            return
+        if self._opening:
+            return
+        path = self._paths[0]
+        self._opening = True
+        self._work.do(lambda: columns.open_table(path), partial(self._show, path), self._on_refused)
+
+    def _on_refused(self, text: str) -> None:
+        self._opening = False
+        left = self._paths[1:]
+        self.refused.emit(text)
+        self.show_for(left)
+
+    def _show(self, path: Path, table: columns.TableFile) -> None:
+        self._opening = False
+        page = self._page = ColumnsPage(self._work.library, table)
+        page.imported.connect(partial(self._on_imported, path))
+        page.closed.connect(self._on_closed)
+        self.page_made.emit(page)
+        page.open()
+
+    def _on_imported(self, path: Path, name: str) -> None:
+        self._paths = [other for other in self._paths if other != path]
+        self.imported.emit(name)
+
+    def _on_closed(self) -> None:
+        if self._page is not None:
+            self._page.deleteLater()
+            self._page = None
+
+    def retranslate_ui(self) -> None:
+        """Put every word into the operator's language."""
+        self.setText(self.tr("Import by columns…"))
+        self.setToolTip("\n".join(path.name for path in self._paths))
