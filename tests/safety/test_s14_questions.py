@@ -37,8 +37,11 @@ ASKING = {
     "ui/shell/recovery_line.py": {"HoldButton": 1, "confirm": 1},
     "ui/shell/top_bar.py": {"confirm": 2},
     "ui/trajectory/editor/editor_page.py": {"LeaveQuestion": 1},
-    "ui/trajectory/library/library_exchange.py": {"choose_folder": 1},
-    "ui/trajectory/library/library_files.py": {"FileDialog": 2, "choose_file": 1},
+    "ui/trajectory/library/library_exchange.py": {
+        "FileDialog": 2,
+        "choose_file": 1,
+        "choose_folder": 1,
+    },
     "ui/trajectory/recording/recording_page.py": {"LeaveQuestion": 1},
     "ui/trajectory/running/run_strip.py": {"HoldButton": 1},
     "ui/watch/bus/send_box.py": {"HoldButton": 2},
