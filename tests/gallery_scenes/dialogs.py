@@ -90,6 +90,14 @@ def palette(app_driver: AppDriver) -> QDialog:
     return dialog
 
 
+def palette_zero(app_driver: AppDriver) -> QDialog:
+    """A synonym: going home comes first, what sets zeros last."""
+    dialog = palette(app_driver)
+    assert isinstance(dialog, CommandPalette)
+    dialog.search.setText("zero")
+    return dialog
+
+
 def shortcut_list(app_driver: AppDriver) -> QDialog:
     actions = app_driver.window.findChild(WindowActions)
     actions.open_shortcuts()
