@@ -136,6 +136,7 @@ DIALOG_SCENES = (
     DialogScene("replay-events-foreign", "refused", replay.events),
     DialogScene("replay-events", "online", replay.own_events),
     DialogScene("confirm-disable", "refused", dialogs.confirm_disable),
+    DialogScene("lights", "lights", panels.pick_color),
     DialogScene("linkage", "linkage", panels.linkage_question),
     DialogScene("drag-assistance", "online", firmware.drag_assistance),
     DialogScene("confirm-take-back", "high-follow", firmware.take_back),

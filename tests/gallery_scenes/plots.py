@@ -10,7 +10,7 @@ from PySide6.QtGui import QPixmap
 from PySide6.QtWidgets import QLabel, QWidget
 
 from armui.ui.watch.plot_layout import SETS
-from armui.ui.watch.plot_page import PlotPage
+from armui.ui.watch.plots_area import PlotPage
 from tests.app_driver import AppDriver
 
 SIZE_PX = (1180, 760)
