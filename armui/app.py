@@ -9,7 +9,7 @@ import os
 import pkgutil
 import sys
 import threading
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import replace
 from datetime import datetime
@@ -55,6 +55,50 @@ if TYPE_CHECKING:
 
 _LOG: Final = logging.getLogger(__name__)
 
+DRIVE_NOTHING: Final = (
+    "armui.bus.tap",
+    "armui.session",
+    "armui.settings",
+    "armui.system",
+    "armui.telemetry",
+    "armui.trajectory",
+    "armui.ui.dialogs.finding_row",
+    "armui.ui.format",
+    "armui.ui.garbage",
+    "armui.ui.guide.guide_browser",
+    "armui.ui.guide.place",
+    "armui.ui.guide.text",
+    "armui.ui.shell.layout_keeper",
+    "armui.ui.shell.workspace_layout",
+    "armui.ui.theme",
+    "armui.ui.translation",
+    "armui.ui.watch.bus.cells",
+    "armui.ui.watch.cursor_table",
+    "armui.ui.watch.curve_book",
+    "armui.ui.watch.curve_cache",
+    "armui.ui.watch.curve_shapes",
+    "armui.ui.watch.curves_item",
+    "armui.ui.watch.figure",
+    "armui.ui.watch.graph",
+    "armui.ui.watch.heights",
+    "armui.ui.watch.layout_file",
+    "armui.ui.watch.legend",
+    "armui.ui.watch.plot_bar",
+    "armui.ui.watch.plot_board",
+    "armui.ui.watch.plot_layout",
+    "armui.ui.watch.plot_pane",
+    "armui.ui.watch.quantity_list",
+    "armui.ui.watch.round_figures",
+    "armui.ui.watch.time_axis",
+    "armui.ui.watch.time_frame",
+    "armui.ui.watch.time_strip",
+    "armui.ui.watch.value_table",
+    "armui.viewport",
+)
+"""Modules, each with those inside it, from which nothing leads to the bus or to what holds a jog.
+
+A contract in pyproject.toml names the same and has import-linter check it."""
+
 _SWITCH_INTERVAL_S: Final = 0.0005
 """How long a thread may keep Python's lock while another wants it. The default of 5 ms, once for
 the bus thread and once for the simulated arm's, is what a pressed stop would wait."""
@@ -75,6 +119,16 @@ _LATE_ROOMS: Final = (
     "ui",
 )
 """Where modules are that a page imports when it is opened."""
+
+
+def may_drive(modules: Collection[str]) -> bool:
+    """Tell whether a failure may leave the arm moving, by the modules in its traceback.
+
+    A traceback without a module of ours counts: a slot that is called with the wrong arguments
+    leaves none.
+    """
+    rooms = tuple(f"{room}." for room in DRIVE_NOTHING)
+    return not modules or not all(f"{name}.".startswith(rooms) for name in modules)
 
 
 class _FailureRelay(QObject):
@@ -210,7 +264,9 @@ class Program:
 
     def _on_failed(self, failure: Failure) -> None:
         """Motion ends first; then it is told."""
-        ended = self.controller.on_failure(failure.modules)
+        ended = may_drive(failure.modules)
+        if ended:
+            self.controller.on_failure()
         self.window.show_failure(failure, motion_ended=ended)
 
     def _on_unsaved(self, reason: Refusal) -> None:

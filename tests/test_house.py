@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import ast
 import re
+import subprocess
+import sys
 import tomllib
 from collections import defaultdict
 from collections.abc import Iterator
@@ -60,6 +62,16 @@ def test_what_calls_itself_pure_is_held_to_it():
 
     # of a room that is held it is said once
     assert {name for name in pure if name.rpartition(".")[0] not in held} == held
+
+
+LATE = ("can", "cantools", "pyqtgraph", "scipy", "trimesh", "vtkmodules", "yourdfpy")
+
+
+def test_the_window_starts_without_what_only_its_pages_need():
+    asked = f"import sys, armui.app; print(*(name for name in {LATE} if name in sys.modules))"
+    done = subprocess.run([sys.executable, "-c", asked], capture_output=True, text=True, check=True)
+
+    assert done.stdout.split() == []
 
 
 OPENERS = (

@@ -11,9 +11,8 @@ import numpy as np
 import pytest
 import yourdfpy
 
-from armui.arm.model import ArmModel
 from armui.arm.model_check import ModelFit, fitting_arms
-from armui.arm.models import model_data, robot_description
+from armui.arm.models import ArmModel, model_data, robot_description
 from armui.arm.reach import check_pose
 from armui.arm.refusal import Refusal
 from armui.arm.tracker import Tracker

@@ -11,8 +11,8 @@ from armui.bus.playback import curve_history, log_player
 from armui.protocol.generation import Generation
 from armui.sim.faults.schedule import Fault
 from armui.ui.watch.curves_item import Missing
+from tests.bus.playback.logs import as_own
 from tests.operator_replay import Replay
-from tests.playback.logs import as_own
 from tests.session.indexed import open_indexed
 from tests.session.recordings import START_S, frames, greeting, write
 

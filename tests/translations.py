@@ -18,8 +18,8 @@ from pathlib import Path
 
 from pypinyin import lazy_pinyin
 
-from armui.protocol.database import load_database
 from armui.protocol.generation import Generation
+from armui.protocol.layout import load_database
 from armui.ui.actions.catalogue import actions, synonyms
 from armui.ui.words.signals import signal_word
 

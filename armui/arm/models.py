@@ -7,13 +7,15 @@ stands in `armui.protocol.firmware_version`.
 
 from __future__ import annotations
 
+import hashlib
 import json
 import math
 from collections.abc import Mapping
+from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
 from types import MappingProxyType
-from typing import Final, NamedTuple
+from typing import TYPE_CHECKING, Final, NamedTuple
 
 from armui.arm.json_fields import FieldError, Fields
 from armui.arm.limits import JointLimits
@@ -22,6 +24,10 @@ from armui.protocol.firmware_version import FirmwareVersion, quirks_of
 from armui.protocol.generation import PiperModel
 from armui.system.files import read_file
 from armui.system.paths import URDF
+
+if TYPE_CHECKING:
+    from armui.arm.state import EndLimits
+    from armui.kinematics.arm_kinematics import Kinematics
 
 FORMAT: Final = 1
 LINK_NAMES: Final = ("base_link", *(f"link{joint}" for joint in range(1, 7)))
@@ -285,3 +291,33 @@ def _maybe_number(fields: Fields, name: str) -> float | None:
 
 def _maybe_six(fields: Fields, name: str) -> tuple[float, ...] | None:
     return fields.numbers(name, _SIX) if fields.given(name) else None
+
+
+@dataclass(frozen=True, slots=True)
+class ArmModel:
+    """An arm as a plan sees it.
+
+    Attributes:
+        limits: Of the six joints, as read from the arm.
+        accelerations_deg_s2: The highest of the six joints.
+        end_limits: Of the tool; ``None`` while the arm has not told them.
+        kinematics: Of its geometry.
+        tool_mm: How far the gripper reaches beyond the flange.
+        stroke_mm: How far the gripper opens; ``None`` if that is not known.
+        gripper_turned_deg: How the gripper is mounted, about the flange's Z axis.
+        kind: The model and its zeros; "": nothing is said of trajectories of other arms.
+    """
+
+    limits: tuple[JointLimits, ...]
+    accelerations_deg_s2: tuple[float, ...]
+    end_limits: EndLimits | None
+    kinematics: Kinematics
+    tool_mm: float
+    stroke_mm: float | None = None
+    gripper_turned_deg: float = 0.0
+    kind: str = ""
+
+    @property
+    def fingerprint(self) -> str:
+        """A short text that is another for another arm: what was planned for one holds for it."""
+        return hashlib.sha256(repr(self).encode()).hexdigest()[:16]

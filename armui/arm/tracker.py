@@ -10,9 +10,9 @@ from collections.abc import Callable, Mapping
 from types import MappingProxyType
 from typing import Any, Final
 
-from armui.arm.joints import EACH_JOINT, JointNumber, PerJoint
 from armui.arm.limits import JOINTS, JointLimits
 from armui.arm.state import (
+    EACH_JOINT,
     FRESH_FOR_S,
     PAUSE_S,
     RECORDS,
@@ -21,6 +21,8 @@ from armui.arm.state import (
     DriverSlow,
     EndMotion,
     GripperState,
+    JointNumber,
+    PerJoint,
     Reading,
     Six,
     Status,

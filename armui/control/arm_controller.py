@@ -7,7 +7,7 @@ heard and moves on whatever is under way.
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Collection, Sequence
+from collections.abc import Callable, Sequence
 from datetime import datetime
 from typing import TYPE_CHECKING, Final
 
@@ -28,7 +28,7 @@ from armui.control.link.connection import Connection
 from armui.control.link.device_finder import DeviceFinder
 from armui.control.link.link_watch import LinkWatch
 from armui.control.motion.motion_command import End
-from armui.control.motion_end import MotionEnd, may_drive
+from armui.control.motion_end import MotionEnd
 from armui.control.operating_state import Busy, OperatingState
 from armui.control.parts import Parts
 from armui.control.run.run_end import cut_short
@@ -270,22 +270,12 @@ class ArmController(ControllerParts):
     def _assess(self) -> None:
         self._assessor.assess()
 
-    def on_failure(self, modules: Collection[str]) -> bool:
-        """End every motion of this program, since a part of it has failed.
-
-        Args:
-            modules: Of this program, in the traceback.
-
-        Returns:
-            Whether it was ended: not where every one of them can drive nothing.
-        """
-        if not may_drive(modules):
-            return False
+    def on_failure(self) -> None:
+        """End every motion of this program, since a part of it has failed."""
         if not self._motion_end.busy:
             self._motion_end.end()
             # the failure may lie within the very call that goes on to begin a motion
             QTimer.singleShot(0, self, self._motion_end.end)
-        return True
 
     def end_all_motion(self) -> None:
         """End every motion of this program, since the system is about to end it or to sleep."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import logging
-from collections.abc import Callable, Collection
+from collections.abc import Callable
 from typing import TYPE_CHECKING, Final
 
 from armui.arm.refusal import Refusal
@@ -23,50 +23,6 @@ if TYPE_CHECKING:
 
 _LOG: Final = logging.getLogger(__name__)
 
-DRIVE_NOTHING: Final = (
-    "armui.bus.tap",
-    "armui.session",
-    "armui.settings",
-    "armui.system",
-    "armui.telemetry",
-    "armui.trajectory",
-    "armui.ui.dialogs.finding_row",
-    "armui.ui.format",
-    "armui.ui.garbage",
-    "armui.ui.guide.guide_browser",
-    "armui.ui.guide.place",
-    "armui.ui.guide.text",
-    "armui.ui.shell.layout_keeper",
-    "armui.ui.shell.workspace_layout",
-    "armui.ui.theme",
-    "armui.ui.translation",
-    "armui.ui.watch.bus.cells",
-    "armui.ui.watch.cursor_table",
-    "armui.ui.watch.curve_book",
-    "armui.ui.watch.curve_cache",
-    "armui.ui.watch.curve_shapes",
-    "armui.ui.watch.curves_item",
-    "armui.ui.watch.figure",
-    "armui.ui.watch.graph",
-    "armui.ui.watch.heights",
-    "armui.ui.watch.layout_file",
-    "armui.ui.watch.legend",
-    "armui.ui.watch.plot_bar",
-    "armui.ui.watch.plot_board",
-    "armui.ui.watch.plot_layout",
-    "armui.ui.watch.plot_pane",
-    "armui.ui.watch.quantity_list",
-    "armui.ui.watch.round_figures",
-    "armui.ui.watch.time_axis",
-    "armui.ui.watch.time_frame",
-    "armui.ui.watch.time_strip",
-    "armui.ui.watch.value_table",
-    "armui.viewport",
-)
-"""Modules, each with those inside it, from which nothing leads to the bus or to what holds a jog.
-
-A contract in pyproject.toml names the same and has import-linter check it."""
-
 _ABORT: Final = bytes([0, 6, 0, 0, 0, 0, 0, 0])
 """0x150 byte 1 = 6, 终止: written out, since the codec may be what fails."""
 _MOTION_COMMAND: Final = 0x150
@@ -76,16 +32,6 @@ _AGAIN_S: Final = 0.1
 _LOOK_S: Final = 0.02
 _OWED_S: Final = 10.0
 """A lost device that comes back within this time is told that the motion has ended."""
-
-
-def may_drive(modules: Collection[str]) -> bool:
-    """Tell whether a failure may leave the arm moving, by the modules in its traceback.
-
-    A traceback without a module of ours counts: a slot that is called with the wrong arguments
-    leaves none.
-    """
-    rooms = tuple(f"{room}." for room in DRIVE_NOTHING)
-    return not modules or not all(f"{name}.".startswith(rooms) for name in modules)
 
 
 class MotionEnd:

@@ -15,7 +15,6 @@ from functools import reduce
 from operator import xor
 from typing import TYPE_CHECKING, Final, TypeVar
 
-from armui.protocol.codec import EncodeError
 from armui.protocol.codes import (
     ALL_JOINTS,
     ALL_LAMPS,
@@ -40,7 +39,7 @@ from armui.protocol.codes import (
     TeachingState,
     TrajectoryCommand,
 )
-from armui.protocol.frame import Frame
+from armui.protocol.frame import EncodeError, Frame
 
 if TYPE_CHECKING:
     from collections.abc import Mapping

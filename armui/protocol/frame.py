@@ -1,4 +1,4 @@
-"""One CAN frame, as everything inside the program passes it on."""
+"""One CAN frame, as everything inside the program passes it on; the error where there is none."""
 
 from __future__ import annotations
 
@@ -38,3 +38,38 @@ class FrameFlag(enum.IntFlag):
     ERROR_STATE = 32
     TRANSMITTED = 64
     IMPOSSIBLE = 128
+
+
+class EncodeError(ValueError):
+    """A command that has no frame: unknown name, value out of range, code outside the table.
+
+    Nothing has been sent when it is raised. The text names message, signal, value, what is allowed
+    and what to do.
+
+    Attributes:
+        message: Name of the message asked for.
+        signal: Name of the signal at fault, "" when the message itself is unknown.
+        value: The value given, None when none was.
+        minimum: Smallest value allowed, None where there is no range.
+        maximum: Largest value allowed, None where there is no range.
+        unit: Unit of value, minimum and maximum.
+    """
+
+    def __init__(
+        self,
+        text: str,
+        *,
+        message: str,
+        signal: str = "",
+        value: object = None,
+        minimum: float | None = None,
+        maximum: float | None = None,
+        unit: str = "",
+    ) -> None:
+        super().__init__(text)
+        self.message = message
+        self.signal = signal
+        self.value = value
+        self.minimum = minimum
+        self.maximum = maximum
+        self.unit = unit

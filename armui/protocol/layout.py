@@ -1,4 +1,7 @@
-"""What the codec knows of each message before the first frame arrives."""
+"""The DBC files that say what the bytes on the bus mean, and what the codec knows by them.
+
+That of each message stands ready before its first frame arrives.
+"""
 
 from __future__ import annotations
 
@@ -6,14 +9,60 @@ import copy
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
-from functools import partial
+from functools import cache, partial
 from typing import TYPE_CHECKING, Any, Final, NamedTuple
+
+import cantools
+
+from armui.protocol.firmware_version import MitLayout
+from armui.protocol.generation import Generation
+from armui.system.paths import RESOURCES
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Container, Iterable, Sequence
+    from pathlib import Path
 
+    from cantools.database.can import Database
     from cantools.database.can import Message as DbcMessage
     from cantools.database.can import Signal as DbcSignal
+
+_DATABASES: Final = {
+    (Generation.ONE, MitLayout.A): "agx_gen1.dbc",
+    (Generation.ONE, MitLayout.B): "agx_gen1.dbc",
+    (Generation.TWO, MitLayout.A): "agx_gen2_until_1.8-7.dbc",
+    (Generation.TWO, MitLayout.B): "agx_gen2.dbc",
+}
+"""No bit on the wire tells the two layouts of a MIT frame apart, so each has a file that any CAN
+tool opens; a test sees to it that they differ in nothing else."""
+
+
+def database_path(generation: Generation, mit_layout: MitLayout = MitLayout.B) -> Path:
+    """The DBC file of a generation, of generation 2 that with this layout of MIT frames."""
+    return RESOURCES / "protocol" / _DATABASES[generation, mit_layout]
+
+
+@cache
+def load_database(generation: Generation, mit_layout: MitLayout = MitLayout.B) -> Database:
+    """The protocol of one generation, as cantools sees it.
+
+    Args:
+        generation: The protocol wanted.
+        mit_layout: How MIT frames carry their torque, generation 2.
+
+    Returns:
+        The database with messages, signals, units, ranges, value tables and cycle times. It is
+        parsed once and shared: treat it as read-only.
+
+    Raises:
+        FileNotFoundError: The installation lacks the file.
+        cantools.database.UnsupportedDatabaseFormatError: The file is damaged.
+    """
+    path = database_path(generation, mit_layout)
+    database = cantools.database.load_file(path, database_format="dbc", strict=True)
+    if not isinstance(database, cantools.database.can.Database):
+        raise TypeError(f"{path} does not describe a CAN bus")
+    return database
+
 
 DEGREES_PER: Final[Mapping[str, float]] = {
     "deg": 1.0,

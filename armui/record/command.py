@@ -14,7 +14,11 @@ from typing import TYPE_CHECKING, Final
 from armui.arm.device import DEFAULT_BITRATE, Device, bitrate_is_ours
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
+from armui.bus.adapters import explain
+from armui.record.listening import SIMULATED, BusListener, opened
+from armui.session.recording import mf4
 from armui.session.recording.collector import Collector, FrameRing
+from armui.session.recording.counted import counted, keep
 from armui.session.recording.kinds import (
     MF4_SUFFIX,
     RecordingFormat,
@@ -23,6 +27,7 @@ from armui.session.recording.kinds import (
     why_not_written,
 )
 from armui.session.recording.lane import FrameLane
+from armui.session.recording.recorded_session import RecordedSession
 from armui.session.recording.session_recording import SessionRecording
 from armui.session.recording.writer import RecordingPlan, TimeBase
 from armui.system.clock import steady_s
@@ -102,14 +107,8 @@ def run(options: argparse.Namespace, clock: Callable[[], float] = steady_s) -> i
     name = options.name or name_for(datetime.now().astimezone())
     if not is_name(name):
         return _cannot_begin(f'{name!r} is no name for a file; leave out / \\ : * ? " < > |')
-    if options.format == _MF4:
-        from armui.session.recording.mf4 import can_write  # noqa: PLC0415 - python-can
-
-        if not can_write():
-            return _cannot_begin(_NO_MF4)
-    from armui.bus.adapters import explain  # noqa: PLC0415 - python-can
-    from armui.record.listening import opened  # noqa: PLC0415 - as above
-
+    if options.format == _MF4 and not mf4.can_write():
+        return _cannot_begin(_NO_MF4)
     ending: list[int] = []
     with handled_by(lambda number, _frame: ending.append(number)):
         try:
@@ -135,8 +134,6 @@ def _record(
     name: str,
     clock: Callable[[], float],
 ) -> int:
-    from armui.record.listening import BusListener  # noqa: PLC0415 - python-can
-
     lane = FrameLane()
     collector = Collector(lane, FrameRing(_KEPT_S))
     plan = RecordingPlan(
@@ -194,9 +191,6 @@ def _count(path: Path) -> None:
 
     Another signal calls that off.
     """
-    from armui.session.recording.counted import counted, keep  # noqa: PLC0415 - numpy
-    from armui.session.recording.recorded_session import RecordedSession  # noqa: PLC0415 - as above
-
     try:
         with interrupting(), closing(RecordedSession(path)) as session:
             keep(path.parent, session.name, counted(session))
@@ -208,8 +202,6 @@ def _count(path: Path) -> None:
 
 def _once_more_as_mf4(recording: SessionRecording, *, quiet: bool) -> int:
     """Make an .mf4 of what was recorded; another signal calls that off. Returns the exit code."""
-    from armui.session.recording.mf4 import make_mf4  # noqa: PLC0415 - asammdf takes a second
-
     folder, name = recording.plan.folder, recording.name or ""
     target = folder / f"{name}{MF4_SUFFIX}"
     shown = not quiet and sys.stderr.isatty()
@@ -222,7 +214,7 @@ def _once_more_as_mf4(recording: SessionRecording, *, quiet: bool) -> int:
     problem = ""
     try:
         with interrupting():
-            make_mf4(folder, name, tell)
+            mf4.make_mf4(folder, name, tell)
     except KeyboardInterrupt:
         problem = "called off"
     except Exception as error:  # noqa: BLE001 - a package of others may raise anything
@@ -294,8 +286,6 @@ def _device(options: argparse.Namespace) -> Device | None:
             _cannot_begin("--sim is a device of its own: leave out --interface")
             return None
         generation = options.generation or 2
-        from armui.record.listening import SIMULATED  # noqa: PLC0415 - python-can
-
         channel = f"{SIMULATED}-{generation}"
         return Device("virtual", channel, None, simulated=True, generation=generation)
     if options.interface is None or options.channel is None:

@@ -14,6 +14,8 @@ from armui.bus.receive_clock import STAMPED, ReceiveClock
 from armui.protocol.frame import Frame, FrameFlag
 from armui.protocol.generation import Generation
 from armui.session.gather import MESSAGE_FLAGS
+from armui.sim.firmware import Firmware
+from armui.sim.node import Node
 
 if TYPE_CHECKING:
     from armui.session.recording.lane import FrameLane
@@ -35,9 +37,6 @@ def opened(device: Device) -> Iterator[can.BusABC]:
         with open_bus(device) as bus:
             yield bus
         return
-    from armui.sim.firmware import Firmware  # noqa: PLC0415 - only for those who want it
-    from armui.sim.node import Node  # noqa: PLC0415 - as above
-
     with (
         open_bus(device) as arm_side,
         open_bus(device) as bus,

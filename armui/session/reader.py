@@ -15,8 +15,7 @@ from armui.session.database_logs import read_database, read_mf4
 from armui.session.frames import DamageList, FrameBatch, NotALogError
 from armui.session.gather import Gatherer
 from armui.session.source import LogSource
-from armui.session.text_formats import TEXT_FORMATS
-from armui.session.text_logs import NonsenseError, read_text_log
+from armui.session.text_logs import TEXT_FORMATS, NonsenseError, read_text_log
 from armui.system.files import open_file
 
 if TYPE_CHECKING:

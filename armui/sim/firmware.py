@@ -11,7 +11,7 @@ from collections import Counter
 from collections.abc import Callable, Sequence
 from typing import Final
 
-from armui.arm.joints import JointNumber
+from armui.arm.state import JointNumber
 from armui.kinematics.arm_kinematics import Kinematics
 from armui.protocol.addressing import Addressing
 from armui.protocol.codec import Codec, InvalidFrame, InvalidFrameKind

@@ -6,6 +6,7 @@ import contextlib
 import errno
 import logging
 import mmap
+import multiprocessing
 import os
 import pickle
 import shutil
@@ -20,6 +21,7 @@ from concurrent.futures import (
     Executor,
     Future,
     InvalidStateError,
+    ProcessPoolExecutor,
     ThreadPoolExecutor,
 )
 from concurrent.futures import wait as wait_for
@@ -32,7 +34,6 @@ from typing import TYPE_CHECKING, Any, Final
 from armui.system.files import open_file
 
 if TYPE_CHECKING:
-    from concurrent.futures import ProcessPoolExecutor
     from multiprocessing.process import BaseProcess
 
 # Values between two processes: large arrays travel as a file that the receiver maps. Copying two
@@ -177,9 +178,6 @@ class HelperProcess(Executor):
         sent.add_done_callback(partial(_answer, answer))
 
     def _submit(self, packed: Packed, folder: Path) -> Future[Packed]:
-        import multiprocessing  # noqa: PLC0415 - 50 ms of the start, for those who never use it
-        from concurrent.futures import ProcessPoolExecutor  # noqa: PLC0415 - as above
-
         before = set(multiprocessing.active_children())
         if self._pool is None:
             # a fork would inherit Qt, its threads and every lock they hold
@@ -441,9 +439,7 @@ def settle_in() -> None:
 
 
 def _end_with_the_program() -> None:
-    from multiprocessing import parent_process  # noqa: PLC0415 - there already, in that process
-
-    program = parent_process()
+    program = multiprocessing.parent_process()
     if program is not None:
         program.join()
         os._exit(1)

@@ -14,9 +14,9 @@ from typing import TYPE_CHECKING, Any, Final, TypeVar
 import numpy as np
 
 from armui.arm.limits import JOINTS
-from armui.protocol.codec import Codec, EncodeError
+from armui.protocol.codec import Codec
 from armui.protocol.columns import payload_words, signal_column
-from armui.protocol.frame import FrameFlag
+from armui.protocol.frame import EncodeError, FrameFlag
 from armui.protocol.layout import DEGREES_PER
 from armui.telemetry.quantities import BUS, RECORDS, Field, Record, Source
 from armui.telemetry.series import Row

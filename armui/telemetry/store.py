@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 import threading
 from collections.abc import Callable, Mapping, Sequence
-from datetime import datetime, timedelta
+from datetime import datetime
 from typing import TYPE_CHECKING, Final
 
 import numpy as np
@@ -13,7 +13,7 @@ import numpy as np
 from armui.protocol.codec import Message
 from armui.protocol.codes import MotorAction, StopCommand, TrajectoryCommand
 from armui.protocol.frame import Frame, FrameFlag
-from armui.system.clock import steady_s
+from armui.system.clock import steady_s, wall_clock
 from armui.telemetry.columns import NOT_OF_THE_ARM, ColumnWriter, row_of
 from armui.telemetry.quantities import BUS, QUANTITIES, RECORDS, Quantity, Record, Source, Space
 from armui.telemetry.series import KEPT_S, Row, Series
@@ -71,7 +71,7 @@ class Telemetry(Tap):
     def __init__(self, clock: Callable[[], float] = steady_s, keep_s: float = KEPT_S) -> None:
         self._clock = clock
         self._keep_s = keep_s
-        self.wall_time: Callable[[float], datetime] = self._wall_time
+        self.wall_time: Callable[[float], datetime] = wall_clock(clock)
         self.series: Mapping[str, Series] = {
             name: Series(shape, keep_s) for name, shape in _SHAPES.items()
         }
@@ -91,9 +91,6 @@ class Telemetry(Tap):
     def now_s(self) -> float:
         """The present, by the clock of the samples."""
         return self._clock()
-
-    def _wall_time(self, at_s: float) -> datetime:
-        return datetime.now().astimezone() - timedelta(seconds=self._clock() - at_s)
 
     @property
     def bytes_kept(self) -> int:

@@ -18,8 +18,8 @@ from pathlib import Path
 import pytest
 
 from armui.protocol.codec import Codec
-from armui.protocol.database import load_database
 from armui.protocol.generation import Generation
+from armui.protocol.layout import load_database
 from armui.system.paths import RESOURCES
 
 RUNS = int(os.environ.get("DECODE_RUNS", "5"))

@@ -14,9 +14,9 @@ from piper_sdk.piper_msgs.msg_v2 import PiperMessage
 from piper_sdk.protocol.protocol_v2 import C_PiperParserV2
 
 from armui.protocol.codec import Codec, Message
-from armui.protocol.database import load_database
 from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
+from armui.protocol.layout import load_database
 
 AIM = 8
 ROUNDS = 15

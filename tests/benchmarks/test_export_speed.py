@@ -15,7 +15,7 @@ from pathlib import Path
 import pytest
 
 from armui.session.exports.request import ExportFormat
-from tests.exports.logs import START_S, session
+from tests.session.exports.logs import START_S, session
 
 MINUTES = float(os.environ.get("EXPORT_MINUTES", "3"))
 PIECE_S = 10.0

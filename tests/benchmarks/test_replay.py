@@ -16,7 +16,7 @@ import pytest
 from armui.arm.device import RecordedArm
 from armui.control.log_replay import LogReplay
 from armui.protocol.generation import Generation
-from tests.playback.logs import settled
+from tests.bus.playback.logs import settled
 from tests.session.indexed import open_indexed
 from tests.session.recordings import frames, greeting
 

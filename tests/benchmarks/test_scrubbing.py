@@ -36,7 +36,7 @@ from armui.ui.theme import Theme, apply_theme
 from armui.ui.watch.replay.replay_window import ReplayWindow
 from armui.viewport.view import ArmView
 from tests.benchmarks import rig
-from tests.playback.logs import settled
+from tests.bus.playback.logs import settled
 from tests.session.recordings import START_S, frames, moving
 from tests.waiting import wait_until
 

@@ -5,9 +5,9 @@ import pytest
 from armui.arm.refusal import Refusal
 from armui.control.safety.hand_frame import FrameEffect, effect_of, parse_frame, why_never
 from armui.protocol.codec import Codec
-from armui.protocol.database import load_database
 from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
+from armui.protocol.layout import load_database
 from tests.sim.talk import frame
 
 

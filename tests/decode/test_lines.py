@@ -10,8 +10,8 @@ import pytest
 from armui.decode import lines as lines_module
 from armui.decode.lines import LineFormat
 from armui.protocol.codec import Codec
-from armui.protocol.database import load_database
 from armui.protocol.generation import Generation
+from armui.protocol.layout import load_database
 from armui.session.reader import LogFile
 
 DRAW = random.Random(3)

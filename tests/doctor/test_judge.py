@@ -23,8 +23,14 @@ from armui.doctor.facts import (
     SerialPortFacts,
     UsbAdapterFacts,
 )
-from armui.doctor.judge import an_arm_answers, judge, judge_can, judge_program, judge_screen
-from armui.doctor.judge_arm import judge_heard
+from armui.doctor.judge import (
+    an_arm_answers,
+    judge,
+    judge_can,
+    judge_heard,
+    judge_program,
+    judge_screen,
+)
 
 UBUNTU = ("ubuntu", "debian")
 ARM = ArmFacts(

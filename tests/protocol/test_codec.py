@@ -10,8 +10,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from armui.protocol.addressing import Addressing
-from armui.protocol.codec import Codec, EncodeError, InvalidFrame, InvalidFrameKind, Message
-from armui.protocol.frame import Frame
+from armui.protocol.codec import Codec, InvalidFrame, InvalidFrameKind, Message
+from armui.protocol.frame import EncodeError, Frame
 from armui.protocol.generation import Generation
 
 CODECS = {generation: Codec(generation) for generation in Generation}

@@ -9,7 +9,7 @@ import pytest
 
 from armui.protocol import commands
 from armui.protocol.addressing import Addressing
-from armui.protocol.codec import Codec, EncodeError
+from armui.protocol.codec import Codec
 from armui.protocol.codes import (
     ArcPointNumber,
     ControlMode,
@@ -24,6 +24,7 @@ from armui.protocol.codes import (
     TeachingState,
     TrajectoryCommand,
 )
+from armui.protocol.frame import EncodeError
 from armui.protocol.generation import Generation
 
 ONE, TWO = Codec(Generation.ONE), Codec(Generation.TWO)

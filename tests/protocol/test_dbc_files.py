@@ -8,9 +8,9 @@ import cantools
 import pytest
 
 from armui.protocol import codes
-from armui.protocol.database import database_path, load_database
 from armui.protocol.firmware_version import MitLayout
 from armui.protocol.generation import Generation
+from armui.protocol.layout import database_path, load_database
 from armui.system.paths import RESOURCES
 from tests.protocol.rows import GENERATION_1, GENERATION_2, ROWS
 

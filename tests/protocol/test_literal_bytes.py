@@ -5,10 +5,10 @@ from __future__ import annotations
 import pytest
 
 from armui.protocol.codec import Codec, Message
-from armui.protocol.database import load_database
 from armui.protocol.firmware_version import FirmwareVersion
 from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
+from armui.protocol.layout import load_database
 from tests.protocol.rows import ROWS, UNTIL_1_8_7, Row
 
 OLDER = FirmwareVersion(1, 8, 7)

@@ -16,9 +16,9 @@ from piper_sdk.piper_msgs.msg_v2 import ArmMessageMapping, PiperMessage
 from piper_sdk.protocol.protocol_v2 import C_PiperParserV2
 
 from armui.protocol import commands
-from armui.protocol.codec import Codec, EncodeError, Message
+from armui.protocol.codec import Codec, Message
 from armui.protocol.firmware_version import FirmwareVersion, quirks_of
-from armui.protocol.frame import Frame
+from armui.protocol.frame import EncodeError, Frame
 from armui.protocol.generation import Generation
 
 OLDER = FirmwareVersion(1, 8, 7)

@@ -24,7 +24,7 @@ from armui.sim.firmware import Firmware
 from armui.sim.node import Node
 from armui.telemetry.bus_statistics import BusStatistics
 from armui.telemetry.store import Telemetry
-from tests.playback.logs import Player
+from tests.bus.playback.logs import Player
 from tests.session.indexed import open_indexed
 from tests.session.recordings import START_S, write
 

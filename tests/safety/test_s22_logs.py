@@ -42,8 +42,8 @@ from armui.ui.watch.recordings.sessions_model import SessionColumn
 from armui.ui.watch.recordings.sessions_window import SessionsWindow
 from armui.ui.watch.replay.log_time import duration, moment
 from armui.ui.watch.replay.mark_text import mark_text
+from tests.bus.playback.logs import Player
 from tests.operator_replay import Replay
-from tests.playback.logs import Player
 from tests.session.indexed import open_indexed
 from tests.session.recording.made import recorded, taken
 from tests.session.recordings import START_S, frames, greeting

@@ -20,8 +20,7 @@ from unittest.mock import Mock
 import numpy as np
 from PySide6.QtCore import QCoreApplication
 
-from armui.arm.model import ArmModel
-from armui.arm.models import model_data
+from armui.arm.models import ArmModel, model_data
 from armui.arm.other_hosts import OtherTraffic
 from armui.arm.refusal import Refusal
 from armui.arm.state import ArmState, EndLimits

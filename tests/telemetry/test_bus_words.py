@@ -3,9 +3,9 @@
 import pytest
 
 from armui.protocol.addressing import Addressing
-from armui.protocol.database import load_database
 from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
+from armui.protocol.layout import load_database
 from armui.telemetry.bus_errors import BusError, errors_of
 from armui.telemetry.bus_senders import Sender, sender_of, speaks_for_arm
 from armui.telemetry.quantities import QUANTITIES, quantity_key

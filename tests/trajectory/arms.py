@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from armui.arm.model import ArmModel
+from armui.arm.models import ArmModel
 from armui.arm.state import EndLimits
 from armui.kinematics.arm_kinematics import Kinematics
 from armui.protocol.codes import MoveMode

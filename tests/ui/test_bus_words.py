@@ -4,9 +4,9 @@ import pytest
 
 from armui.control.safety.hand_frame import FrameEffect
 from armui.protocol.codec import Codec, InvalidFrame
-from armui.protocol.database import load_database
 from armui.protocol.frame import Frame, FrameFlag
 from armui.protocol.generation import Generation
+from armui.protocol.layout import load_database
 from armui.telemetry.bus_errors import BusError
 from armui.telemetry.bus_senders import Sender
 from armui.ui.translation import Translator

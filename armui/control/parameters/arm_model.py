@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Final
 
-from armui.arm.model import ArmModel
-from armui.arm.models import model_data
+from armui.arm.models import ArmModel, model_data
 
 if TYPE_CHECKING:
     from armui.arm.state import ArmState

@@ -13,7 +13,7 @@ from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import ArmState
 
 if TYPE_CHECKING:
-    from armui.arm.model import ArmModel
+    from armui.arm.models import ArmModel
     from armui.kinematics.arm_kinematics import Kinematics
 
 _TOO_FAST: Final = 1.5

@@ -34,8 +34,7 @@ from armui.session.recording.kinds import RecordingFormat, file_name, names_of
 from armui.session.recording.rows import ROW
 from armui.session.session import REMEMBERED, REMEMBERED_IDS, SessionMark
 from armui.session.source import LogSource
-from armui.session.text_formats import ASC, CANDUMP
-from armui.session.text_logs import read_text_log
+from armui.session.text_logs import ASC, CANDUMP, read_text_log
 from armui.system.files import open_file, read_file
 
 # Reads single blocks of a recording of ours, without what stands before them.

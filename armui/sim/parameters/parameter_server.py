@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Final
 
-from armui.arm.joints import JointNumber
 from armui.arm.limits import JOINTS, JointLimits
 from armui.arm.models import model_data
+from armui.arm.state import JointNumber
 from armui.protocol.codec import Codec, InvalidFrame
 from armui.protocol.codes import (
     ALL_JOINTS,

@@ -16,7 +16,7 @@ import numpy as np
 import numpy.typing as npt
 
 from armui.arm.limits import JOINTS
-from armui.arm.model import ArmModel
+from armui.arm.models import ArmModel
 from armui.kinematics.forward import flange_heights
 from armui.kinematics.singularity import NEAR_SINGULAR, margins, smallest_singular_values
 from armui.protocol.codes import MoveMode

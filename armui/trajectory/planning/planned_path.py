@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 
-from armui.arm.model import ArmModel
+from armui.arm.models import ArmModel
 from armui.kinematics.forward import links
 from armui.kinematics.poses import Joints
 from armui.trajectory.planning.findings import Finding

@@ -10,7 +10,7 @@ from typing import Final
 import numpy as np
 import numpy.typing as npt
 
-from armui.arm.model import ArmModel
+from armui.arm.models import ArmModel
 from armui.kinematics.inverse import missing_mm
 from armui.kinematics.poses import Joints, Matrix, pose_to_matrix
 from armui.kinematics.tool_path import Arc, ArcError

@@ -14,7 +14,7 @@ import numpy as np
 import numpy.typing as npt
 
 from armui.arm.limits import ANGLE_STEP_DEG
-from armui.arm.model import ArmModel
+from armui.arm.models import ArmModel
 from armui.kinematics.forward import flange_transforms
 from armui.kinematics.inverse import FREE_DEG, nearest_first, same_way, solutions
 from armui.kinematics.poses import Joints, pose_to_matrix

@@ -13,7 +13,7 @@ from typing import Final
 import numpy as np
 import numpy.typing as npt
 
-from armui.arm.model import ArmModel
+from armui.arm.models import ArmModel
 from armui.trajectory.planning import trapezoids
 from armui.trajectory.planning.findings import Finding, FindingCode
 from armui.trajectory.planning.planned_path import PlannedPath, sampled_path

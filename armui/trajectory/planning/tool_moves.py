@@ -15,7 +15,7 @@ import numpy as np
 import numpy.typing as npt
 from scipy.interpolate import CubicSpline
 
-from armui.arm.model import ArmModel
+from armui.arm.models import ArmModel
 from armui.kinematics.follow import follow
 from armui.kinematics.pace import Demand, joint_demand, pace, tool_demand
 from armui.kinematics.singularity import JITTER_DEG, fine_steps, leaps, turns

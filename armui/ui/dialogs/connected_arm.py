@@ -9,7 +9,7 @@ from armui.control.arm_controller import ArmController
 from armui.control.operating_state import LinkState
 from armui.doctor.facts import Diagnosis, DiagnosisLevel, HeardFacts, Section
 from armui.doctor.hearing import arm_facts
-from armui.doctor.judge_arm import judge_heard
+from armui.doctor.judge import judge_heard
 from armui.protocol.codec import Codec
 from armui.protocol.generation import Generation
 

@@ -13,6 +13,7 @@ import can
 from PySide6.QtCore import QCoreApplication
 
 import armui.bus.worker
+from armui.app import may_drive
 from armui.bus.link import BusState
 from armui.bus.worker import BusWorker
 from armui.protocol.frame import Frame
@@ -141,7 +142,8 @@ class World(ArmRig):
         sys.setprofile(None)  # no second failure within the first
         try:
             self.failed(failure)
-            self.controller.on_failure(failure.modules)
+            if may_drive(failure.modules):
+                self.controller.on_failure()
         finally:
             sys.setprofile(profile)
 

@@ -17,7 +17,7 @@ from armui.session.recording.folder import list_recordings
 from armui.session.recording.recorded_session import RecordedSession
 from armui.session.session import KeepsCounts
 from armui.ui.watch.replay.log_time import wall_time
-from tests.playback.logs import log_with
+from tests.bus.playback.logs import log_with
 from tests.session.recording.made import BASE, recorded, taken
 
 ALONE = {"reason": "command"}

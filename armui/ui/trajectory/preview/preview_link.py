@@ -25,7 +25,7 @@ from armui.viewport.path_picture import FindingMark, PathPicture
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
-    from armui.arm.model import ArmModel
+    from armui.arm.models import ArmModel
     from armui.control.arm_controller import ArmController
     from armui.trajectory.planning.findings import Finding
     from armui.trajectory.points.program import Waypoint

@@ -16,7 +16,7 @@ from armui.trajectory.planning.findings import Finding, Severity
 from armui.ui.background import Job
 
 if TYPE_CHECKING:
-    from armui.arm.model import ArmModel
+    from armui.arm.models import ArmModel
     from armui.control.arm_controller import ArmController
     from armui.control.link.arm_mark import ArmMark
     from armui.trajectory.files import Content

@@ -14,7 +14,7 @@ from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
 from armui.session.exports.export import export_log
 from armui.session.exports.request import ArmWishes, ExportFormat, ExportRequest
-from tests.exports.logs import START_S, blf, candump, session
+from tests.session.exports.logs import START_S, blf, candump, session
 
 # 12° = 12000 = 0x2EE0, -90.5° = -90500 = 0xFFFE9E7C
 ANGLES = (

@@ -16,7 +16,7 @@ from armui.protocol.generation import Generation
 from armui.telemetry.quantities import BUS, RECORDS
 from armui.telemetry.series import Series, Shape
 from armui.ui.watch.curve_cache import CurveCache
-from tests.playback.logs import Player, log_with, settled
+from tests.bus.playback.logs import Player, log_with, settled
 from tests.session.indexed import open_indexed
 from tests.session.recordings import frames, greeting, write
 

@@ -8,7 +8,7 @@ from armui.session.session import MarkKind, SessionMark
 from armui.ui.watch.replay.log_time import duration, has_date, moment
 from armui.ui.watch.replay.mark_search import MarkSearch, end_of
 from armui.ui.watch.replay.mark_text import mark_text
-from tests.playback.logs import log_with
+from tests.bus.playback.logs import log_with
 
 
 def mark(at_s: float, kind: MarkKind = MarkKind.FAULT, **entry: object) -> SessionMark:

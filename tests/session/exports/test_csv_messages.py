@@ -25,7 +25,7 @@ from armui.session.exports.request import (
     default_target,
 )
 from armui.system.atomic import WholeFolder
-from tests.exports.logs import START_S, candump, session
+from tests.session.exports.logs import START_S, candump, session
 
 KIND = ExportFormat.CSV_MESSAGES
 

@@ -24,8 +24,8 @@ from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation, PiperModel
 from armui.session.exports.export import export_log
 from armui.session.exports.request import ArmWishes, ExportFormat, ExportReport, ExportRequest
-from tests.exports.logs import START_S, candump, session
 from tests.family import GEOMETRIES
+from tests.session.exports.logs import START_S, candump, session
 
 Read = dict[str, list[tuple[int, int, Any]]]
 # 12° = 12000 = 0x2EE0, -90.5° = -90500 = 0xFFFE9E7C

@@ -15,8 +15,8 @@ from armui.session.recording.recorded_session import RecordedSession
 from armui.session.recording.rows import rows_of
 from armui.session.recording.sidecar import event_line
 from armui.session.session import MarkKind
-from tests.playback.logs import EACH_FAULT, as_own, log_with
-from tests.playback.test_log_events import silent_log, told
+from tests.bus.playback.logs import EACH_FAULT, as_own, log_with
+from tests.bus.playback.test_log_events import silent_log, told
 from tests.session.recording.made import BASE, writer
 
 DRIVER_FAST = (0x251, 0x252, 0x253, 0x254, 0x255, 0x256)

@@ -9,9 +9,9 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 
 from armui.ui.watch.export_dialog import ExportDialog
-from tests.exports.logs import candump, session
-from tests.exports.test_mcap import by_mcap
 from tests.safety.file_watch import watched
+from tests.session.exports.logs import candump, session
+from tests.session.exports.test_mcap import by_mcap
 from tests.ui.dialog_reading import message
 from tests.waiting import wait_until
 

@@ -31,10 +31,10 @@ from armui.session.exports.request import (
 )
 from armui.session.frames import Damage, FrameBatch
 from armui.session.reader import LogFile
-from tests.exports.logs import blf, candump, session
-from tests.exports.test_mcap import by_mcap
+from tests.session.exports.logs import blf, candump, session
+from tests.session.exports.test_mcap import by_mcap
 
-ROOT = Path(__file__).resolve().parents[2]
+ROOT = Path(__file__).resolve().parents[3]
 ALL = pytest.mark.parametrize("kind", list(ExportFormat))
 FILES = pytest.mark.parametrize("kind", [each for each in ExportFormat if not each.is_folder])
 

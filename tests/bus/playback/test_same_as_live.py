@@ -15,7 +15,7 @@ from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
 from armui.session.session import MarkKind
 from armui.telemetry.quantities import BUS
-from tests.playback.logs import EACH_FAULT, Player, log_with
+from tests.bus.playback.logs import EACH_FAULT, Player, log_with
 
 GENERATIONS = pytest.mark.parametrize("generation", [Generation.ONE, Generation.TWO])
 FAULTS_OF_THE_ARM = [name for name in EACH_FAULT if name not in {"lost-frames", "latency"}]

@@ -19,7 +19,7 @@ from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
 from armui.session.foreign.indexed import IndexedLog
 from armui.ui import words
-from tests.playback.logs import log_with, settled
+from tests.bus.playback.logs import log_with, settled
 from tests.session.indexed import open_indexed
 from tests.session.recordings import frames, write
 

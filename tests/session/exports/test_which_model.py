@@ -13,7 +13,7 @@ from armui.session.exports.exported_arm import look_at
 from armui.session.exports.request import ArmWishes
 from armui.session.reader import LogFile
 from armui.sim.firmware import Firmware
-from tests.exports.logs import candump
+from tests.session.exports.logs import candump
 
 LEANING_DEG = (10.0, 60.0, -60.0, 5.0, 30.0, 0.0)
 POSES = {0x2A2, 0x2A3, 0x2A4}

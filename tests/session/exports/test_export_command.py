@@ -23,7 +23,7 @@ from armui.session.exports.request import (
     ExportRequest,
     default_target,
 )
-from tests.exports.logs import candump, session
+from tests.session.exports.logs import candump, session
 
 
 def export(*words: object) -> int:

@@ -23,7 +23,7 @@ from armui.telemetry.events import Asker, EventKind, EventLog, Level
 from armui.ui.watch.replay.log_time import wall_time
 from armui.ui.watch.replay.mark_text import mark_text
 from armui.ui.words import event_log as words
-from tests.playback.logs import EACH_FAULT, log_with
+from tests.bus.playback.logs import EACH_FAULT, log_with
 from tests.session.indexed import open_indexed
 from tests.session.recordings import START_S, frames, greeting, write
 

@@ -11,7 +11,7 @@ from PySide6.QtCore import QCoreApplication, QEvent, QObject
 
 from armui.arm.device import RecordedArm
 from armui.control.log_replay import LogReplay
-from tests.playback.logs import log_with, settled
+from tests.bus.playback.logs import log_with, settled
 
 OPEN_AT_THE_END = """
 import sys, weakref
@@ -25,7 +25,7 @@ if len(sys.argv) > 2:  # as in a process of a pool: Qt's turn at the end is befo
 
 from pathlib import Path
 from PySide6.QtCore import QCoreApplication
-from tests.playback.logs import log_with
+from tests.bus.playback.logs import log_with
 from armui.arm.device import RecordedArm
 from armui.control.log_replay import LogReplay
 
