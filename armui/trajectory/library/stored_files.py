@@ -161,7 +161,9 @@ class FileStore:
 def _by_name(found: list[StoredFile]) -> dict[str, StoredFile]:
     """Files by name; a copy that holds a name already taken goes by its file's name."""
     named: dict[str, StoredFile] = {}
-    found = sorted(found, key=lambda kept: (kept.path.stem != file_stem(kept.entry.name), kept))
+    found = sorted(
+        found, key=lambda kept: (kept.path.stem != file_stem(kept.entry.name), kept.path)
+    )
     for kept in found:
         name, number = kept.entry.name, 1
         if name in named:
