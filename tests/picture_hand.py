@@ -82,4 +82,4 @@ class Hand:
 
     def fields(self):
         panel = self.app_driver.window.findChild(object, "operation_area").currentWidget()
-        return panel.targets_deg()
+        return panel.targets()

@@ -13,8 +13,7 @@ from armui.arm.parameters import all_batches
 from armui.control.operating_state import LinkState
 from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
-from armui.ui.dialogs.backup import BackupDialog
-from armui.ui.dialogs.backup_model import FILED, HELD, NAME, STATE
+from armui.ui.dialogs.backup import FILED, HELD, NAME, STATE, BackupDialog
 from armui.ui.dialogs.confirm_dialog import ConfirmDialog
 from armui.ui.dialogs.files import FileDialog
 from armui.ui.widgets.message_line import MessageLine

@@ -12,7 +12,7 @@ from armui.protocol.codes import ControlMode, MoveMode
 from armui.protocol.frame import Frame
 from armui.settings import SettingsStore
 from armui.ui.dialogs.confirm_dialog import ConfirmDialog
-from armui.ui.dialogs.drag_assistance import DragAssistanceDialog
+from armui.ui.panels.parameters.levels_panel import DragAssistanceDialog
 from tests.company import OtherHost
 from tests.faulty_arm import HardOfHearing
 from tests.named_version import name_version

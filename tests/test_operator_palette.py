@@ -14,7 +14,7 @@ from armui.ui.actions.palette import CommandPalette
 from armui.ui.actions.places import MOVABLE, PANELS, PLACES
 from armui.ui.actions.shortcut_list import ShortcutList
 from armui.ui.dialogs.confirm_dialog import ConfirmDialog
-from armui.ui.dialogs.keycap import KeyCap
+from armui.ui.dialogs.sections import KeyCap
 from armui.ui.dialogs.settings import SettingsDialog
 from armui.ui.trajectory.library.library_page import LibraryPage
 from armui.ui.widgets.press_button import PressButton

@@ -14,7 +14,7 @@ from PySide6.QtWidgets import QComboBox
 from armui.protocol.generation import Generation
 from armui.session.frames import NotALogError
 from armui.sim.faults.schedule import Fault
-from armui.ui.watch.events.event_cells import EventColumn
+from armui.ui.watch.events.event_table import EventColumn
 from armui.ui.watch.replay import log_opening
 from armui.ui.watch.replay.replay_window import ReplayWindow
 from tests.operator_replay import Replay

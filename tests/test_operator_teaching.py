@@ -8,7 +8,7 @@ import pytest
 from armui.protocol.codes import ArmStatusCode, ControlMode
 from armui.protocol.frame import Frame
 from armui.ui.dialogs.confirm_dialog import ConfirmDialog
-from armui.ui.panels.teaching.teaching_exit_steps import TeachingExitSteps
+from armui.ui.panels.teaching_panel import TeachingExitSteps
 from tests.generations import ONE_IS_ENOUGH
 
 THERE_DEG = (10.0, 40.0, -30.0, 0.0, 0.0, 0.0)

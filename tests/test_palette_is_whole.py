@@ -26,7 +26,7 @@ from armui.ui.trajectory.library.library_page import LibraryPage
 from armui.ui.trajectory.recording.recording_page import RecordingPage
 from armui.ui.translation import Translator
 from armui.ui.watch.bus.bus_page import BusPage
-from armui.ui.watch.plot_page import PlotPage
+from armui.ui.watch.plots_area import PlotPage
 from armui.ui.watch.recordings.sessions_window import SessionsWindow
 from armui.ui.widgets.page import Page
 from armui.ui.widgets.press_button import PressButton

@@ -21,7 +21,7 @@ from pypinyin import lazy_pinyin
 from armui.protocol.generation import Generation
 from armui.protocol.layout import load_database
 from armui.ui.actions.catalogue import actions, synonyms
-from armui.ui.words.signals import signal_word
+from armui.ui.words.frames import signal_word
 
 ROOT = Path(__file__).resolve().parent.parent
 TS = ROOT / "resources" / "i18n" / "armui_zh.ts"

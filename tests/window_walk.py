@@ -45,9 +45,9 @@ from armui.trajectory.points.program import Trajectory
 from armui.ui.actions.places import PANELS
 from armui.ui.actions.window_actions import WindowActions
 from armui.ui.dialogs.confirm_dialog import ConfirmDialog
-from armui.ui.shell.page_window import PageWindow
-from armui.ui.widgets.elided_label import ElidedLabel
+from armui.ui.shell.workspace import PageWindow
 from armui.ui.widgets.stop_button import StopButton
+from armui.ui.widgets.text_label import ElidedLabel
 from tests.app_driver import AppDriver
 from tests.operator_library.actions import POINT
 

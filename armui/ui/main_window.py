@@ -16,37 +16,37 @@ from armui.control.devices.joint_monitor import JointMonitor
 from armui.control.operating_state import OperatingState, StopState
 from armui.ui.actions.window_actions import WindowActions
 from armui.ui.background import Background
+from armui.ui.dialogs.backup import BackupDialog
+from armui.ui.dialogs.connect import ConnectDialog
+from armui.ui.dialogs.help import HelpDialog
+from armui.ui.dialogs.joint_status import JointStatusDialog
+from armui.ui.dialogs.kept_models import KeptModels
+from armui.ui.dialogs.settings import SettingsDialog
 from armui.ui.gamepad.gamepad_strip import GamepadStrip
 from armui.ui.panels.jogging.motion_panel import MotionPanel
 from armui.ui.picture.picture_work import PictureWork
-from armui.ui.shell.arm_in_view import show_in_view
-from armui.ui.shell.closing import close_unless_moving
 from armui.ui.shell.diagnosis_dialogs import DiagnosisDialogs
 from armui.ui.shell.drawer import Drawer
-from armui.ui.shell.failure_line import FailureLine
-from armui.ui.shell.joint_status_button import JointStatusButton
 from armui.ui.shell.layout_keeper import LayoutKeeper
-from armui.ui.shell.leaving import end_motion_then
-from armui.ui.shell.library_button import LibraryButton
-from armui.ui.shell.model_mark import ModelMark
-from armui.ui.shell.operation_area import OperationArea
+from armui.ui.shell.leaving import (
+    KeepsWork,
+    close_unless_moving,
+    end_motion_then,
+    leave_then,
+    unsaved,
+)
+from armui.ui.shell.operation_area import OperationArea, menu_entries
 from armui.ui.shell.page_area import PageArea
 from armui.ui.shell.page_doings import PageDoings
-from armui.ui.shell.panel_menu import menu_entries
 from armui.ui.shell.recovery_line import RecoveryLine
-from armui.ui.shell.robot_in_view import RobotInView
-from armui.ui.shell.run_place import RunPlace
-from armui.ui.shell.side_menu import SideMenu
-from armui.ui.shell.status_bar import StatusBar
+from armui.ui.shell.robot_in_view import RobotInView, show_in_view
+from armui.ui.shell.side_menu import JointStatusButton, LibraryButton, SideMenu, WatchMenu
+from armui.ui.shell.status_bar import FailureLine, ModelMark, StatusBar
 from armui.ui.shell.top_bar import TopBar
 from armui.ui.shell.trajectory_pages import TrajectoryPages
-from armui.ui.shell.unsaved import KeepsWork, leave_then, unsaved
 from armui.ui.shell.view_region import ViewRegion
-from armui.ui.shell.watch_menu import WatchMenu
 from armui.ui.shell.watch_windows import WatchWindows
-from armui.ui.shell.window_layout import WindowLayout
-from armui.ui.shell.work_area import WorkArea
-from armui.ui.shell.work_column import WorkColumn
+from armui.ui.shell.work_area import RunPlace, WindowLayout, WorkArea, WorkColumn
 from armui.ui.shell.workspace import Workspace
 from armui.ui.theme import DARK, colors_of
 from armui.ui.trajectory.preview.path_preview import PathPreview
@@ -54,7 +54,7 @@ from armui.ui.trajectory.preview.preview_bar import PreviewBar
 from armui.ui.widgets.curve_menu import offer_curves
 from armui.ui.widgets.keeps_focus import KeepsFocus
 from armui.ui.widgets.layouts import in_column, in_row
-from armui.ui.widgets.page_stack import StackArea
+from armui.ui.widgets.page import StackArea
 from armui.ui.widgets.translated import Translated
 from armui.viewport import palette as scene_palette
 
@@ -258,9 +258,6 @@ class MainWindow(Translated, KeepsFocus, QWidget):
         """Show the window 连接机械臂 (manual 1.0.1)."""
 
         def make() -> QDialog:
-            from armui.ui.dialogs.connect import ConnectDialog  # noqa: PLC0415 - faster start
-            from armui.ui.dialogs.kept_models import KeptModels  # noqa: PLC0415 - as above
-
             kept = KeptModels(self._preferences)
             dialog = ConnectDialog(
                 self._controller, self, self._leave_arm_then, kept, self._background
@@ -272,23 +269,13 @@ class MainWindow(Translated, KeepsFocus, QWidget):
 
     def open_joint_status_dialog(self) -> None:
         """Show the window 关节状态 (manual 1.0.10)."""
-
-        def make() -> QDialog:
-            from armui.ui.dialogs.joint_status import JointStatusDialog  # noqa: PLC0415 - faster start
-
-            return JointStatusDialog(self._controller, self._joint_monitor, self)
-
-        self._open("joint_status", make)
+        self._open(
+            "joint_status", lambda: JointStatusDialog(self._controller, self._joint_monitor, self)
+        )
 
     def open_backup_dialog(self) -> None:
         """Show the window 参数备份."""
-
-        def make() -> QDialog:
-            from armui.ui.dialogs.backup import BackupDialog  # noqa: PLC0415 - faster start
-
-            return BackupDialog(self._controller, self._background, self)
-
-        self._open("backup", make)
+        self._open("backup", lambda: BackupDialog(self._controller, self._background, self))
 
     def open_library_window(self) -> None:
         """Show 轨迹库 (manual 1.0.9): the page one was at, or, if that is seen, the library."""
@@ -307,20 +294,12 @@ class MainWindow(Translated, KeepsFocus, QWidget):
 
     def open_help_dialog(self) -> None:
         """Show how the 3D view is used."""
-
-        def make() -> QDialog:
-            from armui.ui.dialogs.help import HelpDialog  # noqa: PLC0415 - faster start
-
-            return HelpDialog(self._controller, self)
-
-        self._open("help", make)
+        self._open("help", lambda: HelpDialog(self._controller, self))
 
     def open_settings_dialog(self) -> None:
         """Show the program's settings."""
 
         def make() -> QDialog:
-            from armui.ui.dialogs.settings import SettingsDialog  # noqa: PLC0415 - faster start
-
             dialog = SettingsDialog(self._preferences, self._controller, self)
             self._view.load_failed.connect(dialog.show_robot_problem)
             dialog.diagnosis_wanted.connect(self._diagnosis.open_doctor)

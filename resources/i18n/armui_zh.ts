@@ -1046,6 +1046,18 @@
         <translation>沿直线移到该位姿。</translation>
     </message>
     <message>
+        <source>Tool centre point</source>
+        <translation>工具中心点</translation>
+    </message>
+    <message>
+        <source>Flange (no tool set)</source>
+        <translation>法兰（未设置工具）</translation>
+    </message>
+    <message>
+        <source>Measured</source>
+        <translation>测量</translation>
+    </message>
+    <message>
         <source>Tool control</source>
         <translation>末端控制</translation>
     </message>
@@ -1101,6 +1113,13 @@
     <message>
         <source>Levels 1 to 8 watch for collisions; level 0 does not watch at all.</source>
         <translation>等级 1~8 检测碰撞；等级 0 不检测碰撞。</translation>
+    </message>
+</context>
+<context>
+    <name>ColorDialog</name>
+    <message>
+        <source>Colour of the lamps</source>
+        <translation>灯光颜色</translation>
     </message>
 </context>
 <context>
@@ -1812,10 +1831,6 @@
         <translation>未粘贴。{reason}</translation>
     </message>
     <message>
-        <source>These points were taught on another arm: {pasted}. Those here were taught on {here}. The same joint angles may hold the tool elsewhere: check them, or undo.</source>
-        <translation>这些点在另一种机械臂上示教：{pasted}。此轨迹在 {here} 上示教。相同的关节角可能使工具处于别处：请检查，或撤销。</translation>
-    </message>
-    <message>
         <source>What this trajectory is for</source>
         <translation>该轨迹的用途</translation>
     </message>
@@ -1828,12 +1843,16 @@
         <translation>已保存。“{name}”在此处打开后被另一个程序修改过：其保存的内容可在轨迹库的“最近删除…”中找到。</translation>
     </message>
     <message>
-        <source>The angles count from the zeros of {arm} now; poses stay as they are. Save it, or undo it.</source>
-        <translation>关节角现在以 {arm} 的零点计；位姿保持不变。请保存或撤销。</translation>
-    </message>
-    <message>
         <source>“{name}” has been saved since these unsaved changes were kept: they are not put over it. They are in the library under “Recently deleted…”.</source>
         <translation>“{name}”在这些未保存的更改之后又保存过：未用它们覆盖，可在轨迹库的“最近删除…”中找回。</translation>
+    </message>
+    <message>
+        <source>These points were taught on another arm: {pasted}. Those here were taught on {here}. The same joint angles may hold the tool elsewhere: check them, or undo.</source>
+        <translation>这些点在另一种机械臂上示教：{pasted}。此轨迹在 {here} 上示教。相同的关节角可能使工具处于别处：请检查，或撤销。</translation>
+    </message>
+    <message>
+        <source>The angles count from the zeros of {arm} now; poses stay as they are. Save it, or undo it.</source>
+        <translation>关节角现在以 {arm} 的零点计；位姿保持不变。请保存或撤销。</translation>
     </message>
 </context>
 <context>
@@ -4466,24 +4485,20 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
         <translation>全部</translation>
     </message>
     <message>
+        <source>Opens a window to pick a colour in; nothing is sent.</source>
+        <translation>打开选取颜色的窗口，不发送任何指令。</translation>
+    </message>
+    <message>
+        <source>Pick a colour…</source>
+        <translation>选取颜色…</translation>
+    </message>
+    <message>
         <source>All lamps of the joint</source>
         <translation>该关节的全部灯珠</translation>
     </message>
     <message>
-        <source>Hue and saturation</source>
-        <translation>色相和饱和度</translation>
-    </message>
-    <message>
-        <source>Click, drag or use the arrow keys to pick a colour.</source>
-        <translation>点击、拖动或按方向键选取颜色。</translation>
-    </message>
-    <message>
-        <source>Brightness</source>
-        <translation>亮度</translation>
-    </message>
-    <message>
-        <source>The same colour, darker or brighter</source>
-        <translation>同一颜色，调暗或调亮</translation>
+        <source>Colour of the lamps</source>
+        <translation>灯光颜色</translation>
     </message>
     <message>
         <source>Effect</source>
@@ -6572,21 +6587,6 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     <message>
         <source>Measured by the arm</source>
         <translation>机械臂测量值</translation>
-    </message>
-</context>
-<context>
-    <name>PoseRows</name>
-    <message>
-        <source>Tool centre point</source>
-        <translation>工具中心点</translation>
-    </message>
-    <message>
-        <source>Flange (no tool set)</source>
-        <translation>法兰（未设置工具）</translation>
-    </message>
-    <message>
-        <source>Measured</source>
-        <translation>测量</translation>
     </message>
 </context>
 <context>
@@ -8760,14 +8760,6 @@ The other program must have ended.</source>
         <translation>发送</translation>
     </message>
     <message>
-        <source>The speed of each row × that of the run, 1–100 %; of all rows that run.</source>
-        <translation>各行速度 × 运行速度，1–100 %；为所有要运行的行。</translation>
-    </message>
-    <message>
-        <source>The speed of each row × that of the run, 1–100 %; from row {row} on.</source>
-        <translation>各行速度 × 运行速度，1–100 %；从第 {row} 行起。</translation>
-    </message>
-    <message>
         <source>Call off</source>
         <translation>取消</translation>
     </message>
@@ -8830,6 +8822,14 @@ The other program must have ended.</source>
     <message>
         <source>“{name}” is not known to have run: its speed begins at {percent} %. Watch it once before you choose more.</source>
         <translation>未见“{name}”运行过：速度从 {percent} % 开始。先看它运行一次，再选择更高速度。</translation>
+    </message>
+    <message>
+        <source>The speed of each row × that of the run, 1–100 %; of all rows that run.</source>
+        <translation>各行速度 × 运行速度，1–100 %；为所有要运行的行。</translation>
+    </message>
+    <message>
+        <source>The speed of each row × that of the run, 1–100 %; from row {row} on.</source>
+        <translation>各行速度 × 运行速度，1–100 %；从第 {row} 行起。</translation>
     </message>
 </context>
 <context>

@@ -16,7 +16,7 @@ from armui.protocol.generation import Generation
 from armui.telemetry.events import Asker, EventKind, EventLog, Level
 from armui.ui.theme import LIGHT
 from armui.ui.watch.events.event_filter import EventFilter
-from armui.ui.watch.events.event_model import EventModel
+from armui.ui.watch.events.event_table import EventModel
 from tests.arm_rig import ArmRig
 from tests.benchmarks.bus_thread import without_and_with
 

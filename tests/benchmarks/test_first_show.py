@@ -10,7 +10,7 @@ import pytest
 from PySide6.QtWidgets import QApplication, QDialog
 
 from armui.app import SIMULATED, load_pages, open_device
-from armui.ui.shell.panel_menu import menu_entries
+from armui.ui.shell.operation_area import menu_entries
 from tests.benchmarks import rig
 
 MOST_MS = 50.0

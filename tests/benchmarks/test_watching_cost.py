@@ -19,7 +19,7 @@ import numpy as np
 import pytest
 from PySide6.QtWidgets import QApplication
 
-from armui.ui.watch.plot_page import PlotPage
+from armui.ui.watch.plots_area import PlotPage
 from tests.benchmarks import rig
 from tests.benchmarks.test_plots_speed import PLOTS
 

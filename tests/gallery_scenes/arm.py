@@ -18,6 +18,7 @@ from tests.gallery_scenes.scene import settled
 
 _PUSH = fault("collision", 2)
 
+_LOW_DEG = (10.0, 125.0, -60.0, 15.0, 40.0, 20.0)
 REACH_OUT_DEG = (35.0, 95.0, -70.0, 20.0, 45.0, -30.0)
 
 
@@ -73,6 +74,25 @@ def stopped(app_driver: AppDriver) -> None:
     app_driver.click("stop_button")
     app_driver.run_until(lambda: app_driver.controller.operating_state.stop is StopState.STOPPED)
     app_driver.run(0.3)
+
+
+def stopped_in_another_theme(app_driver: AppDriver) -> None:
+    """After the emergency stop, and then after another theme and back: still red."""
+    stopped(app_driver)
+    theme = app_driver.store.settings.theme
+    app_driver.store.change(theme="light" if theme == "dark" else "dark")
+    app_driver.run(0.5)
+    app_driver.store.change(theme=theme)
+    app_driver.run(0.5)
+
+
+def low(app_driver: AppDriver) -> None:
+    """Jogged to where the fingertip is below the plane that the arm stands on."""
+    _enabled(app_driver)
+    app_driver.controller.motion.send_joints(_LOW_DEG)
+    app_driver.run_until(lambda: app_driver.controller.operating_state.moving)
+    _until(app_driver, StepKind.BELOW_BASE)
+    app_driver.run_until(lambda: not app_driver.controller.operating_state.moving, seconds=60.0)
 
 
 def run(app_driver: AppDriver) -> None:

@@ -25,9 +25,8 @@ from armui.ui.actions.palette import CommandPalette
 from armui.ui.actions.shortcut_list import ShortcutList
 from armui.ui.actions.window_actions import WindowActions
 from armui.ui.dialogs.about_arm import AboutArmDialog
-from armui.ui.dialogs.adapter_trouble import AdapterTrouble
 from armui.ui.dialogs.confirm_dialog import ConfirmDialog
-from armui.ui.dialogs.connect import ConnectDialog
+from armui.ui.dialogs.connect import AdapterTrouble, ConnectDialog
 from armui.ui.dialogs.doctor import DoctorDialog
 from armui.ui.dialogs.files import FileDialog
 from armui.ui.dialogs.help import HelpDialog
@@ -88,6 +87,14 @@ def palette(app_driver: AppDriver) -> QDialog:
     dialog = app_driver.dialog(CommandPalette)
     app_driver.wait(lambda: dialog.knows_names)
     dialog.search.setText("ydkz")
+    return dialog
+
+
+def palette_zero(app_driver: AppDriver) -> QDialog:
+    """A synonym: going home comes first, what sets zeros last."""
+    dialog = palette(app_driver)
+    assert isinstance(dialog, CommandPalette)
+    dialog.search.setText("zero")
     return dialog
 
 

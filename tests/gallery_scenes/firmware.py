@@ -5,7 +5,7 @@ from __future__ import annotations
 from PySide6.QtWidgets import QAbstractButton, QDialog
 
 from armui.ui.dialogs.confirm_dialog import ConfirmDialog
-from armui.ui.dialogs.drag_assistance import DragAssistanceDialog
+from armui.ui.panels.parameters.levels_panel import DragAssistanceDialog
 from tests.app_driver import AppDriver
 from tests.company import OtherHost
 from tests.gallery_scenes.arm import reached_out

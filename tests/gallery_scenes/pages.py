@@ -13,6 +13,7 @@ from tests.gallery_scenes import library, trajectories
 from tests.gallery_scenes.scene import Scene
 
 _SIZES = ((1280, 800), (1440, 900))
+_NARROW = ((1024, 720), (1440, 900))
 
 
 def _online(play: Callable[[AppDriver], object]) -> Callable[[AppDriver], None]:
@@ -125,7 +126,7 @@ SCENES = (
     Scene("library-put-back", _put_back, sizes=((1024, 720),)),
     Scene("library-stopped", _stopped_below_a_page, sizes=((1024, 720),)),
     Scene("running-drawer", _all_at_once, sizes=_SIZES, fine=True),
-    Scene("editor-jogging", _jogging, sizes=_SIZES, fine=True),
+    Scene("editor-jogging", _jogging, sizes=(*_SIZES, (1024, 720)), fine=True),
     Scene("editor-jogging-tool", _jogging_tool, sizes=_SIZES),
     Scene("editor-empty", _first_point, sizes=_SIZES),
     Scene("running", _run, sizes=_SIZES),
@@ -142,5 +143,9 @@ SCENES = (
     Scene("recording", _online(trajectories.recording), sizes=_SIZES),
     Scene("columns-offered", _online(trajectories.columns_offered), sizes=_SIZES),
     Scene("columns", _online(trajectories.columns), sizes=_SIZES),
+    Scene("columns-units", _online(trajectories.columns_with_units), sizes=_SIZES),
+    Scene("editor-older-zeros", trajectories.older_zeros, sizes=_NARROW),
+    Scene("library-other-arm", trajectories.other_arm, sizes=_NARROW),
+    Scene("library-sunk", trajectories.sunk, sizes=_NARROW),
     Scene("columns-asked", _online(trajectories.columns_asked), sizes=_SIZES),
 )

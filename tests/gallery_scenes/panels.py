@@ -5,6 +5,7 @@ from __future__ import annotations
 from PySide6.QtWidgets import QDialog
 
 from armui.ui.dialogs.confirm_dialog import ConfirmDialog
+from armui.ui.panels.light_panel import ColorDialog
 from armui.ui.widgets.hold_button import HoldButton
 from tests.app_driver import AppDriver
 from tests.gallery_scenes import arm
@@ -26,6 +27,12 @@ def lights_refused(app_driver: AppDriver) -> None:
     lights(app_driver)
     app_driver.click("all_lamps")
     app_driver.type_into("lamp_field", "300")
+
+
+def pick_color(app_driver: AppDriver) -> QDialog:
+    """The colour of the lamps in the picker."""
+    app_driver.click("pick_color_button")
+    return app_driver.dialog(ColorDialog)
 
 
 def motors(app_driver: AppDriver) -> None:

@@ -2,10 +2,15 @@
 
 from __future__ import annotations
 
-from PySide6.QtWidgets import QWidget
+import tempfile
+from pathlib import Path
+
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QPixmap
+from PySide6.QtWidgets import QLabel, QWidget
 
 from armui.ui.watch.plot_layout import SETS
-from armui.ui.watch.plot_page import PlotPage
+from armui.ui.watch.plots_area import PlotPage
 from tests.app_driver import AppDriver
 
 SIZE_PX = (1180, 760)
@@ -62,6 +67,21 @@ def units(app_driver: AppDriver) -> QWidget:
     window.board.show_plots((angle_and_more, *SETS["tool"][:1], SETS["tool"][4], ("bus.bus_load",)))
     app_driver.wait(lambda: window.board.built)
     return _drawn(app_driver, window)
+
+
+def exported(app_driver: AppDriver) -> QWidget:
+    """The picture that is written: with what is scrolled out of sight, each unit on its axis."""
+    units(app_driver)
+    page = app_driver.taken_out(PlotPage)
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / "curves.png"
+        page.export.write("png", path)
+        app_driver.wait(path.exists)
+        label = QLabel()
+        picture = QPixmap(str(path))
+    label.setPixmap(picture.scaledToWidth(SIZE_PX[0], Qt.TransformationMode.SmoothTransformation))
+    label.resize(label.sizeHint())
+    return label
 
 
 def hot(app_driver: AppDriver) -> QWidget:

@@ -20,6 +20,8 @@ from tests.gallery_scenes.events import act
 from tests.session.recordings import START_S, frames, moving, write
 
 SIZE_PX = (1440, 920)
+SMALL_PX = (1000, 640)
+_DRAWN_MS = 500
 _HIT_S = 14.0
 _PICTURE_MS = 60_000
 
@@ -74,6 +76,28 @@ def joints(app_driver: AppDriver) -> QDialog:
 
 def curves(app_driver: AppDriver) -> QDialog:
     return _window(app_driver, 1, _HIT_S + 2.0)
+
+
+def jumped(app_driver: AppDriver) -> QDialog:
+    """Paused, and gone to another place: its curves are there without 播放."""
+    window = _window(app_driver, 1, _HIT_S + 2.0)
+    view = window.view
+    assert view is not None
+    view.replay.go_to(START_S + 7.0)
+    app_driver.wait(lambda: not view.replay.is_travelling)
+    _patiently(lambda: view.view.is_settled)
+    QTest.qWait(_DRAWN_MS)
+    return window
+
+
+def small(app_driver: AppDriver) -> QDialog:
+    """As it opens on a small screen: time line and buttons in sight."""
+    window = _window(app_driver, 0, _HIT_S + 0.3)
+    window.resize(*SMALL_PX)
+    view = window.view
+    assert view is not None
+    _patiently(lambda: view.view.is_settled)
+    return window
 
 
 def events(app_driver: AppDriver) -> QDialog:

@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 import tempfile
+from dataclasses import replace
 from pathlib import Path
 
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QComboBox, QWidget
 
+from armui.arm.model_check import ModelFit
 from armui.control.parameters.arm_model import arm_model
+from armui.protocol.generation import PiperModel
 from armui.trajectory.columns import ColumnQuantity
 from armui.trajectory.library.store import Library
 from armui.ui.dialogs.files import FileDialog
@@ -20,6 +23,9 @@ from armui.ui.trajectory.table_import.columns_page import ColumnsPage
 from armui.ui.widgets.page import Page
 from tests.app_driver import AppDriver
 from tests.sample_trajectories import SAMPLES
+
+_SUNK_DEG = (-20.9, 142.0, -2.7, -26.1, 65.7, 103.0)
+"""The wrist lies against the base."""
 
 
 def library(app_driver: AppDriver) -> LibraryPage:
@@ -92,6 +98,54 @@ def columns_asked(app_driver: AppDriver) -> Page:
         for step in range(30)
     )
     return _by_columns(app_driver, f"time[ms],Achse1,Achse2,Achse3,Achse4,Achse5,Achse6\n{rows}")
+
+
+def columns_with_units(app_driver: AppDriver) -> Page:
+    """Titles that name units in brackets, each its own, and one column that is nothing known."""
+    titles = "t[ms],Achse1[deg],Achse2[deg],Achse3[rad],Achse4（°）,Achse5 {rad},Achse6<deg>,state"
+    rows = "".join(
+        f"{20 * step},{step},{20 + step / 2},{-1.047 - step / 90:.3f},5,0.3,{step / 3:.2f},1\n"
+        for step in range(30)
+    )
+    return _by_columns(app_driver, f"{titles}\n{rows}")
+
+
+def older_zeros(app_driver: AppDriver) -> EditorPage:
+    """Points of an arm of older firmware; this one counts from other zeros."""
+    app_driver.ready()
+    app_driver.run(1.0)
+    library(app_driver)
+    kept = Library(app_driver.library_folder)
+    older = ModelFit(older_zeros=True).kind
+    kept.save(replace(SAMPLES[0], name="Feeder, old cell", taught_on=older))
+    library(app_driver).open_trajectory("Feeder, old cell")
+    return app_driver.page(EditorPage)
+
+
+def other_arm(app_driver: AppDriver) -> LibraryPage:
+    """What a check says of a trajectory that was taught on another model."""
+    app_driver.ready()
+    app_driver.run(1.0)
+    page = library(app_driver)
+    other = ModelFit(PiperModel.PIPER_X).kind
+    kept = Library(app_driver.library_folder)
+    kept.save(replace(SAMPLES[0], name="Second cell", taught_on=other))
+    page.refresh(["Second cell"])
+    app_driver.click(page.findChild(QWidget, "run_send"))
+    app_driver.run(0.5)
+    return page
+
+
+def sunk(app_driver: AppDriver) -> LibraryPage:
+    """The arm touches itself where it stands: the trajectory is not to blame."""
+    app_driver.ready()
+    app_driver.controller.motion.send_joints(_SUNK_DEG)
+    app_driver.run_until(lambda: app_driver.controller.operating_state.moving)
+    app_driver.run_until(lambda: not app_driver.controller.operating_state.moving, seconds=60.0)
+    page = library(app_driver)
+    app_driver.click(page.findChild(QWidget, "run_send"))
+    app_driver.run(0.5)
+    return page
 
 
 def columns_offered(app_driver: AppDriver) -> Page:

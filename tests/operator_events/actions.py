@@ -6,8 +6,8 @@ from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QMenu
 
-from armui.ui.watch.events.event_cells import EventColumn
 from armui.ui.watch.events.event_page import EventPage
+from armui.ui.watch.events.event_table import EventColumn
 
 LEFT = Qt.MouseButton.LeftButton
 

@@ -13,9 +13,9 @@ from PySide6.QtWidgets import QApplication
 from armui.telemetry.event_json import from_json, to_json
 from armui.telemetry.events import Asker, EventKind, Level
 from armui.ui.dialogs.files import FileDialog
-from armui.ui.watch.events.event_cells import EventColumn
 from armui.ui.watch.events.event_page import EventPage
-from armui.ui.watch.plot_page import PlotPage
+from armui.ui.watch.events.event_table import EventColumn
+from armui.ui.watch.plots_area import PlotPage
 
 HOT = "J3 Motor temperature: Too hot"
 

@@ -9,8 +9,8 @@ from PySide6.QtGui import QContextMenuEvent, QDragEnterEvent, QDropEvent, QMouse
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QMenu, QWidget
 
-from armui.ui.watch import carrying
-from armui.ui.watch.plot_page import PlotPage
+from armui.ui.watch import plot_pane
+from armui.ui.watch.plots_area import PlotPage
 
 LEFT = Qt.MouseButton.LeftButton
 
@@ -109,7 +109,7 @@ class Plots:
             def exec(self, action):
                 self.action = action
 
-        self.monkeypatch.setattr(carrying, "QDrag", Drag)
+        self.monkeypatch.setattr(plot_pane, "QDrag", Drag)
         QTest.mousePress(source, LEFT, pos=start)
         for step in (8, 24, 40):
             move = QPoint(step, step // 4)

@@ -6,9 +6,9 @@ from PySide6.QtWidgets import QApplication, QMenu, QTableView, QWidget
 
 from armui.telemetry.quantities import QUANTITIES
 from armui.ui.dialogs.joint_status import JointStatusDialog
-from armui.ui.panels.gripper.gripper_panel import GripperPanel
+from armui.ui.panels.gripper_panel import GripperPanel
 from armui.ui.panels.jogging.cartesian_panel import CartesianPanel
-from armui.ui.panels.motors.motor_panel import MotorPanel
+from armui.ui.panels.motor_panel import MotorPanel
 from armui.ui.panels.parameters.end_load_panel import EndLoadPanel
 from armui.ui.widgets.curve_menu import quantities_under
 from armui.viewport.hud import Hud

@@ -8,7 +8,7 @@ import pytest
 from armui.control.operating_state import LinkState
 from armui.ui.dialogs.confirm_dialog import ConfirmDialog
 from armui.ui.dialogs.connect import ConnectDialog
-from armui.ui.shell.unsaved_question import UnsavedQuestion
+from armui.ui.shell.leaving import UnsavedQuestion
 from tests.generations import ONE_IS_ENOUGH
 from tests.moments import now
 from tests.operator_settings.panels import note, questions, sent, settled

@@ -11,11 +11,11 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QComboBox, QLineEdit, QMenu, QToolTip
 
 from armui.ui.actions.palette import CommandPalette
-from armui.ui.dialogs.confirm import confirm
+from armui.ui.dialogs.confirm_dialog import confirm
 from armui.ui.dialogs.files import choose_file
 from armui.ui.dialogs.settings import SettingsDialog
 from armui.ui.watch.bus.bus_page import BusPage
-from armui.ui.watch.plot_page import PlotPage
+from armui.ui.watch.plots_area import PlotPage
 from armui.ui.widgets.halt_button import HaltButton
 from armui.ui.widgets.stop_button import StopButton
 from armui.ui.widgets.stop_shortcut import HALT_KEY

@@ -37,7 +37,7 @@ from armui.ui.trajectory.recording.recording_page import RecordingPage
 from armui.ui.watch.bus.bus_page import BusPage
 from armui.ui.watch.events.event_page import EventPage
 from armui.ui.watch.plot_layout import SETS
-from armui.ui.watch.plot_page import PlotPage
+from armui.ui.watch.plots_area import PlotPage
 from armui.ui.watch.recordings.sessions_window import SessionsWindow
 from tests.app_driver import AppDriver
 from tests.operator_library.actions import POINT, LibraryDriver

@@ -10,7 +10,7 @@ from armui.control.motion.jog_path import JointJog
 from armui.gamepad.dead_man import HoldPhase
 from armui.gamepad.layout import JogMode
 from armui.telemetry.events import Asker
-from armui.ui.shell.page_window import PageWindow
+from armui.ui.shell.workspace import PageWindow
 from tests.control.jogger import bend
 from tests.gamepad.pads import MOUSE, PAD, switch_on
 from tests.gamepad.piloting import (

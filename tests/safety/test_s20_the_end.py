@@ -14,7 +14,7 @@ from armui.control.motion.jog_path import JointJog
 from armui.control.motion.jogging import Jogging
 from armui.control.operating_state import LinkState
 from armui.protocol.frame import Frame
-from armui.ui.dialogs.close_question import CloseQuestion
+from armui.ui.dialogs.confirm_dialog import CloseQuestion
 from tests.arm_rig import TIMEOUT_MS
 from tests.failing import failing, functions_of
 

@@ -13,8 +13,7 @@ from armui.session.recording.folder import list_recordings
 from armui.session.recording.recorded_session import RecordedSession
 from armui.trajectory.library.store import Library
 from armui.ui.trajectory.editor.leave_question import LeaveQuestion
-from armui.ui.watch.recordings.sessions_model import SessionColumn
-from armui.ui.watch.recordings.sessions_window import SessionsWindow
+from armui.ui.watch.recordings.sessions_window import SessionColumn, SessionsWindow
 from tests.test_operator_recording import Operator
 from tests.test_operator_sessions import Sessions
 

@@ -37,11 +37,10 @@ from armui.session.recording.kinds import RecordingFormat
 from armui.session.recording.recorded_session import RecordedSession
 from armui.session.survey import survey
 from armui.system.clock import in_calendar_s, local_time
-from armui.ui.watch.recordings import figures
-from armui.ui.watch.recordings.sessions_model import SessionColumn
-from armui.ui.watch.recordings.sessions_window import SessionsWindow
+from armui.ui.watch.recordings.recording_card import length_text, moment_text
+from armui.ui.watch.recordings.sessions_window import SessionColumn, SessionsWindow
 from armui.ui.watch.replay.log_time import duration, moment
-from armui.ui.watch.replay.mark_text import mark_text
+from armui.ui.watch.replay.time_line import mark_text
 from tests.bus.playback.logs import Player
 from tests.operator_replay import Replay
 from tests.session.indexed import open_indexed
@@ -194,7 +193,7 @@ def test_the_window_of_such_a_replay_opens_plays_and_closes(
 def test_no_time_is_more_than_a_calendar_has(at_s):
     assert local_time(at_s) is None
     assert 0.0 <= in_calendar_s(at_s) <= LATEST_S
-    assert figures.moment(at_s) == "—"
+    assert moment_text(at_s) == "—"
     assert moment(at_s)
 
 
@@ -313,7 +312,7 @@ def test_each_bad_sidecar_costs_itself_and_is_named(tmp_path):
         assert found.keys() == {"good", name}
         entry = found[name]
         assert entry.path == path
-        figures.moment(entry.begun_unix_s), figures.length(entry.length_s)
+        moment_text(entry.begun_unix_s), length_text(entry.length_s)
         try:
             session = RecordedSession(path)
         except NotALogError:
@@ -353,7 +352,7 @@ def test_an_index_whose_times_are_none_is_none(tmp_path, field, odd):
     index.write_bytes(index_file.MAGIC + index_file.Block(**fields).record())
     (entry,) = list_recordings(tmp_path)
     assert entry.length_s is None
-    assert figures.length(entry.length_s) == "—"
+    assert length_text(entry.length_s) == "—"
     session = RecordedSession(path)
     assert -LATEST_S <= session.start_s <= session.end_s <= LATEST_S
     assert session.frames == 20  # read as what a killed program leaves

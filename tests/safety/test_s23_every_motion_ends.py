@@ -37,15 +37,10 @@ from armui.control.safety.recovery import Recovery
 from armui.control.safety.stopping import Stopping
 from armui.protocol.generation import Generation
 from armui.system import failures
-from armui.ui.panels.jogging.cartesian_panel import CartesianPanel
-from armui.ui.panels.jogging.jog_box import JogBox
-from armui.ui.panels.jogging.jog_cell import JogCell
-from armui.ui.panels.jogging.jog_panel import JogPanel
-from armui.ui.panels.jogging.jog_signals import JogSignals
-from armui.ui.panels.jogging.joint_row import JointRow
-from armui.ui.panels.jogging.key_pad import KeyPad
-from armui.ui.panels.jogging.motion_panel import MotionPanel
-from armui.ui.panels.jogging.pose_row import PoseRow
+from armui.ui.panels.jogging.cartesian_panel import CartesianPanel, PoseRow
+from armui.ui.panels.jogging.jog_box import JogBox, JogCell
+from armui.ui.panels.jogging.jog_panel import JogPanel, JogRow, KeyPad
+from armui.ui.panels.jogging.motion_panel import JointRow, MotionPanel
 from armui.ui.shell.status_bar import StatusBar
 from armui.ui.widgets.hold_guard import HoldGuard
 from armui.ui.widgets.jog_button import JogButton
@@ -466,7 +461,7 @@ _SHARED = (HoldGuard, Jogging, JogStream)
 _PANEL = (JogPanel, MotionPanel, JointJogPath)
 HELD = {
     "keys": (by_keys, (KeyPad, *_PANEL, *_SHARED)),
-    "button": (by_button("jog_plus_1", "jog_step"), (JogButton, JogSignals, JointRow, *_PANEL)),
+    "button": (by_button("jog_plus_1", "jog_step"), (JogButton, JogRow, JointRow, *_PANEL)),
     "pose": (
         by_button("pose_plus_Z", "tool_step", "menu_cartesian"),
         (JogButton, PoseRow, CartesianPanel, ToolJogPath, *_SHARED),

@@ -209,20 +209,20 @@ def test_a_handle_held_as_it_happens_is_let_go_and_all_stands_as_before(hand, wh
     app_driver = hand.app_driver
     hand.choose(kind)
     panel = app_driver.window.findChild(object, "operation_area").currentWidget()
-    before = panel.targets_deg()
+    before = panel.targets()
     x, y = hand.place_on(grip_of(hand, kind))
     moved(app_driver)
     hand.press((x, y))
     hand.move((x + 12.0, y - 12.0))
-    assert panel.targets_deg() != before
+    assert panel.targets() != before
     what(hand)
     hand.look()
     assert has_ended(hand)
-    assert panel.targets_deg() == pytest.approx(before, abs=1e-6)
+    assert panel.targets() == pytest.approx(before, abs=1e-6)
     hand.move((x + 40.0, y - 40.0))  # the hand goes on, and lets go at last
     hand.release((x + 40.0, y - 40.0))
     assert has_ended(hand)
-    assert panel.targets_deg() == pytest.approx(before, abs=1e-6)
+    assert panel.targets() == pytest.approx(before, abs=1e-6)
     assert moved(app_driver) == []
     if app_driver.controller.operating_state.link is LinkState.ONLINE:
         assert press_stop(app_driver) == STOP

@@ -11,7 +11,7 @@ from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.control.events import Level
 from armui.protocol.generation import Generation, PiperModel
-from armui.ui.dialogs import backup_text
+from armui.ui.dialogs.backup import difference_text, origin_text, restored_text, saved_text
 
 PATH = Path("arm.json")
 
@@ -28,9 +28,9 @@ def backup(generation=2, firmware="S-V1.8-5"):
 
 
 def test_a_file_says_where_it_is_from(qapp):
-    assert "arm.json: saved" in backup_text.origin(backup(), PATH)
-    assert backup_text.origin(backup(1, None), PATH).endswith("can0, generation 1, —")
-    assert "No file is open" in backup_text.origin(None, None)
+    assert "arm.json: saved" in origin_text(backup(), PATH)
+    assert origin_text(backup(1, None), PATH).endswith("can0, generation 1, —")
+    assert "No file is open" in origin_text(None, None)
 
 
 @pytest.mark.parametrize(
@@ -44,7 +44,7 @@ def test_a_file_says_where_it_is_from(qapp):
     ],
 )
 def test_what_sets_the_arms_apart(qapp, generation, firmware, said):
-    text = backup_text.difference(backup(), generation, firmware)
+    text = difference_text(backup(), generation, firmware)
     assert (said in text) if said else text == ""
 
 
@@ -58,22 +58,22 @@ def test_what_sets_the_arms_apart(qapp, generation, firmware, said):
 )
 def test_a_backup_of_another_model_is_said(qapp, filed, here, said):
     one = replace(backup(), model=filed)
-    text = backup_text.difference(one, Generation.TWO, "S-V1.8-5", here)
+    text = difference_text(one, Generation.TWO, "S-V1.8-5", here)
     assert (said in text) if said else text == ""
 
 
 def test_what_is_missing_in_a_file_is_said(qapp):
-    text, level = backup_text.saved(PATH, 35, 0)
+    text, level = saved_text(PATH, 35, 0)
     assert (text, level) == ("Saved 35 parameters to arm.json.", Level.DONE)
-    text, level = backup_text.saved(PATH, 30, 5)
+    text, level = saved_text(PATH, 30, 5)
     assert text.endswith("5 could not be read from the arm and are not in the file.")
     assert level is Level.WARNING
 
 
 def test_what_was_not_restored_is_told_with_the_first_reason(qapp):
-    assert backup_text.restored(3, [])[1] is Level.DONE
-    text, level = backup_text.restored(3, [Refusal(RefusalCode.LINK_LOST), None])
+    assert restored_text(3, [])[1] is Level.DONE
+    text, level = restored_text(3, [Refusal(RefusalCode.LINK_LOST), None])
     assert text.startswith("2 of 3 parameters were not restored. ")
     assert "device is gone" in text
     assert level is Level.FAULT
-    assert backup_text.restored(3, [None])[0] == "1 of 3 parameters were not restored."
+    assert restored_text(3, [None])[0] == "1 of 3 parameters were not restored."

@@ -11,9 +11,7 @@ from armui.telemetry.bus_errors import BusError
 from armui.telemetry.bus_senders import Sender
 from armui.ui.translation import Translator
 from armui.ui.words import frames
-from armui.ui.words.hand_frames import frame_effect
-from armui.ui.words.messages import message_name
-from armui.ui.words.signals import signal_name, signal_value, signal_word
+from armui.ui.words.frames import frame_effect, message_name, signal_name, signal_value, signal_word
 from tests.ui.test_words import has_chinese
 
 SAME_IN_BOTH = {"Kp", "Kd", "MIT", *(f"MOVE {kind}" for kind in ("P", "J", "L", "C", "M", "CPV"))}

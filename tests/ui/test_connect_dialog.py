@@ -16,9 +16,8 @@ from armui.control.operating_state import LinkState, OperatingState
 from armui.doctor.facts import CanFacts, Diagnosis, LinkFacts, SerialPortFacts
 from armui.doctor.judge import judge_can
 from armui.ui.background import Background
-from armui.ui.dialogs.adapter_trouble import AdapterTrouble
 from armui.ui.dialogs.confirm_dialog import ConfirmDialog
-from armui.ui.dialogs.connect import ConnectDialog
+from armui.ui.dialogs.connect import AdapterTrouble, ConnectDialog
 from armui.ui.dialogs.finding_row import FindingRow
 from armui.ui.translation import Translator
 from tests.app_driver import AtOnce

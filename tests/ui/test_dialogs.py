@@ -14,8 +14,7 @@ from armui.control.devices.joint_monitor import JointMonitor
 from armui.control.operating_state import StopState
 from armui.settings import SettingsStore
 from armui.ui.dialogs.base import ArmDialog
-from armui.ui.dialogs.confirm import confirm
-from armui.ui.dialogs.confirm_dialog import ConfirmDialog
+from armui.ui.dialogs.confirm_dialog import ConfirmDialog, confirm
 from armui.ui.dialogs.connect import ConnectDialog
 from armui.ui.dialogs.files import FileDialog, choose_file
 from armui.ui.dialogs.help import HelpDialog

@@ -22,7 +22,7 @@ from armui.session.exports.request import (
     ExportRequest,
 )
 from armui.ui.dialogs.confirm_dialog import ConfirmDialog
-from armui.ui.watch import export_form
+from armui.ui.watch import export_dialog
 from armui.ui.watch.export_dialog import ExportDialog
 from tests.ui.dialog_reading import message, shown
 from tests.ui.fake_controller import FakeController
@@ -222,7 +222,7 @@ def test_a_folder_of_messages_is_asked_for(dialog, exports, monkeypatch, tmp_pat
     choose(dialog, "format_csv-messages")
     assert dialog.form.request().target == Path("/records/run-messages")
     asked = []
-    monkeypatch.setattr(export_form, "choose_folder", lambda *_, **more: asked.append(more))
+    monkeypatch.setattr(export_dialog, "choose_folder", lambda *_, **more: asked.append(more))
     QTest.mouseClick(dialog.form.target_button, LEFT)
     asked[0]["on_chosen"](tmp_path)
     press_export(dialog)

@@ -10,8 +10,7 @@ from PySide6.QtWidgets import QApplication
 from armui.gamepad.layout import JogMode
 from armui.settings import SettingsStore
 from armui.ui.dialogs.settings import SettingsDialog
-from armui.ui.gamepad.axis_rows import AxisRows
-from armui.ui.gamepad.gamepad_dialog import PIP_COMMAND, GamepadDialog
+from armui.ui.gamepad.gamepad_dialog import PIP_COMMAND, AxisRows, GamepadDialog
 from tests.gamepad.pads import MOUSE, PAD, Pads
 from tests.gamepad.piloting import pass_time
 

@@ -8,8 +8,7 @@ from PySide6.QtGui import QKeyEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QToolTip, QVBoxLayout, QWidget
 
-from armui.ui.dialogs.confirm import confirm
-from armui.ui.dialogs.confirm_dialog import ConfirmDialog
+from armui.ui.dialogs.confirm_dialog import ConfirmDialog, confirm
 from armui.ui.widgets.hold_button import HOLD_MS, HoldButton
 
 LEFT = Qt.MouseButton.LeftButton

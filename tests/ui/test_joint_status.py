@@ -18,9 +18,8 @@ from armui.control.devices.joint_monitor import JointMonitor
 from armui.control.operating_state import LinkState
 from armui.protocol.generation import Generation
 from armui.ui import words
-from armui.ui.dialogs.joint_status import JointStatusDialog
-from armui.ui.dialogs.joint_status_model import CELL_ROLE, CellView, JointStatusModel
-from armui.ui.shell.joint_status_button import JointStatusButton
+from armui.ui.dialogs.joint_status import CELL_ROLE, CellView, JointStatusDialog, JointStatusModel
+from armui.ui.shell.side_menu import JointStatusButton
 from armui.ui.theme import DARK, LIGHT, Colors
 from armui.ui.translation import LANGUAGES, Language, Translator
 from armui.ui.widgets import state_mark

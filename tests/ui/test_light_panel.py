@@ -2,18 +2,17 @@
 
 import pytest
 from PySide6.QtCore import QPoint, Qt
-from PySide6.QtGui import QColor
-from PySide6.QtWidgets import QAbstractButton, QLineEdit, QSlider, QWidget
+from PySide6.QtWidgets import QAbstractButton, QColorDialog, QLineEdit, QSlider, QSpinBox, QWidget
 
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.control.operating_state import LinkState
 from armui.protocol.codes import ALL_LAMPS
-from armui.ui.panels.light.color_strip import ColorStrip
-from armui.ui.panels.light.hue_field import HueField
-from armui.ui.panels.light.light_panel import LightPanel
+from armui.ui.panels.light_panel import ColorStrip, LightPanel
 from armui.ui.translation import Translator
+from armui.ui.widgets.halt_button import HaltButton
 from armui.ui.widgets.message_line import MessageLine
+from armui.ui.widgets.stop_button import StopButton
 from tests.ui.arm_states import operating_state
 
 LEFT = Qt.MouseButton.LeftButton
@@ -64,6 +63,15 @@ def type_into(qtbot, line, text):
     qtbot.keyClicks(line, text)
 
 
+def open_picker(qtbot, panel) -> QColorDialog:
+    qtbot.mouseClick(button(panel, "pick_color_button"), LEFT)
+    return panel.window().findChild(QColorDialog)
+
+
+def shown_buttons(widget) -> list[QAbstractButton]:
+    return [each for each in widget.findChildren(QAbstractButton) if each.isVisible()]
+
+
 def confirm(qtbot, panel):
     qtbot.mouseClick(button(panel, "light_confirm_button"), LEFT)
 
@@ -102,13 +110,14 @@ def test_a_typed_colour_is_on_the_strip_the_sliders_and_the_picker(panel, qtbot)
     for name, text in zip(CHANNELS, ("255", "128", "0"), strict=True):
         type_into(qtbot, field(panel, name), text)
     assert [slider(panel, name).value() for name in CHANNELS] == [255, 128, 0]
-    assert slider(panel, "brightness").value() == 255
     assert strip(panel).text() == "#FF8000"
     assert pixel(strip(panel), QPoint(20, 10)) == "#ff8000"
-    picker = panel.findChild(HueField)
-    assert picker.color(1.0).name() == "#ff8000"
-    assert 10 < picker.point().x() < picker.width() / 6
-    assert picker.point().y() < picker.height() / 10
+    picker = open_picker(qtbot, panel)
+    assert picker.currentColor().name() == "#ff8000"
+    type_into(qtbot, field(panel, "blue"), "255")
+    assert picker.currentColor().name() == "#ff80ff"
+    type_into(qtbot, field(panel, "blue"), "pink")
+    assert picker.currentColor().name() == "#ff80ff"
 
 
 @pytest.mark.parametrize("name", CHANNELS)
@@ -121,73 +130,50 @@ def test_a_slider_moves_its_own_field(panel, qtbot, name):
 
 
 def test_picking_fills_the_fields_and_the_strip(panel, controller, qtbot):
-    picker = panel.findChild(HueField)
-    qtbot.mouseClick(picker, LEFT, pos=QPoint(picker.width() // 2, 4))  # hue 180°, saturated
-    red, green, blue = (int(text) for text in texts(panel))
-    assert red <= 2
-    assert green >= 250
-    assert blue >= 250
-    picked = QColor(red, green, blue).name()
-    assert strip(panel).text() == picked.upper()
-    assert pixel(strip(panel), QPoint(20, 10)) == picked
+    picker = open_picker(qtbot, panel)
+    hue, saturation, value = picker.findChildren(QSpinBox)[:3]
+    hue.setValue(180)
+    saturation.setValue(255)
+    value.setValue(255)
+    assert texts(panel) == ["0", "255", "255"]
+    assert strip(panel).text() == "#00FFFF"
+    assert pixel(strip(panel), QPoint(20, 10)) == "#00ffff"
+    assert slider(panel, "red").value() == 0
     assert controller.calls == []
 
 
-def test_the_strip_and_the_place_picked_show_the_same(panel, qtbot):
-    picker = panel.findChild(HueField)
-    place = QPoint(picker.width() // 5, picker.height() // 3)
-    seen = QColor(pixel(picker, place))
-    qtbot.mouseClick(picker, LEFT, pos=place)
-    sent = QColor(strip(panel).text())
-    assert abs(seen.red() - sent.red()) <= 6
-    assert abs(seen.green() - sent.green()) <= 6
-    assert abs(seen.blue() - sent.blue()) <= 6
-
-
-def test_the_mark_is_dragged_beyond_the_edge_and_stays_in(panel, qtbot):
-    picker = panel.findChild(HueField)
-    qtbot.mousePress(picker, LEFT, pos=QPoint(30, 30))
-    qtbot.mouseMove(picker, QPoint(-50, -50))
-    assert texts(panel) == ["255", "0", "0"]
-    qtbot.mouseRelease(picker, LEFT, pos=QPoint(-50, -50))
-
-
-def test_the_mark_is_whole_in_every_corner(panel, qtbot):
-    picker = panel.findChild(HueField)
-    for corner in ("topLeft", "topRight", "bottomLeft", "bottomRight"):
-        qtbot.mouseClick(picker, LEFT, pos=getattr(picker.rect(), corner)())
-        mark = picker.point()
-        assert 8.5 <= mark.x() <= picker.width() - 8.5
-        assert 8.5 <= mark.y() <= picker.height() - 8.5
-
-
-def test_arrow_keys_move_the_mark(panel, qtbot):
-    picker = panel.findChild(HueField)
-    picker.setFocus()
-    qtbot.keyClick(picker, Qt.Key.Key_Up)  # a little red in the white
-    assert texts(panel) == ["255", "250", "250"]
-    qtbot.keyClick(picker, Qt.Key.Key_Down)
-    assert texts(panel) == ["255", "255", "255"]
-
-
-def test_a_colour_turned_dark_comes_back_bright(panel, qtbot):
+def test_a_colour_turned_dark_in_the_picker_comes_back_bright(panel, qtbot):
     for name, text in zip(CHANNELS, ("0", "255", "255"), strict=True):
         type_into(qtbot, field(panel, name), text)
-    brightness = slider(panel, "brightness")
-    brightness.setFocus()
-    qtbot.keyClick(brightness, Qt.Key.Key_Home)
+    value = open_picker(qtbot, panel).findChildren(QSpinBox)[2]
+    value.setValue(0)
     assert texts(panel) == ["0", "0", "0"]
     assert strip(panel).text() == "#000000"
-    qtbot.keyClick(brightness, Qt.Key.Key_End)
+    value.setValue(255)
     assert texts(panel) == ["0", "255", "255"]
 
 
-def test_picking_while_it_is_dark_makes_light(panel, qtbot):
-    for name in CHANNELS:
-        type_into(qtbot, field(panel, name), "0")
-    picker = panel.findChild(HueField)
-    qtbot.mouseClick(picker, LEFT, pos=QPoint(4, 4))
-    assert texts(panel) == ["255", "0", "0"]
+def test_the_picker_stands_beside_the_stop_and_grabs_nothing(panel, qtbot):
+    picker = open_picker(qtbot, panel)
+    dialog = picker.window()
+    assert dialog is not panel.window()
+    assert not dialog.isModal()
+    assert dialog.findChild(StopButton).isVisible()
+    assert dialog.findChild(HaltButton).isVisible()
+    assert picker.testOption(QColorDialog.ColorDialogOption.NoEyeDropperButton)
+    assert picker.testOption(QColorDialog.ColorDialogOption.DontUseNativeDialog)
+    assert not any("Pick Screen" in each.text() for each in shown_buttons(picker))
+
+
+def test_escape_in_the_picker_closes_its_window_and_it_opens_again(panel, qtbot):
+    picker = open_picker(qtbot, panel)
+    dialog = picker.window()
+    qtbot.keyClick(picker, Qt.Key.Key_Escape)
+    assert not dialog.isVisible()
+    assert open_picker(qtbot, panel) is picker
+    assert picker.isVisible()
+    qtbot.keyClick(picker, Qt.Key.Key_Return)
+    assert picker.isVisible()
 
 
 # What is wrong is said ----------------------------------------------------------------------------

@@ -27,7 +27,7 @@ from armui.ui.dialogs.confirm_dialog import ConfirmDialog
 from armui.ui.dialogs.settings import SettingsDialog
 from armui.ui.main_window import MainWindow
 from armui.ui.panels.jogging.motion_panel import MotionPanel
-from armui.ui.panels.light.light_panel import LightPanel
+from armui.ui.panels.light_panel import LightPanel
 from armui.ui.shell.operation_area import OperationArea
 from armui.ui.theme import LIGHT, Theme, apply_theme
 from armui.ui.translation import Translator
@@ -59,8 +59,7 @@ NAMED = [
     "menu_light",
     "lamp_field",
     "all_lamps",
-    "hue_field",
-    "brightness_slider",
+    "pick_color_button",
     "effect_strip",
     "light_confirm_button",
     "light_message",

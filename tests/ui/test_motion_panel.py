@@ -13,8 +13,8 @@ from armui.control.operating_state import LinkState
 from armui.ui.panels.jogging.motion_panel import MotionPanel
 from armui.ui.widgets.jog_button import JogButton
 from armui.ui.widgets.message_line import MessageLine
+from armui.ui.widgets.text_label import ValueLabel
 from armui.ui.widgets.track_slider import TrackSlider
-from armui.ui.widgets.value_label import ValueLabel
 from tests.family import FACTORY_LIMITS
 from tests.ui.arm_states import NOW_S, arm_state, operating_state
 

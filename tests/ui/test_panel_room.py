@@ -2,7 +2,7 @@
 
 from PySide6.QtWidgets import QApplication, QScrollArea
 
-from armui.ui.panels.teaching.teaching_panel import TeachingPanel
+from armui.ui.panels.teaching_panel import TeachingPanel
 from armui.ui.widgets.message_line import MessageLine
 from tests.ui.arm_states import operating_state
 

@@ -8,8 +8,8 @@ from PySide6.QtWidgets import QPushButton
 from armui.trajectory.planning.planned_path import PlannedPath
 from armui.ui.trajectory.preview.path_preview import PathPreview
 from armui.ui.trajectory.preview.preview_bar import PreviewBar
+from armui.ui.widgets.text_label import ValueLabel
 from armui.ui.widgets.track_slider import TrackSlider
-from armui.ui.widgets.value_label import ValueLabel
 from armui.viewport.path_picture import NOTHING
 
 

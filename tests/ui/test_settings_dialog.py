@@ -16,7 +16,7 @@ from armui.protocol.generation import PiperModel
 from armui.settings import SettingsStore
 from armui.ui.dialogs.files import FileDialog
 from armui.ui.dialogs.settings import SettingsDialog
-from armui.ui.widgets.elided_label import ElidedLabel
+from armui.ui.widgets.text_label import ElidedLabel
 from tests.moments import now
 from tests.ui.arm_states import operating_state
 from tests.ui.dialog_reading import message, shown, words_of

@@ -10,11 +10,9 @@ from armui.control.operating_state import Busy, LinkState, OperatingState
 from armui.protocol.codes import ALL_JOINTS
 from armui.protocol.generation import Generation
 from armui.ui.dialogs.confirm_dialog import ConfirmDialog
-from armui.ui.shell.communication_button import CommunicationButton
-from armui.ui.shell.enable_button import EnableButton
-from armui.ui.shell.top_bar import TopBar
+from armui.ui.shell.top_bar import CommunicationButton, EnableButton, TopBar
+from armui.ui.widgets.text_label import ValueLabel
 from armui.ui.widgets.track_slider import TrackSlider
-from armui.ui.widgets.value_label import ValueLabel
 from tests.ui.arm_states import arm_state, operating_state
 from tests.ui.dialog_reading import hold
 

@@ -10,13 +10,14 @@ from hypothesis import strategies as st
 from armui.telemetry.series import Series, Shape
 from armui.ui.watch.curve_cache import CurveCache
 from armui.ui.watch.curve_shapes import (
+    AutoHeight,
     bucket_exponent,
     envelope_lines,
     extent,
     is_dense,
     sample_lines,
+    together,
 )
-from armui.ui.watch.heights import AutoHeight, together
 from armui.ui.watch.time_axis import tick_step_s, time_label
 
 MEASURED = Shape("measured", 200.0, ("a",))

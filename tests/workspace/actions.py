@@ -6,7 +6,7 @@ from PySide6.QtWidgets import QApplication, QTableView, QToolButton, QWidget
 
 from armui.trajectory.library.store import Library
 from armui.trajectory.points.program import Trajectory
-from armui.ui.shell.page_window import PageWindow
+from armui.ui.shell.workspace import PageWindow
 from armui.ui.trajectory.editor.editor_page import EditorPage
 from armui.ui.trajectory.library.library_page import LibraryPage
 from tests.operator_library.actions import POINT

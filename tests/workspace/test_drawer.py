@@ -7,7 +7,7 @@ from PySide6.QtWidgets import QWidget
 
 from armui.ui.watch.bus.bus_page import BusPage
 from armui.ui.watch.events.event_page import EventPage
-from armui.ui.watch.plot_page import PlotPage
+from armui.ui.watch.plots_area import PlotPage
 from tests.workspace.actions import rect_in_window
 
 pytestmark = pytest.mark.styled

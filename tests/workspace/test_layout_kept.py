@@ -9,7 +9,7 @@ from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QSplitter, QTableView, QWidget
 
 from armui.protocol.generation import Generation
-from armui.ui.shell.page_window import PageWindow
+from armui.ui.shell.workspace import PageWindow
 from tests.app_driver import AppDriver
 from tests.workspace.actions import Pages
 

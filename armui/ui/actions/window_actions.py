@@ -23,8 +23,8 @@ if TYPE_CHECKING:
     from armui.ui.shell.diagnosis_dialogs import DiagnosisDialogs
     from armui.ui.shell.page_doings import PageDoings
     from armui.ui.shell.recovery_line import RecoveryLine
-    from armui.ui.shell.run_place import RunPlace
     from armui.ui.shell.watch_windows import WatchWindows
+    from armui.ui.shell.work_area import RunPlace
 
 
 _IN_THE_RUN_STRIP: Final = frozenset({StepKind.RUN_PAUSED, StepKind.RUN_WAITS})

@@ -5,31 +5,309 @@ Each value is one that was heard, read or set; what the arm does not tell is sai
 
 from __future__ import annotations
 
-from typing import Final
+import platform
+from collections.abc import Sequence
+from typing import Final, NamedTuple
 
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QCoreApplication, QObject, Qt
 from PySide6.QtGui import QGuiApplication, QShowEvent
 from PySide6.QtWidgets import QFrame, QLabel, QScrollArea, QWidget
 
+from armui import __version__
+from armui.arm.device import Device
+from armui.arm.limits import JOINTS
+from armui.arm.models import model_data
 from armui.arm.refusal import Refusal
+from armui.arm.state import ArmState
 from armui.control.arm_controller import ArmController
+from armui.control.operating_state import LinkState, OperatingState
 from armui.doctor.facts import LinkFacts
 from armui.doctor.probes.can_devices import look_at_links
+from armui.protocol.addressing import Addressing
+from armui.protocol.generation import Generation
+from armui.ui import format as fmt
+from armui.ui import words
 from armui.ui.background import Background, Job
-from armui.ui.dialogs.about_arm_rows import AboutRow, about_rows
-from armui.ui.dialogs.base import ArmDialog
-from armui.ui.dialogs.close_button import CloseButton
-from armui.ui.dialogs.online_since import OnlineSince
+from armui.ui.dialogs.base import ArmDialog, CloseButton
 from armui.ui.widgets.buttons import named, push_button
 from armui.ui.widgets.layouts import empty_grid, fill
 from armui.ui.widgets.seen_timer import SeenTimer
 from armui.ui.widgets.text_label import text_label
+from armui.ui.words.text import Texts
 
 _SIZE_PX: Final = (720, 720)
 _REFRESH_MS: Final = 1000
 _LEAST_S: Final = 0.5
 _COLUMN_GAP_PX: Final = 28
 _ROW_GAP_PX: Final = 4
+_FEEDBACK: Final = (0x2A1, 0x2A8)
+_COMMANDS: Final = (0x150, 0x15F)
+_LABELS: Final = Texts("AboutArm") | {
+    "model": "Model",
+    "firmware": "Firmware",
+    "date": "Date of the firmware",
+    "hardware": "Hardware",
+    "node": "Node on the bus",
+    "generation": "Protocol",
+    "device": "Adapter",
+    "serial": "Serial number of the adapter",
+    "bitrate": "Bit rate",
+    "feedback": "Identifiers of the feedback",
+    "commands": "Identifiers of the commands",
+    "rate": "Frames received",
+    "online": "Heard without a break for",
+    "running": "Running time of the arm",
+    "joint": "Joint {joint}",
+    "end": "End",
+    "program": "Program",
+}
+_NO_BITRATE: Final = frozenset({"virtual", "udp_multicast"})
+
+
+class OnlineSince(QObject):
+    """Remembers when the arm came online.
+
+    The protocol does not tell for how long an arm has been switched on; this is what is known.
+
+    Args:
+        controller: Tells whether the arm is online.
+        parent: Whom it ends with.
+    """
+
+    def __init__(self, controller: ArmController, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._since_s: float | None = None
+        self._controller = controller
+        controller.operating_state_changed.connect(self._on_state_changed)
+        self._on_state_changed(controller.operating_state)
+
+    def seconds(self) -> float | None:
+        """For so long it has been online, by its feedback; ``None``: it is not."""
+        now_s = self._controller.state.last_feedback_s
+        if self._since_s is None or now_s is None:
+            return None
+        return max(0.0, now_s - self._since_s)
+
+    def _on_state_changed(self, now: OperatingState) -> None:
+        if now.link is not LinkState.ONLINE:
+            self._since_s = None
+        elif self._since_s is None:
+            self._since_s = self._controller.state.last_feedback_s
+
+
+class AboutRow(NamedTuple):
+    """One line.
+
+    Attributes:
+        key: Its name in the program.
+        label, value: In the operator's language.
+    """
+
+    key: str
+    label: str
+    value: str
+
+
+def about_rows(
+    state: ArmState,
+    now: OperatingState,
+    links: Sequence[LinkFacts],
+    *,
+    online_s: float | None,
+    frames_per_s: float | None,
+) -> list[AboutRow]:
+    """The lines, always the same ones in the same order.
+
+    Args:
+        state: The arm as heard.
+        now: The connection.
+        links: What the operating system knows of its CAN interfaces.
+        online_s: For so long the arm has been heard; ``None``: it is not.
+        frames_per_s: Received; ``None``: not measured yet.
+    """
+    online = now.link is LinkState.ONLINE
+    untold = translate("AboutArm", "unknown: the arm does not tell it")
+    system = f"{platform.system()} {platform.release()}, Python {platform.python_version()}"
+    values = {
+        "model": _model(now),
+        "firmware": _firmware(state, now),
+        "date": _told(state, now, "iso_date"),
+        "hardware": _told(state, now, "hardware"),
+        "node": _node(state, now),
+        "generation": _generation(now),
+        "device": _device(now.device),
+        "serial": _serial(now.device, links),
+        "bitrate": _bitrate(now.device, links),
+        "feedback": _feedback(now, online=online),
+        "commands": _commands(now, online=online),
+        "rate": _rate(frames_per_s, online=online),
+        "online": _duration(online_s),
+        "running": untold,
+        **{f"joint_{joint}": _limits(state, joint) for joint in JOINTS},
+        "end": _end_limits(state),
+        "program": f"armui {__version__}, {system}",
+    }
+    return [AboutRow(key, _label(key), value) for key, value in values.items()]
+
+
+def _label(key: str) -> str:
+    name, _, joint = key.partition("_")
+    return _LABELS.text(name, {"joint": joint})
+
+
+def _model(now: OperatingState) -> str:
+    if now.device is None:
+        return translate("AboutArm", "none connected")
+    fit, name = now.model_fit, model_data(now.model).name
+    if now.link is not LinkState.ONLINE or fit.fitting is None:
+        text = translate("AboutArm", "{model}, as chosen; not compared yet")
+    elif fit.confirmed:
+        text = translate("AboutArm", "{model}, confirmed by the pose it reports")
+    elif fit.wrong is None:
+        text = translate("AboutArm", "{model}, as chosen; other models fit its pose as well")
+    elif fit.other is not None:
+        text = translate("AboutArm", "{model}, as chosen; its pose is that of a {other}")
+        return text.format(model=name, other=model_data(fit.other).name)
+    else:
+        text = translate("AboutArm", "{model}, as chosen; its pose fits none of the models")
+    if fit.older_zeros:
+        text += translate("AboutArm", "; joints 2 and 3 count from the zeros before S-V1.6-3")
+    return text.format(model=name)
+
+
+def _firmware(state: ArmState, now: OperatingState) -> str:
+    return state.firmware if state.firmware is not None else _untold(now)
+
+
+def _told(state: ArmState, now: OperatingState, field: str) -> str:
+    """What stands in the arm's answer beside its version, where it does."""
+    found = "" if state.identity is None else str(getattr(state.identity, field))
+    return found or _untold(now)
+
+
+def _node(state: ArmState, now: OperatingState) -> str:
+    node_type = "" if state.identity is None else state.identity.node_type
+    number = "" if state.identity is None else state.identity.node_number
+    if node_type and number:
+        text = translate("AboutArm", "{type}, number {number}")
+        return text.format(type=node_type, number=number)
+    return node_type or number or _untold(now)
+
+
+def _untold(now: OperatingState) -> str:
+    if now.generation is Generation.ONE:
+        return translate("AboutArm", "unknown: generation 1 does not tell it")
+    return _unknown()
+
+
+def _generation(now: OperatingState) -> str:
+    if now.generation is None:
+        return _unknown()
+    return translate("AboutArm", "Generation {generation}").format(generation=int(now.generation))
+
+
+def _device(device: Device | None) -> str:
+    if device is None:
+        return translate("AboutArm", "none connected")
+    name = words.device_name(device)
+    return name if device.simulated else f"{device.interface}, {name}"
+
+
+def _serial(device: Device | None, links: Sequence[LinkFacts]) -> str:
+    link = _link(device, links)
+    serial = (device.serial if device is not None else None) or (link.serial if link else None)
+    if device is not None and device.simulated:
+        return translate("AboutArm", "none: it is simulated")
+    return serial or _unknown()
+
+
+def _bitrate(device: Device | None, links: Sequence[LinkFacts]) -> str:
+    if device is not None and (device.simulated or device.interface in _NO_BITRATE):
+        return translate("AboutArm", "none: it is no CAN bus")
+    link = _link(device, links)
+    if link is not None and link.bitrate is not None:
+        return translate("AboutArm", "{bitrate} bit/s, set by the operating system").format(
+            bitrate=link.bitrate
+        )
+    if device is not None and device.bitrate is not None:
+        return translate("AboutArm", "{bitrate} bit/s, set by this program").format(
+            bitrate=device.bitrate
+        )
+    return _unknown()
+
+
+def _link(device: Device | None, links: Sequence[LinkFacts]) -> LinkFacts | None:
+    if device is None or device.interface != "socketcan":
+        return None
+    return next((each for each in links if each.name == str(device.channel)), None)
+
+
+def _feedback(now: OperatingState, *, online: bool) -> str:
+    return _range(_FEEDBACK, now.addressing.feedback_offset) if online else _unknown()
+
+
+def _commands(now: OperatingState, *, online: bool) -> str:
+    if not online:
+        return _unknown()
+    text = _range(_COMMANDS, now.addressing.control_offset)
+    if now.control_certain or now.addressing == Addressing():
+        return text
+    return translate("AboutArm", "{ids}, not proven: the arm cannot be asked").format(ids=text)
+
+
+def _range(ids: tuple[int, int], offset: int) -> str:
+    first, last = (each + offset for each in ids)
+    return translate("AboutArm", "0x{first} to 0x{last} (offset 0x{offset})").format(
+        first=f"{first:03X}", last=f"{last:03X}", offset=f"{offset:02X}"
+    )
+
+
+def _rate(frames_per_s: float | None, *, online: bool) -> str:
+    if frames_per_s is None or not online:
+        return _unknown()
+    return translate("AboutArm", "{rate} a second").format(rate=f"{frames_per_s:.0f}")
+
+
+def _duration(seconds: float | None) -> str:
+    if seconds is None:
+        return translate("AboutArm", "not heard")
+    minutes, left = divmod(int(seconds), 60)
+    hours, minutes = divmod(minutes, 60)
+    return f"{hours}:{minutes:02}:{left:02}"
+
+
+def _limits(state: ArmState, joint: int) -> str:
+    limits, acceleration = state.limits[joint - 1], state.accelerations_deg_s2[joint - 1]
+    if limits is None:
+        return translate("AboutArm", "unknown: not read from the arm")
+    text = translate("AboutArm", "{minimum}° to {maximum}°, at most {speed}°/s").format(
+        minimum=fmt.number(limits.value.min_deg, 1),
+        maximum=fmt.number(limits.value.max_deg, 1),
+        speed=f"{limits.value.max_speed_deg_s:.1f}",
+    )
+    if acceleration is None:
+        return text
+    return translate("AboutArm", "{limits} and {acceleration}°/s²").format(
+        limits=text, acceleration=f"{acceleration.value:.1f}"
+    )
+
+
+def _end_limits(state: ArmState) -> str:
+    if state.end_limits is None:
+        return translate("AboutArm", "unknown: not read from the arm")
+    end = state.end_limits.value
+    return translate("AboutArm", "at most {linear} m/s and {angular} rad/s").format(
+        linear=f"{end.max_linear_speed_m_s:.3f}", angular=f"{end.max_angular_speed_rad_s:.3f}"
+    )
+
+
+def _unknown() -> str:
+    return translate("AboutArm", "unknown")
+
+
+def translate(context: str, text: str) -> str:
+    """The name by which Qt's tools find the words."""
+    return QCoreApplication.translate(context, text)
 
 
 class AboutArmDialog(ArmDialog):

@@ -2,20 +2,17 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Sequence
 from datetime import datetime
 from functools import partial
 from pathlib import Path
-from typing import Final
+from typing import Any, Final
 
+from PySide6.QtCore import QCoreApplication, QSortFilterProxyModel, Qt, Signal
 from PySide6.QtGui import QCloseEvent, QShowEvent
-from PySide6.QtWidgets import (
-    QCheckBox,
-    QHeaderView,
-    QTableView,
-    QWidget,
-)
+from PySide6.QtWidgets import QCheckBox, QHeaderView, QTableView, QWidget
 
-from armui.arm.backup import SUFFIX, Backup, ComparisonVerdict, compare
+from armui.arm.backup import SUFFIX, Backup, ComparisonRow, ComparisonVerdict, compare
 from armui.arm.models import model_data
 from armui.arm.parameters import Parameter, factory_bound
 from armui.arm.refusal import Refusal
@@ -25,28 +22,293 @@ from armui.control.events import Level
 from armui.control.operating_state import OperatingState
 from armui.control.parameters.backup_files import backup_of, read_backup, write_backup
 from armui.control.parameters.parameter_reader import ParameterReader
-from armui.control.parameters.setting_cell import CellState
+from armui.control.parameters.setting_cell import CellState, SettingCellState
+from armui.protocol.generation import Generation, PiperModel
+from armui.ui import format as fmt
 from armui.ui import words
 from armui.ui.background import Background, Job
-from armui.ui.dialogs import backup_text
-from armui.ui.dialogs.backup_model import NAME, BackupModel, DifferencesOnly
-from armui.ui.dialogs.base import ArmDialog
-from armui.ui.dialogs.close_button import CloseButton
-from armui.ui.dialogs.confirm import confirm
+from armui.ui.dialogs.base import ArmDialog, CloseButton
+from armui.ui.dialogs.confirm_dialog import confirm
 from armui.ui.dialogs.files import choose_file
-from armui.ui.widgets.buttons import named, push_button
-from armui.ui.widgets.enable_or_explain import enable_or_explain
+from armui.ui.widgets.buttons import enable_or_explain, named, push_button
 from armui.ui.widgets.layouts import STRETCH, fill, in_row
 from armui.ui.widgets.message_line import MessageLine
-from armui.ui.widgets.plain_table import list_rows
 from armui.ui.widgets.progress import quiet_progress
+from armui.ui.widgets.table_model import RIGHT, Index, TableModel, list_rows
 from armui.ui.widgets.text_label import text_label
-from armui.ui.words.parameters import beyond_danger, beyond_factory
+from armui.ui.words.parameters import (
+    beyond_danger,
+    beyond_factory,
+    full_name,
+    value_text,
+    verdict_word,
+)
 
 _SIZE_PX: Final = (860, 640)
 _MOST_BEYOND: Final = 8
 """Lines of a question."""
 _NARROWEST_COLUMN_PX: Final = 110
+NAME, FILED, HELD, STATE = range(4)
+Said = tuple[str, Level]
+"""A text and how much it matters."""
+
+
+def origin_text(backup: Backup | None, path: Path | None) -> str:
+    """Where the values of the file come from; or that there is no file."""
+    if backup is None or path is None:
+        return QCoreApplication.translate(
+            "BackupDialog", "No file is open; the arm's own values are shown."
+        )
+    text = QCoreApplication.translate(
+        "BackupDialog",
+        "{name}: saved {time}, {model}, {device}, generation {generation}, {firmware}",
+    )
+    return text.format(
+        name=path.name,
+        model=_name(backup.model),
+        time=f"{backup.saved_at.astimezone():%Y-%m-%d %H:%M}",
+        device=backup.device,
+        generation=backup.generation,
+        firmware=backup.firmware or fmt.NOTHING,
+    )
+
+
+def difference_text(
+    backup: Backup,
+    generation: Generation | None,
+    firmware: str | None,
+    model: PiperModel | None = None,
+) -> str:
+    """What sets the arm of the file apart from this one; empty: nothing that is known.
+
+    Args:
+        backup: The file.
+        generation: What this arm speaks; ``None``: not known yet.
+        firmware: Of this arm; ``None``: it has not told.
+        model: What this arm was connected as.
+    """
+    if None not in {backup.model, model} and backup.model is not model:
+        text = QCoreApplication.translate(
+            "BackupDialog",
+            "The file is from a {filed}, this arm is a {here}: the limits of one may be wrong for "
+            "the other. Check the values before you restore them.",
+        )
+        return text.format(filed=_name(backup.model), here=_name(model))
+    if generation is None:
+        return ""
+    if int(generation) != backup.generation:
+        text = QCoreApplication.translate(
+            "BackupDialog",
+            "The file is from an arm of protocol generation {filed}, this one speaks "
+            "generation {here}. What both have can be restored; the steps of the values differ.",
+        )
+        return text.format(filed=backup.generation, here=int(generation))
+    if firmware != backup.firmware:
+        text = QCoreApplication.translate(
+            "BackupDialog",
+            "The file is from firmware {filed}, this arm has {here}. Check the values before "
+            "you restore them.",
+        )
+        return text.format(filed=backup.firmware or fmt.NOTHING, here=firmware or fmt.NOTHING)
+    return ""
+
+
+def _name(model: PiperModel | None) -> str:
+    return fmt.NOTHING if model is None else model_data(model).name
+
+
+def saved_text(path: Path, count: int, missing: int) -> Said:
+    """That a file was written, and how many parameters of the arm are not in it."""
+    text = QCoreApplication.translate("BackupDialog", "Saved {count} parameters to {path}.")
+    if missing > 0:
+        rest = QCoreApplication.translate(
+            "BackupDialog", "{missing} could not be read from the arm and are not in the file."
+        )
+        text = f"{text} {rest}"
+    text = text.format(count=count, path=path, missing=missing)
+    return text, Level.WARNING if missing > 0 else Level.DONE
+
+
+def restored_text(count: int, failed: Sequence[Refusal | None]) -> Said:
+    """How restoring has ended.
+
+    Args:
+        count: How many parameters were to be restored.
+        failed: Of each that the arm does not hold, the reason as far as it is known.
+    """
+    if not failed:
+        text = QCoreApplication.translate(
+            "BackupDialog", "Restored {count} parameters: read back from the arm, and the same."
+        )
+        return text.format(count=count), Level.DONE
+    text = QCoreApplication.translate(
+        "BackupDialog", "{failed} of {count} parameters were not restored."
+    )
+    text = text.format(failed=len(failed), count=count)
+    return f"{text} {words.why_not(failed[0])}".rstrip(), Level.FAULT
+
+
+class BackupModel(TableModel):
+    """Rows with a tick; only what can be restored, and would change something, can have one.
+
+    Args:
+        cell: How a parameter stands between the program and the arm.
+
+    Signals:
+        ticked: Other rows have a tick.
+    """
+
+    ticked = Signal()
+    _columns = 4
+    _figures = frozenset({FILED, HELD})
+
+    def __init__(self, cell: Callable[[Parameter], SettingCellState]) -> None:
+        super().__init__()
+        self._cell = cell
+        self._rows: list[ComparisonRow] = []
+        self._told: list[tuple[ComparisonRow, SettingCellState]] = []
+        self._chosen: set[Parameter] = set()
+        self._restored: set[Parameter] = set()
+
+    # What the dialog does ---------------------------------------------------------------------
+
+    @property
+    def rows(self) -> Sequence[ComparisonRow]:
+        """The comparison shown."""
+        return self._rows
+
+    @property
+    def chosen(self) -> dict[Parameter, float]:
+        """What has a tick, with the file's values."""
+        return {
+            row.parameter: row.filed
+            for row in self._rows
+            if row.parameter in self._chosen and row.filed is not None and row.restorable
+        }
+
+    def show_rows(self, rows: Sequence[ComparisonRow]) -> None:
+        """Show another comparison; ticks stay where the parameters do."""
+        same = [row.parameter for row in rows] == [row.parameter for row in self._rows]
+        if not same:
+            self.beginResetModel()
+        told, self._told = self._told, [(row, self._cell(row.parameter)) for row in rows]
+        self._rows = list(rows)
+        if not same:
+            self.endResetModel()
+        elif other := [at for at, what in enumerate(self._told) if what != told[at]]:
+            end = self._columns - 1  # the view measures every cell that it is told of
+            self.dataChanged.emit(self.index(other[0], 0), self.index(other[-1], end))
+        self.ticked.emit()
+
+    def choose(self, wanted: Callable[[ComparisonRow], bool]) -> None:
+        """Tick the rows that are wanted and can be restored, and no others."""
+        self._chosen = {row.parameter for row in self._rows if row.restorable and wanted(row)}
+        self.redraw()
+        self.ticked.emit()
+
+    def follow(self, restored: Sequence[Parameter]) -> None:
+        """Show how saving these ends; an empty list ends it."""
+        if set(restored) != self._restored:
+            self._restored = set(restored)
+            self.redraw()
+
+    # What Qt asks -----------------------------------------------------------------------------
+
+    def flags(self, index: Index) -> Qt.ItemFlag:
+        """Only what can be restored can be ticked."""
+        flags = Qt.ItemFlag.ItemIsEnabled | Qt.ItemFlag.ItemIsSelectable
+        if index.column() == NAME and self._rows[index.row()].restorable:
+            flags |= Qt.ItemFlag.ItemIsUserCheckable
+        return flags
+
+    def titles(self) -> Sequence[str]:
+        """Name, file, arm, and how the two compare."""
+        return (
+            self.tr("Parameter"),
+            self.tr("In the file"),
+            self.tr("In the arm"),
+            self.tr("Comparison"),
+        )
+
+    def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> Any:
+        """The words of a cell, its tick, and in the tooltip what there is to say."""
+        row = self._rows[index.row()]
+        if role == Qt.ItemDataRole.CheckStateRole and index.column() == NAME:
+            if not row.restorable:
+                return None
+            ticked = row.parameter in self._chosen
+            return Qt.CheckState.Checked if ticked else Qt.CheckState.Unchecked
+        if role == Qt.ItemDataRole.DisplayRole:
+            return self._text(row, index.column())
+        if role == Qt.ItemDataRole.ToolTipRole:
+            reason = self._reason(row)
+            return "" if reason is None else words.refusal(reason)
+        if role == Qt.ItemDataRole.TextAlignmentRole and index.column() in self._figures:
+            return RIGHT
+        return None
+
+    def setData(  # noqa: N802 - the name Qt calls
+        self, index: Index, value: Any, role: int = Qt.ItemDataRole.EditRole
+    ) -> bool:
+        """Take a tick."""
+        row = self._rows[index.row()]
+        if role != Qt.ItemDataRole.CheckStateRole or not row.restorable:
+            return False
+        if Qt.CheckState(value) is Qt.CheckState.Checked:
+            self._chosen.add(row.parameter)
+        else:
+            self._chosen.discard(row.parameter)
+        self.dataChanged.emit(index, index)
+        self.ticked.emit()
+        return True
+
+    def _text(self, row: ComparisonRow, column: int) -> str:
+        if column == NAME:
+            return full_name(row.parameter)
+        if column == STATE:
+            return self._state(row)
+        value = row.filed if column == FILED else row.held
+        return fmt.NOTHING if value is None else value_text(row.parameter.name, value)
+
+    def _state(self, row: ComparisonRow) -> str:
+        """The comparison; or, of what is being restored, how far that is."""
+        cell = self._cell(row.parameter)
+        if cell.state is CellState.READING:
+            return self.tr("… reading")
+        if row.parameter in self._restored:
+            if cell.state is CellState.SAVING:
+                return self.tr("… restoring")
+            if cell.state is CellState.SAVED:
+                return self.tr("✓ restored")
+            if cell.state is CellState.REFUSED:
+                return self.tr("✗ not restored")
+        if row.against is not None:
+            return self.tr("≠ cannot be restored")
+        return verdict_word(row.verdict)
+
+    def _reason(self, row: ComparisonRow) -> Refusal | None:
+        return row.against or self._cell(row.parameter).reason
+
+
+class DifferencesOnly(QSortFilterProxyModel):
+    """Hides what is the same in the file and in the arm, if wanted."""
+
+    def __init__(self, model: BackupModel) -> None:
+        super().__init__()
+        self._model = model
+        self._only = False
+        self.setSourceModel(model)
+
+    def show_only_differences(self, wanted: bool) -> None:
+        """Hide what is the same, or show it again."""
+        self._only = wanted
+        self.invalidate()
+
+    def filterAcceptsRow(  # noqa: N802 - the name Qt calls
+        self, source_row: int, _parent: Index
+    ) -> bool:
+        """Whether a row is shown."""
+        return not self._only or self._model.rows[source_row].verdict is not ComparisonVerdict.SAME
 
 
 class BackupDialog(ArmDialog):
@@ -177,7 +439,7 @@ class BackupDialog(ArmDialog):
             return
         self._path = path
         missing = len(self._known()) - len(backup.values)
-        self._say(*backup_text.saved(path, len(backup.values), missing))
+        self._say(*saved_text(path, len(backup.values), missing))
 
     def _on_open(self) -> None:
         choose_file(
@@ -214,7 +476,7 @@ class BackupDialog(ArmDialog):
         generation = self._controller.operating_state.generation
         firmware = self._controller.state.firmware
         model = self._controller.operating_state.model
-        self._say(backup_text.difference(backup, generation, firmware, model), Level.WARNING)
+        self._say(difference_text(backup, generation, firmware, model), Level.WARNING)
 
     def _on_restore(self) -> None:
         chosen = self._model.chosen
@@ -277,7 +539,7 @@ class BackupDialog(ArmDialog):
         cells = [self._settings.cell(parameter) for parameter in self._restoring]
         self._restoring = {}
         failed = [cell.reason for cell in cells if cell.state is not CellState.SAVED]
-        self._say(*backup_text.restored(len(cells), failed))
+        self._say(*restored_text(len(cells), failed))
 
     def _on_operating_state_changed(self, _operating_state: OperatingState) -> None:
         if self.isVisible():
@@ -315,7 +577,7 @@ class BackupDialog(ArmDialog):
 
     def _show_all(self) -> None:
         self._compare()
-        self._origin.setText(backup_text.origin(self._backup, self._path))
+        self._origin.setText(origin_text(self._backup, self._path))
         self._show_possible()
         unreachable = self._controller.operating_state.unreachable
         text, level = self._said

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from typing import Final
+from typing import Final, Protocol, runtime_checkable
 
-from PySide6.QtCore import QEvent, Qt
-from PySide6.QtGui import QContextMenuEvent, QMoveEvent, QShowEvent
-from PySide6.QtWidgets import QDialog, QWidget
+from PySide6.QtCore import QEvent, QMargins, QRect, Qt
+from PySide6.QtGui import QContextMenuEvent, QGuiApplication, QMoveEvent, QShowEvent
+from PySide6.QtWidgets import QDialog, QPushButton, QWidget
 
 from armui.control.arm_controller import ArmController
-from armui.ui.dialogs.placing import FRAME, place
+from armui.ui.shell.workspace_layout import Place, fitted
 from armui.ui.widgets.curve_menu import offer_curves
 from armui.ui.widgets.halt_button import HaltButton
 from armui.ui.widgets.keeps_focus import KeepsFocus
@@ -20,6 +20,87 @@ from armui.ui.widgets.translated import Translated
 
 _MARGIN_PX: Final = 20
 _GAP_PX: Final = 14
+_EDGE_PX: Final = 16
+FRAME: Final = QMargins(8, 36, 8, 8)
+"""What window systems draw around a window, its title above all; it must be in reach."""
+
+
+@runtime_checkable
+class HasRoomForQuestions(Protocol):
+    """A window that says where small windows may lie over it; no stop button lies there."""
+
+    def room_for_questions(self) -> QRect:
+        """In pixels of the desktop."""
+
+
+def place(dialog: QDialog) -> None:
+    """Move a dialog to the right edge of that room, and to its top, and fit it on the screen.
+
+    One that is wider than the room begins at its left edge; one that is higher goes on below.
+
+    Args:
+        dialog: Before it is shown; without a window that has such a room Qt finds its place.
+    """
+    parent = dialog.parentWidget()
+    window = dialog if parent is None else parent.window()
+    # where the operator has moved the window beyond the screen, its dialogs may go, too
+    screen = window.screen().availableGeometry().marginsRemoved(FRAME)
+    reach = screen if window is dialog else screen.united(window.geometry())
+    dialog.ensurePolished()
+    wanted = dialog.size().expandedTo(dialog.sizeHint())
+    if not isinstance(window, HasRoomForQuestions):
+        dialog.resize(dialog.size().boundedTo(reach.size()))
+        return
+    room = window.room_for_questions()
+    left = max(room.x(), room.x() + room.width() - _EDGE_PX - wanted.width())
+    wish = Place(left, room.y() + _EDGE_PX, wanted.width(), wanted.height())
+    there = _rect_of(fitted(wish, [place_of(reach)]))
+    if there.size() == wanted:
+        dialog.move(there.topLeft())  # Qt sizes it as it is shown
+    else:
+        dialog.setGeometry(there)
+
+
+def screens() -> list[Place]:
+    """What a window can fill of each screen, the main one first."""
+    main = QGuiApplication.primaryScreen()
+    ordered = [main, *(each for each in QGuiApplication.screens() if each is not main)]
+    return [place_of(each.availableGeometry().marginsRemoved(FRAME)) for each in ordered]
+
+
+def place_of(rect: QRect) -> Place:
+    """A rectangle of Qt as plain figures."""
+    return Place(rect.x(), rect.y(), rect.width(), rect.height())
+
+
+def _rect_of(place: Place) -> QRect:
+    """The other way round."""
+    return QRect(place.x, place.y, place.width, place.height)
+
+
+def on_screen(place: Place) -> QRect:
+    """Where a window opens that stood at a place: wholly on a screen there is."""
+    return _rect_of(fitted(place, screens()))
+
+
+class CloseButton(Translated, QPushButton):
+    """Names itself.
+
+    Args:
+        dialog: What it closes.
+        on_enter: Whether Enter presses it wherever in the dialog.
+    """
+
+    def __init__(self, dialog: QDialog, *, on_enter: bool = False) -> None:
+        super().__init__()
+        self.setAutoDefault(on_enter)
+        self.setDefault(on_enter)
+        self.clicked.connect(dialog.close)
+        self.retranslate_ui()
+
+    def retranslate_ui(self) -> None:
+        """Its word in the operator's language."""
+        self.setText(self.tr("Close"))
 
 
 class ArmDialog(Translated, KeepsFocus, QDialog):

@@ -1,11 +1,11 @@
-"""A question before something that the operator might regret."""
+"""The questions of the program, none of which blocks a window."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
 from typing import Final
 
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QCoreApplication, Qt, Signal
 from PySide6.QtWidgets import QLabel, QPushButton, QWidget
 
 from armui.arm.refusal import Refusal
@@ -14,13 +14,60 @@ from armui.control.arm_controller import ArmController
 from armui.ui.dialogs.base import ArmDialog
 from armui.ui.theme import colors_of
 from armui.ui.widgets import icons
-from armui.ui.widgets.buttons import push_button
+from armui.ui.widgets.buttons import enable_or_explain, push_button
 from armui.ui.widgets.hold_button import HoldButton
 from armui.ui.widgets.layouts import STRETCH, fill, in_row
 from armui.ui.widgets.text_label import text_label
 
 _SIGN_PX: Final = 36
 _TEXT_WIDTH_PX: Final = 520
+
+
+def confirm(
+    parent: QWidget,
+    controller: ArmController,
+    *,
+    title: str,
+    text: str,
+    action_label: str,
+    on_confirmed: Callable[[], object],
+    hold: bool = False,
+    concerns_arm: bool = True,
+    still: Callable[[], bool] = lambda: True,
+) -> ConfirmDialog:
+    """Ask, without holding up anything; an older question of the same title is withdrawn.
+
+    Args:
+        parent: The window that asks.
+        controller: Whom the emergency stop in the question tells.
+        title: The question in a few words.
+        text: What will physically happen, and what to do before.
+        action_label: What the button does, in a word.
+        on_confirmed: Called when the operator agrees.
+        hold: The button must be held for a second.
+        concerns_arm: It is withdrawn when another arm, or none, is there; see `ConfirmDialog`.
+        still: Whether what it says is still so; it is withdrawn when not.
+
+    Returns:
+        The open question; it deletes itself once answered.
+    """
+    for older in parent.findChildren(ConfirmDialog):
+        if older.windowTitle() == title:
+            older.reject()
+    dialog = ConfirmDialog(
+        controller,
+        parent,
+        title=title,
+        text=text,
+        action_label=action_label,
+        hold=hold,
+        concerns_arm=concerns_arm,
+        still=still,
+    )
+    dialog.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+    dialog.accepted.connect(on_confirmed)
+    dialog.open()
+    return dialog
 
 
 class ConfirmDialog(ArmDialog):
@@ -126,3 +173,75 @@ class ConfirmDialog(ArmDialog):
     def _recolor(self) -> None:
         ink = colors_of(self).warn
         self._sign.setPixmap(icons.pixmap("warning", ink, _SIGN_PX, self.devicePixelRatioF()))
+
+
+class SaveQuestion(ConfirmDialog):
+    """Save, discard, or stay.
+
+    Args:
+        controller: Whom the emergency stop tells.
+        parent: The window that asks.
+        text: What has not been saved.
+        concerns_arm: It would be saved to the arm.
+
+    Signals:
+        save_wanted: The changes shall be saved; accepted alone, they shall be discarded.
+    """
+
+    save_wanted = Signal()
+
+    def __init__(
+        self, controller: ArmController, parent: QWidget, text: str, *, concerns_arm: bool
+    ) -> None:
+        super().__init__(
+            controller,
+            parent,
+            title=QCoreApplication.translate("SaveQuestion", "Changes are not saved"),
+            text=text,
+            action_label=QCoreApplication.translate("SaveQuestion", "Discard changes"),
+            concerns_arm=concerns_arm,
+        )
+        self.save_button = push_button("", self.tr("Save"), primary=True, on_enter=False)
+        self.save_button.clicked.connect(self._on_save)
+        self.footer.insertWidget(self.footer.count() - 1, self.save_button)
+
+    def allow_saving(self, reason: str) -> None:
+        """Offer to save, or say in the button's tooltip why that cannot be done now."""
+        enable_or_explain(self.save_button, reason)
+
+    def _on_save(self) -> None:
+        if self.holds():
+            self.reject()
+            self.save_wanted.emit()
+
+
+class CloseQuestion(ConfirmDialog):
+    """End the motion and close, let it finish and close, or stay.
+
+    Signals:
+        let_finish: The program shall be closed and the arm go on to its target; accepted, the
+            motion shall be ended before.
+    """
+
+    let_finish = Signal()
+
+    def __init__(self, controller: ArmController, parent: QWidget) -> None:
+        super().__init__(controller, parent, title="", text="", action_label="")
+        self.set_title(self.tr("The arm is moving"))
+        self.show_text(
+            self.tr(
+                "If the motion is ended, the arm comes to rest where it is; its motors stay "
+                "enabled. If it is let finish, it goes on to its target, and this program cannot "
+                "stop it any more. Press the emergency stop if it must not move."
+            )
+        )
+        self.action_button.setText(self.tr("End the motion and close"))
+        self.action_button.setProperty("primary", True)
+        self.let_finish_button = push_button("", self.tr("Let it finish and close"), on_enter=False)
+        self.let_finish_button.clicked.connect(self._on_let_finish)
+        self.footer.insertWidget(self.footer.count() - 1, self.let_finish_button)
+
+    def _on_let_finish(self) -> None:
+        if self.holds():
+            self.reject()
+            self.let_finish.emit()

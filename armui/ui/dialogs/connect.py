@@ -15,31 +15,40 @@ from PySide6.QtWidgets import (
     QHBoxLayout,
     QHeaderView,
     QLabel,
+    QLineEdit,
     QTableView,
     QWidget,
 )
 
 from armui.arm.device import DEFAULT_BITRATE, Device, bitrate_is_ours
+from armui.arm.refusal import Refusal
 from armui.control.arm_controller import ArmController
 from armui.control.events import Level
 from armui.control.operating_state import LinkState, OperatingState
+from armui.doctor.facts import Diagnosis
+from armui.doctor.report import Words, adapter_trouble
 from armui.ui import words
-from armui.ui.background import Background
-from armui.ui.dialogs.adapter_trouble import AdapterTrouble
-from armui.ui.dialogs.base import ArmDialog
-from armui.ui.dialogs.close_button import CloseButton
-from armui.ui.dialogs.confirm import confirm
-from armui.ui.dialogs.device_model import CHANNEL, STATE, DeviceModel, bitrate_text, same_device
+from armui.ui.background import Background, Job
+from armui.ui.dialogs.base import ArmDialog, CloseButton
+from armui.ui.dialogs.confirm_dialog import confirm
+from armui.ui.dialogs.finding_row import FindingRow
 from armui.ui.dialogs.kept_models import KeptModels
-from armui.ui.dialogs.manual_entry import ManualEntry
-from armui.ui.dialogs.model_choice import LINE_GAP_PX, ModelChoice
-from armui.ui.widgets.buttons import named, push_button
-from armui.ui.widgets.enable_or_explain import enable_or_explain
-from armui.ui.widgets.layouts import STRETCH, fill, in_row
+from armui.ui.dialogs.model_choice import (
+    CHANNEL,
+    LINE_GAP_PX,
+    STATE,
+    DeviceModel,
+    ModelChoice,
+    bitrate_text,
+    same_device,
+)
+from armui.ui.widgets.buttons import enable_or_explain, named, push_button
+from armui.ui.widgets.layouts import STRETCH, fill, in_column, in_row
 from armui.ui.widgets.message_line import MessageLine
-from armui.ui.widgets.plain_table import list_rows
 from armui.ui.widgets.progress import quiet_progress
+from armui.ui.widgets.table_model import list_rows
 from armui.ui.widgets.text_label import text_label
+from armui.ui.widgets.translated import Translated
 
 _BITRATES: Final = (DEFAULT_BITRATE, 500_000)
 """Today's hardware, and what generation 1's protocol text says."""
@@ -51,6 +60,122 @@ _BOX_PX: Final = 190
 
 Leaving = Callable[[QWidget, Callable[[], object]], object]
 """Given the window that asks and what to go on with, now or once the operator agrees."""
+_MOST: Final = 1
+"""The gravest alone: 诊断 tells all of them."""
+
+
+class ManualEntry(Translated, QWidget):
+    """Interface and channel as python-can names them.
+
+    Args:
+        interfaces: The back-ends to offer; others can be typed.
+
+    Signals:
+        entered: The :class:`Device` that was named.
+    """
+
+    entered = Signal(object)
+
+    def __init__(self, interfaces: Sequence[str]) -> None:
+        super().__init__()
+        self.interface_label = QLabel()
+        self.interface_box = QComboBox()
+        self.interface_box.setEditable(True)
+        self.interface_box.addItems(list(interfaces))
+        self.interface_box.setCurrentText("slcan")
+        self.interface_label.setBuddy(self.interface_box)
+        self._channel_label = QLabel()
+        self.channel_edit = QLineEdit()
+        self._channel_label.setBuddy(self.channel_edit)
+        self.add_button = push_button(on_enter=False)
+        of_interface = (self.interface_label, (self.interface_box, 2), 6)
+        of_channel = (self._channel_label, (self.channel_edit, 3))
+        in_row(*of_interface, *of_channel, self.add_button, on=self, spacing=8, margins=0)
+        self.add_button.clicked.connect(self._on_add)
+        self.channel_edit.textChanged.connect(self._on_changed)
+        self.interface_box.editTextChanged.connect(self._on_changed)
+        self.retranslate_ui()
+
+    def retranslate_ui(self) -> None:
+        """Put every word into the operator's language."""
+        self.interface_label.setText(self.tr("Interface"))
+        self._channel_label.setText(self.tr("Channel"))
+        self.channel_edit.setPlaceholderText(self.tr("e.g. COM5, /dev/ttyACM0, 239.0.0.1"))
+        self.add_button.setText(self.tr("Add to the list"))
+        self._on_changed()
+
+    def _on_changed(self) -> None:
+        complete = bool(self._interface() and self._channel())
+        self.add_button.setEnabled(complete)
+        tip = "" if complete else self.tr("Enter the interface and its channel first.")
+        self.add_button.setToolTip(tip)
+
+    def _on_add(self) -> None:
+        interface, channel = self._interface(), self._channel()
+        self.entered.emit(
+            Device(
+                interface=interface,
+                # some back-ends count their channels
+                channel=int(channel) if channel.isdecimal() else channel,
+                bitrate=DEFAULT_BITRATE if bitrate_is_ours(interface) else None,
+            )
+        )
+        self.channel_edit.clear()
+
+    def _interface(self) -> str:
+        return self.interface_box.currentText().strip()
+
+    def _channel(self) -> str:
+        return self.channel_edit.text().strip()
+
+
+class AdapterTrouble(Translated, QWidget):
+    """There while something is wrong with an adapter.
+
+    Args:
+        background: Where it is looked for.
+        look: Finds it out.
+
+    Signals:
+        told: Other findings are shown, or the same in other words: it needs other room.
+    """
+
+    told = Signal()
+
+    def __init__(
+        self, background: Background, look: Callable[[], list[Diagnosis]] = adapter_trouble
+    ) -> None:
+        super().__init__()
+        self.setObjectName("adapter_trouble")
+        self._background = background
+        self._look = look
+        self._findings: Sequence[Diagnosis] = ()
+        self._rows: list[FindingRow] = []
+        self._column = in_column(on=self, spacing=6, margins=(12, 0, 0, 0))
+        self.hide()
+
+    def examine(self) -> None:
+        """Look anew."""
+        self._background.begin_here(Job(self._take), self._look)
+
+    def _take(self, findings: list[Diagnosis] | Refusal) -> None:
+        self._findings = () if isinstance(findings, Refusal) else findings[:_MOST]
+        self.retranslate_ui()
+
+    def retranslate_ui(self) -> None:
+        """Say it in the operator's language."""
+        # Translators: the code of the language that is shown, "zh" for Chinese
+        words = Words("zh" if self.tr("en") == "zh" else "en")
+        for row in self._rows:
+            self._column.removeWidget(row)
+            row.deleteLater()
+        self._rows = [
+            FindingRow(each, words.text(each), words.mark(each.severity)) for each in self._findings
+        ]
+        for row in self._rows:
+            self._column.addWidget(row)
+        self.setVisible(bool(self._rows))
+        self.told.emit()
 
 
 class ConnectDialog(ArmDialog):

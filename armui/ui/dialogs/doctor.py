@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from functools import partial
 from typing import Any, Final, Protocol
 
@@ -12,25 +13,65 @@ from PySide6.QtGui import QCloseEvent, QGuiApplication
 from PySide6.QtWidgets import QLabel, QProgressBar, QWidget
 
 from armui.arm.device import Device
+from armui.arm.models import model_data
 from armui.control.arm_controller import ArmController
 from armui.control.events import Level
-from armui.doctor.facts import Diagnosis, DiagnosisLevel, Section
+from armui.control.operating_state import LinkState
+from armui.doctor.facts import Diagnosis, DiagnosisLevel, HeardFacts, Section
+from armui.doctor.hearing import arm_facts
+from armui.doctor.judge import judge_heard
 from armui.doctor.process import DoctorProcess
 from armui.doctor.report import Words, as_text
-from armui.ui.dialogs.base import ArmDialog
-from armui.ui.dialogs.close_button import CloseButton
-from armui.ui.dialogs.connected_arm import judge_connected
+from armui.protocol.codec import Codec
+from armui.protocol.generation import Generation
+from armui.ui.dialogs.base import ArmDialog, CloseButton
 from armui.ui.dialogs.finding_row import FindingRow
-from armui.ui.widgets.buttons import named, push_button
-from armui.ui.widgets.card import bare_area
-from armui.ui.widgets.enable_or_explain import enable_or_explain
-from armui.ui.widgets.layouts import STRETCH, fill, in_column
+from armui.ui.widgets.buttons import enable_or_explain, named, push_button
+from armui.ui.widgets.layouts import STRETCH, bare_area, fill, in_column
 from armui.ui.widgets.message_line import MessageLine
 from armui.ui.widgets.text_label import text_label
 
 _SIZE_PX: Final = (860, 640)
 _GAP_PX: Final = 12
 _AT_ONCE: Final = 8
+
+
+def judge_connected(controller: ArmController, *, frames: int, seconds: float) -> list[Diagnosis]:
+    """Findings about the arm on the open device; none where no device is open.
+
+    Args:
+        controller: Who hears it.
+        frames: So many frames were received while it was listened to.
+        seconds: So long that was.
+    """
+    now = controller.operating_state
+    if now.device is None:
+        return []
+    generation = now.generation or Generation.TWO
+    online = now.link is LinkState.ONLINE
+    arm = arm_facts(
+        controller.state,
+        Codec(generation, now.addressing),
+        reason="",
+        frames_per_s=frames / seconds if seconds > 0 else 0.0,
+        firmware=controller.state.firmware,
+    )
+    arm = replace(arm, chosen_model=model_data(now.model).name)
+    heard = HeardFacts(
+        interface=now.device.interface,
+        channel=str(now.device.channel),
+        seconds=seconds,
+        frames=frames,
+        arm=arm if online else None,
+        problem="" if now.link_problem is None else now.link_problem.code,
+        problem_text="" if now.link_problem is None else str(now.link_problem.params),
+        leader=now.teaching_input,
+    )
+    findings = judge_heard(heard)
+    if now.other_host is not None and not now.teaching_input:
+        params = {"device": now.device.name, "frames": now.other_host.frames}
+        findings.append(Diagnosis(Section.ARM, "other_host", DiagnosisLevel.WARNING, params))
+    return findings
 
 
 class Examination(Protocol):

@@ -1,12 +1,14 @@
-"""The file chooser, with an emergency stop in it."""
+"""Choosing files and folders, and saving something to one."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
+from datetime import datetime
+from functools import partial
 from pathlib import Path
-from typing import Final, cast
+from typing import TYPE_CHECKING, Any, Final, cast
 
-from PySide6.QtCore import QT_TRANSLATE_NOOP, Qt
+from PySide6.QtCore import QT_TRANSLATE_NOOP, QObject, Qt, Signal
 from PySide6.QtWidgets import (
     QFileDialog,
     QGridLayout,
@@ -17,8 +19,16 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from armui.arm.refusal import Refusal
 from armui.control.arm_controller import ArmController
+from armui.control.events import Level
+from armui.ui import words
+from armui.ui.background import Job
 from armui.ui.widgets.stop_button import StopButton
+
+if TYPE_CHECKING:
+    from armui.ui.background import Background
+
 
 _SIZE_PX: Final = (780, 540)
 
@@ -27,6 +37,60 @@ _QTS_OWN: Final = (
     QT_TRANSLATE_NOOP("QAbstractFileIconProvider", "Folder"),
 )
 """Texts of Qt for which its translation has another word than is usual, or none: ours counts."""
+
+
+class FileExport(QObject):
+    """What the exports of plots, events and the picture share.
+
+    Args:
+        controller: For the emergency stop in the file chooser.
+        background: Where files are written.
+        window: Whom the file chooser belongs to.
+
+    Signals:
+        said: What has become of it, and its :class:`Level`.
+    """
+
+    said = Signal(str, object)
+
+    def __init__(self, controller: ArmController, background: Background, window: QWidget) -> None:
+        super().__init__(window)
+        self._controller = controller
+        self._background = background
+        self._window = window
+
+    def _choose(
+        self, title: str, name: str, kind: str, on_chosen: Callable[[Path], object]
+    ) -> None:
+        """Let the operator say where to.
+
+        Args:
+            title: Of the file chooser.
+            name: How the proposed name begins; date and time follow.
+            kind: The ending of the file, ``csv``.
+            on_chosen: Gets the file.
+        """
+        now = datetime.now().astimezone()
+        choose_file(
+            self._window,
+            self._controller,
+            title=title,
+            name_filter=f"{kind.upper()} (*.{kind})",
+            on_chosen=on_chosen,
+            new_file=str(Path.home() / f"{name}-{now:%Y%m%d-%H%M%S}.{kind}"),
+        )
+
+    def _job(self, path: Path) -> Job[Any]:
+        """Of writing a file: says what came of it."""
+        return Job(partial(self._on_written, path))
+
+    def _on_written(self, path: Path, result: int | Refusal | None) -> None:
+        if isinstance(result, Refusal):
+            text = self.tr("Not saved: {path}. {reason}")
+            text = text.format(path=path, reason=words.refusal(result))
+            self.said.emit(text, Level.FAULT)
+        else:
+            self.said.emit(self.tr("Saved: {path}").format(path=path), Level.DONE)
 
 
 class FileDialog(QFileDialog):

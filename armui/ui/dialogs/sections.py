@@ -5,15 +5,14 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Final, NamedTuple
 
-from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QGridLayout, QLabel, QScrollArea, QWidget
+from PySide6.QtCore import QRectF, Qt
+from PySide6.QtGui import QPaintEvent
+from PySide6.QtWidgets import QGridLayout, QLabel, QScrollArea, QSizePolicy, QWidget
 
-from armui.ui.dialogs.base import ArmDialog
-from armui.ui.dialogs.close_button import CloseButton
-from armui.ui.dialogs.keycap import KeyCap
-from armui.ui.theme import scaled_font
-from armui.ui.widgets.card import bare_area
-from armui.ui.widgets.layouts import STRETCH, empty_grid, fill, in_row
+from armui.ui.dialogs.base import ArmDialog, CloseButton
+from armui.ui.theme import colors_of, scaled_font
+from armui.ui.widgets import painting
+from armui.ui.widgets.layouts import STRETCH, bare_area, empty_grid, fill, in_row
 from armui.ui.widgets.text_label import text_label
 from armui.ui.words.text import Text
 
@@ -22,8 +21,28 @@ if TYPE_CHECKING:
 
     from armui.control.arm_controller import ArmController
 
+
 _COLUMN_GAP_PX: Final = 36
 _SECTION_GAP_PX: Final = 12
+
+
+class KeyCap(QLabel):
+    """A word in a box that looks like a key."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.setContentsMargins(9, 4, 9, 5)
+        self.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Fixed)
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        """Draw the key, then the word on it."""
+        colors = colors_of(self)
+        painter = painting.begin(self)
+        box = QRectF(self.rect())
+        painting.panel(painter, box, colors.border, colors.border)
+        painting.panel(painter, box.adjusted(0, 0, 0, -2), colors.surface, colors.border)
+        painter.end()
+        super().paintEvent(event)
 
 
 class HelpSection(NamedTuple):

@@ -26,18 +26,17 @@ from armui.control.events import Level
 from armui.settings import SettingsStore
 from armui.ui import format as fmt
 from armui.ui import words
-from armui.ui.dialogs.base import ArmDialog
-from armui.ui.dialogs.close_button import CloseButton
+from armui.ui.dialogs.base import ArmDialog, CloseButton
 from armui.ui.dialogs.files import choose_file
+from armui.ui.gamepad.gamepad_dialog import GamepadDialog
 from armui.ui.widgets.buttons import caption, named, push_button
-from armui.ui.widgets.elided_label import ElidedLabel
 from armui.ui.widgets.layouts import STRETCH, empty_grid, fill, in_row
 from armui.ui.widgets.message_line import MessageLine
-from armui.ui.widgets.repolish import repolish
+from armui.ui.widgets.painting import repolish
+from armui.ui.widgets.text_label import ElidedLabel
 
 if TYPE_CHECKING:
     from armui.control.operating_state import OperatingState
-    from armui.ui.gamepad.gamepad_dialog import GamepadDialog
 
 _SIZE_PX: Final = (680, 500)
 _STEP_WIDTH_PX: Final = 110
@@ -238,8 +237,6 @@ class SettingsDialog(ArmDialog):
         self._show_problem(self._store.change(jog_floor_mm=height))
 
     def _on_gamepad(self) -> None:
-        from armui.ui.gamepad.gamepad_dialog import GamepadDialog  # noqa: PLC0415 - faster start
-
         if self._gamepad_dialog is None:
             self._gamepad_dialog = GamepadDialog(self._store, self._controller, self.parentWidget())
             self._gamepad_dialog.finished.connect(self._refresh)

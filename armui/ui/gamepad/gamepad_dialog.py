@@ -3,29 +3,58 @@
 from __future__ import annotations
 
 from dataclasses import asdict
+from functools import partial
 from typing import Final
 
-from PySide6.QtGui import QGuiApplication, QShowEvent
-from PySide6.QtWidgets import QButtonGroup, QCheckBox, QComboBox, QFrame, QLabel, QWidget
+from PySide6.QtCore import QPointF, QRectF, QSize, Qt, Signal
+from PySide6.QtGui import QColor, QGuiApplication, QPaintEvent, QPen, QShowEvent
+from PySide6.QtWidgets import (
+    QButtonGroup,
+    QCheckBox,
+    QComboBox,
+    QFrame,
+    QLabel,
+    QSizePolicy,
+    QWidget,
+)
 
 from armui.control.arm_controller import ArmController
 from armui.control.events import Level
 from armui.control.gamepad.pilot import PilotView
-from armui.gamepad.device_state import DeviceInfo, DeviceState
-from armui.gamepad.layout import Assignment, JogMode
+from armui.gamepad.device_state import DeviceInfo, DeviceKind, DeviceState
+from armui.gamepad.layout import (
+    ACTIONS,
+    BUTTONS,
+    DEAD_ZONES,
+    DEFAULTS,
+    SOURCES,
+    SPEED_AXIS,
+    Assignment,
+    JogMode,
+    deflections,
+    speed_share,
+    swapped,
+)
 from armui.setting_checks import GamepadMode
 from armui.settings import SettingsStore
 from armui.ui import words
-from armui.ui.dialogs.base import ArmDialog
-from armui.ui.dialogs.close_button import CloseButton
-from armui.ui.gamepad.axis_rows import AxisRows
-from armui.ui.gamepad.button_rows import ButtonRows
+from armui.ui.dialogs.base import ArmDialog, CloseButton
+from armui.ui.theme import colors_of
+from armui.ui.widgets import painting
 from armui.ui.widgets.buttons import caption, choice_button, named, push_button
-from armui.ui.widgets.layouts import STRETCH, fill, in_column, in_row
+from armui.ui.widgets.layouts import STRETCH, empty_grid, fill, in_column, in_row
 from armui.ui.widgets.message_line import MessageLine
 from armui.ui.widgets.seen_timer import SeenTimer
-from armui.ui.widgets.text_label import text_label
-from armui.ui.words.gamepad import gamepad_mode
+from armui.ui.widgets.text_label import ValueLabel, text_label
+from armui.ui.widgets.translated import Translated
+from armui.ui.words.gamepad import (
+    gamepad_action,
+    gamepad_axis,
+    gamepad_button,
+    gamepad_mode,
+    gamepad_source,
+    moved_axis,
+)
 
 _SIZE_PX: Final = (820, 520)
 _LIVE_MS: Final = 33
@@ -35,6 +64,199 @@ _MODES: Final[dict[JogMode, GamepadMode]] = {
     JogMode.BASE: "base",
     JogMode.TOOL: "tool",
 }
+_AXES: Final = range(6)
+_HEIGHT_PX: Final = 18
+_GROOVE_PX: Final = 8.0
+_CORNER_PX: Final = 4.0
+_MOST_SEEN: Final = 12
+_OPTIONAL: Final = frozenset({"halt", "mode"})
+
+
+class ButtonRows(Translated, QWidget):
+    """A row for each thing a button can do.
+
+    Args:
+        kind: Of the device.
+    """
+
+    chosen = Signal(object)
+    """An :class:`Assignment`: the operator wants it so."""
+
+    def __init__(self, kind: DeviceKind) -> None:
+        super().__init__()
+        self._kind = kind
+        self._now = DEFAULTS[kind]
+        self._labels = {action: QLabel() for action in ACTIONS}
+        self._boxes = {action: named(f"gamepad_{action}_box", QComboBox()) for action in ACTIONS}
+        self._down = text_label("gamepad_down", rank="muted", wraps=True)
+        self._first = push_button("gamepad_defaults_button", on_enter=False)
+        grid = empty_grid(self, gaps=(12, 8), margins=0)
+        grid.setColumnStretch(1, 1)
+        for row, action in enumerate(ACTIONS):
+            label, box = self._labels[action], self._boxes[action]
+            label.setBuddy(box)
+            box.setMaxVisibleItems(_MOST_SEEN)
+            for button in self._choices(action):
+                box.addItem("", button)
+            box.activated.connect(partial(self._on_chosen, action))
+            grid.addWidget(label, row, 0)
+            grid.addWidget(box, row, 1)
+        grid.addLayout(in_row(STRETCH, self._first), len(ACTIONS), 0, 1, 2)
+        grid.addWidget(self._down, len(ACTIONS) + 1, 0, 1, 2)
+        grid.setRowStretch(len(ACTIONS) + 2, 1)
+        self._first.clicked.connect(lambda: self.chosen.emit(DEFAULTS[self._kind]))
+        self.retranslate_ui()
+
+    def show_assignment(self, now: Assignment) -> None:
+        """Show what holds."""
+        self._now = now
+        for action, box in self._boxes.items():
+            box.setCurrentIndex(box.findData(getattr(now, action)))
+
+    def show_down(self, down: frozenset[str]) -> None:
+        """Name the buttons that are down, and mark what they do."""
+        names = " · ".join(gamepad_button(self._kind, name) for name in sorted(down))
+        self._down.setText(self.tr("Pressed: {buttons}").format(buttons=names or "—"))
+        for action, label in self._labels.items():
+            lit = getattr(self._now, action) in down
+            font = label.font()
+            if font.bold() != lit:
+                font.setBold(lit)
+                label.setFont(font)
+
+    def _choices(self, action: str) -> tuple[str, ...]:
+        return (*(("",) if action in _OPTIONAL else ()), *BUTTONS[self._kind])
+
+    def _on_chosen(self, action: str, place: int) -> None:
+        button = self._boxes[action].itemData(place)
+        self.chosen.emit(swapped(self._now, action, button))
+
+    def retranslate_ui(self) -> None:
+        """Put every word into the operator's language."""
+        for action, box in self._boxes.items():
+            self._labels[action].setText(gamepad_action(action))
+            for place, button in enumerate(self._choices(action)):
+                text = gamepad_button(self._kind, button) if button else self.tr("No button")
+                box.setItemText(place, text)
+        tip = self.tr("The buttons as they are at first")
+        caption(self._first, self.tr("Restore"), tip=tip)
+        self.show_down(frozenset())
+
+
+class AxisBar(QWidget):
+    """Shows −1 to 1, or 0 to 1.
+
+    Args:
+        dead_zone: The axis counts as at rest within it.
+        from_left: Whether it begins at the left, as a trigger does.
+    """
+
+    def __init__(self, dead_zone: float, *, from_left: bool = False) -> None:
+        super().__init__()
+        self._dead_zone = dead_zone
+        self._from_left = from_left
+        self._value = 0.0
+        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
+
+    @property
+    def value(self) -> float:
+        """What it shows."""
+        return self._value
+
+    def show_value(self, value: float) -> None:
+        """Show how far it is pushed."""
+        value = max(-1.0, min(1.0, value))
+        if value != self._value:
+            self._value = value
+            self.update()
+
+    def sizeHint(self) -> QSize:
+        """As wide as there is room."""
+        return QSize(120, _HEIGHT_PX)
+
+    def minimumSizeHint(self) -> QSize:
+        """So that it can still be read."""
+        return QSize(70, _HEIGHT_PX)
+
+    def paintEvent(self, _event: QPaintEvent) -> None:
+        """Draw groove, dead zone and bar."""
+        colors = colors_of(self)
+        painter = painting.begin(self)
+        painter.setPen(QPen(QColor(colors.border), 1.0))
+        painter.setBrush(QColor(colors.sunken))
+        top = (self.height() - _GROOVE_PX) / 2
+        groove = QRectF(0.5, top, self.width() - 1.0, _GROOVE_PX)
+        painter.drawRoundedRect(groove, _CORNER_PX, _CORNER_PX)
+        centre = groove.left() if self._from_left else groove.center().x()
+        reach = groove.width() if self._from_left else groove.width() / 2
+        moves = abs(self._value) > self._dead_zone
+        end = centre + reach * self._value
+        painter.setPen(QPen(QColor("transparent")))
+        painter.setBrush(QColor(colors.accent if moves else colors.muted))
+        bar = QRectF(QPointF(min(centre, end), top), QPointF(max(centre, end), top + _GROOVE_PX))
+        painter.drawRoundedRect(bar, _CORNER_PX, _CORNER_PX)
+        painter.setPen(QPen(QColor(colors.muted), 1.0))
+        for side in (-1, 1):
+            if not self._from_left:
+                at = centre + side * reach * self._dead_zone
+                painter.drawLine(QPointF(at, top - 3), QPointF(at, top + _GROOVE_PX + 3))
+        painter.end()
+
+
+class AxisRows(Translated, QWidget):
+    """A row an axis of the arm, and one for the trigger.
+
+    Args:
+        kind: Of the device.
+    """
+
+    def __init__(self, kind: DeviceKind) -> None:
+        super().__init__()
+        self._kind = kind
+        self._mode = JogMode.JOINT
+        self._sources = [text_label() for _ in _AXES]
+        self._bars = [AxisBar(DEAD_ZONES[kind]) for _ in _AXES]
+        self._targets = [QLabel() for _ in _AXES]
+        grid = empty_grid(self, gaps=(12, 6), margins=0)
+        grid.setColumnStretch(1, 1)
+        for row, cells in enumerate(zip(self._sources, self._bars, self._targets, strict=True)):
+            for column, cell in enumerate(cells):
+                grid.addWidget(cell, row, column)
+        self._trigger_label = text_label()
+        self._trigger = AxisBar(0.0, from_left=True)
+        self._share = ValueLabel("100 %", alignment=Qt.AlignmentFlag.AlignLeft)
+        if kind is DeviceKind.GAMEPAD:
+            row = grid.rowCount()
+            for column, cell in enumerate((self._trigger_label, self._trigger, self._share)):
+                grid.addWidget(cell, row, column)
+        grid.setRowStretch(grid.rowCount(), 1)
+        self.retranslate_ui()
+
+    def show_mode(self, mode: JogMode) -> None:
+        """What the axes move."""
+        if mode is not self._mode:
+            self._mode = mode
+            self.retranslate_ui()
+
+    def show_state(self, state: DeviceState | None) -> None:
+        """Show how far each axis is pushed; None: nothing is known."""
+        pushed = (0.0,) * 6 if state is None else deflections(state, self._mode)
+        for bar, value in zip(self._bars, pushed, strict=True):
+            bar.show_value(value)
+        if self._kind is DeviceKind.GAMEPAD:
+            self._trigger.show_value(0.0 if state is None else state.axes.get(SPEED_AXIS, 0.0))
+            self._share.show_text("—" if state is None else f"{100 * speed_share(state):.0f} %")
+
+    def retranslate_ui(self) -> None:
+        """Put every word into the operator's language."""
+        sources = SOURCES[self._kind][self._mode]
+        for place, source in enumerate(sources):
+            self._sources[place].setText(gamepad_source(source))
+            self._targets[place].setText(moved_axis(self._mode, place))
+            self._bars[place].setAccessibleName(gamepad_source(source))
+        self._trigger_label.setText(gamepad_axis(SPEED_AXIS))
+        self._trigger.setAccessibleName(gamepad_axis(SPEED_AXIS))
+        self._share.setToolTip(self.tr("Of the speed at the top; without the trigger a fifth"))
 
 
 class GamepadDialog(ArmDialog):

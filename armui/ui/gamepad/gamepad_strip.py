@@ -11,16 +11,18 @@ from PySide6.QtWidgets import QApplication, QLabel, QSizePolicy, QWidget
 
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
+from armui.gamepad.dead_man import HoldPhase
 from armui.ui import words
-from armui.ui.shell.page_window import PageWindow
+from armui.ui.shell.workspace import PageWindow
 from armui.ui.theme import Colors, colors_of
 from armui.ui.widgets import icons, painting
 from armui.ui.widgets.buttons import named
-from armui.ui.widgets.elided_label import ElidedLabel
 from armui.ui.widgets.hold_guard import HoldGuard
 from armui.ui.widgets.layouts import in_row
-from armui.ui.widgets.repolish import set_rank
+from armui.ui.widgets.painting import set_rank
+from armui.ui.widgets.text_label import ElidedLabel
 from armui.ui.widgets.translated import Translated
+from armui.ui.words.gamepad import gamepad_button, gamepad_mode
 
 if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
@@ -109,8 +111,6 @@ class GamepadStrip(Translated, QWidget):
     # Appearance -------------------------------------------------------------------------------
 
     def _on_changed(self, view: PilotView) -> None:
-        from armui.gamepad.dead_man import HoldPhase  # noqa: PLC0415 - faster start
-
         self._view = view
         self.setVisible(view.on)
         held = view.phase not in {HoldPhase.UP, HoldPhase.SPENT}
@@ -141,9 +141,6 @@ class GamepadStrip(Translated, QWidget):
         self._recolor()
 
     def _sentence(self, view: PilotView) -> str:
-        from armui.gamepad.dead_man import HoldPhase  # noqa: PLC0415 - faster start
-        from armui.ui.words.gamepad import gamepad_button, gamepad_mode  # noqa: PLC0415 - as above
-
         device = view.device or next(iter(view.devices), None)
         if device is None:
             return self._nothing_found(view)

@@ -19,6 +19,7 @@ _WINDOWS: Final[Mapping[str, str]] = {
     "BusPage": "bus",
     "ColumnsPage": "files",
     "CommandPalette": "keys",
+    "ColorDialog": "light",
     "ConnectDialog": "connect",
     "DoctorDialog": "doctor",
     "DragAssistanceDialog": "teaching",

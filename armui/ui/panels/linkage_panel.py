@@ -15,12 +15,17 @@ from armui.control.operating_state import LinkState, OperatingState
 from armui.protocol.addressing import OFFSETS
 from armui.protocol.codes import LinkageRole
 from armui.ui import words
-from armui.ui.dialogs.confirm import confirm
+from armui.ui.dialogs.confirm_dialog import confirm
 from armui.ui.panels.panel import Panel
-from armui.ui.widgets.buttons import caption, choice_button, named, push_button, show_primary
-from armui.ui.widgets.card import scrolled
-from armui.ui.widgets.enable_or_explain import enable_or_explain
-from armui.ui.widgets.layouts import empty_grid
+from armui.ui.widgets.buttons import (
+    caption,
+    choice_button,
+    enable_or_explain,
+    named,
+    push_button,
+    show_primary,
+)
+from armui.ui.widgets.layouts import empty_grid, scrolled
 from armui.ui.widgets.text_label import text_label
 
 _TALLEST_CARD_PX: Final = 400

@@ -16,7 +16,7 @@ from armui.control.events import Event, Level
 from armui.control.operating_state import LinkState, OperatingState
 from armui.control.safety.recovery_steps import UNHINDERED, Step, StepKind
 from armui.ui import words
-from armui.ui.dialogs.confirm import confirm
+from armui.ui.dialogs.confirm_dialog import confirm
 from armui.ui.widgets.buttons import named
 from armui.ui.widgets.layouts import in_column
 from armui.ui.widgets.message_line import MessageLine

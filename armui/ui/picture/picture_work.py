@@ -14,11 +14,10 @@ from armui.arm.models import model_data
 from armui.control.events import Level
 from armui.control.run.progress import OVER
 from armui.system.atomic import write_whole
-from armui.ui.dialogs.file_export import FileExport
+from armui.ui.dialogs.files import FileExport
 from armui.ui.freshness import is_stale
 from armui.ui.panels.jogging.cartesian_panel import CartesianPanel
-from armui.ui.panels.jogging.joint_row import JointRow
-from armui.ui.panels.jogging.motion_panel import MotionPanel
+from armui.ui.panels.jogging.motion_panel import JointRow, MotionPanel
 from armui.ui.picture.target_drag import CartesianTarget, MotionTarget, TargetDrag
 from armui.ui.picture.view_bar import ViewBar
 from armui.ui.theme import colors_of

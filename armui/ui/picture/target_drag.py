@@ -153,7 +153,7 @@ class MotionTarget:
 
     def angles_deg(self) -> tuple[float, ...] | None:
         """What stands in the six fields."""
-        return self._panel.targets_deg()
+        return self._panel.targets()
 
     def carry(self, angles_deg: tuple[float, ...]) -> None:
         """Into the fields."""
@@ -182,12 +182,12 @@ class CartesianTarget:
         self._controller = controller
         self._solved: tuple[tuple[float, ...], tuple[float, ...] | None] | None = None
         self._given = panel.given()
-        self._pose = panel.target_pose()
+        self._pose = panel.targets()
 
     def begin(self) -> None:
         """Note which fields follow the arm, and what stands in them."""
         self._given = self._panel.given()
-        self._pose = self._panel.target_pose()
+        self._pose = self._panel.targets()
 
     def is_as_begun(self) -> bool:
         """Tell that the fields are the same; see `DragTarget`."""
@@ -195,7 +195,7 @@ class CartesianTarget:
 
     def angles_deg(self) -> tuple[float, ...] | None:
         """Angles for what stands in the six fields, near to where the arm is, if there are any."""
-        pose = self._panel.target_pose()
+        pose = self._panel.targets()
         measured_deg = self._controller.state.angles_deg()
         if pose is None or measured_deg is None:
             return None
@@ -207,8 +207,8 @@ class CartesianTarget:
         """Into the fields, as the pose of the tool centre point."""
         cartesian = self._controller.cartesian
         tool_point = poses.tool_matrix(cartesian.kinematics().matrix(angles_deg), cartesian.tool)
-        self._panel.take_pose(poses.matrix_to_pose(tool_point))
-        pose = self._panel.target_pose()
+        self._panel.take_targets(poses.matrix_to_pose(tool_point))
+        pose = self._panel.targets()
         if pose is not None:
             self._solved = (pose, angles_deg)  # what leads there is known: it was dragged there
 
@@ -220,7 +220,7 @@ class CartesianTarget:
     def give_up(self, _angles_deg: tuple[float, ...]) -> None:
         """Back into the fields; those that followed the arm go on."""
         if self._pose is not None:
-            self._panel.take_pose(self._pose, self._given)
+            self._panel.take_targets(self._pose, self._given)
 
     def _solve(
         self, pose: tuple[float, ...], near_deg: Sequence[float]

@@ -7,14 +7,13 @@ from typing import TYPE_CHECKING
 from PySide6.QtWidgets import QWidget
 
 from armui.ui.background import Background
-from armui.ui.dialogs.online_since import OnlineSince
+from armui.ui.dialogs.about_arm import AboutArmDialog, OnlineSince
 
 if TYPE_CHECKING:
     from concurrent.futures import Executor
 
     from armui.arm.device import Device
     from armui.control.arm_controller import ArmController
-    from armui.ui.dialogs.about_arm import AboutArmDialog
     from armui.ui.dialogs.doctor import DoctorDialog
 
 
@@ -49,8 +48,6 @@ class DiagnosisDialogs:
 
     def open_about_arm(self) -> None:
         """Show which arm this is, and by which way it is reached."""
-        from armui.ui.dialogs.about_arm import AboutArmDialog  # noqa: PLC0415 - faster start
-
         if self._about_arm is None:
             background = Background(self._files, parent=self._window)
             self._about_arm = AboutArmDialog(

@@ -8,13 +8,12 @@ from typing import Final
 from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtWidgets import QButtonGroup, QToolButton, QWidget
 
-from armui.ui.shell.watch_menu import WatchEntry
+from armui.ui.shell.side_menu import WatchEntry
 from armui.ui.theme import colors_of
 from armui.ui.widgets import icons
 from armui.ui.widgets.buttons import caption, choice_button, describe, named
 from armui.ui.widgets.layouts import STRETCH, in_column, in_row
-from armui.ui.widgets.page import Page
-from armui.ui.widgets.page_stack import PageStack
+from armui.ui.widgets.page import Page, PageStack
 from armui.ui.widgets.translated import Translated
 
 _ICON_PX: Final = 16

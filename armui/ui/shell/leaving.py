@@ -1,15 +1,16 @@
-"""Asking before the arm is left while something is under way, and ending that in good order."""
+"""Asking before the arm, the program or a panel is left: motion is ended, entries are saved."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from typing import TYPE_CHECKING, Final
+from collections.abc import Callable, Iterable, Sequence
+from typing import TYPE_CHECKING, Final, Protocol, runtime_checkable
 
-from PySide6.QtCore import QCoreApplication, QObject, QTimer
+from PySide6.QtCore import QCoreApplication, QObject, Qt, QTimer
 from PySide6.QtWidgets import QWidget
 
+from armui.control.motion.motion_command import Mover
 from armui.control.operating_state import StopState
-from armui.ui.dialogs.confirm import confirm
+from armui.ui.dialogs.confirm_dialog import CloseQuestion, SaveQuestion, confirm
 
 if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
@@ -17,6 +18,119 @@ if TYPE_CHECKING:
 
 
 _REST_WITHIN_MS: Final = 3000
+
+
+@runtime_checkable
+class KeepsDraft(Protocol):
+    """A panel in which something can be entered that is saved by a deliberate act."""
+
+    def has_unsaved_changes(self) -> bool:
+        """Whether leaving the panel would lose something."""
+
+    def discard_changes(self) -> None:
+        """Forget what was entered."""
+
+    def why_no_saving(self) -> str:
+        """Why what was entered cannot be saved now; empty: it can."""
+
+    def save_changes(self, then: Callable[[], object]) -> None:
+        """Save what was entered; go on once it has proved to be saved, and never otherwise."""
+
+
+@runtime_checkable
+class KeepsWork(Protocol):
+    """A window whose unsaved work is kept on the disk and offered the next time."""
+
+    def keep_work(self) -> None:
+        """The program ends: bring what is kept up to date."""
+
+
+def unsaved(panels: Iterable[object]) -> list[KeepsDraft]:
+    """Those of the panels in which something is not saved; the others need not know of this."""
+    return [
+        panel for panel in panels if isinstance(panel, KeepsDraft) and panel.has_unsaved_changes()
+    ]
+
+
+def leave_then(
+    parent: QWidget,
+    controller: ArmController,
+    panels: Iterable[object],
+    proceed: Callable[[], object],
+) -> None:
+    """Go on at once, or after what was entered has been saved, or the operator has given it up.
+
+    Args:
+        parent: The window that asks.
+        controller: Whom the emergency stop in the question tells.
+        panels: Those that would be left.
+        proceed: What would lose the changes.
+    """
+    left = unsaved(panels)
+    if not left:
+        proceed()
+        return
+
+    def discard() -> None:
+        for panel in left:
+            panel.discard_changes()
+        proceed()
+
+    for older in parent.findChildren(UnsavedQuestion):
+        older.reject()
+    question = UnsavedQuestion(controller, parent, left)
+    question.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+    question.accepted.connect(discard)
+    question.save_wanted.connect(lambda: save_then(left, proceed))
+    question.open()
+
+
+def save_then(panels: Sequence[KeepsDraft], proceed: Callable[[], object]) -> None:
+    """Save one panel after the other, and go on when the last has proved to be saved."""
+    if not panels:
+        proceed()
+        return
+    first, *rest = panels
+    first.save_changes(lambda: save_then(rest, proceed))
+
+
+class UnsavedQuestion(SaveQuestion):
+    """Save to the arm, discard, or stay; withdrawn once there is nothing left to lose.
+
+    Args:
+        controller: Whom the emergency stop tells.
+        parent: The window that asks.
+        panels: Those in which something is not saved.
+    """
+
+    def __init__(
+        self, controller: ArmController, parent: QWidget, panels: Sequence[KeepsDraft]
+    ) -> None:
+        super().__init__(
+            controller,
+            parent,
+            QCoreApplication.translate(
+                "UnsavedQuestion",
+                "What you entered has not been saved to the arm. If you discard it, the arm keeps "
+                "what it holds now.",
+            ),
+            concerns_arm=True,
+        )
+        self._panels = panels
+        controller.operating_state_changed.connect(self._follow)
+        controller.settings.changed.connect(self._follow)
+        self._follow()
+
+    def holds(self) -> bool:
+        """Stay while no arm is heard: nothing can be saved then, and the button says why."""
+        return not self._controller.mark.heard or super().holds()
+
+    def _follow(self) -> None:
+        left = unsaved(self._panels)
+        reasons = (panel.why_no_saving() for panel in left)
+        self.allow_saving(next((each for each in reasons if each), ""))
+        if not left and self.isVisible():
+            self.reject()
 
 
 def end_motion_then(
@@ -147,3 +261,52 @@ class _Ending(QObject):
         self.deleteLater()
         if not stopping:
             self._proceed()
+
+
+def close_unless_moving(
+    window: QWidget, controller: ArmController, close_now: Callable[[], object]
+) -> None:
+    """Close at once, or after the operator has said what becomes of the motion.
+
+    Args:
+        window: The main window, which asks.
+        controller: Whom the emergency stop in the question tells.
+        close_now: Closes the window without asking again.
+    """
+    operating_state = controller.operating_state
+    if not operating_state.moving:
+        close_now()
+        return
+    if operating_state.mover is Mover.OURS:
+        _ask_how_to_close(window, controller, close_now)
+        return
+    confirm(
+        window,
+        controller,
+        title=QCoreApplication.translate("MainWindow", "The arm is moving"),
+        text=QCoreApplication.translate(
+            "MainWindow",
+            "Closing the program does not stop the arm: it goes on to its target. "
+            "Press the emergency stop if it must not.",
+        ),
+        action_label=QCoreApplication.translate("MainWindow", "Close anyway"),
+        on_confirmed=close_now,
+    )
+
+
+def _ask_how_to_close(
+    window: QWidget, controller: ArmController, close_now: Callable[[], object]
+) -> None:
+    """This program moves the arm: its motion is ended unless the operator lets it finish."""
+
+    def let_finish() -> None:
+        controller.let_motion_finish()
+        close_now()
+
+    for older in window.findChildren(CloseQuestion):
+        older.reject()
+    question = CloseQuestion(controller, window)
+    question.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+    question.accepted.connect(lambda: end_single_motion_then(window, controller, close_now))
+    question.let_finish.connect(let_finish)
+    question.open()

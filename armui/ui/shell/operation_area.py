@@ -1,13 +1,59 @@
-"""Region 7: the panel chosen in the menu; each is made when it is first shown."""
+"""The panels of the menu, each made when it is first shown (region 7)."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from typing import Protocol, runtime_checkable
+from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING, Protocol, runtime_checkable
 
 from PySide6.QtWidgets import QStackedWidget, QWidget
 
+from armui.ui.actions.places import PLACES
+from armui.ui.panels.gripper_panel import GripperPanel
+from armui.ui.panels.jogging.cartesian_panel import CartesianPanel
+from armui.ui.panels.jogging.motion_panel import MotionPanel
+from armui.ui.panels.light_panel import LightPanel
+from armui.ui.panels.linkage_panel import LinkagePanel
+from armui.ui.panels.motor_panel import MotorPanel
+from armui.ui.panels.parameters.end_load_panel import EndLoadPanel
+from armui.ui.panels.parameters.figure_panels import (
+    EndLimitsPanel,
+    GripperSettingsPanel,
+    JointSettingsPanel,
+)
+from armui.ui.panels.parameters.levels_panel import CollisionPanel
+from armui.ui.panels.teaching_panel import TeachingPanel
 from armui.ui.shell.side_menu import MenuEntry
+
+if TYPE_CHECKING:
+    from armui.control.arm_controller import ArmController
+    from armui.settings import SettingsStore
+
+
+def menu_entries(
+    controller: ArmController, preferences: SettingsStore, open_backup: Callable[[], object]
+) -> tuple[MenuEntry, ...]:
+    """The menu from top to bottom, in the manual's order where it has them.
+
+    Args:
+        controller: Whom the panels talk to.
+        preferences: What the operator chose.
+        open_backup: Opens the window 参数备份.
+    """
+    panels: dict[str, Callable[[], QWidget]] = {
+        "motion": lambda: MotionPanel(controller, preferences.settings.jog_step_deg),
+        "cartesian": lambda: CartesianPanel(controller, preferences),
+        "light": lambda: LightPanel(controller),
+        "linkage": lambda: LinkagePanel(controller),
+        "joint_settings": lambda: JointSettingsPanel(controller, open_backup),
+        "end_limits": lambda: EndLimitsPanel(controller, open_backup),
+        "collision": lambda: CollisionPanel(controller, open_backup),
+        "motor": lambda: MotorPanel(controller),
+        "gripper": lambda: GripperPanel(controller),
+        "gripper_settings": lambda: GripperSettingsPanel(controller, open_backup),
+        "end_load": lambda: EndLoadPanel(controller, preferences),
+        "teaching": lambda: TeachingPanel(controller, open_backup),
+    }
+    return tuple(MenuEntry(key, PLACES[key], make_panel) for key, make_panel in panels.items())
 
 
 @runtime_checkable

@@ -13,12 +13,12 @@ from armui.control.events import Level
 from armui.control.operating_state import LinkState, OperatingState
 from armui.control.safety.recovery_steps import NO_DEVICE, Action, Step, StepKind
 from armui.ui import words
-from armui.ui.dialogs.confirm import confirm
+from armui.ui.dialogs.confirm_dialog import confirm
 from armui.ui.theme import Colors, colors_of
 from armui.ui.widgets import icons, painting
 from armui.ui.widgets.buttons import named, show_primary
 from armui.ui.widgets.hold_button import HoldButton
-from armui.ui.widgets.repolish import repolish
+from armui.ui.widgets.painting import repolish
 from armui.ui.widgets.text_label import text_label
 from armui.ui.widgets.translated import Translated
 

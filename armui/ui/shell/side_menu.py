@@ -1,27 +1,206 @@
-"""Region 2: the vertical menu; below it regions 9 and 10."""
+"""The menu at the left: panels, library, what watches, joint status (regions 2, 9 and 10)."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from functools import partial
-from typing import Final, NamedTuple
+from typing import TYPE_CHECKING, Final, NamedTuple
 
-from PySide6.QtCore import QSize, Qt, Signal
-from PySide6.QtWidgets import (
-    QScrollArea,
-    QSizePolicy,
-    QToolButton,
-    QWidget,
-)
+from PySide6.QtCore import QPointF, QRectF, QSize, Qt, Signal
+from PySide6.QtGui import QColor, QFontMetrics, QPaintEvent
+from PySide6.QtWidgets import QAbstractButton, QScrollArea, QSizePolicy, QToolButton, QWidget
 
-from armui.ui.theme import colors_of
-from armui.ui.widgets import icons
+from armui.arm.joint_status import StatusVerdict
+from armui.arm.limits import JOINTS
+from armui.ui import format as fmt
+from armui.ui import words
+from armui.ui.theme import colors_of, scaled_font
+from armui.ui.widgets import icons, painting, state_mark
 from armui.ui.widgets.buttons import named
-from armui.ui.widgets.layouts import in_column
+from armui.ui.widgets.layouts import empty_grid, in_column
+from armui.ui.widgets.state_mark import Mark
 from armui.ui.widgets.translated import Translated
 from armui.ui.words.text import Text
 
+if TYPE_CHECKING:
+    from armui.control.devices.joint_monitor import JointMonitor
+
+
 _WIDTH_PX: Final = 176
+_COLUMNS: Final = 2
+_HEIGHT_PX: Final = 52
+_BUTTON_WIDTH_PX: Final = 150
+_MARK_PX: Final = 9.0
+_TEXT_LEFT_PX: Final = 12 + 2 * _MARK_PX + 10
+_TEXT_RIGHT_PX: Final = 8
+
+_MARKS: Final = {
+    StatusVerdict.NORMAL: Mark.GOOD,
+    StatusVerdict.DISABLED: Mark.OFF,
+    StatusVerdict.UNKNOWN: Mark.UNKNOWN,
+    StatusVerdict.FAULT: Mark.FAULT,
+    StatusVerdict.OFFLINE: Mark.OFFLINE,
+}
+
+
+class JointStatusButton(Translated, QAbstractButton):
+    """A mark, the name of the window, and in words how the joints are.
+
+    Args:
+        monitor: Knows the joints.
+    """
+
+    def __init__(self, monitor: JointMonitor) -> None:
+        super().__init__()
+        self.setObjectName("joint_status_button")
+        self._monitor = monitor
+        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
+        self.setAttribute(Qt.WidgetAttribute.WA_Hover)
+        monitor.worst_changed.connect(self.retranslate_ui)
+        self.retranslate_ui()
+
+    @property
+    def mark(self) -> Mark:
+        """The mark shown."""
+        return _MARKS[self._monitor.worst.verdict]
+
+    @property
+    def state_text(self) -> str:
+        """The state shown in words: how it is, and which joints it is about."""
+        worst = self._monitor.worst
+        text = words.joint_verdict(worst.verdict)
+        if worst.joints and len(worst.joints) < len(JOINTS):
+            return f"{text} {fmt.joint_spans(list(worst.joints))}"
+        if worst.joints and worst.verdict is StatusVerdict.FAULT:
+            return f"{text} J1–J6"
+        return f"{text} {fmt.NOTHING}" if worst.verdict is StatusVerdict.UNKNOWN else text
+
+    def retranslate_ui(self) -> None:
+        """Say how the joints are in the operator's language."""
+        self.setText(self.tr("Joint status"))
+        self.setAccessibleName(f"{self.text()} {self.state_text}")
+        faults = [
+            f"J{joint}  {words.joint_item(item)} {words.joint_word(word)}"
+            for joint, item, word in self._monitor.faults
+        ]
+        tip = self.tr("The worst of the six joints. Press to see all of them.")
+        self.setToolTip("\n".join([self.state_text, *faults, tip]))
+        self.update()
+
+    def sizeHint(self) -> QSize:
+        """As large as it wants to be."""
+        return QSize(_BUTTON_WIDTH_PX, _HEIGHT_PX)
+
+    def minimumSizeHint(self) -> QSize:
+        """No smaller than that."""
+        return self.sizeHint()
+
+    def paintEvent(self, _event: QPaintEvent) -> None:
+        """Draw it."""
+        colors = colors_of(self)
+        fault = self._monitor.worst.verdict is StatusVerdict.FAULT
+        painter = painting.begin(self)
+        active = self.underMouse() or self.isDown()
+        ground = colors.stop_pale if fault else colors.surface
+        fill = colors.accent_pale if active else ground
+        edge = colors.stop if fault else colors.border
+        line = colors.accent if active or self.hasFocus() else edge
+        painting.panel(painter, QRectF(self.rect()), fill, line, 2 if self.hasFocus() else 1)
+        center = QPointF(12 + _MARK_PX, self.height() / 2)
+        state_mark.draw(painter, colors, center, _MARK_PX, self.mark)
+        half, width = self.height() / 2, self.width() - _TEXT_LEFT_PX - _TEXT_RIGHT_PX
+        painter.setFont(scaled_font(self, 1.0, bold=True))
+        painter.setPen(QColor(colors.text))
+        above = QRectF(_TEXT_LEFT_PX, 0, width, half)
+        painter.drawText(above, Qt.AlignmentFlag.AlignBottom, self.text())
+        font = scaled_font(self, 0.92, bold=fault)
+        state = QFontMetrics(font).elidedText(
+            self.state_text, Qt.TextElideMode.ElideRight, int(width)
+        )
+        painter.setFont(font)
+        painter.setPen(QColor(colors.text if fault else colors.muted))
+        below = QRectF(_TEXT_LEFT_PX, half + 1, width, half)
+        painter.drawText(below, Qt.AlignmentFlag.AlignTop, state)
+        painter.end()
+
+
+class WatchEntry(NamedTuple):
+    """One window.
+
+    Attributes:
+        key: Its icon's name; the button is called ``<key>_button``.
+        title: What the button says.
+        tip: What the window is for.
+        open_window: Shows it.
+    """
+
+    key: str
+    title: Text
+    tip: Text
+    open_window: Callable[[], object]
+
+
+class WatchMenu(Translated, QWidget):
+    """A button a window, two in a row; a single one is as wide as the menu.
+
+    Args:
+        entries: Row by row.
+    """
+
+    def __init__(self, entries: Sequence[WatchEntry]) -> None:
+        super().__init__()
+        self.setObjectName("watch_menu")
+        self._buttons: list[tuple[WatchEntry, QToolButton]] = []
+        layout = empty_grid(self, gaps=(4, 4), margins=0)
+        for place, entry in enumerate(entries):
+            button = named(f"{entry.key}_button", QToolButton())
+            button.setProperty("half", True)
+            button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
+            button.setIconSize(QSize(18, 18))
+            button.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
+            button.clicked.connect(lambda _on=False, entry=entry: entry.open_window())
+            row, column = divmod(place, _COLUMNS)
+            alone = column == 0 and place == len(entries) - 1
+            layout.addWidget(button, row, column, 1, _COLUMNS if alone else 1)
+            self._buttons.append((entry, button))
+        self._recolor()
+        self.retranslate_ui()
+
+    def retranslate_ui(self) -> None:
+        """Put the names into the operator's language."""
+        for entry, button in self._buttons:
+            title = entry.title.text()
+            button.setText(f" {title}")
+            button.setAccessibleName(title)
+            button.setToolTip(entry.tip.text())
+
+    def _recolor(self) -> None:
+        for entry, button in self._buttons:
+            button.setIcon(icons.icon(entry.key, colors_of(self).accent))
+
+
+class LibraryButton(Translated, QToolButton):
+    """An icon and the name of the page it opens."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.setObjectName("library_button")
+        self.setCheckable(True)
+        self.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
+        self.setIconSize(QSize(20, 20))
+        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
+        self._recolor()
+        self.retranslate_ui()
+
+    def retranslate_ui(self) -> None:
+        """Its name in the operator's language."""
+        self.setText(f" {self.tr('Trajectory library')}")
+        self.setAccessibleName(self.tr("Trajectory library"))
+        self.setToolTip(self.tr("Make, check, run and record trajectories"))
+
+    def _recolor(self) -> None:
+        self.setIcon(icons.icon("library", colors_of(self).accent))
 
 
 class MenuEntry(NamedTuple):

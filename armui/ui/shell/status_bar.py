@@ -5,30 +5,36 @@ from __future__ import annotations
 from datetime import datetime
 from typing import TYPE_CHECKING, Final
 
-from PySide6.QtCore import QEvent, QObject, Qt, Signal
-from PySide6.QtGui import QMouseEvent, QShowEvent
-from PySide6.QtWidgets import QLabel, QWidget
+from PySide6.QtCore import QEvent, QObject, QSize, Qt, Signal
+from PySide6.QtGui import QGuiApplication, QMouseEvent, QShowEvent
+from PySide6.QtWidgets import QLabel, QToolButton, QWidget
 
 from armui.arm.limits import JOINTS
+from armui.arm.models import model_data
 from armui.arm.refusal import Refusal
 from armui.arm.state import ArmState, Status
 from armui.control.events import Event, Level
-from armui.control.operating_state import OperatingState
+from armui.control.operating_state import LinkState, OperatingState
 from armui.protocol.codes import ArmStatusCode, TeachingState
+from armui.system.failures import Failure
 from armui.ui import format as fmt
 from armui.ui import words
 from armui.ui.freshness import is_stale
 from armui.ui.theme import colors_of
 from armui.ui.widgets import icons
-from armui.ui.widgets.buttons import named
+from armui.ui.widgets.buttons import named, push_button
 from armui.ui.widgets.curve_menu import tell_quantities
-from armui.ui.widgets.elided_label import ElidedLabel
 from armui.ui.widgets.layouts import in_row
-from armui.ui.widgets.repolish import set_rank
+from armui.ui.widgets.message_line import MessageLine
+from armui.ui.widgets.painting import set_rank
+from armui.ui.widgets.text_label import ElidedLabel
 from armui.ui.widgets.translated import Translated
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
     from armui.control.arm_controller import ArmController
+
 
 _NO_FAULT: Final = frozenset(
     {
@@ -55,6 +61,140 @@ _QUANTITIES: Final = {
     "reached": ("arm.not_reached",),
     "joints": ("arm.no_communication", "arm.beyond_limit"),
 }
+_MARK_ICON_PX: Final = 14
+
+
+class FailureLine(Translated, QWidget):
+    """Hidden until something goes wrong; shows the newest failure, and how often it happened."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.setObjectName("failure_line")
+        self._failure: Failure | None = None
+        self._motion_ended = True
+        self._message = MessageLine()
+        self._copy = push_button("failure_copy_button")
+        self._copy.clicked.connect(self._on_copy)
+        self._close = push_button("failure_close_button")
+        self._close.clicked.connect(self.hide)
+        in_row((self._message, 1), self._copy, self._close, on=self, margins=(8, 4, 8, 4))
+        self.retranslate_ui()
+        self.hide()
+
+    def text(self) -> str:
+        """What it says now."""
+        return self._message.text()
+
+    def show_failure(self, failure: Failure, *, motion_ended: bool) -> None:
+        """Tell of a failure; the same one again only counts.
+
+        Args:
+            failure: What went wrong.
+            motion_ended: Whether every motion of this program was ended because of it.
+        """
+        again = self._failure is not None and self._failure.error == failure.error
+        self._failure, self._motion_ended = failure, motion_ended
+        self._say()
+        if not again:
+            self.show()
+
+    def _on_copy(self) -> None:
+        if self._failure is not None:
+            QGuiApplication.clipboard().setText(self._failure.text)
+
+    def _say(self) -> None:
+        if self._failure is None:
+            return
+        if self._motion_ended:
+            text = self.tr(
+                "An error in the program ({error}). The emergency stop works; every motion of this "
+                "program has been ended. Copy the details for the developers."
+            )
+        else:
+            text = self.tr(
+                "An error in the program ({error}). The emergency stop works; the part that failed "
+                "can move nothing, and no motion was ended. Copy the details for the developers."
+            )
+        text = text.format(error=self._failure.error)
+        if self._failure.count > 1:
+            text += " " + self.tr("It has happened {count} times.").format(
+                count=self._failure.count
+            )
+        self._message.show_message(text, Level.FAULT)
+
+    def retranslate_ui(self) -> None:
+        """Say everything again, in the language of now."""
+        self._copy.setText(self.tr("Copy details"))
+        self._close.setText(self.tr("Close"))
+        for button in (self._copy, self._close):
+            button.setAccessibleName(button.text())
+        self._say()
+
+
+class ModelMark(Translated, QToolButton):
+    """The model's name while a device is open; a click opens the window that chooses it.
+
+    Args:
+        controller: Knows it.
+        open_connection: Shows that window.
+    """
+
+    def __init__(self, controller: ArmController, open_connection: Callable[[], object]) -> None:
+        super().__init__()
+        self._controller = controller
+        self.setObjectName("model_mark")
+        self.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
+        self.setIconSize(QSize(_MARK_ICON_PX, _MARK_ICON_PX))
+        self.setAutoRaise(True)
+        self.setProperty("narrow", True)
+        self.setFixedHeight(self.fontMetrics().height())  # the bar keeps its height
+        controller.operating_state_changed.connect(self._show)
+        self.clicked.connect(lambda _checked: open_connection())
+        self.retranslate_ui()
+
+    def retranslate_ui(self) -> None:
+        """Put every word into the operator's language."""
+        self._show(self._controller.operating_state)
+
+    def _recolor(self) -> None:
+        self._show(self._controller.operating_state)
+
+    def _show(self, now: OperatingState) -> None:
+        self.setVisible(now.link is not LinkState.NO_DEVICE)
+        fit, name = now.model_fit, model_data(now.model).name
+        colors = colors_of(self)
+        wrong = fit.wrong is not None or fit.before is not None
+        if fit.other is not None:
+            other = model_data(fit.other).name
+            text = self.tr("{model}? The pose is that of a {other}").format(model=name, other=other)
+            tip = self.tr("Click to connect it as a {other}.").format(other=other)
+        elif fit.before is not None:
+            before = model_data(fit.before).name
+            text = self.tr("{model}? It was a {before}").format(model=name, before=before)
+            tip = self.tr("This very arm was a {before} the last time. Click to choose.").format(
+                before=before
+            )
+        elif wrong:
+            text = self.tr("{model}? The pose fits none").format(model=name)
+            tip = self.tr("The pose the arm reports fits none of the models.")
+        elif fit.confirmed:
+            text, tip = name, self.tr("Model of the arm, confirmed by the pose it reports.")
+        else:
+            text, tip = name, self.tr("Model of the arm, as chosen; not compared yet.")
+        if fit.older_zeros:
+            tip += "\n" + self.tr("Joints 2 and 3 count from the zeros before S-V1.6-3.")
+        self.setText(text)
+        self.setToolTip(tip)
+        self.setAccessibleName(self.tr("Model of the arm: {text}").format(text=text))
+        if wrong:
+            self.setIcon(icons.icon("warning", colors.warn, _MARK_ICON_PX))
+        style = (
+            Qt.ToolButtonStyle.ToolButtonTextBesideIcon
+            if wrong
+            else Qt.ToolButtonStyle.ToolButtonTextOnly
+        )
+        self.setToolButtonStyle(style)
+        set_rank(self, "warning" if wrong else "muted")
 
 
 class StatusBar(Translated, QWidget):

@@ -3,25 +3,398 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Final
 
-from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QWidget
+from PySide6.QtCore import QPointF, QRectF, QSignalBlocker, QSize, Qt
+from PySide6.QtGui import QColor, QFont, QFontMetrics, QPainter, QPaintEvent, QPen
+from PySide6.QtWidgets import QAbstractButton, QLabel, QSizePolicy, QSpinBox, QWidget
 
+from armui.arm.device import Device
+from armui.arm.limits import JOINTS
+from armui.arm.refusal import Refusal
+from armui.arm.refusal_codes import RefusalCode
+from armui.arm.state import ArmState
 from armui.control.devices.motors import why_not_disable, why_not_enable
-from armui.control.operating_state import OperatingState
+from armui.control.operating_state import Busy, LinkState, OperatingState
+from armui.protocol.addressing import Addressing
+from armui.protocol.generation import Generation
+from armui.ui import format as fmt
 from armui.ui import words
-from armui.ui.dialogs.confirm import confirm
-from armui.ui.shell.communication_button import CommunicationButton
-from armui.ui.shell.enable_button import EnableButton
-from armui.ui.shell.speed_control import SpeedControl
+from armui.ui.dialogs.confirm_dialog import confirm
+from armui.ui.freshness import is_stale
+from armui.ui.theme import Colors, colors_of, scaled_font
+from armui.ui.widgets import painting
+from armui.ui.widgets.buttons import named
+from armui.ui.widgets.curve_menu import tell_quantities
 from armui.ui.widgets.halt_button import HaltButton
 from armui.ui.widgets.layouts import fill, in_row
 from armui.ui.widgets.stop_button import StopButton
+from armui.ui.widgets.text_label import ValueLabel
+from armui.ui.widgets.track_slider import TrackSlider
 from armui.ui.widgets.translated import Translated
+from armui.ui.words.text import Texts
 
 if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
+
+
+_SIGN_PX: Final = 8.0
+_WIDTH_PX: Final = 188
+_HEIGHT_PX: Final = 46
+_TEXT_LEFT_PX: Final = 12 + 2 * _SIGN_PX + 12
+_TEXT_RIGHT_PX: Final = 8
+_MARK_PX: Final = 20.0
+_GAP_PX: Final = 4.0
+_PAD_PX: Final = 10.0
+_WORDS: Final = Texts("EnableButton") | {
+    "enabling": "Enabling…",
+    "disabling": "Disabling…",
+    "enabled": "Enabled",
+    "partly": "Partly enabled",
+    "unknown": "Unknown",
+    "disabled": "Disabled",
+}
+_WIDEST_PX: Final = 620
+
+
+class SpeedControl(Translated, QWidget):
+    """Slider and field for 0–100 % of the arm's highest speed (manual 1.0.3, 0x151 byte 2).
+
+    Dragging sends when the handle is let go; keys, clicks and the field send at once.
+    """
+
+    def __init__(self, controller: ArmController) -> None:
+        super().__init__()
+        self._controller = controller
+        self.setMaximumWidth(_WIDEST_PX)
+        self._label = QLabel()
+        self._slider = named("speed_slider", TrackSlider(1.0, origin=0.0, jumps=False))
+        self._slider.setRange(0, 100)
+        self._slider.setPageStep(10)
+        self._slider.setTracking(False)
+        self._field = named("speed_field", QSpinBox())
+        self._field.setRange(0, 100)
+        self._field.setSuffix(" %")
+        self._field.setKeyboardTracking(False)
+        self._field.setAlignment(Qt.AlignmentFlag.AlignCenter)
+        self._field.setMinimumWidth(70)
+        self._field.setFixedHeight(34)
+        self._label.setBuddy(self._field)
+        self._arm_label = QLabel()
+        self._arm_label.setProperty("rank", "muted")
+        self._arm_value = named("arm_speed", ValueLabel(fmt.percent(100)))
+        tell_quantities(self, "arm.speed_percent", "own.speed_percent", "other.speed_percent")
+        wanted = (self._label, (self._slider, 1), self._field)
+        in_row(*wanted, self._arm_label, self._arm_value, on=self, spacing=8, margins=0)
+        self._slider.valueChanged.connect(self._on_chosen)
+        self._slider.sliderMoved.connect(self._on_dragged)
+        self._field.valueChanged.connect(self._on_chosen)
+        controller.state_changed.connect(self._on_state_changed)
+        controller.operating_state_changed.connect(self._on_operating_state_changed)
+        self.retranslate_ui()
+        self._show_setpoint()
+
+    def _on_dragged(self, percent: int) -> None:
+        """While the handle is held the field only says where it is."""
+        with QSignalBlocker(self._field):
+            self._field.setValue(percent)
+
+    def _on_chosen(self, percent: int) -> None:
+        if percent != self._controller.operating_state.speed_percent:
+            self._controller.motion.set_speed_percent(percent)
+        self._show_setpoint()
+
+    def _on_operating_state_changed(self, operating_state: OperatingState) -> None:
+        if not self._slider.isSliderDown():
+            self._show_setpoint()
+        self._allow(operating_state)
+        self._show_what_is_told(operating_state.generation)
+        self._on_state_changed(self._controller.state)
+
+    def _allow(self, operating_state: OperatingState) -> None:
+        """A run sends each point with its own speed: another one would change it in silence."""
+        reason = (
+            words.refusal(Refusal(RefusalCode.RUN_UNDER_WAY)) if operating_state.running else ""
+        )
+        use = self.tr("Speed of motions, 0–100 % of the arm's highest; 0 % means no motion.")
+        for widget in (self._slider, self._field):
+            widget.setEnabled(not reason)
+            widget.setToolTip(reason or use)
+
+    def _show_setpoint(self) -> None:
+        percent = self._controller.operating_state.speed_percent
+        self._slider.show_requested(percent)
+        with QSignalBlocker(self._field):
+            self._field.setValue(percent)
+
+    def _on_state_changed(self, state: ArmState) -> None:
+        if not self.isVisible():
+            return
+        percent = None if state.status is None else state.status.value.speed_percent
+        stale = is_stale(state.status, state, self._controller.operating_state)
+        self._arm_value.show_text(fmt.percent(percent), stale=stale)
+        self._slider.show_measured(None if stale else percent)
+
+    def _show_what_is_told(self, generation: Generation | None) -> None:
+        """Only firmware of generation 1 reports a speed percentage; else nothing is shown."""
+        for widget in (self._arm_label, self._arm_value):
+            widget.setVisible(generation is Generation.ONE)
+            widget.setToolTip(self.tr("The speed percentage the arm reports"))
+
+    def retranslate_ui(self) -> None:
+        """Put every word into the operator's language."""
+        self._label.setText(self.tr("Speed"))
+        self._arm_label.setText(self.tr("Arm"))
+        for widget in (self._slider, self._field):
+            widget.setAccessibleName(self.tr("Speed percentage"))
+        self._allow(self._controller.operating_state)
+        self._arm_value.setAccessibleName(self.tr("Speed percentage reported by the arm"))
+        self._show_what_is_told(self._controller.operating_state.generation)
+
+
+class EnableButton(Translated, QAbstractButton):
+    """Filled mark: enabled. Hollow: disabled. Dashed: not heard. Each joint by the arm's word."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.setObjectName("enable_button")
+        self._enabled: tuple[bool | None, ...] = (None,) * len(JOINTS)
+        self._busy: Busy | None = None
+        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        self.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Fixed)
+        self.setAttribute(Qt.WidgetAttribute.WA_Hover)
+        self.retranslate_ui()
+
+    @property
+    def marks(self) -> tuple[bool | None, ...]:
+        """What the six marks show, joint 1 first."""
+        return self._enabled
+
+    @property
+    def turns_off(self) -> bool:
+        """Whether a click would disable: all six are enabled."""
+        return all(self._enabled)
+
+    def show_operating_state(self, operating_state: OperatingState) -> None:
+        """Show what the arm says of its motors."""
+        if (operating_state.enabled, operating_state.busy) != (self._enabled, self._busy):
+            self._enabled, self._busy = operating_state.enabled, operating_state.busy
+            self.retranslate_ui()
+
+    def retranslate_ui(self) -> None:
+        """Put the word into the operator's language."""
+        self.setText(_WORDS.text(self._stands()))
+        known = [fmt.joints([j for j, on in zip(JOINTS, self._enabled, strict=True) if on])]
+        self.setAccessibleName(f"{self.text()} {known[0]}".strip())
+        self.updateGeometry()
+        self.update()
+
+    def _stands(self) -> str:
+        if self._busy is Busy.ENABLING:
+            return "enabling"
+        if self._busy is Busy.DISABLING:
+            return "disabling"
+        if all(self._enabled):
+            return "enabled"
+        if any(self._enabled):
+            return "partly"
+        return "unknown" if None in self._enabled else "disabled"
+
+    def _word_width(self) -> int:
+        metrics = QFontMetrics(scaled_font(self, 1.0, bold=True))
+        return max(metrics.horizontalAdvance(_WORDS.text(word)) for word in _WORDS)
+
+    def sizeHint(self) -> QSize:
+        """As large as it wants to be."""
+        marks = len(JOINTS) * (_MARK_PX + _GAP_PX) - _GAP_PX
+        return QSize(int(2 * _PAD_PX + self._word_width() + _PAD_PX + marks), 40)
+
+    def minimumSizeHint(self) -> QSize:
+        """No smaller than that."""
+        return self.sizeHint()
+
+    def paintEvent(self, _event: QPaintEvent) -> None:
+        """Draw it."""
+        colors = colors_of(self)
+        painter = painting.begin(self)
+        active = self.isEnabled() and (self.underMouse() or self.isDown())
+        fill = colors.accent_pale if active else colors.surface
+        line = colors.accent if active or self.hasFocus() else colors.border
+        painting.panel(painter, QRectF(self.rect()), fill, line, 2 if self.hasFocus() else 1)
+        painter.setFont(scaled_font(self, 1.0, bold=True))
+        painter.setPen(QColor(colors.text if self.isEnabled() else colors.muted))
+        area = QRectF(_PAD_PX, 0, self._word_width() + 2, self.height())
+        painter.drawText(
+            area, Qt.AlignmentFlag.AlignVCenter | Qt.AlignmentFlag.AlignLeft, self.text()
+        )
+        left = self.width() - _PAD_PX - len(JOINTS) * (_MARK_PX + _GAP_PX) + _GAP_PX
+        painter.setFont(scaled_font(self, 0.85, bold=True))
+        for joint, enabled in zip(JOINTS, self._enabled, strict=True):
+            x = left + (joint - 1) * (_MARK_PX + _GAP_PX) + _MARK_PX / 2
+            _draw_mark(painter, colors, QPointF(x, self.height() / 2), joint, enabled)
+        painter.end()
+
+
+def _draw_mark(
+    painter: QPainter, colors: Colors, center: QPointF, joint: int, enabled: bool | None
+) -> None:
+    pen = QPen(QColor(colors.ok if enabled else colors.muted), 1.4)
+    if enabled is None:
+        pen.setStyle(Qt.PenStyle.DotLine)
+    painter.setPen(pen)
+    painter.setBrush(QColor(colors.ok) if enabled else Qt.BrushStyle.NoBrush)
+    radius = _MARK_PX / 2 - 0.7
+    painter.drawEllipse(center, radius, radius)
+    painter.setPen(QColor(colors.surface if enabled else colors.muted))
+    box = QRectF(center.x() - radius, center.y() - radius, 2 * radius, 2 * radius)
+    painter.drawText(box, Qt.AlignmentFlag.AlignCenter, str(joint))
+
+
+class CommunicationButton(Translated, QAbstractButton):
+    """A sign, a word and the device's name; each state has a sign of its own shape."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.setObjectName("communication_button")
+        self._link = LinkState.NO_DEVICE
+        self._device: Device | None = None
+        self._addressing = Addressing()
+        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        self.setSizePolicy(QSizePolicy.Policy.Maximum, QSizePolicy.Policy.Fixed)
+        self.setAttribute(Qt.WidgetAttribute.WA_Hover)
+        self.retranslate_ui()
+
+    @property
+    def link(self) -> LinkState:
+        """The state shown."""
+        return self._link
+
+    @property
+    def device_name(self) -> str:
+        """The device shown; empty if there is none."""
+        return "" if self._device is None else words.device_name(self._device)
+
+    def show_operating_state(self, operating_state: OperatingState) -> None:
+        """Show how the program stands to its arm."""
+        shown = (self._link, self._device, self._addressing)
+        if (operating_state.link, operating_state.device, operating_state.addressing) != shown:
+            self._link, self._device = operating_state.link, operating_state.device
+            self._addressing = operating_state.addressing
+            self.retranslate_ui()
+
+    def retranslate_ui(self) -> None:
+        """Put the word into the operator's language."""
+        tips = {
+            LinkState.NO_DEVICE: self.tr("No CAN device is connected. Press to choose one."),
+            LinkState.OPENING: self.tr("The CAN device is being opened."),
+            LinkState.OFFLINE: self.tr(
+                "The CAN device is open, but no arm is heard on it. "
+                "Check the arm's power, the cable and the bit rate."
+            ),
+            LinkState.ONLINE: self.tr("The arm is heard. Press to disconnect or choose another."),
+            LinkState.LOST: self.tr(
+                "The CAN device is gone. Plug it in again: it is reconnected by itself."
+            ),
+        }
+        self.setText(self._link_words()[self._link])
+        lines = (self.device_name, tips[self._link], self._offset_text())
+        self.setToolTip("\n".join(filter(None, lines)))
+        self.setAccessibleName(f"{self.text()} {self.device_name}".strip())
+        self.updateGeometry()
+        self.update()
+
+    def _offset_text(self) -> str:
+        """Under which identifiers the arm is heard, where they are not the usual ones."""
+        offset = self._addressing.feedback_offset
+        if self._link is not LinkState.ONLINE or self._addressing == Addressing():
+            return ""
+        return self.tr("Its feedback comes from {feedback} on; see Linkage control.").format(
+            feedback=f"0x{0x2A1 + offset:03X}"
+        )
+
+    def _link_words(self) -> dict[LinkState, str]:
+        return {
+            LinkState.NO_DEVICE: self.tr("Not connected"),
+            LinkState.OPENING: self.tr("Connecting…"),
+            LinkState.OFFLINE: self.tr("Offline"),
+            LinkState.ONLINE: self.tr("Online"),
+            LinkState.LOST: self.tr("Connection lost"),
+        }
+
+    def sizeHint(self) -> QSize:
+        """As large as it wants to be."""
+        return self.minimumSizeHint().expandedTo(QSize(_WIDTH_PX, _HEIGHT_PX))
+
+    def minimumSizeHint(self) -> QSize:
+        """The word is never cut; the device's name gives way."""
+        metrics = QFontMetrics(self._word_font())
+        word = max(metrics.horizontalAdvance(word) for word in self._link_words().values())
+        return QSize(int(_TEXT_LEFT_PX + word + _TEXT_RIGHT_PX) + 1, _HEIGHT_PX)
+
+    def _word_font(self) -> QFont:
+        return scaled_font(self, 1.05, bold=True)
+
+    def _second_line(self) -> str:
+        return self.device_name or self.tr("Choose a device")
+
+    def paintEvent(self, _event: QPaintEvent) -> None:
+        """Draw it."""
+        colors = colors_of(self)
+        painter = painting.begin(self)
+        active = self.underMouse() or self.isDown()
+        fill = colors.accent_pale if active else colors.surface
+        line = colors.accent if active or self.hasFocus() else colors.border
+        painting.panel(painter, QRectF(self.rect()), fill, line, 2 if self.hasFocus() else 1)
+        _draw_sign(painter, colors, QPointF(12 + _SIGN_PX, self.height() / 2), self._link)
+        half = self.height() / 2
+        width = self.width() - _TEXT_LEFT_PX - _TEXT_RIGHT_PX
+        painter.setFont(self._word_font())
+        painter.setPen(QColor(colors.text))
+        above = QRectF(_TEXT_LEFT_PX, 0, width, half)
+        painter.drawText(above, Qt.AlignmentFlag.AlignBottom, self.text())
+        font = scaled_font(self, 0.88)
+        name = QFontMetrics(font).elidedText(
+            self._second_line(), Qt.TextElideMode.ElideRight, int(width)
+        )
+        painter.setFont(font)
+        painter.setPen(QColor(colors.muted))
+        below = QRectF(_TEXT_LEFT_PX, half + 1, width, half)
+        painter.drawText(below, Qt.AlignmentFlag.AlignTop, name)
+        painter.end()
+
+
+def _draw_sign(painter: QPainter, colors: Colors, center: QPointF, link: LinkState) -> None:
+    """Tick: online. Ring: offline. Dotted ring: nothing. Arc: opening. Triangle: lost."""
+    round_cap = Qt.PenCapStyle.RoundCap
+    painter.setBrush(Qt.BrushStyle.NoBrush)
+    box = QRectF(
+        center.x() - _SIGN_PX + 1, center.y() - _SIGN_PX + 1, 2 * _SIGN_PX - 2, 2 * _SIGN_PX - 2
+    )
+    if link is LinkState.ONLINE:
+        painter.setPen(Qt.PenStyle.NoPen)
+        painter.setBrush(QColor(colors.ok))
+        painter.drawEllipse(center, _SIGN_PX, _SIGN_PX)
+        painter.setPen(QPen(QColor(colors.surface), 2, c=round_cap))
+        painter.drawLine(center + QPointF(-3.5, 0.3), center + QPointF(-1.0, 3.0))
+        painter.drawLine(center + QPointF(-1.0, 3.0), center + QPointF(3.8, -2.8))
+    elif link is LinkState.OFFLINE:
+        painter.setPen(QPen(QColor(colors.warn), 2.4))
+        painter.drawEllipse(box)
+        painter.setPen(QPen(QColor(colors.warn), 2.4, c=round_cap))
+        painter.drawLine(center + QPointF(-2.6, 0), center + QPointF(2.6, 0))
+    elif link is LinkState.OPENING:
+        painter.setPen(QPen(QColor(colors.accent), 2.4, c=round_cap))
+        painter.drawArc(box, 30 * 16, 240 * 16)
+    elif link is LinkState.LOST:
+        painter.setPen(Qt.PenStyle.NoPen)
+        painter.setBrush(QColor(colors.stop))
+        painter.drawPolygon(painting.triangle(center + QPointF(0, 1.5), _SIGN_PX + 1.5))
+        painter.setPen(QPen(QColor(colors.surface), 1.8, c=round_cap))
+        painter.drawLine(center + QPointF(0, -2.5), center + QPointF(0, 1.8))
+        painter.drawPoint(center + QPointF(0, 4.6))
+    else:
+        painter.setPen(QPen(QColor(colors.muted), 1.6, Qt.PenStyle.DotLine))
+        painter.drawEllipse(box)
 
 
 class TopBar(Translated, QWidget):

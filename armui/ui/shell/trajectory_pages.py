@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject
 
+from armui.system import paths
 from armui.system.helper_process import FileThread
 from armui.ui.background import Background
 
@@ -102,7 +103,6 @@ class TrajectoryPages(QObject):
         return self._library
 
     def _make(self) -> LibraryPage:
-        from armui.system import paths  # noqa: PLC0415 - faster start
         from armui.trajectory.library.store import Library  # noqa: PLC0415 - numpy, faster start
         from armui.ui.trajectory.library.library_page import LibraryPage  # noqa: PLC0415 - as above
         from armui.ui.trajectory.preview.preview_link import PreviewLink  # noqa: PLC0415 - as above

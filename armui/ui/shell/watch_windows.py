@@ -10,8 +10,11 @@ from PySide6.QtCore import QObject
 from PySide6.QtWidgets import QDialog, QWidget
 
 from armui.control.events import EventCode
-from armui.ui.shell.watch_menu import WatchEntry
+from armui.ui.shell.side_menu import WatchEntry
+from armui.ui.watch.recordings.recording_card import RecordingMark
+from armui.ui.watch.recordings.sessions_window import SessionsWindow
 from armui.ui.words.text import Text
+from armui.viewport.view import ArmView
 
 if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
@@ -19,7 +22,7 @@ if TYPE_CHECKING:
     from armui.settings import SettingsStore
     from armui.ui.background import Background
     from armui.ui.shell.status_bar import StatusBar
-    from armui.ui.watch.plot_page import PlotPage
+    from armui.ui.watch.plots_area import PlotPage
     from armui.ui.widgets.page import Page
 
 
@@ -108,7 +111,7 @@ class WatchWindows(QObject):
 
     def show_as_curves(self, keys: Sequence[str]) -> None:
         """Show quantities in the page 曲线, by their keys (`armui.telemetry.quantities`)."""
-        from armui.ui.watch.plot_page import PlotPage  # noqa: PLC0415 - pyqtgraph, numpy
+        from armui.ui.watch.plots_area import PlotPage  # noqa: PLC0415 - pyqtgraph, numpy
 
         def make() -> Page:
             self._plots = PlotPage(self._controller, self._background, self._settings)
@@ -162,7 +165,6 @@ class WatchWindows(QObject):
 
     def open_sessions(self) -> None:
         """Show the window 会话记录."""
-        from armui.ui.watch.recordings.sessions_window import SessionsWindow  # noqa: PLC0415 - faster start
 
         def make() -> QDialog:
             window = SessionsWindow(self._controller, self._background, self._store, self._window)
@@ -180,8 +182,6 @@ class WatchWindows(QObject):
 
     def _on_noticed(self, event: Event) -> None:
         if event.code == EventCode.SESSION_STARTED and self._bar is not None:
-            from armui.ui.watch.recordings.recording_mark import RecordingMark  # noqa: PLC0415 - as above
-
             bar, self._bar = self._bar, None
             mark = RecordingMark(self._controller.sessions, bar)
             mark.clicked.connect(self.open_sessions)
@@ -194,7 +194,6 @@ class WatchWindows(QObject):
             path: The log.
         """
         from armui.ui.watch.replay.replay_window import ReplayWindow  # noqa: PLC0415 - numpy
-        from armui.viewport.view import ArmView  # noqa: PLC0415 - with the first log
 
         def make_view() -> ArmView:
             own = self._robot()

@@ -1,19 +1,61 @@
-"""Panels or pages at the left, the 3D picture at the right, and how wide each is."""
+"""Between the next step and the status bar: panels or pages, the picture, a run, the drawer."""
 
 from __future__ import annotations
 
-from typing import Final
+from typing import TYPE_CHECKING, Final
 
-from PySide6.QtCore import QEvent, QPoint, QRect, Qt, Signal
+from PySide6.QtCore import QEvent, QObject, QPoint, QRect, QSize, Qt, Signal
 from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QSplitter, QWidget
 
+from armui.ui.dialogs.base import on_screen, place_of, screens
+from armui.ui.shell.drawer import DRAWER_PX, Drawer
 from armui.ui.shell.page_area import PageArea
+from armui.ui.widgets.layouts import in_column
+
+if TYPE_CHECKING:
+    from armui.control.arm_controller import ArmController
+    from armui.control.operating_state import OperatingState
+    from armui.ui.shell.layout_keeper import LayoutKeeper
+    from armui.ui.shell.workspace_layout import WorkspaceLayout
+    from armui.ui.trajectory.running.run_strip import RunStrip
+
 
 PANEL_PX: Final = 440
 PAGE_SHARE: Final = 0.6
 _LEAST_PANEL_PX: Final = 400
 _LEAST_VIEW_PX: Final = 300
+_LEAST_WORK_PX: Final = 260
+_MOVED: Final = frozenset({QEvent.Type.Move, QEvent.Type.Resize, QEvent.Type.WindowStateChange})
+
+
+class RunPlace(QWidget):
+    """Takes no room before something has run.
+
+    Args:
+        controller: Knows whether something runs.
+    """
+
+    def __init__(self, controller: ArmController) -> None:
+        super().__init__()
+        self._controller = controller
+        self._strip: RunStrip | None = None
+        self._column = in_column(on=self, spacing=0, margins=0)
+        controller.operating_state_changed.connect(self._on_operating_state)
+
+    @property
+    def go_on_button(self) -> QWidget | None:
+        """The button that goes on with a run that pauses or waits, while it is seen."""
+        return None if self._strip is None else self._strip.go_on_button
+
+    def _on_operating_state(self, operating_state: OperatingState) -> None:
+        if not operating_state.running or self._strip is not None:
+            return
+        from armui.ui.trajectory.running.run_strip import RunStrip  # noqa: PLC0415 - faster start
+
+        self._strip = RunStrip(self._controller)
+        self._column.addWidget(self._strip)
+        self._strip.show()
 
 
 class WorkArea(QSplitter):
@@ -125,3 +167,111 @@ class WorkArea(QSplitter):
         """The picture gets what panels leave it; pages keep their share."""
         super().resizeEvent(event)
         self.fit()
+
+
+class WorkColumn(QSplitter):
+    """The drawer takes its height from panels and picture while it is open, and gives it back.
+
+    Args:
+        area: Panels or pages, and the picture.
+        run: Tells the run under way, below them.
+        drawer: Below that.
+
+    Attributes:
+        area: As given.
+        drawer_px: How high the drawer is when it is open.
+
+    Signals:
+        sized: The operator has moved a border.
+    """
+
+    sized = Signal()
+
+    def __init__(self, area: WorkArea, run: QWidget, drawer: Drawer) -> None:
+        super().__init__(Qt.Orientation.Vertical)
+        self.setObjectName("work_column")
+        self.setHandleWidth(1)
+        self.setChildrenCollapsible(False)
+        self.area = area
+        self.drawer_px = DRAWER_PX
+        self._drawer = drawer
+        self._work = work = QWidget()
+        in_column((area, 1), run, on=work, spacing=0, margins=0)
+        self.addWidget(work)
+        self.addWidget(drawer)
+        self.setStretchFactor(0, 1)
+        self.setStretchFactor(1, 0)
+        drawer.turned.connect(self.fit)
+        self.splitterMoved.connect(self._on_moved)
+        area.sized.connect(self.sized)
+
+    def set_drawer(self, height_px: int) -> None:
+        """Take another height of the drawer."""
+        self.drawer_px = height_px
+        self.fit()
+
+    def fit(self, *_: object) -> None:
+        """Give the drawer its height, as far as there is room."""
+        if self._drawer.isHidden():
+            return
+        room = self.height() - self.handleWidth()
+        least = max(_LEAST_WORK_PX, self._work.minimumSizeHint().height())
+        height = max(self._drawer.minimumHeight(), min(self.drawer_px, room - least))
+        self.setSizes([max(0, room - height), height])
+
+    def _on_moved(self, *_: int) -> None:
+        self.drawer_px = self._drawer.height()
+        self.sized.emit()
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """The drawer keeps its height."""
+        super().resizeEvent(event)
+        self.fit()
+
+
+class WindowLayout(QObject):
+    """Puts the window and its borders where they were, and has changes kept.
+
+    Args:
+        keeper: Knows how it was.
+        window: The main window, before it is shown.
+        column: The borders in it.
+        first_size: Of the window the first time.
+    """
+
+    def __init__(
+        self, keeper: LayoutKeeper, window: QWidget, column: WorkColumn, first_size: QSize
+    ) -> None:
+        super().__init__(window)
+        self._keeper = keeper
+        self._window = window
+        self._column = column
+        layout = keeper.layout
+        if layout.window is None:
+            room = screens()[0]  # its title and its frame need some of the screen, too
+            window.resize(first_size.boundedTo(QSize(room.width, room.height)))
+        else:
+            window.setGeometry(on_screen(layout.window))
+        if layout.maximized:
+            window.setWindowState(Qt.WindowState.WindowMaximized)
+        column.area.set_widths(layout.panel_px or PANEL_PX, layout.page_share or PAGE_SHARE)
+        column.set_drawer(layout.drawer_px or DRAWER_PX)
+        column.sized.connect(keeper.note)
+        keeper.collect_by(self._collect)
+        window.installEventFilter(self)
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        """The window was moved."""
+        if event.type() in _MOVED and self._window.isVisible():
+            self._keeper.note()
+        return super().eventFilter(watched, event)
+
+    def _collect(self, layout: WorkspaceLayout) -> WorkspaceLayout:
+        window, area = self._window, self._column.area
+        return layout._replace(
+            window=place_of(window.normalGeometry()),
+            maximized=window.isMaximized(),
+            panel_px=area.panel_px,
+            page_share=round(area.page_share, 4),
+            drawer_px=self._column.drawer_px,
+        )

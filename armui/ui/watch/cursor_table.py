@@ -11,9 +11,9 @@ from armui.arm.state import is_fresh
 from armui.telemetry.quantities import QUANTITIES
 from armui.ui import format as fmt
 from armui.ui.watch.curves_item import CURSOR_NAMES
-from armui.ui.watch.wall_clock import clock_time
+from armui.ui.watch.plot_board import clock_time
 from armui.ui.widgets.layouts import in_column
-from armui.ui.widgets.plain_table import plain_table
+from armui.ui.widgets.table_model import plain_table
 from armui.ui.widgets.text_label import text_label
 from armui.ui.words import quantities as names
 

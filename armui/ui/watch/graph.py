@@ -10,15 +10,15 @@ from PySide6.QtCore import QPointF, QRectF, Qt, Signal
 from PySide6.QtGui import QColor, QPen
 from PySide6.QtWidgets import QGraphicsGridLayout, QGraphicsRectItem, QWidget
 
+from armui.ui.watch.curve_shapes import AutoHeight
 from armui.ui.watch.curves_item import CurvesItem
-from armui.ui.watch.heights import AutoHeight
 from armui.ui.watch.time_axis import FigureAxis, TimeAxis
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from armui.ui.theme import Colors
-    from armui.ui.watch.heights import Extent
+    from armui.ui.watch.curve_shapes import Extent
     from armui.ui.watch.time_frame import Range, Shown
 
 AXIS_PX: Final = 76

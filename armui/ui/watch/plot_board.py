@@ -8,28 +8,30 @@ from functools import partial
 from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QEvent, QPoint, Qt, QTimer, Signal
-from PySide6.QtWidgets import QFrame, QScrollArea, QWidget
+from PySide6.QtWidgets import QFrame, QLabel, QScrollArea, QWidget
 
 from armui.telemetry.quantities import QUANTITIES
-from armui.ui.watch.curve_book import CurveBook
+from armui.ui.watch.curve_cache import CurveBook
 from armui.ui.watch.curves_item import polygon
-from armui.ui.watch.drop_strip import DropStrip
 from armui.ui.watch.plot_layout import PlotLayout
-from armui.ui.watch.plot_pane import PlotPane
+from armui.ui.watch.plot_pane import PlotPane, from_mime
+from armui.ui.watch.time_axis import TimeStrip
 from armui.ui.watch.time_frame import TimeFrame
-from armui.ui.watch.time_strip import TimeStrip
-from armui.ui.watch.wall_clock import clock_time
 from armui.ui.widgets.buttons import named
 from armui.ui.widgets.layouts import in_column
 from armui.ui.widgets.seen_timer import SeenTimer
+from armui.ui.widgets.translated import Translated
 
 if TYPE_CHECKING:
-    from PySide6.QtGui import QResizeEvent, QShowEvent
+    from datetime import datetime
+
+    from PySide6.QtGui import QDragEnterEvent, QDropEvent, QResizeEvent, QShowEvent
 
     from armui.telemetry.store import Telemetry
     from armui.ui.watch.curves_item import Missing
     from armui.ui.watch.graph import Graph
     from armui.ui.watch.time_frame import Axis, Range
+
 
 PICTURE_MS: Final = 80
 """Twelve pictures a second, fewer of a long time."""
@@ -42,6 +44,46 @@ _BREATH_MS: Final = 1
 """With 0 the next piece of work would be done before the window system is asked for a press."""
 _AT_ONCE_S: Final = 0.004
 """So long plots are drawn before whatever else waits in the thread: a press, for one."""
+
+
+def clock_time(at: datetime) -> str:
+    """The time of day, to the millisecond."""
+    return f"{at:%H:%M:%S}.{at.microsecond // 1000:03d}"
+
+
+class DropStrip(Translated, QLabel):
+    """Takes quantities.
+
+    Signals:
+        dropped: Their keys, and the plot they come from or ``None``.
+    """
+
+    dropped = Signal(object, object)
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setObjectName("drop_strip")
+        self.setProperty("rank", "muted")
+        self.setAlignment(Qt.AlignmentFlag.AlignCenter)
+        self.setWordWrap(True)
+        self.setAcceptDrops(True)
+        self.retranslate_ui()
+
+    def retranslate_ui(self) -> None:
+        """What it is for, in the operator's language."""
+        self.setText(self.tr("Drag a quantity into a plot, or here for a plot of its own"))
+
+    def dragEnterEvent(self, event: QDragEnterEvent) -> None:
+        """Quantities may be dropped here."""
+        if from_mime(event.mimeData())[0]:
+            event.acceptProposedAction()
+
+    def dropEvent(self, event: QDropEvent) -> None:
+        """A plot of their own."""
+        keys, plot = from_mime(event.mimeData())
+        if keys:
+            event.acceptProposedAction()
+            self.dropped.emit(keys, plot)
 
 
 class PlotBoard(QWidget):

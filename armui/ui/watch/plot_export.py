@@ -13,7 +13,7 @@ from armui.control.events import Level
 from armui.telemetry.quantities import QUANTITIES
 from armui.ui import words
 from armui.ui.background import Job
-from armui.ui.dialogs.file_export import FileExport
+from armui.ui.dialogs.files import FileExport
 from armui.ui.watch import figure, value_table
 from armui.ui.watch.curves_item import CURSOR_NAMES
 from armui.ui.words import quantities as names

@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QAbstractItemView, QLineEdit, QTreeView, QWidget
 
 from armui.telemetry.quantities import QUANTITIES, Source
 from armui.ui.theme import colors_of
-from armui.ui.watch.carrying import carry_away
+from armui.ui.watch.plot_pane import carry_away
 from armui.ui.widgets.buttons import named
 from armui.ui.widgets.layouts import in_column
 from armui.ui.widgets.seen_timer import SeenTimer

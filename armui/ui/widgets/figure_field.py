@@ -8,7 +8,7 @@ from PySide6.QtWidgets import QLineEdit
 
 from armui.ui import format as fmt
 from armui.ui.theme import colors_of
-from armui.ui.widgets.repolish import repolish
+from armui.ui.widgets.painting import repolish
 
 
 class FigureField(QLineEdit):

@@ -1,14 +1,32 @@
-"""Shapes that more than one self-painted widget draws."""
+"""Shapes that more than one self-painted widget draws, and the style sheet asked anew."""
 
 from __future__ import annotations
 
 import math
 
-from PySide6.QtCore import QPointF, QRectF
+from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QPainter, QPalette, QPen, QPolygonF
 from PySide6.QtWidgets import QWidget
 
 CORNER_PX = 7.0
+
+
+def repolish(widget: QWidget) -> None:
+    """Have the style sheet asked anew; for a widget that was never shown it is asked then."""
+    if widget.testAttribute(Qt.WidgetAttribute.WA_WState_Polished):
+        style = widget.style()
+        style.unpolish(widget)
+        style.polish(widget)
+
+
+def set_rank(widget: QWidget, rank: str) -> None:
+    """Show the widget's text in the colour the style sheet has for a rank.
+
+    A colour set by `QWidget.setPalette` is lost as soon as another theme is chosen.
+    """
+    if widget.property("rank") != rank:
+        widget.setProperty("rank", rank)
+        repolish(widget)
 
 
 def begin(widget: QWidget) -> QPainter:

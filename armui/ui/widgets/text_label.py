@@ -1,9 +1,119 @@
-"""Labels as the program uses them."""
+"""Labels as the program uses them: plain text, a figure, a text that is cut short."""
 
 from __future__ import annotations
 
-from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QLabel
+from PySide6.QtCore import QEvent, QSize, Qt
+from PySide6.QtGui import QColor, QPainter, QPaintEvent, QResizeEvent
+from PySide6.QtWidgets import QLabel, QSizePolicy, QWidget
+
+from armui.ui import format as fmt
+from armui.ui.theme import colors_of
+
+
+class ValueLabel(QWidget):
+    """Shows a text of known greatest width; a new text costs one repaint and no new layout.
+
+    Args:
+        widest: The longest text it will have to show.
+        alignment: Where the text stands.
+    """
+
+    def __init__(
+        self,
+        widest: str,
+        alignment: Qt.AlignmentFlag = Qt.AlignmentFlag.AlignRight,
+    ) -> None:
+        super().__init__()
+        self._widest = widest
+        self._alignment = alignment | Qt.AlignmentFlag.AlignVCenter
+        self._text = fmt.NOTHING
+        self._stale = False
+        self._attention = False
+        self.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Fixed)
+
+    def set_widest(self, widest: str) -> None:
+        """Leave room for another longest text."""
+        self._widest = widest
+        self.updateGeometry()
+
+    def text(self) -> str:
+        """What stands there."""
+        return self._text
+
+    def is_stale(self) -> bool:
+        """Whether the figure is too old to stand for the present."""
+        return self._stale
+
+    def show_text(self, text: str, *, stale: bool = False) -> None:
+        """Show a text; muted if it is too old to stand for the present."""
+        if text == self._text and stale == self._stale:
+            return
+        self._text, self._stale = text, stale
+        self.update()
+
+    def show_attention(self, *, wanted: bool) -> None:
+        """Draw it in the colour for something out of order, or no longer."""
+        if wanted != self._attention:
+            self._attention = wanted
+            self.update()
+
+    def sizeHint(self) -> QSize:
+        """As large as it wants to be."""
+        metrics = self.fontMetrics()
+        return QSize(metrics.horizontalAdvance(self._widest) + 2, metrics.height() + 4)
+
+    def changeEvent(self, event: QEvent) -> None:
+        """Follow the font."""
+        if event.type() == QEvent.Type.FontChange:
+            self.updateGeometry()
+        super().changeEvent(event)
+
+    def paintEvent(self, _event: QPaintEvent) -> None:
+        """Draw it."""
+        colors = colors_of(self)
+        dim = self._stale or self._text == fmt.NOTHING or not self.isEnabled()
+        painter = QPainter(self)
+        ink = colors.muted if dim else colors.text
+        painter.setPen(QColor(colors.warn if self._attention else ink))
+        painter.drawText(self.rect(), self._alignment, self._text)
+        painter.end()
+
+
+class ElidedLabel(QLabel):
+    """One line; what doesn't fit is replaced by «…» and stands in the tooltip."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.setTextFormat(Qt.TextFormat.PlainText)
+
+    def show_text(self, text: str) -> None:
+        """Show another line."""
+        self.setText(text)
+        self._update_tooltip()
+
+    def minimumSizeHint(self) -> QSize:
+        """None of its width is necessary."""
+        return QSize(0, super().minimumSizeHint().height())
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Fit the text into the new width."""
+        super().resizeEvent(event)
+        self._update_tooltip()
+
+    def paintEvent(self, _event: QPaintEvent) -> None:
+        """Draw as much of the line as fits."""
+        painter = QPainter(self)
+        painter.setPen(self.palette().color(self.foregroundRole()))
+        painter.drawText(self.contentsRect(), self.alignment(), self._elided())
+        painter.end()
+
+    def _elided(self) -> str:
+        width = self.contentsRect().width()
+        return self.fontMetrics().elidedText(self.text(), Qt.TextElideMode.ElideRight, width)
+
+    def _update_tooltip(self) -> None:
+        text = self.text()
+        self.setToolTip(text if self._elided() != text else "")
 
 
 def text_label(

@@ -13,10 +13,9 @@ from armui.control.event_log.observed import ObservedCode
 from armui.control.motion.motion_command import End
 from armui.protocol.codec import InvalidFrameKind
 from armui.telemetry.events import Asker, EventEntry, EventKind, EventOutcome, Level
-from armui.ui.words import status
+from armui.ui.words import arm
+from armui.ui.words.arm import gripper_fault, joint_item, joint_word
 from armui.ui.words.events import event_text
-from armui.ui.words.gripper import gripper_fault
-from armui.ui.words.joints import joint_item, joint_word
 from armui.ui.words.parameters import full_name, value_text
 from armui.ui.words.refusals import refusal
 from armui.ui.words.text import NOT_KNOWN, Texts, listed
@@ -175,14 +174,14 @@ def _reason(reason: object) -> str:
 
 
 def _control_mode(code: Any) -> str:
-    return status.control_mode_short(int(code))
+    return arm.control_mode_short(int(code))
 
 
 _FIGURES: Final[Mapping[str, Mapping[str, Callable[[Any], str]]]] = {
     ObservedCode.CONTROL_MODE: {"mode": _control_mode, "before": _control_mode},
-    ObservedCode.MOVE_MODE: {"mode": status.move_mode, "before": status.move_mode},
-    ObservedCode.ARM_STATUS: {"status": status.arm_status},
-    ObservedCode.TEACHING: {"state": status.teaching, "before": status.teaching},
+    ObservedCode.MOVE_MODE: {"mode": arm.move_mode, "before": arm.move_mode},
+    ObservedCode.ARM_STATUS: {"status": arm.arm_status},
+    ObservedCode.TEACHING: {"state": arm.teaching, "before": arm.teaching},
     ObservedCode.MOTORS_ON: {"joints": _joints},
     ObservedCode.MOTORS_OFF: {"joints": _joints},
     ObservedCode.JOINT_FAULT: {

@@ -11,12 +11,15 @@ from armui.arm.device import Device
 from armui.arm.refusal import Refusal
 from armui.control.events import Event, EventCode
 from armui.protocol.codes import EndLoad, Mounting, TeachingState, TrajectoryCommand
-from armui.ui.words.devices import device_name
-from armui.ui.words.gripper import end_load, gripper_act
-from armui.ui.words.model_events import MODEL_NOTICES
-from armui.ui.words.mounting import mounting
+from armui.ui.words.arm import (
+    device_name,
+    end_load,
+    gripper_act,
+    mounting,
+    teaching_command,
+    trajectory_command,
+)
 from armui.ui.words.refusals import refusal
-from armui.ui.words.teaching import teaching_command, trajectory_command
 from armui.ui.words.text import Texts, sentence
 
 _NOTICES: Final[Texts[str]] = Texts("Notice") | {
@@ -251,7 +254,21 @@ _NOTICES: Final[Texts[str]] = Texts("Notice") | {
     EventCode.SETTINGS_UNSAVED: "The change holds, but is not saved. {reason}",
     EventCode.REFUSED: "Not sent. {reason}",
     EventCode.QUESTION_WITHDRAWN: "“{question}” was withdrawn. {reason}",
-    **MODEL_NOTICES,
+    EventCode.MODEL_OTHER: (
+        "Connected as a {chosen}, but the pose it reports is that of a {fits}. Connect it as a "
+        "{fits}."
+    ),
+    EventCode.MODEL_NONE: (
+        "The pose the arm reports fits its angles in no model of the family, {chosen} included."
+    ),
+    EventCode.MODEL_RECALLED: (
+        "This arm (node {node}) was a {before} the last time: taken instead of {chosen}, which was "
+        "only offered."
+    ),
+    EventCode.MODEL_WAS_OTHER: (
+        "Connected as a {chosen}, but this arm (node {node}) was a {before} the last time. If it "
+        "is one, connect it as that."
+    ),
 }
 
 CODES: Final = frozenset(_NOTICES)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Final
 
 from armui.trajectory.planning.findings import Approach, Finding, FindingCode
-from armui.ui.words.arm_kinds import arm_kind
+from armui.ui.words.arm import arm_kind
 from armui.ui.words.text import Texts
 
 _FINDINGS: Final = Texts("Finding") | {

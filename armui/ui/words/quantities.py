@@ -11,7 +11,7 @@ from PySide6.QtCore import QCoreApplication
 from armui.arm.limits import JOINTS
 from armui.telemetry.quantities import DRIVER_FAULTS, GRIPPER_FAULTS, Source
 from armui.ui import format as fmt
-from armui.ui.words import status
+from armui.ui.words import arm
 from armui.ui.words.text import Texts
 
 if TYPE_CHECKING:
@@ -176,11 +176,11 @@ def _faults_of(names: tuple[str, ...]) -> Callable[[int], str]:
 
 
 _CODES: Final[Mapping[str, Callable[[int], str]]] = {
-    "control_mode": status.control_mode_short,
-    "arm_status": status.arm_status,
-    "move_mode": status.move_mode,
-    "teaching": status.teaching,
-    "not_reached": lambda code: status.reached(code == 0),
+    "control_mode": arm.control_mode_short,
+    "arm_status": arm.arm_status,
+    "move_mode": arm.move_mode,
+    "teaching": arm.teaching,
+    "not_reached": lambda code: arm.reached(code == 0),
     "enabled": _yes_or_no,
     "gripper_enabled": _yes_or_no,
     "beyond_limit": _joints,

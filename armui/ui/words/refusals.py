@@ -2,27 +2,20 @@
 
 from __future__ import annotations
 
-from typing import Final
+from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QT_TRANSLATE_NOOP
 
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
-from armui.ui.words import status
-from armui.ui.words.backup_refusals import BACKUP_REFUSALS
-from armui.ui.words.gamepad_refusals import GAMEPAD_REFUSALS
-from armui.ui.words.gripper import gripper_figure
-from armui.ui.words.lights import light_figure
-from armui.ui.words.log_refusals import LOG_REFUSALS
-from armui.ui.words.motor_refusals import MOTOR_REFUSALS
-from armui.ui.words.other_hosts import OTHER_HOST_REFUSALS, other_mode
-from armui.ui.words.robot_refusals import ROBOT_REFUSALS
-from armui.ui.words.run_refusals import RUN_REFUSALS
-from armui.ui.words.session_refusals import SESSION_REFUSALS
-from armui.ui.words.setting_names import SETTING_NAMES
-from armui.ui.words.setting_refusals import SETTING_REFUSALS, with_units
+from armui.ui.words import arm
+from armui.ui.words.arm import gripper_figure, light_figure, other_mode
+from armui.ui.words.file_refusals import FILE_REFUSALS, SETTING_NAMES, with_figures, with_units
 from armui.ui.words.text import NOT_KNOWN, Texts, sentence
-from armui.ui.words.trajectory_refusals import TRAJECTORY_REFUSALS, with_figures
+
+if TYPE_CHECKING:
+    from armui.trajectory.files import TrajectoryFileError
+
 
 _REFUSALS: Final = Texts("Refusal") | {
     RefusalCode.NOT_CONNECTED: (
@@ -254,21 +247,236 @@ _REFUSALS: Final = Texts("Refusal") | {
     RefusalCode.JOG_STEP_NOT_A_NUMBER: (
         "Jog step: “{value}” is not an angle. Enter degrees in figures, for example 0.5."
     ),
+    # Zeros of motors, commands of the gripper, the linkage
+    RefusalCode.LOAD_NOT_CHOSEN: "No end load is chosen. Choose one first.",
+    RefusalCode.LOAD_WHILE_MOVING: (
+        "The arm is moving. Wait until it stands still, then set the end load."
+    ),
+    RefusalCode.END_FEEDBACK_GOES_ON: "The arm has answered, but goes on reporting. Try again.",
+    RefusalCode.CONTROL_OFFSET_UNKNOWN: (
+        "Whether the arm takes commands on the identifiers in use is not proven, so it is not "
+        "moved; stop and halt reach it. To prove it, set the offsets again in Linkage with the "
+        "arm in standby: they count once the arm has answered."
+    ),
+    RefusalCode.OFFSET_NOT_POSSIBLE: (
+        "An offset of {value} is not possible. Choose 0x00, 0x10 or 0x20."
+    ),
+    RefusalCode.LINKAGE_WHILE_MOVING: (
+        "The arm is moving. Wait until it stands still, then set the linkage."
+    ),
+    RefusalCode.GRIPPER_SILENT: (
+        "No gripper is heard. If one is mounted, check its cable and its power."
+    ),
+    RefusalCode.GRIPPER_NO_ZERO: "The gripper of a generation 1 arm has no command for its zero.",
+    RefusalCode.GRIPPER_OUT_OF_RANGE: (
+        "{gripper}: {value} {unit} is out of range. Enter a value from {minimum} to {maximum} "
+        "{unit}."
+    ),
+    RefusalCode.GRIPPER_NOT_A_NUMBER: (
+        "{gripper}: “{value}” is not a number. Enter a value from {minimum} to {maximum} {unit}."
+    ),
+    RefusalCode.SPEED_UNKNOWN: (
+        "Whether these joints stand still is not known: {joints}. Their drivers report no speed: "
+        "check the arm's power and the CAN cable."
+    ),
+    RefusalCode.JOINTS_MOVING: (
+        "These joints are moving: {joints}. Wait until the arm stands still."
+    ),
+    RefusalCode.ZERO_NOT_SET: (
+        "The arm answered that it did not set the zero of these joints: {joints}. Let the arm "
+        "stand still, clear its errors, then try again."
+    ),
+    RefusalCode.ZERO_NOT_TAKEN: (
+        "The arm answered that the zero is set, but these joints do not read 0°: {joints}. Do not "
+        "move the arm before the zero is set anew."
+    ),
+    RefusalCode.ZERO_MOVED: (
+        "Joint {joints} does not stand where it stood at the press: no zero was sent. Try again "
+        "where it shall be."
+    ),
+    RefusalCode.ENDED_BY_STOP: (
+        "The stop came first; it is not sent again. Look at what the arm shows, then repeat it."
+    ),
+    # Runs
+    RefusalCode.NO_ROWS_CHOSEN: "No row is chosen. Click one in the table first.",
+    RefusalCode.FINDINGS_AGAINST: (
+        "Not run: the check has found errors ({count}). Mend what is listed, then send again."
+    ),
+    RefusalCode.WORK_FAILED: "The program did not come to the end of its work: {text}. Try again.",
+    RefusalCode.MOVED_SINCE_CHECK: (
+        "Not run: the arm has moved by {value}° since it was checked. Send again."
+    ),
+    RefusalCode.LIMITS_CHANGED_SINCE_CHECK: (
+        "Not run: the arm's joint limits are others than those of the check. Send again."
+    ),
+    RefusalCode.MODEL_CHANGED_SINCE_CHECK: (
+        "Not run: the arm's model or zeros are others than those of the check. Send again."
+    ),
+    RefusalCode.CHANGED_SINCE_CHECK: (
+        "Not run: tool, load, settings or choices are others than those of the check. Send again."
+    ),
+    RefusalCode.NOT_RUNNING: "No trajectory is running: nothing to pause.",
+    RefusalCode.NOT_PAUSED: "No trajectory is paused: nothing to go on with.",
+    RefusalCode.RUN_EMPTY: "“{name}” has no points. Add points, or choose another trajectory.",
+    RefusalCode.RUN_NO_SUCH_ROW: (
+        "There is no row {row}: the last one is {maximum}. Choose another row."
+    ),
+    RefusalCode.RUN_STOPPED: (
+        "The arm is in emergency stop. Hold the arm, press Resume, enable the motors; then the "
+        "run can go on from this row."
+    ),
+    RefusalCode.RUN_UNDER_WAY: (
+        "A trajectory or recording is under way, be it paused or dwelling. Wait until it is done, "
+        "or end the run first."
+    ),
+    RefusalCode.RUN_DISABLED: (
+        "Motors were disabled while it ran: the arm was told to end its motion. Enable the motors; "
+        "then the run can go on from this row."
+    ),
+    RefusalCode.RUN_LET_GO: (
+        "The gripper was disabled while it ran: the arm was told to end its motion. See what it "
+        "held; then the run can go on from this row."
+    ),
+    RefusalCode.RUN_LEFT: (
+        "The device was disconnected while it ran: the arm was told before to end its motion."
+    ),
+    RefusalCode.PART_FAILED: (
+        "A part of the program has failed: every motion of this program ends, and none begins "
+        "while it fails. Copy the details of the error, then start the program again."
+    ),
+    RefusalCode.SYSTEM_ENDS: (
+        "The computer was about to sleep, or to end this program: the arm was told before to end "
+        "its motion."
+    ),
+    RefusalCode.RUN_SETS_LAMPS: (
+        "The run under way sets the lamps itself. Wait until it is done, or end the run first."
+    ),
+    RefusalCode.JOG_UNDER_WAY: "The arm is being jogged. Let go first, then press again.",
+    RefusalCode.PLAN_PAUSED: (
+        "A motion of the arm is paused: it holds back every new target. Press Continue or a Clear "
+        "button under Drag teaching, Planned trajectory."
+    ),
+    RefusalCode.RUN_TOO_SLOW: (
+        "The point was not reached within {seconds} s. See what keeps the arm, then go on from "
+        "this row."
+    ),
+    RefusalCode.RUN_ELSEWHERE: (
+        "The arm says that it is there, but measures itself away from the point: {away}. See what "
+        "keeps it, then go on from this row."
+    ),
+    RefusalCode.RUN_NOT_ENDED: (
+        "The arm was told to end its motion and still moves. Press the emergency stop if it must "
+        "not."
+    ),
+    RefusalCode.REPLAY_TOO_FAST: (
+        "Joint {joint} would have to turn at {value}°/s; its limit is {maximum}°/s. Replay at "
+        "{percent} % of the recorded speed at most."
+    ),
+    RefusalCode.REPLAY_LAGGING: (
+        "Joint {joint} does not follow: it is {away}° behind. See what keeps it, or replay more "
+        "slowly."
+    ),
+    RefusalCode.REPLAY_GAP: (
+        "The program or the computer stood still for {seconds} s, so the replay was ended. Let the "
+        "computer do less beside it, keep it from sleeping, and start the replay anew."
+    ),
+    RefusalCode.POSE_UNKNOWN: (
+        "The arm has not reported its end pose: an arc has no beginning. Wait for it."
+    ),
+    RefusalCode.GRIPPER_OTHER_GENERATION: (
+        "Row {row}: this arm's protocol moves the gripper by other figures (generation 1 by an "
+        "angle, generation 2 by an opening). Change the gripper's action."
+    ),
+    # Gamepads and SpaceMouse
+    RefusalCode.GAMEPAD_LOST: "{name} is gone. Plug it in again or switch it on.",
+    RefusalCode.GAMEPAD_SILENT: (
+        "Nothing more is heard of {name}. Let go of its buttons and press anew."
+    ),
+    RefusalCode.GAMEPAD_UNATTENDED: (
+        "The dead-man button was held for {seconds} s without a movement of the device. Press anew."
+    ),
+    RefusalCode.GAMEPAD_NOT_IN_FRONT: (
+        "The main window, or a page taken out of it, is not in front, or a menu is open. Click "
+        "into one of them, then press anew."
+    ),
+    # Other hosts, leader arms, motions held back
+    RefusalCode.FEEDBACK_SILENT: (
+        "{frames} of the arm has not been heard for {seconds} s: nobody knows where it is. Check "
+        "its power and the CAN cable; nothing is sent until it is heard again."
+    ),
+    RefusalCode.OTHER_HOST: (
+        "Another program controls the arm ({frames}). Wait until it has been quiet for 2 s and the "
+        "arm rests, or take over when it pauses. The stop works at any time."
+    ),
+    RefusalCode.LEADER_ARM: (
+        "A leader arm moves this arm ({frames}). Switch the leader off, or make it a motion "
+        "output. The stop works at any time."
+    ),
+    RefusalCode.OTHER_MODE: (
+        "Another program drives the arm in {other_mode} mode: a mode word of ours would leave its "
+        "joints limp. End that program, hold the arm, and take the way back that the line above "
+        "the panels offers."
+    ),
+    RefusalCode.OTHER_HOST_STREAMS: (
+        "The other program is still sending ({frames}): it can be taken over half a second after "
+        "its last frame. Against a stream only the stop wins."
+    ),
+    RefusalCode.LISTEN_ONLY: (
+        "This connection only listens: nothing is sent but the emergency stop. Connect without "
+        "Listen only to command the arm."
+    ),
+    RefusalCode.NOBODY_ELSE: "No other program moves the arm.",
+    RefusalCode.HELD_AT_ZERO: (
+        "The arm holds back a motion at 0 %. Hold Continue or press Give up in the line above the "
+        "panels first."
+    ),
+    RefusalCode.NOTHING_HELD: "No motion is held back.",
+    RefusalCode.COMMAND_OVER: (
+        "Something else has ended this motion. Look at the arm, then start again."
+    ),
+    RefusalCode.TOO_FAST: (
+        "Joint {joint} moves at {value} °/s, where {maximum} °/s is shown. Set the speed again "
+        "before the next motion."
+    ),
+    RefusalCode.TOOL_TOO_FAST: (
+        "The tool moves at {value} mm/s, where {maximum} mm/s is shown. Set the speed again before "
+        "the next motion."
+    ),
+    RefusalCode.TOOL_TURNS_TOO_FAST: (
+        "The tool turns at {value} °/s, where {maximum} °/s is shown. Set the speed again before "
+        "the next motion."
+    ),
+    # Frames sent by hand
+    RefusalCode.FRAME_ID_BAD: (
+        "Identifier: “{value}” is no hexadecimal number. Enter 000 to 7FF, for example 151."
+    ),
+    RefusalCode.FRAME_ID_TOO_HIGH: (
+        "Identifier: {value} has more than 11 bits, and the arm knows none of those. Enter 000 to "
+        "7FF."
+    ),
+    RefusalCode.FRAME_DATA_BAD: (
+        "Data: “{value}” are no whole bytes. Enter two hexadecimal figures for each byte, for "
+        "example 01 0A FF."
+    ),
+    RefusalCode.FRAME_DATA_LONG: "Data: {count} bytes do not fit into a frame. Enter 8 at most.",
+    RefusalCode.FRAME_IS_THE_ARMS: (
+        "{frame} is what an arm itself says: two senders of one identifier disturb the bus, and "
+        "others would take it for the arm's word. Choose an identifier that hosts send."
+    ),
+    RefusalCode.FRAME_OF_UPGRADE: (
+        "{frame} is kept for firmware upgrades: what it does is not public, and it may leave the "
+        "arm without firmware. Use the maker's upgrade program."
+    ),
+    RefusalCode.FRAME_RESUMES: (
+        "This frame ends an emergency stop and lets the arm drop. Use Resume in the main window, "
+        "once the arm is supported."
+    ),
+    RefusalCode.FRAME_NOT_HELD: (
+        "This frame acts on the arm: hold the button for a second to send it."
+    ),
 }
 
-_ALL: Final = (
-    _REFUSALS
-    | SETTING_REFUSALS
-    | BACKUP_REFUSALS
-    | ROBOT_REFUSALS
-    | LOG_REFUSALS
-    | RUN_REFUSALS
-    | OTHER_HOST_REFUSALS
-    | MOTOR_REFUSALS
-    | SESSION_REFUSALS
-    | GAMEPAD_REFUSALS
-    | TRAJECTORY_REFUSALS
-)
+_ALL: Final = _REFUSALS | FILE_REFUSALS
 
 _UNDER_WAY: Final = Texts("UnderWay") | {
     "enabling": "enabling the motors",
@@ -286,17 +494,22 @@ _UNDER_WAY: Final = Texts("UnderWay") | {
 
 CODES: Final = frozenset(_ALL)
 """The refusals there is a sentence for."""
+_PLACE = QT_TRANSLATE_NOOP("FilePlace", "{file}, line {line}, column {column}: {reason}")
+_LINE = QT_TRANSLATE_NOOP("FilePlace", "{file}, line {line}: {reason}")
+_FILE = QT_TRANSLATE_NOOP("FilePlace", "{file}: {reason}")
+_PLACE_ONLY = QT_TRANSLATE_NOOP("FilePlace", "Line {line}, column {column}: {reason}")
+_LINE_ONLY = QT_TRANSLATE_NOOP("FilePlace", "Line {line}: {reason}")
 
 
 def refusal(reason: Refusal) -> str:
     """A reason against an action in the operator's language."""
     params = with_figures(reason.code, with_units(dict(reason.params)))
     if isinstance(mode := params.get("mode"), int):
-        params["mode"] = status.control_mode(mode)
+        params["mode"] = arm.control_mode(mode)
     if isinstance(other := params.get("other_mode"), str):
         params["other_mode"] = other_mode(other)
     if isinstance(code := params.get("status"), int):
-        params["status"] = status.arm_status(code)
+        params["status"] = arm.arm_status(code)
     if isinstance(what := params.get("what"), str):
         params["what"] = under_way(what)
     if isinstance(field := params.get("field"), str):
@@ -324,3 +537,21 @@ def _unexpected(reason: Refusal) -> str:
     """What to say to a code this program has no sentence for: an adapter of others may add one."""
     source = QT_TRANSLATE_NOOP("Refusal", "Not possible now: {reason}.")
     return sentence("Refusal", source, {"reason": str(reason) or NOT_KNOWN})
+
+
+def file_error(error: TrajectoryFileError) -> str:
+    """What is wrong with a file, in the operator's language.
+
+    Args:
+        error: What was found; a text without a file, as of the clipboard, has none to name.
+    """
+    reason = refusal(error.reason)
+    if error.line:
+        named, bare = (_PLACE, _PLACE_ONLY) if error.column else (_LINE, _LINE_ONLY)
+        source = named if error.file else bare
+    elif error.file:
+        source = _FILE
+    else:
+        return reason
+    figures = {"file": error.file, "line": error.line, "column": error.column, "reason": reason}
+    return sentence("FilePlace", source, figures)

@@ -5,8 +5,8 @@ from __future__ import annotations
 from typing import Final
 
 from armui.control.safety.recovery_steps import Action, Step, StepKind
-from armui.ui.words import status
-from armui.ui.words.other_hosts import held_target, other_mode
+from armui.ui.words import arm
+from armui.ui.words.arm import held_target, other_mode
 from armui.ui.words.refusals import refusal, under_way
 from armui.ui.words.text import Texts
 
@@ -224,7 +224,7 @@ def step(this: Step) -> str:
     """What stands in the way and what to do, with what became of the last attempt before it."""
     params: dict[str, object] = dict(this.params)
     if isinstance(mode := params.get("mode"), int):
-        params["mode"] = status.control_mode(mode)
+        params["mode"] = arm.control_mode(mode)
     if "target" in params:
         params["target"] = held_target(params["target"])
     if isinstance(other := params.get("other_mode"), str):

@@ -10,7 +10,7 @@ import time
 
 import pytest
 
-from armui.ui.watch.replay.column_folders import make_folder, remove_leftovers
+from armui.ui.watch.replay.log_opening import make_folder, remove_leftovers
 
 HOUR_S, MONTH_S = 3600.0, 30 * 86_400.0
 

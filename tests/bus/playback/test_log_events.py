@@ -21,7 +21,7 @@ from armui.session.session import MarkKind, SessionMark
 from armui.sim.faults.schedule import Fault
 from armui.telemetry.events import Asker, EventKind, EventLog, Level
 from armui.ui.watch.replay.log_time import wall_time
-from armui.ui.watch.replay.mark_text import mark_text
+from armui.ui.watch.replay.time_line import mark_text
 from armui.ui.words import event_log as words
 from tests.bus.playback.logs import EACH_FAULT, log_with
 from tests.session.indexed import open_indexed

@@ -6,8 +6,8 @@ import pytest
 
 from armui.session.session import MarkKind, SessionMark
 from armui.ui.watch.replay.log_time import duration, has_date, moment
-from armui.ui.watch.replay.mark_search import MarkSearch, end_of
-from armui.ui.watch.replay.mark_text import mark_text
+from armui.ui.watch.replay.mark_places import MarkSearch, end_of
+from armui.ui.watch.replay.time_line import mark_text
 from tests.bus.playback.logs import log_with
 
 

@@ -13,7 +13,7 @@ from armui.protocol.generation import Generation
 from armui.sim.faults.schedule import FAULTS, fault
 from armui.telemetry.events import EventKind, Level
 from armui.ui.words import event_log as words
-from armui.ui.words.joints import joint_item, joint_word
+from armui.ui.words.arm import joint_item, joint_word
 from tests.family import FACTORY_LIMITS
 
 ONE, TWO = Generation.ONE, Generation.TWO

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Final
 
-from PySide6.QtWidgets import QFrame
+from PySide6.QtWidgets import QButtonGroup, QFrame, QLabel, QSizePolicy, QWidget
 
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
@@ -13,20 +13,29 @@ from armui.arm.state import ArmState
 from armui.control.arm_controller import ArmController
 from armui.control.motion.jog_path import ToolJog
 from armui.control.operating_state import OperatingState
+from armui.kinematics.poses import AXES, LINEAR_AXES, JogFrame
 from armui.protocol.codes import ArmStatusCode, MoveMode
 from armui.settings import SettingsStore
+from armui.ui import format as fmt
 from armui.ui import words
 from armui.ui.freshness import is_stale
-from armui.ui.panels.jogging.arc_box import ArcBox
-from armui.ui.panels.jogging.frame_choice import FrameChoice
-from armui.ui.panels.jogging.jog_panel import JogPanel
-from armui.ui.panels.jogging.pose_extras import PoseExtras
-from armui.ui.panels.jogging.pose_rows import PoseRows
-from armui.ui.panels.jogging.taken_figures import take_figures
-from armui.ui.panels.jogging.tool_box import ToolBox
-from armui.ui.widgets.buttons import caption, push_button, show_primary
-from armui.ui.widgets.enable_or_explain import enable_or_explain
-from armui.ui.widgets.layouts import STRETCH, in_column
+from armui.ui.panels.jogging.jog_panel import JogPanel, TargetRow
+from armui.ui.panels.jogging.pose_extras import ArcBox, PoseExtras, ToolBox
+from armui.ui.theme import scaled_font
+from armui.ui.widgets.buttons import (
+    caption,
+    choice_button,
+    describe,
+    enable_or_explain,
+    named,
+    push_button,
+    show_primary,
+)
+from armui.ui.widgets.curve_menu import tell_quantities
+from armui.ui.widgets.figure_field import FigureField
+from armui.ui.widgets.layouts import STRETCH, in_column, in_row
+from armui.ui.widgets.text_label import ValueLabel, text_label
+from armui.ui.widgets.translated import Translated
 
 _OWN_REFUSALS: Final = frozenset(
     {ArmStatusCode.NO_SOLUTION, ArmStatusCode.SINGULARITY, ArmStatusCode.TARGET_BEYOND_LIMIT}
@@ -41,6 +50,84 @@ _KEYS: Final = (
     ("RZ", "E", "D"),
 )
 _TALLEST_CARD_PX: Final = 640
+_WIDEST: Final = "-0000.000 mm"
+_NAME_PX: Final = 34
+
+
+class PoseRow(TargetRow):
+    """The controls of one axis; its signals carry the axis' place.
+
+    Args:
+        place: 0–5 for X, Y, Z, RX, RY, RZ.
+        name: One of them.
+        unit: ``mm`` or ``°``.
+    """
+
+    def __init__(self, place: int, name: str, unit: str) -> None:
+        field = named(f"pose_field_{name}", FigureField(fmt.DECIMALS, unit))
+        field.setTextMargins(0, 0, 28 if unit == "mm" else 5, 0)
+        measured = named(f"pose_measured_{name}", ValueLabel(_WIDEST))
+        super().__init__("pose", name, place, field, measured)
+        self.name = name
+        self._unit = unit
+        self._label = QLabel(name)
+        self._label.setFont(scaled_font(self._label, 1.15, bold=True))
+        self._label.setFixedWidth(_NAME_PX)
+        kind = f"pose_{name.lower()}"
+        tell_quantities(self, *(f"{source}.{kind}" for source in ("arm", "own", "other")))
+        parts = (self._label, self.minus, (self.field, 1), self.plus, self.measured)
+        in_row(*parts, on=self, spacing=8, margins=0)
+        self.retranslate_ui()
+
+    def show_measured(self, value: float | None, *, stale: bool) -> None:
+        """Show the measured value."""
+        self.measured.show_text(fmt.with_unit(value, self._unit), stale=stale)
+
+    def _tips(self) -> tuple[str, str]:
+        """What − and + do."""
+        if self.minus.continuous:
+            tip = self.tr("Moves along {axis} while it is held; let go to stop.")
+        else:
+            tip = self.tr("Moves along {axis} by {step} at once.")
+        step = f"{self.field.step:g} {self._unit}"
+        minus, plus = (tip.format(axis=self.name, step=f"{sign}{step}") for sign in "−+")
+        return minus, plus
+
+    def retranslate_ui(self) -> None:
+        """Put names and tooltips into the operator's language."""
+        self.minus.setAccessibleName(self.tr("{axis} minus").format(axis=self.name))
+        self.plus.setAccessibleName(self.tr("{axis} plus").format(axis=self.name))
+        target = self.tr("Target {axis}").format(axis=self.name)
+        describe(self.field, target, self.tr("Not sent before you press MOVE P or MOVE L."))
+        self.measured.setToolTip(self.tr("Measured by the arm"))
+
+
+class FrameChoice(Translated, QWidget):
+    """One button a frame; one of them is chosen."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._label = QLabel()
+        self._buttons = QButtonGroup(self)
+        layout = in_row(self._label, on=self, spacing=6, margins=0)
+        for number, frame in enumerate(JogFrame):
+            button = choice_button(f"frame_{frame.value}")
+            button.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
+            self._buttons.addButton(button, number)
+            layout.addWidget(button, 1)
+        self._buttons.button(0).setChecked(True)
+        self.retranslate_ui()
+
+    @property
+    def frame(self) -> JogFrame:
+        """The chosen one."""
+        return tuple(JogFrame)[self._buttons.checkedId()]
+
+    def retranslate_ui(self) -> None:
+        """Put every word into the operator's language."""
+        self._label.setText(self.tr("− and + along"))
+        for number, text in enumerate((self.tr("Base frame"), self.tr("Tool frame"))):
+            caption(self._buttons.button(number), text)
 
 
 class CartesianPanel(JogPanel):
@@ -64,7 +151,12 @@ class CartesianPanel(JogPanel):
         self._sent = False
         self._heard = False
         self._frame = FrameChoice()
-        self._rows = PoseRows()
+        self._point = text_label("point_label", rank="muted")
+        self._measured_head = text_label(rank="muted")
+        self._rows: Sequence[PoseRow] = [
+            PoseRow(place, name, "mm" if place < LINEAR_AXES else "°")
+            for place, name in enumerate(AXES)
+        ]
         self._tool = ToolBox()
         self._arc = ArcBox()
         self._load = push_button("load_pose_button")
@@ -80,13 +172,15 @@ class CartesianPanel(JogPanel):
         card = QFrame()
         self._extras = PoseExtras(self._arc, self._tool)
         self._keys.toggled.connect(self._extras.setHidden)  # the keys need the room
-        parts = (self._rows, self._extras, STRETCH)
+        head = in_row(self._point, STRETCH, self._measured_head)
+        rows = in_column(head, *self._rows, spacing=4)
+        parts = (rows, self._extras, STRETCH)
         in_column(*parts, on=card, spacing=10, margins=(16, 8, 16, 10))
         buttons = (self._load, self._move_p, self._move_l)
         self._finish(card, buttons, tallest_px=_TALLEST_CARD_PX, above=(self._frame,))
 
     def _connect(self) -> None:
-        self._follow_rows(self._rows.rows)
+        self._follow_rows()
         self._tool.changed.connect(self._on_tool_changed)
         self._arc.capture_wanted.connect(self._on_capture)
         self._arc.start_wanted.connect(self._on_go_to_start)
@@ -113,9 +207,9 @@ class CartesianPanel(JogPanel):
         self._controller.cartesian.tool = tool
         self._tool.show_tool(tool)
         self._arc.clear()
-        self._rows.release()
+        self._release()
         self._follow_arm()
-        self._rows.name_point(with_tool=any(tool))
+        self._name_point()
         self._show_measured()
 
     def _pose(self) -> tuple[float, ...] | None:
@@ -123,14 +217,16 @@ class CartesianPanel(JogPanel):
 
     # -- jogging ------------------------------------------------------------------------------
 
-    def _take_step(self, step: float, *, continuous: bool) -> None:
-        self._rows.set_step(step, continuous=continuous)
+    def _release(self) -> None:
+        """No target is the operator's any more."""
+        for row in self._rows:
+            row.own = False
 
     def _on_stepped(self, place: int, direction: int) -> None:
         amount = direction * self._step_box.step
         refusal = self._controller.cartesian.step(place, amount, self._frame.frame)
         if self._accepted(refusal):
-            self._rows.release()
+            self._release()
 
     def _on_repeated(self, place: int, direction: int) -> None:
         """MOVE L plans anew at each target: a held button waits for the arm."""
@@ -141,41 +237,21 @@ class CartesianPanel(JogPanel):
         jog = ToolJog(place, direction, self._frame.frame)
         refusal = self._controller.jogging.start(jog)
         if self._accepted(refusal):
-            self._rows.release()
+            self._release()
 
     # -- targets ------------------------------------------------------------------------------
-
-    def target_pose(self) -> tuple[float, ...] | None:
-        """The pose in the fields; None while one of them is no figure."""
-        pose = self._rows.targets()
-        return None if isinstance(pose, Refusal) else tuple(pose)
-
-    def given(self) -> tuple[bool, ...]:
-        """Of each field, whether its target was given; else it follows the arm."""
-        return tuple(row.own for row in self._rows.rows)
-
-    def take_pose(self, pose: Sequence[float], given: Sequence[bool] | None = None) -> None:
-        """Put a pose into the fields, as if the figures that differ were typed; nothing is sent.
-
-        Args:
-            pose: The pose.
-            given: As in 运动控制: which of them stand still from now on.
-        """
-        take_figures(self._rows.rows, pose, given)
-        self._follow_arm()
-        self._on_edited()
 
     def _on_load(self) -> None:
         pose = self._pose()
         if pose is not None:
-            self._rows.fill(pose)
+            self._fill(pose)
             self._follow_arm()
         self._accepted(None if pose is not None else Refusal(RefusalCode.POSE_UNKNOWN))
 
     def _send(self, move_mode: MoveMode) -> None:
-        target = self._rows.targets()
-        if isinstance(target, Refusal):
-            self._accepted(target)
+        target = self.targets()
+        if target is None:
+            self._accepted(self._nonsense() or Refusal(RefusalCode.POSE_UNKNOWN))
             return
         self._sent = self._accepted(self._controller.cartesian.move(target, move_mode))
 
@@ -184,7 +260,7 @@ class CartesianPanel(JogPanel):
         super()._forget_outdated(old)
         if self._sent and old.moving and not self._operating_state.moving:
             self._sent = False
-            self._rows.release()
+            self._release()
 
     def _on_capture(self, place: int) -> None:
         pose = self._pose()
@@ -224,7 +300,7 @@ class CartesianPanel(JogPanel):
         """Fields in which nothing was given show where the arm is."""
         pose = None if self._operating_state.device is None else self._pose()
         if pose is not None:
-            self._rows.follow(pose)
+            self._follow(pose)
         if (pose is None) is self._heard:
             self._heard = pose is not None
             self._show_possible()
@@ -233,15 +309,16 @@ class CartesianPanel(JogPanel):
     def _light_move(self) -> None:
         """Light MOVE P while a target was given that the arm is not at."""
         pose = self._pose()
-        show_primary(self._move_p, wanted=pose is not None and self._rows.differ_from(pose))
+        show_primary(self._move_p, wanted=pose is not None and self._differ_from(pose))
 
     def _show_measured(self) -> None:
         state = self._controller.state
         stale = any(is_stale(heard, state, self._operating_state) for heard in state.pose)
-        self._rows.show_measured(self._pose(), stale=stale)
+        for row, value in zip(self._rows, self._pose() or (None,) * len(AXES), strict=True):
+            row.show_measured(value, stale=stale)
 
     def _forget_targets(self) -> None:
-        self._rows.fill(None)
+        self._fill(None)
         self._arc.clear()
 
     # -- appearance ---------------------------------------------------------------------------
@@ -253,9 +330,7 @@ class CartesianPanel(JogPanel):
         self._show_measured()
 
     def _show_possible(self) -> None:
-        why_not = self._why_not_move()
-        self._rows.allow_jog(why_not)
-        self._key_pad.allow(why_not)
+        why_not = self._allow_jog()
         unknown = self._controller.state.end_pose() is None
         no_pose = words.refusal(Refusal(RefusalCode.POSE_UNKNOWN)) if unknown else ""
         self._arc.allow(no_pose, why_not)
@@ -268,7 +343,7 @@ class CartesianPanel(JogPanel):
 
     def _first_wrong(self) -> Refusal | None:
         """A figure that is none, or what the arm itself says against its last target."""
-        nonsense = self._rows.nonsense()
+        nonsense = self._nonsense()
         if nonsense is not None:
             return nonsense
         status = self._controller.state.status
@@ -276,8 +351,25 @@ class CartesianPanel(JogPanel):
             return Refusal(RefusalCode.TARGET_REFUSED, {"status": status.value.arm_status})
         return None
 
+    def _nonsense(self) -> Refusal | None:
+        """What is to be said against the first text that is no figure."""
+        for row in self._rows:
+            if row.field.is_nonsense():
+                params = {"axis": row.name, "value": row.field.text()}
+                return Refusal(RefusalCode.POSE_NOT_A_NUMBER, params)
+        return None
+
+    def _name_point(self) -> None:
+        """Say which point the figures are about."""
+        with_tool = any(self._controller.cartesian.tool)
+        self._point.setText(
+            self.tr("Tool centre point") if with_tool else self.tr("Flange (no tool set)")
+        )
+
     def retranslate_ui(self) -> None:
         """Put every word into the operator's language."""
+        self._name_point()
+        self._measured_head.setText(self.tr("Measured"))
         self._title.setText(self.tr("Tool control"))
         caption(self._load, self.tr("Load"))
         caption(self._move_p, "MOVE P")

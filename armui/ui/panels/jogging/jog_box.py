@@ -7,8 +7,8 @@ from collections.abc import Sequence
 from functools import partial
 from typing import TYPE_CHECKING, Final
 
-from PySide6.QtCore import Signal
-from PySide6.QtWidgets import QButtonGroup, QFrame, QWidget
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtWidgets import QButtonGroup, QFrame, QLabel, QSizePolicy, QWidget
 
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
@@ -18,12 +18,13 @@ from armui.kinematics.poses import AXES, LINEAR_AXES, JogFrame
 from armui.ui import format as fmt
 from armui.ui import words
 from armui.ui.freshness import is_stale
-from armui.ui.panels.jogging.jog_cell import JogCell
-from armui.ui.panels.jogging.step_box import StepBox
-from armui.ui.widgets.buttons import caption, choice_button, named
+from armui.ui.panels.jogging.jog_panel import JogRow, StepBox
+from armui.ui.theme import scaled_font
+from armui.ui.widgets.buttons import caption, choice_button, describe, named
 from armui.ui.widgets.flow import Flow
 from armui.ui.widgets.hold_guard import UNATTENDED_S
-from armui.ui.widgets.layouts import in_column
+from armui.ui.widgets.layouts import in_column, in_row
+from armui.ui.widgets.text_label import ValueLabel
 from armui.ui.widgets.translated import Translated
 
 if TYPE_CHECKING:
@@ -33,9 +34,59 @@ if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
     from armui.control.operating_state import OperatingState
 
+
 _ACROSS: Final = 3
 _GAP_PX: Final = 8
 _JOINTS: Final = tuple(f"J{joint}" for joint in range(1, 7))
+_WIDEST: Final = "-0000.000 mm"
+_NAME_PX: Final = 24
+
+
+class JogCell(JogRow):
+    """Can stand for a joint now and for an axis then; its signals carry its place.
+
+    Args:
+        place: 0–5.
+    """
+
+    def __init__(self, place: int) -> None:
+        super().__init__("box", place + 1, place)
+        self._unit = "°"
+        self._name = QLabel()
+        self._name.setFont(scaled_font(self._name, 1.0, bold=True))
+        self._name.setFixedWidth(_NAME_PX)
+        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Preferred)
+        self.measured = named(
+            f"box_measured_{place + 1}",
+            ValueLabel(_WIDEST, alignment=Qt.AlignmentFlag.AlignHCenter),
+        )
+        in_row(
+            *(self._name, self.minus, (self.measured, 1), self.plus), on=self, spacing=4, margins=0
+        )
+        self.stand_for("", "°")
+
+    def stand_for(self, name: str, unit: str) -> None:
+        """Be the cell of a joint or an axis.
+
+        Args:
+            name: ``J1`` or ``RX``.
+            unit: ``°`` or ``mm``.
+        """
+        self._name.setText(name)
+        self._unit = unit
+        self.measured.show_text(fmt.NOTHING)
+        self.retranslate_ui()
+
+    def show_measured(self, value: float | None, *, stale: bool) -> None:
+        """Show what is measured."""
+        self.measured.show_text(fmt.with_unit(value, self._unit), stale=stale)
+
+    def retranslate_ui(self) -> None:
+        """Put the names into the operator's language."""
+        name = self._name.text()
+        self.minus.setAccessibleName(self.tr("{name} minus").format(name=name))
+        self.plus.setAccessibleName(self.tr("{name} plus").format(name=name))
+        describe(self.measured, self.tr("Measured {name}").format(name=name))
 
 
 class JogKind(enum.Enum):

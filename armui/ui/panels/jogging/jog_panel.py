@@ -1,12 +1,14 @@
-"""What 运动控制 and 末端控制 share: targets beside what is measured, a step, and keys to jog by."""
+"""What 运动控制 and 末端控制 share: targets beside what is measured, a step, two ways to jog."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Sequence
+from functools import partial
 from typing import Final
 
-from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QFrame, QLabel, QLayout, QPushButton, QWidget
+from PySide6.QtCore import QEvent, Qt, Signal
+from PySide6.QtGui import QFocusEvent, QHideEvent, QKeyEvent
+from PySide6.QtWidgets import QComboBox, QFrame, QLabel, QLayout, QPushButton, QWidget
 
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
@@ -15,17 +17,338 @@ from armui.control.arm_controller import ArmController
 from armui.control.events import ZEROING_ENDED, Event, EventCode
 from armui.control.operating_state import OperatingState
 from armui.ui import words
-from armui.ui.panels.jogging.jog_signals import JogSignals
-from armui.ui.panels.jogging.key_pad import KeyPad, Keys
-from armui.ui.panels.jogging.step_box import StepBox
 from armui.ui.panels.panel import Panel
+from armui.ui.widgets import painting
 from armui.ui.widgets.buttons import choice_button, describe, named
-from armui.ui.widgets.card import scrolled
-from armui.ui.widgets.hold_guard import UNATTENDED_S
-from armui.ui.widgets.layouts import STRETCH, in_row
+from armui.ui.widgets.figure_field import FigureField
+from armui.ui.widgets.hold_guard import UNATTENDED_S, HoldGuard
+from armui.ui.widgets.jog_button import JogButton
+from armui.ui.widgets.layouts import STRETCH, empty_grid, in_column, in_row, scrolled
+from armui.ui.widgets.text_label import ValueLabel, text_label
+from armui.ui.widgets.translated import Translated
 
 _BUTTON_PX: Final = 38
 _FOLLOW_S: Final = 0.1
+DEAD_MAN_KEY: Final = Qt.Key.Key_Space
+"""Under the thumb of either hand, no letter, and none of the keys that stop the arm."""
+
+Keys = Sequence[tuple[str, str, str]]
+"""Of each place, in order: its name, the key for + and the key for −, as on the keyboard."""
+
+_KEYS: Final = {
+    "↑": Qt.Key.Key_Up,
+    "↓": Qt.Key.Key_Down,
+    "←": Qt.Key.Key_Left,
+    "→": Qt.Key.Key_Right,
+    "PgUp": Qt.Key.Key_PageUp,
+    "PgDn": Qt.Key.Key_PageDown,
+}
+_COLUMNS: Final = 3
+STEPS: Final = (0.1, 1.0, 5.0, 10.0)
+_CONTINUOUS: Final = 0.0
+_SAME: Final = 0.0005
+"""Half of the last decimal: less is not seen in a field."""
+_WRITTEN_ALIKE: Final = 0.0006
+"""Two figures that are written alike are the same, however they were rounded."""
+
+
+class JogRow(Translated, QWidget):
+    """− and + of one joint or axis; says by its number what the operator wants moved.
+
+    Args:
+        kind: For the names of the buttons: ``<kind>_minus_<name>``.
+        name: Of the joint or axis, in these names.
+        number: Goes with the signals.
+    """
+
+    stepped = Signal(int, int)
+    """Jog by one step."""
+    repeated = Signal(int, int)
+    """The same, from a button that is still held."""
+    held = Signal(int, int)
+    """Jog until :attr:`let_go`."""
+    let_go = Signal()
+    unattended = Signal()
+    """A held button was let go by itself: the operator gave no sign for too long."""
+
+    def __init__(self, kind: str, name: object, number: int) -> None:
+        super().__init__()
+        self.minus = named(f"{kind}_minus_{name}", JogButton("−"))
+        self.plus = named(f"{kind}_plus_{name}", JogButton("+"))
+        for button, direction in ((self.minus, -1), (self.plus, 1)):
+            button.stepped.connect(partial(self.stepped.emit, number, direction))
+            button.repeated.connect(partial(self.repeated.emit, number, direction))
+            button.held.connect(partial(self.held.emit, number, direction))
+            button.let_go.connect(self.let_go)
+            button.unattended.connect(self.unattended)
+
+    def set_continuous(self, wanted: bool) -> None:
+        """Whether − and + go on while they are held, or go by a step."""
+        for button in (self.minus, self.plus):
+            button.continuous = wanted
+
+    def allow_jog(self, why_not: str) -> None:
+        """Enable − and +, or disable them and say why."""
+        for button, tip in zip((self.minus, self.plus), self._tips(), strict=True):
+            button.setEnabled(not why_not)
+            button.setToolTip(why_not or tip)
+
+    def _tips(self) -> tuple[str, str]:
+        """What − and + do."""
+        return "", ""
+
+
+class TargetRow(JogRow):
+    """A joint or axis with a field for its target, beside what is measured.
+
+    The target follows the arm until the operator gives another: sending the fields never takes
+    anything back to where it was some time ago.
+
+    Args:
+        kind, name, number: As those of a `JogRow`.
+        field: Holds the target.
+        measured: Shows what is measured.
+
+    Attributes:
+        own: Whether the target was given by the operator, and so stands still.
+    """
+
+    edited = Signal()
+    """The operator changed the target; nothing is sent."""
+
+    def __init__(
+        self, kind: str, name: object, number: int, field: FigureField, measured: ValueLabel
+    ) -> None:
+        super().__init__(kind, name, number)
+        painting.fill_ground(self)
+        self.own = False
+        self.field = field
+        self.measured = measured
+        self.field.value_edited.connect(self._on_field_edited)
+
+    def show_target(self, value: float | None) -> None:
+        """Give a target; ``None`` empties the field."""
+        self.own = value is not None
+        self.field.show_value(value)
+        self._after_target()
+
+    def take_target(self, value: float) -> None:
+        """Give a target; one that does not differ goes on to follow the arm."""
+        before = self.field.value
+        if before is None or abs(value - before) > _SAME:
+            self.show_target(value)
+
+    def follow(self, value: float) -> None:
+        """Have a target that nobody gave be where the arm is, or is sent to."""
+        if not self.own and self.field.follow(value):
+            self._after_target()
+
+    def differs_from(self, value: float) -> bool:
+        """Whether the operator has given a target, and it is another figure than this."""
+        target = self.field.value
+        return self.own and (target is None or abs(target - value) > _WRITTEN_ALIKE)
+
+    def set_step(self, step: float, *, continuous: bool) -> None:
+        """How far one press of − or + goes, or whether it goes on while they are held."""
+        self.field.step = step
+        self.set_continuous(continuous)
+
+    def _on_field_edited(self) -> None:
+        self.own = bool(self.field.text())
+        self._after_target()
+        self.edited.emit()
+
+    def _after_target(self) -> None:
+        """Mark a text that is no figure."""
+        self.field.show_attention(wanted=self.field.is_nonsense())
+
+
+class StepBox(QComboBox):
+    """The usual steps, one more if asked for, and «Continuous».
+
+    Args:
+        write: A step as text.
+    """
+
+    chosen = Signal()
+    """Another entry was chosen."""
+
+    def __init__(self, write: Callable[[float], str]) -> None:
+        super().__init__()
+        self._write = write
+        self._step = 1.0
+        self._fill(STEPS)
+        self.set_step(self._step)
+        self.currentIndexChanged.connect(self._on_index_changed)
+
+    @property
+    def step(self) -> float:
+        """The step chosen last; it stays that of the arrow keys in the fields."""
+        return self._step
+
+    @property
+    def continuous(self) -> bool:
+        """Whether − and + move for as long as they are held."""
+        return bool(self.currentData() == _CONTINUOUS)
+
+    def set_step(self, step: float) -> None:
+        """Choose a step; one that is not usual becomes an entry too."""
+        blocked = self.blockSignals(True)
+        self._step = step
+        self._fill(sorted({*STEPS, step}))
+        self.setCurrentIndex(self.findData(step))
+        self.blockSignals(blocked)
+
+    def _fill(self, steps: Sequence[float]) -> None:
+        self.clear()
+        for step in steps:
+            self.addItem(self._write(step), step)
+        self.addItem(self.tr("Continuous"), _CONTINUOUS)
+
+    def _on_index_changed(self) -> None:
+        if not self.continuous:
+            self._step = float(self.currentData())
+        self.chosen.emit()
+
+    def changeEvent(self, event: QEvent) -> None:
+        """Follow the language."""
+        if event.type() == QEvent.Type.LanguageChange:
+            self.setItemText(self.count() - 1, self.tr("Continuous"))
+        super().changeEvent(event)
+
+
+class KeyPad(Translated, QFrame):
+    """Takes keys only while it has the focus, and says on itself which key does what.
+
+    Releasing either key, a second key of a direction, the loss of the focus and all that
+    :class:`HoldGuard` watches for end the motion. It takes a new press to begin again.
+
+    Args:
+        keys: What can be moved, and by which keys.
+        name: Of the widget in the program.
+    """
+
+    pressed = Signal(int, int)
+    """A key of a direction went down: the place in ``keys``, and +1 or −1."""
+    let_go = Signal()
+    """The hold is over; comes once after each :attr:`pressed`."""
+    unattended = Signal()
+    """It ended because the operator gave no sign for too long."""
+
+    def __init__(self, keys: Keys, name: str) -> None:
+        super().__init__()
+        self.setObjectName(name)
+        self.setProperty("card", True)
+        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        self._moves: dict[int, tuple[int, int]] = {}
+        self._down: set[int] = set()
+        self._armed = False
+        self._holding = False
+        self._why_not = ""
+        self._continuous = False
+        self._guard = HoldGuard(self)
+        self._guard.lost.connect(self._forget)
+        self._guard.unattended.connect(self.unattended)
+        self._hint = text_label(f"{name}_hint", wraps=True)
+        grid = empty_grid(gaps=(18, 2))
+        for place, (what, plus, minus) in enumerate(keys):
+            for text, direction in ((plus, 1), (minus, -1)):
+                self._moves[_key(text)] = (place, direction)
+            label = QLabel(f"{what}  + {plus}  − {minus}")
+            label.setProperty("rank", "muted")
+            grid.addWidget(label, place // _COLUMNS, place % _COLUMNS)
+        in_column(self._hint, grid, on=self, spacing=1, margins=(14, 5, 14, 5))
+        self.retranslate_ui()
+
+    def set_continuous(self, wanted: bool) -> None:
+        """Whether a key moves until it is let go, or by one step a press."""
+        self._continuous = wanted
+        self.retranslate_ui()
+
+    def allow(self, why_not: str) -> None:
+        """Take keys, or none and say why."""
+        self._why_not = why_not
+        if why_not:
+            self._forget()
+        self.retranslate_ui()
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        """Begin with the one key of a direction that goes down while the dead-man key is held."""
+        key = event.key()
+        if key != DEAD_MAN_KEY and key not in self._moves:
+            super().keyPressEvent(event)
+            return
+        if event.isAutoRepeat():
+            return
+        if key == DEAD_MAN_KEY:
+            self._armed = True
+            return
+        self._end()
+        self._down.add(key)
+        if self._armed and len(self._down) == 1 and not self._why_not:
+            self._holding = True
+            self._guard.watch()
+            self.pressed.emit(*self._moves[key])
+
+    def keyReleaseEvent(self, event: QKeyEvent) -> None:
+        """Either key that comes up ends it."""
+        key = event.key()
+        if key != DEAD_MAN_KEY and key not in self._moves:
+            super().keyReleaseEvent(event)
+            return
+        if event.isAutoRepeat():
+            return
+        self._down.discard(key)
+        if key == DEAD_MAN_KEY:
+            self._armed = False
+        self._end()
+
+    def focusInEvent(self, event: QFocusEvent) -> None:
+        """Show that keys are taken now."""
+        super().focusInEvent(event)
+        self.retranslate_ui()
+
+    def focusOutEvent(self, event: QFocusEvent) -> None:
+        """No key that is released elsewhere is heard of: none counts as held."""
+        self._forget()
+        super().focusOutEvent(event)
+        self.retranslate_ui()
+
+    def hideEvent(self, event: QHideEvent) -> None:
+        """What is not seen is not held."""
+        self._forget()
+        super().hideEvent(event)
+
+    def _forget(self) -> None:
+        self._armed = False
+        self._down.clear()
+        self._end()
+
+    def _end(self) -> None:
+        """The motion ends before anything is done that could fail."""
+        if self._holding:
+            self._holding = False
+            self.let_go.emit()
+        self._guard.release()
+
+    def retranslate_ui(self) -> None:
+        """Say what the keys do, or what is missing."""
+        self.setAccessibleName(self.tr("Keyboard jogging"))
+        self.setToolTip(self._why_not)
+        if self._why_not:
+            text = self.tr("Jogging is not possible now.")
+        elif self.hasFocus() and not self._continuous:
+            text = self.tr("Hold the space bar; each press of a key is one step.")
+        elif self.hasFocus():
+            text = self.tr("Hold the space bar and press a key; release either and the arm stops.")
+        else:
+            text = self.tr("Click here to jog by keys.")
+        self._hint.setText(text)
+
+
+def _key(text: str) -> int:
+    named = _KEYS.get(text)
+    return int(named) if named is not None else ord(text)
 
 
 class JogPanel(Panel):
@@ -42,6 +365,8 @@ class JogPanel(Panel):
         numbers: By which the rows go, in the order of the keys.
         write_step: A step as text.
     """
+
+    _rows: Sequence[TargetRow]
 
     def __init__(
         self,
@@ -63,8 +388,8 @@ class JogPanel(Panel):
         self._key_pad = KeyPad(keys, f"{name}_key_pad")
         self._key_pad.hide()
 
-    def _follow_rows(self, rows: Iterable[JogSignals]) -> None:
-        for row in rows:
+    def _follow_rows(self) -> None:
+        for row in self._rows:
             row.stepped.connect(self._on_stepped)
             row.repeated.connect(self._on_repeated)
             row.held.connect(self._on_held)
@@ -102,6 +427,47 @@ class JogPanel(Panel):
         self._key_pad.unattended.connect(self._on_unattended)
         self._listen()
 
+    # -- targets ------------------------------------------------------------------------------
+
+    def targets(self) -> tuple[float, ...] | None:
+        """The figures in the fields; ``None`` while one of them is none."""
+        values = tuple(row.field.value for row in self._rows)
+        known = tuple(value for value in values if value is not None)
+        return known if len(known) == len(values) else None
+
+    def given(self) -> tuple[bool, ...]:
+        """Of each field, whether its target was given; else it follows the arm."""
+        return tuple(row.own for row in self._rows)
+
+    def take_targets(self, values: Sequence[float], given: Sequence[bool] | None = None) -> None:
+        """Put figures into the fields, as if those that differ were typed; nothing is sent.
+
+        Args:
+            values: One a row.
+            given: Which of them stand still from now on; by default those that were given before,
+                and those that differ.
+        """
+        for row, value in zip(self._rows, values, strict=True):
+            row.take_target(value)
+        for row, stands in zip(self._rows, given or (), strict=False):
+            row.own = stands
+        self._follow_arm()
+        self._on_edited()
+
+    def _fill(self, values: Sequence[float] | None) -> None:
+        """Give every row a target; ``None`` empties the fields."""
+        for row, value in zip(self._rows, values or (None,) * len(self._rows), strict=True):
+            row.show_target(value)
+
+    def _differ_from(self, values: Sequence[float]) -> bool:
+        """Whether a target was given that is none of these."""
+        return any(row.differs_from(value) for row, value in zip(self._rows, values, strict=True))
+
+    def _follow(self, values: Sequence[float]) -> None:
+        """Show figures in the fields in which no target was given."""
+        for row, value in zip(self._rows, values, strict=True):
+            row.follow(value)
+
     # -- what a panel of its own adds ---------------------------------------------------------
 
     def _on_stepped(self, number: int, direction: int) -> None:
@@ -118,10 +484,6 @@ class JogPanel(Panel):
 
     def _on_held(self, number: int, direction: int) -> None:
         """Jog until :meth:`_on_let_go`."""
-        raise NotImplementedError
-
-    def _take_step(self, step: float, *, continuous: bool) -> None:
-        """Have − and + of the rows go by a step, or on and on while they are held."""
         raise NotImplementedError
 
     def _first_wrong(self) -> Refusal | None:
@@ -150,7 +512,8 @@ class JogPanel(Panel):
     # -- jogging ------------------------------------------------------------------------------
 
     def _on_step_chosen(self) -> None:
-        self._take_step(self._step_box.step, continuous=self._step_box.continuous)
+        for row in self._rows:
+            row.set_step(self._step_box.step, continuous=self._step_box.continuous)
         self._key_pad.set_continuous(self._step_box.continuous)
         self._show_possible()
 
@@ -188,8 +551,13 @@ class JogPanel(Panel):
         if old.cannot_move != self._operating_state.cannot_move:
             self._refusal = None
 
-    def _why_not_move(self) -> str:
-        return words.why_not(self._operating_state.cannot_move)
+    def _allow_jog(self) -> str:
+        """Enable all that jogs, or disable it; returns why nothing can be moved."""
+        why_not = words.why_not(self._operating_state.cannot_move)
+        for row in self._rows:
+            row.allow_jog(why_not)
+        self._key_pad.allow(why_not)
+        return why_not
 
     def _show_message(self) -> None:
         standing = self._unless_told(self._operating_state.cannot_move)

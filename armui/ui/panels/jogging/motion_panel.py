@@ -7,24 +7,33 @@ from collections.abc import Sequence
 from typing import Final
 
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QFrame
+from PySide6.QtWidgets import QFrame, QLabel
 
-from armui.arm.limits import JOINTS
+from armui.arm.limits import ANGLE_STEP_DEG, JOINTS, JointLimits, check_joint
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import ArmState
 from armui.control.arm_controller import ArmController
+from armui.control.motion.jog_path import JointJog
 from armui.ui import format as fmt
 from armui.ui import words
 from armui.ui.actions.keys import keys_of
 from armui.ui.freshness import is_stale
-from armui.ui.panels.jogging.jog_panel import JogPanel
-from armui.ui.panels.jogging.joint_row import JointRow
-from armui.ui.panels.jogging.taken_figures import take_figures
-from armui.ui.widgets.buttons import caption, push_button, show_primary
-from armui.ui.widgets.enable_or_explain import enable_or_explain
-from armui.ui.widgets.layouts import STRETCH, in_column, in_row
-from armui.ui.widgets.text_label import text_label
+from armui.ui.panels.jogging.jog_panel import JogPanel, TargetRow
+from armui.ui.theme import scaled_font
+from armui.ui.widgets.buttons import (
+    caption,
+    describe,
+    enable_or_explain,
+    named,
+    push_button,
+    show_primary,
+)
+from armui.ui.widgets.curve_menu import tell_quantities
+from armui.ui.widgets.figure_field import FigureField
+from armui.ui.widgets.layouts import STRETCH, empty_grid, in_column, in_row
+from armui.ui.widgets.text_label import ValueLabel, text_label
+from armui.ui.widgets.track_slider import TrackSlider
 
 _FIELD_INDENT_PX: Final = 80
 _TALLEST_CARD_PX: Final = 600
@@ -33,6 +42,148 @@ _KEYS: Final = tuple(
     for joint, plus, minus in zip(JOINTS, "QWERTY", "ASDFGH", strict=True)
 )
 _HOME_KEY, _LOAD_KEY, _SEND_KEY = (keys_of(f"motion.{act}") for act in ("home", "load", "send"))
+
+_WIDEST_ANGLE: Final = "-000.000°"
+_WIDEST_LIMIT: Final = "-000.00°"
+
+
+class JointRow(TargetRow):
+    """The controls of one joint; its signals carry the joint's number.
+
+    Args:
+        joint: Its number, 1–6.
+        limits: Its range until the arm tells another.
+    """
+
+    def __init__(self, joint: int, limits: JointLimits) -> None:
+        field = named(f"target_field_{joint}", FigureField(fmt.DECIMALS, "°"))
+        measured = named(f"measured_{joint}", ValueLabel(_WIDEST_ANGLE))
+        super().__init__("jog", joint, joint, field, measured)
+        self.joint = joint
+        self._limits = limits
+        self._limits_read = False
+        self._name = QLabel(f"J{joint}")
+        self._name.setFont(scaled_font(self._name, 1.15, bold=True))
+        tell_quantities(
+            self, *(f"{source}.joint_angle.{joint}" for source in ("arm", "own", "other"))
+        )
+        self.slider = named(f"target_slider_{joint}", TrackSlider(ANGLE_STEP_DEG, marked=True))
+        self.slider.setSingleStep(round(1.0 / ANGLE_STEP_DEG))
+        self.slider.setPageStep(round(10.0 / ANGLE_STEP_DEG))
+        self._minimum = ValueLabel(_WIDEST_LIMIT)
+        self._maximum = ValueLabel(_WIDEST_LIMIT, alignment=Qt.AlignmentFlag.AlignLeft)
+        for label in (self._minimum, self._maximum):
+            label.setFont(scaled_font(label, 0.88))
+        self._lay_out()
+        self.slider.valueChanged.connect(self._on_slider_moved)
+        self.show_target(None)
+        self.retranslate_ui()
+
+    def _lay_out(self) -> None:
+        top = Qt.AlignmentFlag.AlignTop
+        grid = empty_grid(self, gaps=(8, 0), margins=0)
+        grid.addWidget(self._name, 0, 0)
+        grid.addWidget(self.minus, 0, 1)
+        grid.addWidget(self.field, 0, 2)
+        grid.addWidget(self.plus, 0, 3)
+        grid.addWidget(self.measured, 0, 4, Qt.AlignmentFlag.AlignRight)
+        grid.addWidget(self._minimum, 1, 0, 1, 2, Qt.AlignmentFlag.AlignRight | top)
+        grid.addWidget(self.slider, 1, 2, 1, 2, top)
+        grid.addWidget(self._maximum, 1, 4, Qt.AlignmentFlag.AlignLeft | top)
+        grid.setColumnMinimumWidth(0, 30)
+        grid.setColumnMinimumWidth(4, self.measured.sizeHint().width() + 6)
+        grid.setColumnStretch(2, 1)
+
+    # -- target -------------------------------------------------------------------------------
+
+    def beyond_limits(self) -> Refusal | None:
+        """What is to be said against the figure in the field, if it is out of limits."""
+        target = self.field.value
+        return None if target is None else check_joint(self.joint, target, self._limits)
+
+    def _on_slider_moved(self) -> None:
+        self.own = True
+        self.field.show_value(self.slider.requested)
+        self._after_target()
+        self.edited.emit()
+
+    def _after_target(self) -> None:
+        """Slider, marks and colours go with the figure in the field."""
+        beyond = self.beyond_limits() is not None
+        self.slider.show_requested(self.field.value, attention=beyond)
+        self.field.show_attention(wanted=beyond or self.field.is_nonsense())
+        self._show_limits()
+
+    # -- what the arm says --------------------------------------------------------------------
+
+    def show_measured(self, angle_deg: float | None, *, stale: bool) -> None:
+        """Show the measured angle as figure and as mark on the slider."""
+        self.measured.show_text(fmt.angle(angle_deg), stale=stale)
+        self.slider.show_measured(None if stale else angle_deg)
+
+    def set_limits(self, limits: JointLimits, *, read: bool) -> None:
+        """Take other limits.
+
+        Args:
+            limits: The range.
+            read: Whether the arm told it; otherwise it is the factory's.
+        """
+        if (limits, read) == (self._limits, self._limits_read):
+            return
+        self._limits, self._limits_read = limits, read
+        self._after_target()
+        self.retranslate_ui()
+
+    def _show_limits(self) -> None:
+        limits, target = self._limits, self.field.value
+        self.slider.set_limits(limits.min_deg, limits.max_deg)
+        beyond = self.beyond_limits() is not None
+        below = beyond and target is not None and target < limits.min_deg
+        above = beyond and not below
+        for label, bound_deg, sign, broken in (
+            (self._minimum, limits.min_deg, "≥ ", below),
+            (self._maximum, limits.max_deg, "≤ ", above),
+        ):
+            text = fmt.short_angle(bound_deg)
+            label.show_text(sign + text if broken else text, stale=not self._limits_read)
+            label.show_attention(wanted=broken)
+
+    def _tips(self) -> tuple[str, str]:
+        """What − and + do."""
+        if self.minus.continuous:
+            hold = self.tr("Moves joint {joint} while it is held; let go to stop.")
+            tips = (hold, hold)
+        else:
+            tips = (
+                self.tr("Moves joint {joint} by −{step} at once. Hold to go on."),
+                self.tr("Moves joint {joint} by +{step} at once. Hold to go on."),
+            )
+        step = fmt.short_angle(self.field.step)
+        minus, plus = (tip.format(joint=self.joint, step=step) for tip in tips)
+        return minus, plus
+
+    def retranslate_ui(self) -> None:
+        """Put names and tooltips into the operator's language."""
+        joint = self.joint
+        self.minus.setAccessibleName(self.tr("Joint {joint} minus").format(joint=joint))
+        self.plus.setAccessibleName(self.tr("Joint {joint} plus").format(joint=joint))
+        self.field.setAccessibleName(self.tr("Target angle of joint {joint}").format(joint=joint))
+        self.slider.setAccessibleName(self.tr("Target slider of joint {joint}").format(joint=joint))
+        measured = self.tr("Measured angle of joint {joint}").format(joint=joint)
+        describe(self.measured, measured, self.tr("Measured by the arm"))
+        target = self.tr(
+            "Target of joint {joint}: {minimum} to {maximum}. Not sent before you press Send."
+        ).format(
+            joint=joint,
+            minimum=fmt.short_angle(self._limits.min_deg),
+            maximum=fmt.short_angle(self._limits.max_deg),
+        )
+        self.field.setToolTip(target)
+        self.slider.setToolTip(target)
+        read = self.tr("Limit read from the arm")
+        origin = read if self._limits_read else self.tr("Factory limit: not read from the arm yet")
+        self._minimum.setToolTip(origin)
+        self._maximum.setToolTip(origin)
 
 
 class MotionPanel(JogPanel):
@@ -58,7 +209,8 @@ class MotionPanel(JogPanel):
         self._heard = False
         self._target_head = text_label(rank="muted")
         self._measured_head = text_label(rank="muted")
-        self._rows = [JointRow(j, self._operating_state.limits[j - 1]) for j in JOINTS]
+        limits = self._operating_state.limits
+        self._rows: Sequence[JointRow] = [JointRow(j, limits[j - 1]) for j in JOINTS]
         self._home = push_button("home_button")
         self._load = push_button("load_button")
         self._send = push_button("send_button")
@@ -76,7 +228,7 @@ class MotionPanel(JogPanel):
         self._finish(card, buttons, tallest_px=_TALLEST_CARD_PX)
 
     def _connect(self) -> None:
-        self._follow_rows(self._rows)
+        self._follow_rows()
         self._home.clicked.connect(self._on_home)
         self._load.clicked.connect(self._on_load)
         self._send.clicked.connect(self._on_send)
@@ -99,34 +251,6 @@ class MotionPanel(JogPanel):
         field.setFocus(Qt.FocusReason.OtherFocusReason)
         field.selectAll()
 
-    def targets_deg(self) -> tuple[float, ...] | None:
-        """The six angles in the fields; None while one of them is no figure."""
-        angles_deg = [row.target_deg for row in self._rows]
-        known = tuple(angle for angle in angles_deg if angle is not None)
-        return known if len(known) == len(angles_deg) else None
-
-    def given(self) -> tuple[bool, ...]:
-        """Of each field, whether its target was given; else it follows the arm."""
-        return tuple(row.own for row in self._rows)
-
-    def take_targets(
-        self, angles_deg: Sequence[float], given: Sequence[bool] | None = None
-    ) -> None:
-        """Put six angles into the fields, as if those that differ were typed; nothing is sent.
-
-        Args:
-            angles_deg: The angles.
-            given: Which of them stand still from now on; by default those that were given before,
-                and those that differ.
-        """
-        take_figures(self._rows, angles_deg, given)
-        self._follow_arm()
-        self._on_edited()
-
-    def _take_step(self, step: float, *, continuous: bool) -> None:
-        for row in self._rows:
-            row.set_step(step, continuous=continuous)
-
     # -- actions ------------------------------------------------------------------------------
 
     def _on_repeated(self, joint: int, direction: int) -> None:
@@ -140,8 +264,6 @@ class MotionPanel(JogPanel):
             self._show_message()
 
     def _on_held(self, joint: int, direction: int) -> None:
-        from armui.control.motion.jog_path import JointJog  # noqa: PLC0415 - faster start
-
         if self._accepted(self._controller.jogging.start(JointJog(joint, direction))):
             self._release(joint)
 
@@ -176,13 +298,11 @@ class MotionPanel(JogPanel):
         self._accepted(None)
 
     def _on_send(self) -> None:
-        targets_deg: list[float] = []
-        for row in self._rows:
-            if row.target_deg is None:
-                self._accepted(self._why_no_figure(row))
-                return
-            targets_deg.append(row.target_deg)
-        if self._accepted(self._controller.motion.send_joints(targets_deg)):
+        targets_deg = self.targets()
+        if targets_deg is None:
+            unknown = next(row for row in self._rows if row.field.value is None)
+            self._accepted(self._why_no_figure(unknown))
+        elif self._accepted(self._controller.motion.send_joints(targets_deg)):
             self._release(*JOINTS)
 
     @staticmethod
@@ -215,8 +335,7 @@ class MotionPanel(JogPanel):
         """Fields in which nothing was given show where the arm is sent, else where it is."""
         angles_deg = self._angles_deg()
         if angles_deg is not None:
-            for row, angle_deg in zip(self._rows, angles_deg, strict=True):
-                row.follow(angle_deg)
+            self._follow(angles_deg)
         if (angles_deg is None) is self._heard:
             self._heard = angles_deg is not None
             self._show_possible()
@@ -230,17 +349,7 @@ class MotionPanel(JogPanel):
     def _light_send(self) -> None:
         """Light 发送 while a target was given that the arm is not at."""
         angles_deg = self._angles_deg() or (math.inf,) * len(JOINTS)
-        show_primary(
-            self._send,
-            wanted=any(
-                row.differs_from(angle_deg)
-                for row, angle_deg in zip(self._rows, angles_deg, strict=True)
-            ),
-        )
-
-    def _fill(self, angles_deg: tuple[float, ...] | None) -> None:
-        for row, angle_deg in zip(self._rows, angles_deg or (None,) * len(JOINTS), strict=True):
-            row.show_target(angle_deg)
+        show_primary(self._send, wanted=self._differ_from(angles_deg))
 
     def _forget_targets(self) -> None:
         self._fill(None)
@@ -259,10 +368,7 @@ class MotionPanel(JogPanel):
     # -- appearance ---------------------------------------------------------------------------
 
     def _show_possible(self) -> None:
-        why_not = self._why_not_move()
-        for row in self._rows:
-            row.allow_jog(why_not)
-        self._key_pad.allow(why_not)
+        why_not = self._allow_jog()
         heard = self._controller.state.angles_deg() is not None
         no_angles = "" if heard else words.refusal(Refusal(RefusalCode.JOINTS_UNKNOWN))
         use = self.tr("Moves all joints to 0°.")

@@ -2,13 +2,152 @@
 
 from __future__ import annotations
 
-from PySide6.QtWidgets import QButtonGroup, QSizePolicy, QStackedWidget, QWidget
+from collections.abc import Sequence
+from functools import partial
+from typing import Final
 
-from armui.ui.panels.jogging.arc_box import ArcBox
-from armui.ui.panels.jogging.tool_box import ToolBox
-from armui.ui.widgets.buttons import caption, choice_button
-from armui.ui.widgets.layouts import in_column, in_row
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtWidgets import QButtonGroup, QLabel, QSizePolicy, QStackedWidget, QWidget
+
+from armui.kinematics.poses import AXES, LINEAR_AXES
+from armui.ui import format as fmt
+from armui.ui.theme import scaled_font
+from armui.ui.widgets.buttons import caption, choice_button, enable_or_explain, push_button
+from armui.ui.widgets.figure_field import FigureField
+from armui.ui.widgets.layouts import empty_grid, in_column, in_row
+from armui.ui.widgets.text_label import text_label
 from armui.ui.widgets.translated import Translated
+
+Pose = tuple[float, ...]
+_POINTS = ("start", "middle", "end")
+_TEXT_SCALE: Final = 0.85
+
+
+class ToolBox(Translated, QWidget):
+    """Six small fields; what they hold counts as soon as a field is left."""
+
+    changed = Signal(object)
+    """Six figures as they were typed; one that is none stands as its text."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._title = text_label(rank="muted", wraps=True)
+        self._fields = [FigureField(fmt.DECIMALS) for _ in AXES]
+        grid = empty_grid(self, gaps=(8, 2), margins=0)
+        grid.addWidget(self._title, 0, 0, 1, 6)
+        for place, (name, field) in enumerate(zip(AXES, self._fields, strict=True)):
+            row, column = 1 + place // LINEAR_AXES, 2 * (place % LINEAR_AXES)
+            field.setObjectName(f"tool_field_{name}")
+            grid.addWidget(QLabel(name), row, column)
+            grid.addWidget(field, row, column + 1)
+            grid.setColumnStretch(column + 1, 1)
+            field.editingFinished.connect(self._on_finished)
+        grid.setRowStretch(grid.rowCount(), 1)
+        self.retranslate_ui()
+
+    def show_tool(self, tool: Sequence[float]) -> None:
+        """Put the figures in force into the fields."""
+        for field, value in zip(self._fields, tool, strict=True):
+            field.show_value(value)
+            field.show_attention(wanted=False)
+
+    def mark(self, *, wrong: bool) -> None:
+        """Mark the fields that hold something else than a figure, or all that was refused."""
+        for field in self._fields:
+            field.show_attention(wanted=wrong and (field.value is None or abs(field.value) > 180))
+
+    def _on_finished(self) -> None:
+        self.changed.emit(
+            tuple(
+                field.text() or fmt.NOTHING if field.value is None else field.value
+                for field in self._fields
+            )
+        )
+
+    def retranslate_ui(self) -> None:
+        """Put names into the operator's language."""
+        self._title.setText(self.tr("Tool centre point on the flange (mm, °), kept on this PC"))
+        for name, field in zip(AXES, self._fields, strict=True):
+            field.setAccessibleName(self.tr("Tool {axis}").format(axis=name))
+
+
+class ArcBox(Translated, QWidget):
+    """Three poses, each captured where the arm stands, and the two buttons that use them."""
+
+    capture_wanted = Signal(int)
+    """The place of a pose, 0–2, is to be taken from where the arm is."""
+    start_wanted = Signal()
+    """Go to the start of the arc."""
+    send_wanted = Signal()
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.poses: list[Pose | None] = [None, None, None]
+        self._captures = [push_button(f"capture_{point}") for point in _POINTS]
+        self._texts = [text_label(f"captured_{point}", rank="muted") for point in _POINTS]
+        self.go_to_start = push_button("arc_start_button")
+        self.send = push_button("move_c_button")
+        grid = empty_grid(self, gaps=(6, 3), margins=0)
+        for place, (button, text) in enumerate(zip(self._captures, self._texts, strict=True)):
+            button.clicked.connect(partial(self.capture_wanted.emit, place))
+            button.setProperty("compact", True)
+            text.setAlignment(Qt.AlignmentFlag.AlignCenter)
+            text.setFont(scaled_font(text, _TEXT_SCALE))
+            grid.addWidget(button, 0, place)
+            grid.addWidget(text, 1, place)
+            grid.setColumnStretch(place, 1)
+        buttons = in_row((self.go_to_start, 1), (self.send, 1), spacing=6)
+        grid.addLayout(buttons, 2, 0, 1, len(_POINTS))
+        grid.setRowStretch(3, 1)
+        self.go_to_start.clicked.connect(self.start_wanted)
+        self.send.clicked.connect(self.send_wanted)
+        self.retranslate_ui()
+
+    def take(self, place: int, pose: Pose) -> None:
+        """A pose was captured."""
+        self.poses[place] = pose
+        self._show_poses()
+
+    def clear(self) -> None:
+        """The poses stand for nothing any more."""
+        self.poses = [None, None, None]
+        self._show_poses()
+
+    def missing(self) -> str | None:
+        """The name of the first pose that is not captured yet."""
+        names = (self.tr("start"), self.tr("middle"), self.tr("end"))
+        return next(
+            (name for name, pose in zip(names, self.poses, strict=True) if pose is None), None
+        )
+
+    def allow(self, why_no_capture: str, why_no_move: str) -> None:
+        """Enable the buttons, or disable them and say why."""
+        for button in self._captures:
+            use = self.tr("Takes the pose the arm has now; nothing moves.")
+            enable_or_explain(button, why_no_capture, use)
+        use = self.tr("Moves to the captured start with MOVE P.")
+        enable_or_explain(self.go_to_start, why_no_move, use)
+        use = self.tr("Moves from the start over the middle to the end. Some firmware has no arc.")
+        enable_or_explain(self.send, why_no_move, use)
+
+    def _show_poses(self) -> None:
+        for text, pose in zip(self._texts, self.poses, strict=True):
+            if pose is None:
+                text.setText(fmt.NOTHING)
+                text.setToolTip("")
+                continue
+            x, y, z, rx, ry, rz = (fmt.number(value, 1) for value in pose)
+            text.setText(f"{' '.join(fmt.number(value, 0) for value in pose[:3])} mm")
+            text.setToolTip(f"X {x}  Y {y}  Z {z} mm  RX {rx}°  RY {ry}°  RZ {rz}°")
+
+    def retranslate_ui(self) -> None:
+        """Put every word into the operator's language."""
+        names = (self.tr("Capture start"), self.tr("Capture middle"), self.tr("Capture end"))
+        for button, text in zip(self._captures, names, strict=True):
+            caption(button, text)
+        caption(self.go_to_start, self.tr("Go to start"))
+        caption(self.send, "MOVE C")
+        self._show_poses()
 
 
 class PoseExtras(Translated, QWidget):

@@ -1,21 +1,135 @@
-"""A panel of a level for each joint, and one click for all of them."""
+"""Panels of a level for each joint, 碰撞等级 and 拖动助力, and one click for all of them."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
 from typing import Final
 
-from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QFrame, QLabel
+from PySide6.QtCore import QSignalBlocker, Qt, Signal
+from PySide6.QtWidgets import QButtonGroup, QFrame, QLabel, QSizePolicy, QWidget
 
-from armui.arm.parameters import Batch, Group
+from armui.arm.parameters import Batch, Group, Parameter, heard
 from armui.control.arm_controller import ArmController
-from armui.ui.panels.parameters.level_cell import LevelCell, LevelRow
+from armui.ui import format as fmt
+from armui.ui.dialogs.base import ArmDialog
 from armui.ui.panels.parameters.parameter_panel import ParameterPanel
-from armui.ui.widgets.layouts import empty_grid
+from armui.ui.panels.parameters.setting_cell import SettingCell, cell_name
+from armui.ui.widgets.buttons import choice_button, named
+from armui.ui.widgets.layouts import empty_grid, in_column, in_row
 from armui.ui.widgets.text_label import text_label
 
 _LABEL_PX: Final = 30
+_GAP_PX: Final = 3
+_HEIGHT_PX: Final = 30
+_NO_DETECTION: Final = 0
+_COLLISION_CARD_PX: Final = 420
+_DRAG_ASSISTANCE_CARD_PX: Final = 470
+_DIALOG_WIDTH_PX: Final = 520
+_DIALOG_HEIGHT_PX: Final = 700
+
+
+class LevelRow(QWidget):
+    """Whole levels side by side; the chosen one stands out, or none.
+
+    Args:
+        levels: From left to right.
+        name: For the names of the buttons: ``<name>_level_<level>``.
+
+    Signals:
+        chosen: The operator chose a level.
+    """
+
+    chosen = Signal(int)
+
+    def __init__(self, levels: range, name: str) -> None:
+        super().__init__()
+        self._group = QButtonGroup(self)
+        layout = in_row(on=self, spacing=_GAP_PX, margins=0)
+        for level in levels:
+            button = choice_button(f"{name}_level_{level}", str(level))
+            button.setProperty("narrow", True)
+            button.setFixedHeight(_HEIGHT_PX)
+            button.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
+            self._group.addButton(button, level)
+            layout.addWidget(button, 1)
+        self._group.idClicked.connect(self.chosen)
+
+    @property
+    def level(self) -> int | None:
+        """The chosen level."""
+        level = self._group.checkedId()
+        return None if level < 0 else level
+
+    def show_level(self, level: int | None) -> None:
+        """Choose a level, or none, without telling anyone."""
+        with QSignalBlocker(self._group):
+            self._group.setExclusive(False)
+            for button in self._group.buttons():
+                button.setChecked(self._group.id(button) == level)
+            self._group.setExclusive(True)
+
+    def set_locked(self, *, locked: bool) -> None:
+        """Show the level and let no other be chosen, or let it again."""
+        for button in self._group.buttons():
+            button.setEnabled(not locked)
+
+    def first(self) -> QWidget:
+        """Where the Tab key enters."""
+        return self._group.checkedButton() or self._group.buttons()[0]
+
+    def describe(self, name: str) -> None:
+        """Name the buttons: whose levels they are."""
+        for button in self._group.buttons():
+            button.setAccessibleName(f"{name} {self._group.id(button)}")
+
+
+class LevelCell(SettingCell):
+    """A parameter of whole levels; the row is named as the parameter, ``collision_level_3``.
+
+    Attributes:
+        levels: From left to right.
+    """
+
+    def __init__(self, parameter: Parameter) -> None:
+        super().__init__(parameter)
+        kind = parameter.kind
+        self.levels = range(round(kind.minimum), round(kind.maximum) + 1)
+        self._row = named(cell_name(parameter), LevelRow(self.levels, cell_name(parameter)))
+        in_column(self._row, self.note, on=self, spacing=1, margins=0)
+        self._row.chosen.connect(self.edited)
+
+    @property
+    def text(self) -> str:
+        """The chosen level."""
+        return "" if self._row.level is None else str(self._row.level)
+
+    @property
+    def value(self) -> float | None:
+        """The chosen level as a figure."""
+        return None if self._row.level is None else float(self._row.level)
+
+    @property
+    def focus_widget(self) -> QWidget:
+        """The chosen button."""
+        return self._row.first()
+
+    def show_value(self, value: float | None) -> None:
+        """Choose what the arm holds; a level there is no button for chooses none."""
+        self._row.show_level(None if value is None else round(value))
+
+    def choose(self, level: int) -> None:
+        """Enter a level as if its button had been pressed."""
+        self._row.show_level(level)
+        self.edited.emit()
+
+    def set_locked(self, *, locked: bool) -> None:
+        """Let no other level be chosen, or let it again."""
+        self._row.set_locked(locked=locked)
+
+    def describe(self, name: str, tip: str) -> None:
+        """Name the levels, and say in full how it stands."""
+        self._row.describe(name)
+        self.setToolTip(tip)
 
 
 class LevelsPanel(ParameterPanel):
@@ -76,3 +190,105 @@ class LevelsPanel(ParameterPanel):
         self._all.describe(self.tr("All joints: level"))
         self._note.setText(self.note())
         super().retranslate_ui()
+
+
+class CollisionPanel(LevelsPanel):
+    """Warns of joints without detection."""
+
+    def __init__(self, controller: ArmController, open_backup: Callable[[], object]) -> None:
+        super().__init__(controller, Group.COLLISION, open_backup, tallest_px=_COLLISION_CARD_PX)
+
+    def title(self) -> str:
+        """碰撞等级."""
+        return self.tr("Collision level")
+
+    def note(self) -> str:
+        """Which levels watch."""
+        return self.tr("Levels 1 to 8 watch for collisions; level 0 does not watch at all.")
+
+    def danger(self) -> str:
+        """Joints that would not notice, or do not notice, what they hit."""
+        blind = [cell.parameter.joint for cell in self._levels if cell.value == _NO_DETECTION]
+        if not blind:
+            return ""
+        return self.tr(
+            "Level 0 – no collision detection: {joints} will not stop when they hit something or "
+            "someone."
+        ).format(joints=fmt.joints(blind))
+
+    def danger_of_saving(self) -> str:
+        """Joints whose detection would be switched off now."""
+        state = self._controller.state
+        blind = [
+            parameter.joint
+            for parameter, level in self._draft.changes().items()
+            if level == _NO_DETECTION
+            and ((known := heard(state, parameter)) is None or known.value != _NO_DETECTION)
+        ]
+        if not blind:
+            return ""
+        return self.tr(
+            "This switches the collision detection of {joints} off: the arm will not stop when "
+            "they hit something or someone. Keep everyone out of its reach."
+        ).format(joints=fmt.joints(blind))
+
+    def remark(self, cell: SettingCell) -> str:
+        """A joint without detection says so, beside its number."""
+        return self.tr("no detection") if cell.value == _NO_DETECTION else ""
+
+
+class DragAssistancePanel(LevelsPanel):
+    """Levels from no help at all to the most."""
+
+    def __init__(self, controller: ArmController, open_backup: Callable[[], object]) -> None:
+        group = Group.DRAG_ASSISTANCE
+        super().__init__(controller, group, open_backup, tallest_px=_DRAG_ASSISTANCE_CARD_PX)
+
+    def title(self) -> str:
+        """拖动助力."""
+        return self.tr("Drag assistance")
+
+    def stand_in_dialog(self) -> None:
+        """The dialog has the title and the margins."""
+        layout = self.layout()
+        if layout is not None:
+            layout.setContentsMargins(0, 0, 0, 0)
+        policy = self._title.sizePolicy()
+        policy.setRetainSizeWhenHidden(True)  # the button beside it stays at the right
+        self._title.setSizePolicy(policy)
+        self._title.hide()
+
+    def note(self) -> str:
+        """What the levels do."""
+        return self.tr(
+            "From 0, the joint does not help the hand, to 10, it helps most. Read and set with "
+            "the arm at rest; keep a hand on it when it is led for the first time afterwards."
+        )
+
+
+class DragAssistanceDialog(ArmDialog):
+    """What was entered and not saved is still there when it is opened again.
+
+    Args:
+        controller: Whom to ask.
+        open_backup: Opens 参数备份.
+        parent: The window it belongs to.
+    """
+
+    def __init__(
+        self,
+        controller: ArmController,
+        open_backup: Callable[[], object],
+        parent: QWidget | None = None,
+    ) -> None:
+        super().__init__(controller, parent)
+        self.setObjectName("drag_assistance_dialog")
+        self.panel = DragAssistancePanel(controller, open_backup)
+        self.panel.stand_in_dialog()
+        self.body.addWidget(self.panel)
+        self.resize(_DIALOG_WIDTH_PX, _DIALOG_HEIGHT_PX)
+        self.retranslate_ui()
+
+    def retranslate_ui(self) -> None:
+        """Put every word into the operator's language."""
+        self.set_title(self.panel.title())

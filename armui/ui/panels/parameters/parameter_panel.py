@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from itertools import pairwise
+from typing import Final, NamedTuple
 
 from PySide6.QtCore import Qt, QTimer
 from PySide6.QtGui import QHideEvent, QKeyEvent, QShowEvent
-from PySide6.QtWidgets import QFrame, QToolButton
+from PySide6.QtWidgets import QFrame, QToolButton, QWidget
 
 from armui.arm.device import Device
 from armui.arm.models import model_data
@@ -16,21 +17,20 @@ from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import Reading
 from armui.control.arm_controller import ArmController
+from armui.control.events import Level
 from armui.control.operating_state import OperatingState
+from armui.control.parameters.setting_cell import CellState
 from armui.control.parameters.setting_checks import batches_of
-from armui.control.parameters.setting_draft import CellStatus, SettingDraft
+from armui.control.parameters.setting_draft import CellStatus, SettingDraft, shown_as
 from armui.control.parameters.setting_saving import SettingSaving
 from armui.ui import format as fmt
 from armui.ui import words
-from armui.ui.dialogs.confirm import confirm
-from armui.ui.panels.panel import Panel
-from armui.ui.panels.parameters import parameter_message
-from armui.ui.panels.parameters.parameter_buttons import CANCEL_KEY, SAVE_KEY, ParameterButtons
+from armui.ui.actions.keys import keys_of
+from armui.ui.dialogs.confirm_dialog import confirm
+from armui.ui.panels.panel import Panel, level_of
 from armui.ui.panels.parameters.setting_cell import SettingCell
-from armui.ui.widgets.buttons import caption, named
-from armui.ui.widgets.card import scrolled
-from armui.ui.widgets.enable_or_explain import enable_or_explain
-from armui.ui.widgets.layouts import in_row
+from armui.ui.widgets.buttons import caption, enable_or_explain, named, push_button
+from armui.ui.widgets.layouts import in_row, scrolled
 from armui.ui.words.parameters import (
     beyond_danger,
     beyond_factory,
@@ -41,6 +41,63 @@ from armui.ui.words.parameters import (
     status_word,
     value_text,
 )
+from armui.ui.words.text import listed
+
+SAVE_KEY: Final = keys_of("parameters.save")
+"""Of 【保存】, to be said in its tooltip."""
+CANCEL_KEY: Final = keys_of("parameters.cancel")
+_HEIGHT_PX: Final = 38
+_GAP_PX: Final = 10
+_LEVELS: Final = {
+    RefusalCode.SETTING_NOT_TAKEN: Level.FAULT,
+    RefusalCode.SETTING_UNANSWERED: Level.FAULT,
+    RefusalCode.SETTING_NOT_READ_BACK: Level.FAULT,
+}
+
+
+class _Said(NamedTuple):
+    """A text and how much it matters."""
+
+    text: str
+    level: Level = Level.INFO
+
+
+class ParameterButtons(QWidget):
+    """【编辑】 and 【取消】 share a place: only one of them makes sense at a time.
+
+    Args:
+        name: For the names of the buttons: ``<name>_save_button``.
+        can_reset: Whether there is a 【初始化】.
+    """
+
+    def __init__(self, name: str, *, can_reset: bool) -> None:
+        super().__init__()
+        self.read = push_button(f"{name}_read_button")
+        self.reset = push_button(f"{name}_reset_button")
+        self.edit = push_button(f"{name}_edit_button")
+        self.cancel = push_button(f"{name}_cancel_button")
+        self.save = push_button(f"{name}_save_button", primary=True)
+        layout = in_row(on=self, spacing=_GAP_PX, margins=0)
+        for button in (self.read, self.reset, self.edit, self.cancel, self.save):
+            button.setMinimumHeight(_HEIGHT_PX)
+            layout.addWidget(button, 1)
+        self.reset.setVisible(can_reset)
+        self.show_editing(editing=False)
+
+    def show_editing(self, *, editing: bool) -> None:
+        """Show the button that ends editing, or the one that begins it."""
+        # the one that goes first: the row must never be wider than the panel
+        leaving, coming = (self.edit, self.cancel) if editing else (self.cancel, self.edit)
+        leaving.hide()
+        coming.show()
+
+    def retranslate_ui(self) -> None:
+        """Put every word into the operator's language."""
+        caption(self.read, self.tr("Read"))
+        caption(self.reset, self.tr("Initialise"))
+        caption(self.edit, self.tr("Edit"))
+        caption(self.cancel, self.tr("Cancel"))
+        caption(self.save, self.tr("Save"), key=SAVE_KEY)
 
 
 class ParameterPanel(Panel):
@@ -380,15 +437,49 @@ class ParameterPanel(Panel):
 
     def _show_message(self) -> None:
         occupied = self._controller.operating_state.occupied if self._draft.editing else None
-        said = parameter_message.message(
-            refusal=self._refusal or self._unless_told(self._why_not_here()) or occupied,
-            draft=self._draft,
-            state=self._controller.state,
-            cell=self._settings.cell,
-            asked=self._saving.asked,
-            danger=self.danger(),
-        )
+        said = self._said(self._refusal or self._unless_told(self._why_not_here()) or occupied)
         self._message.show_message(said.text, said.level)
+
+    def _said(self, refusal: Refusal | None) -> _Said:
+        """Return the one thing to say: a refusal, what is wrong, a danger, or that it is saved."""
+        state, cell, draft = self._controller.state, self._settings.cell, self._draft
+        reasons = (cell(parameter).reason for parameter in draft.parameters)
+        first = (
+            refusal
+            or draft.first_wrong(state)
+            or next((reason for reason in reasons if reason is not None), None)
+        )
+        if first is not None:
+            return _Said(words.refusal(first), _LEVELS.get(first.code, level_of(first)))
+        corrupt = [
+            parameter
+            for parameter in draft.parameters
+            if draft.status(state, parameter, cell(parameter)) is CellStatus.CORRUPT
+        ]
+        if corrupt:
+            names = listed(full_name(parameter) for parameter in corrupt)
+            reason = status_explained(CellStatus.CORRUPT, "")
+            text = self.tr("{names}: {reason}").format(names=names, reason=reason)
+            return _Said(text, Level.FAULT)
+        danger, asked = self.danger(), self._saving.asked
+        if danger:
+            return _Said(danger, Level.WARNING)
+        if asked and all(cell(parameter).state is CellState.SAVED for parameter in asked):
+            return self._saved()
+        return _Said("")
+
+    def _saved(self) -> _Said:
+        """All of it is in the arm; where that keeps coarser steps than were asked for, which."""
+        nearest = [
+            f"{full_name(parameter)} {value_text(parameter.name, known.value)}"
+            for parameter, value in self._saving.asked.items()
+            if (known := heard(self._controller.state, parameter)) is not None
+            and shown_as(parameter, known.value) != shown_as(parameter, value)
+        ]
+        if not nearest:
+            return _Said(self.tr("Saved: read back from the arm, and the same."), Level.DONE)
+        text = self.tr("Saved. The arm keeps coarser steps; it holds the nearest: {values}.")
+        return _Said(text.format(values=listed(nearest)), Level.DONE)
 
     def retranslate_ui(self) -> None:
         """Put every word into the operator's language."""

@@ -12,7 +12,7 @@ from PySide6.QtWidgets import QTableView, QToolButton, QWidget
 from armui.ui.actions.keys import SHORTCUTS, keys_of
 from armui.ui.widgets.buttons import named, push_button
 from armui.ui.widgets.flow import Flow, in_flow
-from armui.ui.widgets.table_hint import TableHint
+from armui.ui.widgets.table_model import TableHint
 
 _NAMES: Final = tuple(
     each.name.removeprefix("editor.")

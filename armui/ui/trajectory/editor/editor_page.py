@@ -34,7 +34,7 @@ from armui.ui.trajectory.running.preflight import Checks, Preflight
 from armui.ui.trajectory.running.run_bar import RunBar, RunChoices
 from armui.ui.widgets.buttons import named, push_button
 from armui.ui.widgets.layouts import fill, in_column
-from armui.ui.widgets.message_line import MessageLine
+from armui.ui.widgets.message_line import MessageLine, Words
 from armui.ui.widgets.page import Page
 from armui.ui.widgets.translated import Translated
 
@@ -215,7 +215,7 @@ class EditorPage(Page):
         self._run_bar.listen(self)
         self._run_bar.checked.connect(self._show_check)
         self._run_bar.refused.connect(
-            lambda reason: self._say(words.refusal(reason), Level.WARNING)
+            lambda reason: self._say(partial(words.refusal, reason), Level.WARNING)
         )
         self._run_bar.progressed.connect(self._on_progress)
         self._run_bar.started.connect(self._on_started)
@@ -461,12 +461,12 @@ class EditorPage(Page):
             kinds = {"pasted": words.arm_kind(outcome.pasted), "here": words.arm_kind(outcome.here)}
             self._say(text.format(**kinds), Level.WARNING)
         else:
-            self._say(words.refusal(outcome), Level.WARNING)
+            self._say(partial(words.refusal, outcome), Level.WARNING)
 
     def _show_failure(self, text: str) -> None:
         self._say(text, Level.FAULT)
 
-    def _say(self, text: str, level: Level = Level.INFO) -> None:
+    def _say(self, text: Words, level: Level = Level.INFO) -> None:
         self._message.show_message(text, level)
 
     def _show_title(self) -> None:

@@ -6,7 +6,7 @@ from PySide6.QtCore import QCoreApplication
 from PySide6.QtWidgets import QWidget
 
 from armui.control.arm_controller import ArmController
-from armui.ui.dialogs.save_question import SaveQuestion
+from armui.ui.dialogs.confirm_dialog import SaveQuestion
 
 
 class LeaveQuestion(SaveQuestion):

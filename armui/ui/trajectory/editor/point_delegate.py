@@ -31,7 +31,7 @@ from armui.trajectory.points.cells import VALUES, PointColumn
 from armui.ui.trajectory.editor.points_model import PointsModel
 from armui.ui.widgets.buttons import named
 from armui.ui.widgets.layouts import in_row
-from armui.ui.widgets.repolish import repolish
+from armui.ui.widgets.painting import repolish
 from armui.ui.widgets.table_model import Index
 from armui.ui.widgets.text_label import text_label
 from armui.ui.widgets.translated import Translated

@@ -12,14 +12,13 @@ from armui.control.arm_controller import ArmController
 from armui.control.events import Level
 from armui.trajectory.library.bin import KEPT
 from armui.trajectory.library.store import Deleted
-from armui.ui.dialogs.base import ArmDialog
-from armui.ui.dialogs.close_button import CloseButton
+from armui.ui.dialogs.base import ArmDialog, CloseButton
 from armui.ui.trajectory.library.library_actions import LibraryActions
 from armui.ui.trajectory.library.library_work import LibraryWork
 from armui.ui.widgets.buttons import named, push_button
 from armui.ui.widgets.layouts import STRETCH, fill
 from armui.ui.widgets.message_line import MessageLine, Words
-from armui.ui.widgets.plain_table import plain_table
+from armui.ui.widgets.table_model import plain_table
 from armui.ui.widgets.text_label import text_label
 from armui.ui.widgets.translated import Translated
 

@@ -24,14 +24,13 @@ from armui.trajectory.library.file_names import file_stem
 from armui.trajectory.library.store import Imported, Library, LibraryError, import_files
 from armui.ui import words
 from armui.ui.background import Background, Job
-from armui.ui.dialogs.base import ArmDialog
-from armui.ui.dialogs.close_button import CloseButton
+from armui.ui.dialogs.base import ArmDialog, CloseButton
 from armui.ui.dialogs.files import FileDialog, choose_file
 from armui.ui.trajectory.library.library_work import LibraryWork
 from armui.ui.trajectory.table_import.columns_page import ColumnsOffer
 from armui.ui.trajectory.text import name_list
 from armui.ui.widgets.layouts import STRETCH, fill
-from armui.ui.widgets.plain_table import plain_table
+from armui.ui.widgets.table_model import plain_table
 from armui.ui.widgets.text_label import text_label
 from armui.ui.widgets.translated import Translated
 

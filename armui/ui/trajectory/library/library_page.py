@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
+from functools import partial
 
 from PySide6.QtCore import QEvent, QModelIndex, Signal
 from PySide6.QtGui import QShowEvent
@@ -148,7 +149,7 @@ class LibraryPage(Page):
         self._run_bar.listen(self)
         self._run_bar.checked.connect(self._show_check)
         self._run_bar.refused.connect(
-            lambda reason: self._say(words.refusal(reason), Level.WARNING)
+            lambda reason: self._say(partial(words.refusal, reason), Level.WARNING)
         )
         self._run_bar.progressed.connect(self._on_progress)
         self._run_bar.started.connect(self._on_started)
@@ -293,7 +294,8 @@ class LibraryPage(Page):
         """Hand on what is chosen, once it is read; nothing if something else is chosen by then."""
         chosen = self._chosen_names()
         if len(chosen) != 1:
-            self._say(words.refusal(Refusal(RefusalCode.NO_ROWS_CHOSEN)), Level.WARNING)
+            none = Refusal(RefusalCode.NO_ROWS_CHOSEN)
+            self._say(partial(words.refusal, none), Level.WARNING)
             then(None)
         elif self._model.is_unsaved(chosen[0]):
             text = self.tr("“{name}” is not saved yet. Open it and save it first.")

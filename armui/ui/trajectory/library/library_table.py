@@ -11,8 +11,7 @@ from PySide6.QtWidgets import QAbstractItemView, QTableView
 from armui.trajectory.library.store import IndexEntry
 from armui.ui.trajectory.library.library_model import ENTRY_ROLE, LibraryColumn, LibraryFilter
 from armui.ui.widgets.buttons import push_button
-from armui.ui.widgets.plain_table import list_rows
-from armui.ui.widgets.table_hint import TableHint
+from armui.ui.widgets.table_model import TableHint, list_rows
 
 _ROW_PX: Final = 34
 _LEAST_ROWS: Final = 3

@@ -10,9 +10,9 @@ from PySide6.QtWidgets import QFrame, QLabel
 
 from armui.ui.widgets.buttons import caption, describe, named, push_button
 from armui.ui.widgets.layouts import in_row
+from armui.ui.widgets.text_label import ValueLabel
 from armui.ui.widgets.track_slider import TrackSlider
 from armui.ui.widgets.translated import Translated
-from armui.ui.widgets.value_label import ValueLabel
 
 _STEP_S: Final = 0.01
 _FRAME_MS: Final = 33

@@ -30,8 +30,7 @@ from armui.ui import words
 from armui.ui.actions.keys import keys_of, listen_for
 from armui.ui.trajectory.running.preflight import CheckJob, Checks, Preflight
 from armui.ui.trajectory.running.runner import Runner, ended_early
-from armui.ui.widgets.buttons import named, push_button, show_primary
-from armui.ui.widgets.enable_or_explain import enable_or_explain
+from armui.ui.widgets.buttons import enable_or_explain, named, push_button, show_primary
 from armui.ui.widgets.flow import in_flow, pair
 from armui.ui.widgets.text_label import text_label
 from armui.ui.widgets.translated import Translated

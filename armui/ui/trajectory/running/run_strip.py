@@ -14,9 +14,9 @@ from armui.ui.trajectory.running.runner import Runner, can_go_on, can_pause
 from armui.ui.trajectory.text import duration
 from armui.ui.widgets import icons
 from armui.ui.widgets.buttons import describe, named, push_button
-from armui.ui.widgets.elided_label import ElidedLabel
 from armui.ui.widgets.hold_button import HoldButton
 from armui.ui.widgets.layouts import in_row
+from armui.ui.widgets.text_label import ElidedLabel
 from armui.ui.widgets.translated import Translated
 
 if TYPE_CHECKING:

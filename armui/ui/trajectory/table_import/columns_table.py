@@ -31,9 +31,9 @@ from armui.trajectory.columns.model import JOINTS, POSE
 from armui.ui import words
 from armui.ui.theme import colors_of
 from armui.ui.widgets.buttons import named
-from armui.ui.widgets.elided_label import ElidedLabel
 from armui.ui.widgets.layouts import STRETCH, in_column, in_row
 from armui.ui.widgets.table_model import RIGHT, Index, TableModel
+from armui.ui.widgets.text_label import ElidedLabel
 from armui.ui.widgets.translated import Translated
 
 _MARGIN_PX: Final = 3

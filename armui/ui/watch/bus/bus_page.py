@@ -2,40 +2,58 @@
 
 from __future__ import annotations
 
+import math
 from datetime import datetime, timedelta
 from functools import partial
 from typing import TYPE_CHECKING, Final
 
-from PySide6.QtCore import QPoint, Qt, QTimer
+from PySide6.QtCore import QPoint, QRect, Qt, QTimer, Signal
 from PySide6.QtGui import QGuiApplication
-from PySide6.QtWidgets import QHeaderView, QMenu, QStackedWidget
+from PySide6.QtWidgets import QHeaderView, QLabel, QMenu, QStackedWidget, QWidget
 
 from armui.arm.refusal_codes import RefusalCode
+from armui.control.events import Level
 from armui.telemetry.bus_senders import Sender
 from armui.telemetry.bus_statistics import BusStatistics
 from armui.telemetry.bus_trace import TRACE_FRAMES, TraceSnapshot
+from armui.ui import format as fmt
+from armui.ui import words
 from armui.ui.actions.keys import listen_for
-from armui.ui.watch.bus.bus_summary import BusSummary
+from armui.ui.theme import colors_of
+from armui.ui.watch.bus import frame_model, trace_model
+from armui.ui.watch.bus.cells import KEY_ROLE, RowView, bytes_width
 from armui.ui.watch.bus.filter_bar import FilterBar
-from armui.ui.watch.bus.frame_model import FrameModel
-from armui.ui.watch.bus.frame_texts import FrameTexts
-from armui.ui.watch.bus.frame_views import FrameTree, TraceList
+from armui.ui.watch.bus.frame_model import FrameModel, FrameTexts
 from armui.ui.watch.bus.send_box import SendBox
 from armui.ui.watch.bus.trace_model import TraceModel
+from armui.ui.widgets import icons
 from armui.ui.widgets.buttons import named
-from armui.ui.widgets.curve_menu import show_curves
-from armui.ui.widgets.layouts import fill
+from armui.ui.widgets.curve_menu import show_curves, tell_quantities
+from armui.ui.widgets.layouts import fill, in_column, in_row
+from armui.ui.widgets.message_line import MessageLine
 from armui.ui.widgets.page import Page
 from armui.ui.widgets.seen_timer import SeenTimer
 from armui.ui.widgets.table_model import Index
+from armui.ui.widgets.text_label import ElidedLabel, text_label
+from armui.ui.widgets.translated import Translated
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
 
-    from PySide6.QtGui import QContextMenuEvent, QHideEvent, QShowEvent
+    from PySide6.QtGui import (
+        QContextMenuEvent,
+        QHideEvent,
+        QKeyEvent,
+        QMouseEvent,
+        QPainter,
+        QResizeEvent,
+        QShowEvent,
+    )
+    from PySide6.QtWidgets import QStyleOptionViewItem
 
     from armui.control.arm_controller import ArmController
     from armui.telemetry.bus_statistics import BusSnapshot, FrameRow
+
 
 LOOK_MS: Final = 100
 """The figures are shown anew so often."""
@@ -43,6 +61,253 @@ _SOON_MS: Final = 5
 """Frames that are left are counted so soon, after whatever else the thread has to do."""
 _RUNNING_FRAMES: Final = 300
 """So many are shown in order of time while they run by; all that are kept once they stand."""
+_OLD_S: Final = 1.0
+_BUSY_PERCENT: Final = 80.0
+_KEYS: Final = ("bus.bus_load", "bus.frames_per_s", "bus.error_frames_per_s")
+_ICON_PX: Final = 16
+_PAD_PX: Final = 24
+_INDENT_PX: Final = 22
+_NAME_PX: Final = 190
+
+
+class FrameTree(RowView):
+    """Frames by identifier; a sign before a signal shows it as a curve.
+
+    Signals:
+        curves_wanted: Keys of quantities.
+    """
+
+    curves_wanted = Signal(object)
+
+    def __init__(self, model: FrameModel) -> None:
+        super().__init__(model)
+        self.setObjectName("bus_tree")
+        self.setModel(model)
+        self.setIndentation(_INDENT_PX)
+        self.setExpandsOnDoubleClick(True)
+        self._fit_columns()
+
+    def _fit_columns(self) -> None:
+        text = self.fontMetrics().horizontalAdvance
+        header = self.header()
+        widths = {
+            frame_model.ID: text("0x00000000") + _INDENT_PX + _PAD_PX,
+            frame_model.SENDER: text("another host") + _PAD_PX,
+            frame_model.DATA: max(bytes_width(self), text("0000000000000000000000")) + _PAD_PX,
+            frame_model.RATE: text("Rate, Hz 0") + _PAD_PX,
+            frame_model.JITTER: text("±00.00 / 00.00") + _PAD_PX,
+            frame_model.COUNT: text("00000000") + _PAD_PX,
+            frame_model.LAST: text("00:00:00.000") + _PAD_PX,
+        }
+        for column, width in widths.items():
+            header.setSectionResizeMode(column, QHeaderView.ResizeMode.Interactive)
+            header.resizeSection(column, width)
+        header.setSectionResizeMode(frame_model.NAME, QHeaderView.ResizeMode.Stretch)
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Where not all fits, the name is no wider than it must be: Qt would leave it as it was."""
+        super().resizeEvent(event)
+        header = self.header()
+        others = header.length() - header.sectionSize(frame_model.NAME)
+        if self.viewport().width() - others < _NAME_PX:
+            header.resizeSection(frame_model.NAME, _NAME_PX)
+
+    def drawRow(  # noqa: N802 - the name Qt calls
+        self, painter: QPainter, option: QStyleOptionViewItem, index: Index
+    ) -> None:
+        """A sign before each signal that can be drawn."""
+        super().drawRow(painter, option, index)
+        place = self._sign(index)
+        if place is not None:
+            ratio = self.devicePixelRatioF()
+            painter.drawPixmap(
+                place, icons.pixmap("plots", colors_of(self).accent, _ICON_PX, ratio)
+            )
+
+    def _sign(self, index: Index) -> QRect | None:
+        first = index.sibling(index.row(), frame_model.ID)
+        if not first.data(KEY_ROLE):
+            return None
+        cell = self.visualRect(first)
+        top = cell.center().y() - _ICON_PX // 2
+        return QRect(cell.right() - _ICON_PX - 4, top, _ICON_PX, _ICON_PX)
+
+    def mouseReleaseEvent(self, event: QMouseEvent) -> None:
+        """A click on the sign shows the curve."""
+        super().mouseReleaseEvent(event)
+        place = event.position().toPoint()
+        index = self.indexAt(place)
+        sign = self._sign(index) if index.isValid() else None
+        left = event.button() is Qt.MouseButton.LeftButton
+        if left and sign is not None and sign.adjusted(-4, -4, 4, 4).contains(place):
+            self._show_curve(index)
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        """Enter shows the signal's curve."""
+        if event.key() in {Qt.Key.Key_Return, Qt.Key.Key_Enter}:
+            self._show_curve(self.currentIndex())
+            event.accept()  # a dialog would take it for its button
+            return
+        super().keyPressEvent(event)
+
+    def _show_curve(self, index: Index) -> None:
+        key = index.sibling(index.row(), frame_model.ID).data(KEY_ROLE) if index.isValid() else None
+        if key:
+            self.curves_wanted.emit([key])
+
+
+class TraceList(RowView):
+    """Frames in order of time."""
+
+    def __init__(self, model: TraceModel) -> None:
+        super().__init__(model)
+        self.setObjectName("bus_trace")
+        self.setRootIsDecorated(False)
+        self.setItemsExpandable(False)
+        self.setModel(model)
+        text = self.fontMetrics().horizontalAdvance
+        header = self.header()
+        widths = {
+            trace_model.TIME: text("00:00:00.000") + _PAD_PX,
+            trace_model.ID: text("0x00000000") + _PAD_PX,
+            trace_model.NAME: text("Control mode, kind of motion, speed") + _PAD_PX,
+            trace_model.SENDER: text("another host") + _PAD_PX,
+            trace_model.DATA: bytes_width(self) + _PAD_PX,
+        }
+        for column, width in widths.items():
+            header.resizeSection(column, width)
+        header.setSectionResizeMode(trace_model.SAYS, QHeaderView.ResizeMode.Stretch)
+
+
+class BusSummary(Translated, QWidget):
+    """Four figures in a row, and below them what is wrong, if anything is.
+
+    Args:
+        controller: Knows the connection.
+    """
+
+    def __init__(self, controller: ArmController) -> None:
+        super().__init__()
+        self._controller = controller
+        self._lost_before = 0
+        self._trouble: tuple[str, Level] = ("", Level.INFO)
+        self._names = [text_label(rank="muted") for _ in range(4)]
+        self.load, self.rate, self.errors, self.lost = self._values = [
+            text_label(name) for name in ("bus_load", "bus_rate", "bus_errors", "bus_lost")
+        ]
+        for key, value in zip(_KEYS, self._values, strict=False):
+            tell_quantities(value, key)
+        self.counted = named("bus_counted", ElidedLabel())
+        self.counted.setProperty("rank", "muted")
+        self.paused = text_label("bus_paused", rank="warning")
+        row = in_row(spacing=6)
+        for name, value in zip(self._names, self._values, strict=True):
+            row.addWidget(name)
+            row.addWidget(value)
+            row.addSpacing(18)
+        row.addStretch(1)
+        row.addWidget(self.paused)
+        row.addSpacing(10)
+        row.addWidget(self.counted)
+        self.message = named("bus_message", MessageLine())
+        self.message.hide()
+        in_column(row, self.message, on=self, spacing=6, margins=0)
+        self.retranslate_ui()
+
+    def begin(self) -> None:
+        """Losses are counted from now on."""
+        self._lost_before = self._controller.bus.frames_dropped
+
+    def show_bus(self, snapshot: BusSnapshot, now_s: float, counted: str, paused: str) -> None:
+        """Show how the bus is.
+
+        Args:
+            snapshot: What was counted.
+            now_s: Monotonic time.
+            counted: Since when, in words.
+            paused: That the figures below stand, in words; "": they do not.
+        """
+        load = self._latest("bus.bus_load", now_s)
+        _put(self.load, f"{fmt.number(load, 0)} %" if load is not None else fmt.NOTHING)
+        rate = self._latest("bus.frames_per_s", now_s)
+        _put(self.rate, f"{fmt.number(rate, 0)} /s" if rate is not None else fmt.NOTHING)
+        errors = self._latest("bus.error_frames_per_s", now_s)
+        often = f" ({fmt.number(errors, 0)} /s)" if errors else ""
+        _put(self.errors, f"{snapshot.error_frames}{often}")
+        _put(self.lost, str(self._lost))
+        if self.counted.text() != counted:
+            self.counted.show_text(counted)
+        _put(self.paused, paused)
+        self._show_trouble(snapshot, load)
+
+    @property
+    def _lost(self) -> int:
+        dropped = self._controller.bus.frames_dropped
+        self._lost_before = min(self._lost_before, dropped)  # another device counts anew
+        return dropped - self._lost_before
+
+    def _latest(self, key: str, now_s: float) -> float | None:
+        latest = self._controller.telemetry.latest(key)
+        if latest is None or now_s - latest[0] > _OLD_S or not math.isfinite(latest[1]):
+            return None
+        return latest[1]
+
+    def _show_trouble(self, snapshot: BusSnapshot, load: float | None) -> None:
+        operating_state = self._controller.operating_state
+        found: list[str] = []
+        level = Level.WARNING
+        if operating_state.link_problem is not None:
+            found.append(words.refusal(operating_state.link_problem))
+            level = Level.FAULT
+        if self._lost:
+            text = self.tr(
+                "{count} frames were lost before the program could read them: the computer is too "
+                "busy, or the adapter too slow. What is shown is not all that was on the bus."
+            )
+            found.append(text.format(count=self._lost))
+        if load is not None and load >= _BUSY_PERCENT:
+            found.append(
+                self.tr("The bus is nearly full: frames of low rank come late. Have less sent.")
+            )
+        if snapshot.left_out or snapshot.beyond:
+            text = self.tr(
+                "Not counted here: {late} frames that came while the window was held up, {more} of "
+                "identifiers beyond the first {rows}."
+            )
+            rows = len(snapshot.rows)
+            found.append(text.format(late=snapshot.left_out, more=snapshot.beyond, rows=rows))
+        trouble = " ".join(found), level
+        if trouble != self._trouble:
+            self._trouble = trouble
+            self.message.show_message(*trouble)
+            self.message.setVisible(bool(found))
+
+    def retranslate_ui(self) -> None:
+        """Put every word into the operator's language."""
+        texts = (
+            self.tr("Bus load"),
+            self.tr("Frames"),
+            self.tr("Error frames"),
+            self.tr("Lost frames"),
+        )
+        tips = (
+            self.tr("Of the bit rate, stuff bits not counted; right button: show as curve"),
+            self.tr("A second, those of this program included"),
+            self.tr("Errors on the bus that the adapter has reported since the counting began"),
+            self.tr("Lost by the system's queue or by the adapter since the counting began"),
+        )
+        for name, value, text, tip in zip(self._names, self._values, texts, tips, strict=True):
+            name.setText(text)
+            name.setToolTip(tip)
+            value.setToolTip(tip)
+            value.setAccessibleName(text)
+        self._trouble = ("", Level.INFO)
+
+
+def _put(label: QLabel, text: str) -> None:
+    """Text that is the same is not laid out anew."""
+    if label.text() != text:
+        label.setText(text)
 
 
 class BusPage(Page):

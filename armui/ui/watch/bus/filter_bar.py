@@ -21,7 +21,7 @@ from armui.ui.watch.bus.frame_filter import FrameFilter, IdFilter, parse_ids
 from armui.ui.widgets.buttons import bar_button, named
 from armui.ui.widgets.flow import in_flow
 from armui.ui.widgets.layouts import STRETCH, in_column, in_row
-from armui.ui.widgets.repolish import repolish
+from armui.ui.widgets.painting import repolish
 from armui.ui.widgets.translated import Translated
 from armui.ui.words import frames
 

@@ -14,12 +14,12 @@ from armui.protocol.frame import Frame
 from armui.ui import words
 from armui.ui.watch.bus.cells import byte_font
 from armui.ui.widgets.buttons import named, push_button
-from armui.ui.widgets.elided_label import ElidedLabel
 from armui.ui.widgets.hold_button import HoldButton
 from armui.ui.widgets.layouts import in_column, in_row
 from armui.ui.widgets.message_line import MessageLine
+from armui.ui.widgets.text_label import ElidedLabel
 from armui.ui.widgets.translated import Translated
-from armui.ui.words.hand_frames import frame_effect
+from armui.ui.words.frames import frame_effect
 
 if TYPE_CHECKING:
     from PySide6.QtGui import QHideEvent

@@ -12,7 +12,7 @@ from armui.protocol.frame import FrameFlag
 from armui.telemetry.bus_senders import Sender
 from armui.telemetry.bus_trace import TracedFrame, TraceSnapshot
 from armui.ui.watch.bus.cells import Cell, Payload, Tone
-from armui.ui.watch.bus.frame_texts import FrameTexts
+from armui.ui.watch.bus.frame_model import FrameTexts
 from armui.ui.widgets.table_model import LEFT, Index, TableModel
 from armui.ui.words import frames
 

@@ -1,26 +1,37 @@
-"""Above the events: what is searched for, how grave, of whom, of which sort."""
+"""Above the events: what is searched for, how grave, of whom, of which sort; and saving them."""
 
 from __future__ import annotations
 
-from typing import Final
+import csv
+import io
+from collections.abc import Sequence
+from functools import partial
+from typing import TYPE_CHECKING, Final
 
-from PySide6.QtCore import Signal
-from PySide6.QtGui import QFont, QFontMetrics
-from PySide6.QtWidgets import (
-    QComboBox,
-    QLineEdit,
-    QWidget,
-)
+from PySide6.QtCore import QCoreApplication, Signal
+from PySide6.QtGui import QFont, QFontMetrics, QGuiApplication
+from PySide6.QtWidgets import QComboBox, QLineEdit, QWidget
 
-from armui.telemetry.events import Asker, EventKind, Level
-from armui.ui.watch.events.event_filter import EventFilter
+from armui.arm.refusal import Refusal
+from armui.system.atomic import write_whole
+from armui.telemetry.event_json import to_json
+from armui.telemetry.events import Asker, EventEntry, EventKind, Level
+from armui.ui import words
+from armui.ui.background import Job
+from armui.ui.dialogs.files import FileExport
+from armui.ui.watch.events.event_filter import EventFilter, gravity
+from armui.ui.watch.events.event_table import EventColumn, cell_text, column_title
 from armui.ui.watch.save_button import SaveButton
 from armui.ui.widgets.buttons import bar_button, named
 from armui.ui.widgets.layouts import in_column, in_row
 from armui.ui.widgets.text_label import text_label
 from armui.ui.widgets.translated import Translated
-from armui.ui.words import event_log as words
+from armui.ui.words.event_log import asker, event_kind, event_level
 from armui.ui.words.text import Texts
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
 
 _LEVELS: Final = (Level.INFO, Level.WARNING, Level.FAULT)
 _TOGGLE_PAD_PX: Final = 32
@@ -30,6 +41,82 @@ SAVES: Final = Texts("EventBar") | {
     "txt": "Shown events as text…",
     "copy": "Copy shown events",
 }
+
+
+class EventExport(FileExport):
+    """Files and clipboard."""
+
+    def save(self, kind: str, entries: Sequence[EventEntry]) -> None:
+        """Let the operator say where to, and write it there.
+
+        Args:
+            kind: ``csv``, ``json`` or ``txt``; or ``copy``: into the clipboard.
+            entries: What to save.
+        """
+        if kind == "copy":
+            self.copy(entries)
+            return
+        on_chosen = partial(self.write, kind, entries)
+        self._choose(self.tr("Save the events"), "armui-events", kind, on_chosen)
+
+    def write(self, kind: str, entries: Sequence[EventEntry], path: Path) -> None:
+        """Write events to a file."""
+        self._background.begin_here(self._job(path), _write, kind, entries, path)
+
+    def copy(self, entries: Sequence[EventEntry]) -> None:
+        """Put events into the clipboard, as text for a spreadsheet or a mail."""
+        self._background.begin_here(Job(self._on_text), as_text, entries)
+
+    def _on_text(self, result: str | Refusal) -> None:
+        if isinstance(result, Refusal):
+            self.said.emit(words.refusal(result), Level.FAULT)
+            return
+        QGuiApplication.clipboard().setText(result)
+        self.said.emit(self.tr("Copied"), Level.DONE)
+
+
+def _write(kind: str, entries: Sequence[EventEntry], path: Path) -> None:
+    make = {"csv": as_csv, "json": as_json, "txt": as_text}[kind]
+    write_whole(path, make(entries).encode("utf-8", "replace"))
+
+
+def as_text(entries: Sequence[EventEntry]) -> str:
+    """A line each, its columns apart by tabs, as the window has them."""
+    rows = [_titles(), *(_cells(each) for each in entries)]
+    return "".join("\t".join(row) + "\n" for row in rows)
+
+
+def as_csv(entries: Sequence[EventEntry]) -> str:
+    """For a spreadsheet, which takes the mark at the beginning for the sign of UTF-8."""
+    file = io.StringIO()
+    writer = csv.writer(file)
+    writer.writerow(_titles())
+    writer.writerows(map(_harmless, _cells(each)) for each in entries)
+    return "\ufeff" + file.getvalue()
+
+
+def as_json(entries: Sequence[EventEntry]) -> str:
+    """A list of what `from_json` reads, an event a line."""
+    lines = ",\n".join(to_json(each) for each in entries)
+    return f"[\n{lines}\n]\n"
+
+
+def _titles() -> list[str]:
+    level = QCoreApplication.translate("EventTable", "Level")
+    titles = [column_title(column) for column in EventColumn]
+    return [titles[0], level, *titles[1:]]
+
+
+def _cells(entry: EventEntry) -> list[str]:
+    """With the date, and the level, which the window shows by a sign."""
+    begin = entry.wall.isoformat(sep=" ", timespec="milliseconds")
+    columns = tuple(EventColumn)[1:]
+    return [begin, event_level(gravity(entry)), *(cell_text(entry, each) for each in columns)]
+
+
+def _harmless(text: str) -> str:
+    """A device may be called what a spreadsheet would take for a formula."""
+    return f"'{text}" if text[:1] in {"=", "+", "-", "@"} else text
 
 
 class EventBar(Translated, QWidget):
@@ -146,11 +233,11 @@ class EventBar(Translated, QWidget):
         self.askers.clear()
         self.askers.addItem(self.tr("Everybody"), None)
         for each in Asker:
-            self.askers.addItem(words.asker(each), each)
+            self.askers.addItem(asker(each), each)
         self.askers.setCurrentIndex(max(0, who))
         self.askers.setAccessibleName(self.tr("Who asked, or says it"))
         self.follow.setText(self.tr("Follow"))
         self.follow.setToolTip(self.tr("Keep the newest event in sight"))
         for kind, button in self.kinds.items():
-            button.setText(words.event_kind(kind))
+            button.setText(event_kind(kind))
         self._fit_toggles()

@@ -10,11 +10,8 @@ from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QMenu
 
 from armui.ui.actions.keys import listen_for
 from armui.ui.theme import colors_of
-from armui.ui.watch.events.event_bar import EventBar
-from armui.ui.watch.events.event_cells import details
-from armui.ui.watch.events.event_export import EventExport
-from armui.ui.watch.events.event_model import EventModel
-from armui.ui.watch.events.event_table import EventTable
+from armui.ui.watch.events.event_bar import EventBar, EventExport
+from armui.ui.watch.events.event_table import EventModel, EventTable, details
 from armui.ui.widgets.buttons import named
 from armui.ui.widgets.message_line import MessageLine
 from armui.ui.widgets.page import Page

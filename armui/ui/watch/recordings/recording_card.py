@@ -1,43 +1,51 @@
-"""Starts and stops the recording, and says how it goes."""
+"""The recording under way and the ring behind it: a card each, and a mark in the status bar."""
 
 from __future__ import annotations
 
 from pathlib import Path
 from typing import TYPE_CHECKING, Final
 
-from PySide6.QtCore import QSize, Qt
+from PySide6.QtCore import QSize, Qt, QTimer
 from PySide6.QtGui import QStandardItemModel
 from PySide6.QtWidgets import (
+    QCheckBox,
     QComboBox,
     QFrame,
     QLabel,
+    QProgressBar,
     QSpinBox,
+    QToolButton,
+    QWidget,
 )
 
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
+from armui.control.sessions.session_recorder import KEPT_S
 from armui.session.recording.kinds import MF4_SUFFIX
 from armui.setting_checks import ROTATE_MAX_MB, ROTATE_MIN_MB
+from armui.system.clock import local_time
+from armui.ui import format as fmt
 from armui.ui import words
 from armui.ui.background import Job
 from armui.ui.dialogs.files import choose_folder
 from armui.ui.theme import colors_of
-from armui.ui.watch.recordings import figures, recording_files
-from armui.ui.watch.recordings.callable_off import CallableOff
+from armui.ui.watch.recordings import recording_files
 from armui.ui.widgets import icons
 from armui.ui.widgets.buttons import named, push_button
-from armui.ui.widgets.elided_label import ElidedLabel
 from armui.ui.widgets.layouts import STRETCH, empty_grid, in_column, in_row
-from armui.ui.widgets.text_label import text_label
+from armui.ui.widgets.text_label import ElidedLabel, text_label
 from armui.ui.widgets.translated import Translated
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
     from armui.control.arm_controller import ArmController
     from armui.control.sessions.progress import RecordingProgress
     from armui.control.sessions.session_recorder import SessionRecorder
     from armui.setting_checks import SessionFormat
     from armui.settings import SettingsStore
     from armui.ui.background import Background
+
 
 _FORMATS: Final[tuple[tuple[SessionFormat, str], ...]] = (
     (".blf", "BLF"),
@@ -46,6 +54,164 @@ _FORMATS: Final[tuple[tuple[SessionFormat, str], ...]] = (
     (".mf4", "MF4"),
 )
 _ICON_PX: Final = 18
+_STEPS: Final = 1000
+_HOUR_S: Final = 3600
+_MARK_ICON_PX: Final = 14
+_LOOK_MS: Final = 1000
+
+
+def length_text(seconds: float | None) -> str:
+    """A length of time: ``1:05``, ``2:03:04``."""
+    if seconds is None:
+        return fmt.NOTHING
+    whole = int(seconds)
+    minutes, rest = divmod(whole % _HOUR_S, 60)
+    if whole >= _HOUR_S:
+        return f"{whole // _HOUR_S}:{minutes:02}:{rest:02}"
+    return f"{minutes}:{rest:02}"
+
+
+def size_text(count: int) -> str:
+    """Bytes: ``12 kB``, ``3.4 MB``, ``1.20 GB``."""
+    if count < 1e6:
+        return f"{count / 1e3:.0f} kB"
+    return f"{count / 1e6:.1f} MB" if count < 1e9 else f"{count / 1e9:.2f} GB"
+
+
+def count_text(number: int) -> str:
+    """A number of things, its digits in groups of three."""
+    return f"{number:,}".replace(",", "\u202f")
+
+
+def moment_text(unix_s: float) -> str:
+    """A local time, to the second; of 0, which stands for one that nobody knows, none."""
+    at = local_time(unix_s) if unix_s else None
+    return fmt.NOTHING if at is None else f"{at:%Y-%m-%d %H:%M:%S}"
+
+
+class CallableOff(Translated, QWidget):
+    """A progress bar with a button; hidden while nothing goes on.
+
+    Args:
+        call_off: Called by the button; until that has come to its end the button cannot be pressed.
+    """
+
+    def __init__(self, call_off: Callable[[], object], parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._call_off = call_off
+        self._is_called_off = False
+        self.progress = QProgressBar()
+        self.progress.setTextVisible(False)
+        self.button = push_button(on_enter=False)
+        self.button.clicked.connect(self._on_clicked)
+        in_row((self.progress, 1), self.button, on=self, spacing=12, margins=0)
+        self.retranslate_ui()
+        self.hide()
+
+    def show_progress(self, *, making: bool, share: float | None) -> None:
+        """Show how far it is.
+
+        Args:
+            making: Whether anything goes on.
+            share: From 0 to 1; ``None``: nobody knows.
+        """
+        self._is_called_off = self._is_called_off and making
+        self.button.setEnabled(not self._is_called_off)
+        self.progress.setRange(0, 0 if share is None else _STEPS)
+        self.progress.setValue(0 if share is None else round(_STEPS * share))
+        self.setVisible(making)
+
+    def _on_clicked(self) -> None:
+        self._is_called_off = True
+        self.button.setEnabled(False)
+        self._call_off()
+
+    def retranslate_ui(self) -> None:
+        """Put the word into the operator's language."""
+        self.button.setText(self.tr("Cancel"))
+
+
+class RingCard(Translated, QFrame):
+    """The last minutes of everything on the bus.
+
+    Args:
+        sessions: Keeps them.
+        store: Keeps whether they are saved by themselves.
+    """
+
+    def __init__(self, sessions: SessionRecorder, store: SettingsStore) -> None:
+        super().__init__()
+        self._sessions = sessions
+        self._store = store
+        self.setProperty("card", True)
+        self._title = text_label(rank="heading")
+        self.content_label = text_label("ring_content")
+        self.memory_label = text_label("ring_memory", rank="muted")
+        self._bar = QProgressBar(minimum=0, maximum=round(KEPT_S), textVisible=False)
+        self._bar.setFixedHeight(6)
+        self.save_button = push_button("ring_save", primary=True)
+        self.save_button.setAutoDefault(False)
+        self.at_faults_box = named("ring_save_at_faults", QCheckBox())
+        in_column(
+            self._title,
+            self.content_label,
+            self._bar,
+            self.memory_label,
+            STRETCH,
+            self.save_button,
+            self.at_faults_box,
+            on=self,
+            spacing=8,
+            margins=(16, 12, 16, 14),
+        )
+        self.save_button.clicked.connect(lambda: self._sessions.save_ring())  # noqa: PLW0108
+        self.at_faults_box.clicked.connect(
+            lambda checked: self._store.change(session_save_at_faults=checked)
+        )
+        self.retranslate_ui()
+
+    def retranslate_ui(self) -> None:
+        """Put every word into the operator's language."""
+        self._title.setText(self.tr("The last minutes, in memory"))
+        self.at_faults_box.setText(self.tr("Save by itself at a fault or a stop"))
+        self.at_faults_box.setToolTip(
+            self.tr(
+                "A few seconds after a fault or a stop, the last minutes are saved as a recording. "
+                "Faults that follow one another are saved together."
+            )
+        )
+        self.refresh()
+
+    def refresh(self) -> None:
+        """Show what is kept now."""
+        ring = self._sessions.ring()
+        self.at_faults_box.setChecked(self._store.settings.session_save_at_faults)
+        self._bar.setValue(round(min(ring.span_s, KEPT_S)))
+        saving = self._sessions.saving
+        self.save_button.setText(
+            self.tr("Saving…") if saving else self.tr("Save what just happened")
+        )
+        self.save_button.setEnabled(bool(ring.frames) and not saving)
+        if not ring.frames:
+            self.content_label.setText(self.tr("Nothing heard yet"))
+            self.memory_label.setText(
+                self.tr("Everything on the bus, for {minutes} minutes.").format(
+                    minutes=round(KEPT_S / 60)
+                )
+            )
+            return
+        self.content_label.setText(
+            self.tr("{length} of {minutes} minutes · {frames} frames").format(
+                length=length_text(ring.span_s),
+                minutes=round(KEPT_S / 60),
+                frames=count_text(ring.frames),
+            )
+        )
+        self.memory_label.setText(
+            self.tr("{now} of memory, {most} at most").format(
+                now=size_text(ring.bytes_kept), most=size_text(ring.most_bytes)
+            )
+        )
 
 
 class RecordingCard(Translated, QFrame):
@@ -188,13 +354,13 @@ class RecordingCard(Translated, QFrame):
         if self._before is None or progress.elapsed_s - self._before[0] >= 1.0:
             self._before = progress.elapsed_s, progress.total_bytes
         text = self.tr("{length} · {frames} frames · {size} · {rate}/s").format(
-            length=figures.length(progress.elapsed_s),
-            frames=figures.count(progress.frames),
-            size=figures.size(progress.total_bytes),
-            rate=figures.size(round(self._rate)),
+            length=length_text(progress.elapsed_s),
+            frames=count_text(progress.frames),
+            size=size_text(progress.total_bytes),
+            rate=size_text(round(self._rate)),
         )
         if progress.lost:
-            text += " · " + self.tr("{count} lost").format(count=figures.count(progress.lost))
+            text += " · " + self.tr("{count} lost").format(count=count_text(progress.lost))
         return text
 
     def _show_button(self, *, recording: bool) -> None:
@@ -236,3 +402,52 @@ class RecordingCard(Translated, QFrame):
     def _take_folder(self, folder: Path) -> None:
         self._store.change(session_folder=str(folder))
         self.refresh()
+
+
+class RecordingMark(Translated, QToolButton):
+    """A red dot and the time; a click opens the window of the recordings.
+
+    Args:
+        sessions: Records them.
+    """
+
+    def __init__(self, sessions: SessionRecorder, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._sessions = sessions
+        self.setObjectName("recording_mark")
+        self.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
+        self.setIconSize(QSize(_MARK_ICON_PX, _MARK_ICON_PX))
+        self.setAutoRaise(True)
+        self.setProperty("narrow", True)
+        self.setFixedHeight(self.fontMetrics().height())  # the bar keeps its height
+        self._timer = QTimer(self, interval=_LOOK_MS)
+        self._timer.timeout.connect(self._show_time)
+        self._recolor()
+        self.retranslate_ui()
+        sessions.changed.connect(self._on_changed)
+        self._on_changed()
+
+    def retranslate_ui(self) -> None:
+        """Put every word into the operator's language."""
+        self.setAccessibleName(self.tr("Recording of the session"))
+        self.setToolTip(self.tr("The session is being recorded. Click for the recordings."))
+        self._show_time()
+
+    def _recolor(self) -> None:
+        self.setIcon(icons.icon("record", colors_of(self).stop, _MARK_ICON_PX))
+
+    def _on_changed(self) -> None:
+        recording = self._sessions.recording
+        self.setVisible(recording)
+        if recording:
+            self._timer.start()
+            self._show_time()
+        else:
+            self._timer.stop()
+
+    def _show_time(self) -> None:
+        progress = self._sessions.progress()
+        if progress is not None:
+            text = length_text(progress.elapsed_s)
+            self.setText(f" {text}")
+            self.setAccessibleName(self.tr("Recording, {length}").format(length=text))

@@ -1,20 +1,68 @@
-"""Where the marks of a log stand on its time line, no more than one a pixel of each kind: pure."""
+"""Marks of a log: the next one, and where they stand, one a pixel of each kind at most: pure."""
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from bisect import bisect_left, bisect_right
+from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
 from armui.session.session import MarkKind
-from armui.ui.watch.replay.mark_search import end_of
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from numpy.typing import NDArray
 
+    from armui.session.frames import Channel
     from armui.session.session import SessionMark
+
+
+TROUBLE: Final = frozenset({MarkKind.FAULT, MarkKind.STOP})
+"""What «next fault» goes to."""
+_HERE_S: Final = 1e-4
+"""A mark this near is the one the operator has gone to."""
+
+
+class MarkSearch:
+    """Marks in the order of time.
+
+    Args:
+        marks: Of a log.
+        channel: Those of other channels are left out; one that names none belongs to all.
+    """
+
+    def __init__(self, marks: Sequence[SessionMark], channel: Channel) -> None:
+        own = [each for each in marks if each.entry.get("channel", channel) == channel]
+        self.marks = tuple(sorted(own, key=lambda each: each.at_s))
+        self._trouble = [each for each in self.marks if each.kind in TROUBLE]
+        self._times_s = [each.at_s for each in self._trouble]
+
+    def next_trouble(self, at_s: float) -> SessionMark | None:
+        """The first fault or stop after a time."""
+        place = bisect_right(self._times_s, at_s + _HERE_S)
+        return self._trouble[place] if place < len(self._trouble) else None
+
+    def trouble_before(self, at_s: float) -> SessionMark | None:
+        """The last fault or stop before a time."""
+        place = bisect_left(self._times_s, at_s - _HERE_S)
+        return self._trouble[place - 1] if place else None
+
+
+def end_of(mark: SessionMark, log_end_s: float) -> float | None:
+    """Log time of the end of what lasts; ``None`` for what is a moment.
+
+    Args:
+        mark: What happened.
+        log_end_s: When the log ends, and with it what has no other end.
+    """
+    if mark.kind not in TROUBLE or "ended_s" not in mark.entry:
+        return None
+    ended_s = mark.entry["ended_s"]
+    if ended_s is None:
+        return log_end_s
+    # a time by another clock is no time of this log
+    return float(ended_s) if isinstance(ended_s, int | float) and ended_s >= mark.at_s else None
 
 
 class MarkPlaces:

@@ -10,11 +10,8 @@ from PySide6.QtWidgets import QAbstractItemView, QWidget
 from armui.telemetry.events import EventLog
 from armui.ui.actions.keys import listen_for
 from armui.ui.theme import colors_of
-from armui.ui.watch.events.event_bar import EventBar
-from armui.ui.watch.events.event_cells import details
-from armui.ui.watch.events.event_export import EventExport
-from armui.ui.watch.events.event_model import EventModel
-from armui.ui.watch.events.event_table import EventTable
+from armui.ui.watch.events.event_bar import EventBar, EventExport
+from armui.ui.watch.events.event_table import EventModel, EventTable, details
 from armui.ui.watch.replay.log_time import has_date
 from armui.ui.widgets.buttons import named
 from armui.ui.widgets.layouts import in_column

@@ -4,34 +4,49 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Final
 
-from PySide6.QtCore import Qt, Signal
-from PySide6.QtWidgets import QComboBox, QSplitter, QTabWidget, QWidget
+from PySide6.QtCore import QRectF, Qt, Signal
+from PySide6.QtGui import QColor, QFontMetrics, QPainter, QPen
+from PySide6.QtWidgets import (
+    QAbstractItemView,
+    QComboBox,
+    QHeaderView,
+    QLabel,
+    QSplitter,
+    QTableView,
+    QTabWidget,
+    QWidget,
+)
 
+from armui.arm.joint_status import Item, Word
+from armui.control.devices.joint_monitor import JointMonitor
 from armui.protocol.generation import Generation
-from armui.ui.shell.arm_in_view import show_in_view
-from armui.ui.shell.robot_in_view import RobotInView
+from armui.ui import words
+from armui.ui.dialogs.joint_status import JointCellDelegate, JointStatusModel
+from armui.ui.shell.robot_in_view import RobotInView, show_in_view
 from armui.ui.shell.status_bar import StatusBar
-from armui.ui.theme import DARK, colors_of
+from armui.ui.theme import DARK, colors_of, scaled_font
 from armui.ui.watch.curves_item import Missing
 from armui.ui.watch.plot_layout import SETS
 from armui.ui.watch.plots_area import PlotsArea
-from armui.ui.watch.replay.joint_table import JointTable
 from armui.ui.watch.replay.log_time import duration, moment, wall_time
-from armui.ui.watch.replay.mark_search import MarkSearch
+from armui.ui.watch.replay.mark_places import MarkSearch
 from armui.ui.watch.replay.replay_events import ReplayEvents
-from armui.ui.watch.replay.replay_frame import ReplayFrame
 from armui.ui.watch.replay.time_line import TimeLine
 from armui.ui.watch.replay.transport import SPEEDS, Transport
+from armui.ui.widgets import icons
 from armui.ui.widgets.buttons import named
 from armui.ui.widgets.layouts import in_column, in_row
 from armui.ui.widgets.seen_timer import SeenTimer
-from armui.ui.widgets.text_label import text_label
+from armui.ui.widgets.text_label import ElidedLabel, text_label
 from armui.ui.widgets.translated import Translated
 from armui.viewport import palette as scene_palette
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
+    from PySide6.QtGui import QPaintEvent, QShowEvent
+
+    from armui.arm.joint_status import StatusCell
     from armui.control.arm_controller import ArmController
     from armui.control.log_replay import LogReplay
     from armui.session.frames import Channel
@@ -41,8 +56,135 @@ if TYPE_CHECKING:
     from armui.ui.background import Background
     from armui.viewport.view import ArmView
 
+
 _LOOK_MS: Final = 33
 _PICTURE_PX, _TABS_PX = 480, 900
+_HEADER_PAD_PX: Final = 16
+_MARK_PX: Final = 40
+"""The mark before a word, and the room around both."""
+_LINE_PX: Final = 4
+_BANNER_PX: Final = 38
+_ICON_PX: Final = 22
+_WORD_SCALE: Final = 1.2
+
+
+class ReplayFrame(Translated, QWidget):
+    """A thick line in a colour of its own around the content, with a banner on top.
+
+    The banner says 回放 whatever language is chosen, that it is not live, which file it is, and
+    what the clock showed then.
+
+    Args:
+        content: What comes from the recording.
+        name: The file.
+    """
+
+    def __init__(self, content: QWidget, name: str) -> None:
+        super().__init__()
+        self.setObjectName("replay_frame")
+        self._icon = QLabel()
+        self.word = text_label("replay_word", plain=True)
+        self.name = ElidedLabel()
+        self.name.show_text(name)
+        self.clock = text_label("replay_clock", plain=True)
+        banner = in_row(
+            self._icon,
+            self.word,
+            16,
+            (self.name, 1),
+            self.clock,
+            spacing=10,
+            margins=(14, 0, 14, 0),
+        )
+        holder = named("replay_banner", QWidget())
+        holder.setFixedHeight(_BANNER_PX)
+        holder.setLayout(banner)
+        in_column(holder, (content, 1), on=self, spacing=0, margins=_LINE_PX)
+        self.retranslate_ui()
+        self._recolor()
+
+    def retranslate_ui(self) -> None:
+        """Put the words into the operator's language."""
+        words = self.tr("REPLAY · NOT LIVE")
+        self.word.setText(words if words.startswith("回放") else f"回放  {words}")
+        self.name.setToolTip(self.tr("Nothing can be sent from here: there is no bus behind it."))
+
+    def _recolor(self) -> None:
+        ink = colors_of(self).on_replay
+        ratio = self.devicePixelRatioF()
+        self._icon.setPixmap(icons.pixmap("replay", ink, _ICON_PX, ratio))
+        for label in (self.word, self.name, self.clock):
+            label.setFont(scaled_font(self, _WORD_SCALE, bold=label is not self.name))
+
+    def paintEvent(self, _event: QPaintEvent) -> None:
+        """The line and the ground of the banner."""
+        color = QColor(colors_of(self).replay)
+        painter = QPainter(self)
+        painter.fillRect(QRectF(0, 0, self.width(), _BANNER_PX + _LINE_PX), color)
+        painter.setPen(QPen(color, _LINE_PX, j=Qt.PenJoinStyle.MiterJoin))
+        half = _LINE_PX / 2
+        painter.drawRect(QRectF(self.rect()).adjusted(half, half, -half, -half))
+        painter.end()
+
+
+class RecordedJoints(JointMonitor):
+    """The joints of a log.
+
+    Since when a fault lasts is told by the time line: one that was jumped into began earlier.
+    """
+
+    def cell(self, item: Item, joint: int) -> StatusCell:
+        """One cell of the table."""
+        return super().cell(item, joint)._replace(since=None)
+
+
+class JointTable(Translated, QWidget):
+    """Looks at the joints only while it is shown.
+
+    Args:
+        controller: Watches the log.
+    """
+
+    def __init__(self, controller: ArmController) -> None:
+        super().__init__()
+        self.monitor = RecordedJoints(controller, parent=self)
+        self.model = JointStatusModel(self.monitor)
+        self.table = named("replay_joint_table", QTableView())
+        self.table.setModel(self.model)
+        self.table.setItemDelegate(JointCellDelegate(self.table))
+        self.table.setSelectionMode(QAbstractItemView.SelectionMode.NoSelection)
+        self.table.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
+        self.table.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+        self.table.setCornerButtonEnabled(False)
+        across, down = self.table.horizontalHeader(), self.table.verticalHeader()
+        across.setSectionResizeMode(QHeaderView.ResizeMode.Stretch)
+        across.setSectionsClickable(False)
+        across.setDefaultAlignment(Qt.AlignmentFlag.AlignCenter)
+        down.setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
+        down.setDefaultAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
+        in_column(self.table, on=self, margins=(8, 8, 8, 6))
+        self.monitor.updated.connect(self._on_updated)
+        self.retranslate_ui()
+
+    def _on_updated(self) -> None:
+        if self.isVisible():
+            self.model.refresh()
+
+    def retranslate_ui(self) -> None:
+        """Put every word into the operator's language."""
+        self.table.setAccessibleName(self.tr("Joint status in the recording"))
+        self.model.retranslate()
+        metrics = self.table.fontMetrics()
+        names = max(metrics.horizontalAdvance(words.joint_item(item)) for item in Item)
+        self.table.verticalHeader().setFixedWidth(names + _HEADER_PAD_PX)
+        bold = scaled_font(self.table, 1.0, bold=True)
+        widest = max(QFontMetrics(bold).horizontalAdvance(words.joint_word(word)) for word in Word)
+        self.table.horizontalHeader().setMinimumSectionSize(widest + _MARK_PX)
+
+    def showEvent(self, event: QShowEvent) -> None:
+        """Catch up with what went by while the table was hidden."""
+        self.model.refresh()
+        super().showEvent(event)
 
 
 class ReplayView(Translated, QWidget):

@@ -9,12 +9,13 @@ from PySide6.QtCore import QPointF, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import QColor, QHelpEvent, QPainter, QPainterPath, QPen, QPolygonF
 from PySide6.QtWidgets import QSizePolicy, QToolTip, QWidget
 
+from armui.control.event_log.log_events import entry_of
 from armui.session.session import MarkKind
+from armui.ui.format import NOTHING
 from armui.ui.theme import Colors, colors_of
-from armui.ui.watch.replay.log_time import duration, moment
-from armui.ui.watch.replay.mark_places import MarkPlaces
-from armui.ui.watch.replay.mark_search import end_of
-from armui.ui.watch.replay.mark_text import mark_text
+from armui.ui.watch.events.event_table import EventColumn, cell_text, column_title
+from armui.ui.watch.replay.log_time import duration, moment, wall_time
+from armui.ui.watch.replay.mark_places import MarkPlaces, end_of
 from armui.ui.widgets.translated import Translated
 
 if TYPE_CHECKING:
@@ -26,6 +27,7 @@ if TYPE_CHECKING:
     from PySide6.QtGui import QKeyEvent, QMouseEvent, QPaintEvent, QWheelEvent
 
     from armui.session.session import SessionMark
+
 
 _HEIGHT_PX: Final = 62
 _EDGE_PX: Final = 10.0
@@ -40,6 +42,19 @@ _CLOSEST_S: Final = 0.05
 _WHEEL: Final = 1.25
 _STEP_S: Final = 1.0
 _SMALL_STEP_S: Final = 0.1
+
+
+def mark_text(mark: SessionMark) -> str:
+    """Who, what, what was answered and read back, in the operator's language."""
+    entry = entry_of(mark, wall_time)
+    parts = [f"{cell_text(entry, EventColumn.WHO)}: {cell_text(entry, EventColumn.TEXT)}"]
+    for column in (EventColumn.ANSWER, EventColumn.RESULT):
+        text = cell_text(entry, column)
+        if text not in {"", NOTHING}:
+            parts.append(f"{column_title(column)} {text}")
+    if entry.count > 1:
+        parts.append(cell_text(entry, EventColumn.COUNT))
+    return " · ".join(parts)
 
 
 class TimeLine(Translated, QWidget):

@@ -1,1 +1,0 @@
-"""夹爪控制: opening or angle, power, zero and errors of the gripper."""

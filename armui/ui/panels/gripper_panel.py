@@ -1,0 +1,489 @@
+"""夹爪控制: the gripper's opening and torque, or its angle and speed, and its power (0x159)."""
+
+from __future__ import annotations
+
+from functools import partial
+from typing import Final
+
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtWidgets import QButtonGroup, QFrame, QLabel, QSizePolicy, QWidget
+
+from armui.arm.refusal import Refusal
+from armui.arm.refusal_codes import RefusalCode
+from armui.arm.state import ArmState, GripperState, Reading
+from armui.control.arm_controller import ArmController
+from armui.control.devices.gripper import why_not_gripper, why_not_let_go, why_not_move_gripper
+from armui.control.devices.gripper_ranges import Figure, check, figures_of
+from armui.control.operating_state import OperatingState
+from armui.protocol.generation import Generation
+from armui.ui import format as fmt
+from armui.ui import words
+from armui.ui.actions.keys import keys_of
+from armui.ui.freshness import is_stale
+from armui.ui.panels.motor_row import PowerMark
+from armui.ui.panels.panel import Panel
+from armui.ui.widgets.buttons import (
+    caption,
+    choice_button,
+    describe,
+    enable_or_explain,
+    named,
+    push_button,
+    show_primary,
+)
+from armui.ui.widgets.curve_menu import tell_quantities
+from armui.ui.widgets.figure_field import FigureField
+from armui.ui.widgets.jog_button import JogButton
+from armui.ui.widgets.layouts import STRETCH, empty_grid, in_column, in_row, scrolled
+from armui.ui.widgets.state_mark import Mark
+from armui.ui.widgets.text_label import ValueLabel, text_label
+from armui.ui.widgets.track_slider import TrackSlider
+
+"""As wide as those of the figures below."""
+
+
+class MeasureChoice(QWidget):
+    """Two buttons, one of them chosen.
+
+    Signals:
+        chosen: Whether angles are to be told.
+    """
+
+    chosen = Signal(bool)
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._label = QLabel()
+        self._label.setMinimumWidth(_LABEL_PX)
+        self._group = QButtonGroup(self)
+        self._opening = choice_button("gripper_by_opening")
+        self._angle = choice_button("gripper_by_angle")
+        layout = in_row(self._label, on=self, spacing=6, margins=0)
+        for place, button in enumerate((self._opening, self._angle)):
+            button.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
+            self._group.addButton(button, place)
+            layout.addWidget(button, 1)
+        self._group.idClicked.connect(lambda place: self.chosen.emit(place == 1))
+
+    def show_choice(self, *, by_angle: bool, why_not: str) -> None:
+        """Show what counts now.
+
+        Args:
+            by_angle: Whether angles are told.
+            why_not: The reason against angles; empty: there is none.
+        """
+        (self._angle if by_angle else self._opening).setChecked(True)
+        enable_or_explain(self._angle, why_not, self.tr("Tells the gripper an angle."))
+
+    def retranslate_ui(self) -> None:
+        """Put every word into the operator's language."""
+        self._label.setText(self.tr("Target as"))
+        caption(self._opening, self.tr("Opening (mm)"), whose=self._label.text())
+        caption(self._angle, self.tr("Angle (°)"), whose=self._label.text())
+
+
+_TALLEST_CARD_PX: Final = 330
+_SEND_KEY: Final = keys_of("gripper.send")
+_ACTS: Final = ("enable", "disable", "clear", "zero")
+
+_Kind = tuple[Generation, bool]
+"""The generation, and whether the second one is told angles."""
+_WIDEST: Final = "-000.000 rad/s"
+_LABEL_PX: Final = 58
+
+
+class GripperRow(QWidget):
+    """A field, a slider, the measured value; with − and + where a step acts at once.
+
+    Args:
+        figure: What it is; its widgets are called ``gripper_<figure>_field``, ``…_slider``.
+        steps: Whether it has − and +.
+
+    Signals:
+        edited: The operator changed the figure; nothing is sent.
+        stepped: − or + was pressed, or is still held: −1 or +1.
+    """
+
+    edited = Signal()
+    stepped = Signal(int)
+
+    def __init__(self, figure: Figure, *, steps: bool) -> None:
+        super().__init__()
+        name = f"gripper_{figure.name}"
+        self._figure = figure
+        self._label = QLabel()
+        self._label.setFixedWidth(_LABEL_PX)
+        self.field = named(f"{name}_field", FigureField(fmt.DECIMALS, figure.unit))
+        self.field.step = figure.step
+        self.slider = named(
+            f"{name}_slider", TrackSlider(figure.resolution, origin=0.0, marked=True)
+        )
+        self.measured = named(f"{name}_measured", ValueLabel(_WIDEST))
+        tell_quantities(self, *(f"{source}.{name}" for source in ("arm", "own", "other")))
+        self.minus, self.plus = JogButton("−"), JogButton("+")
+        self._label.setBuddy(self.field)
+        grid = empty_grid(self, gaps=(6, 4), margins=0)
+        grid.addWidget(self._label, 0, 0)
+        # without − and + the field takes their places
+        grid.addWidget(self.field, 0, 2 if steps else 1, 1, 1 if steps else 3)
+        grid.addWidget(self.measured, 0, 4, Qt.AlignmentFlag.AlignRight)
+        grid.addWidget(self.slider, 1, 1, 1, 4)
+        grid.setColumnStretch(2, 1)
+        for button, word, sign, column in ((self.minus, "minus", -1, 1), (self.plus, "plus", 1, 3)):
+            button.setObjectName(f"{name}_{word}")
+            button.setVisible(steps)
+            button.stepped.connect(lambda sign=sign: self.stepped.emit(sign))
+            button.repeated.connect(lambda sign=sign: self.stepped.emit(sign))
+            if steps:
+                grid.addWidget(button, 0, column)
+            else:
+                button.setParent(self)
+        self.slider.set_limits(0.0, figure.usual)
+        self.field.value_edited.connect(self._on_field_edited)
+        self.slider.valueChanged.connect(self._on_slider_moved)
+        self.show_value(figure.first)
+        self.retranslate_ui()
+
+    @property
+    def figure(self) -> Figure:
+        """What it is."""
+        return self._figure
+
+    def refusal(self) -> Refusal | None:
+        """What is to be said against what stands in the field; an empty one is no figure."""
+        if self.field.value is None:
+            return Refusal(
+                RefusalCode.GRIPPER_NOT_A_NUMBER, {**self._params(), "value": self.field.text()}
+            )
+        return check(self._figure, self.field.value)
+
+    def _params(self) -> dict[str, float | int | str]:
+        figure = self._figure
+        return {
+            "gripper": figure.name,
+            "minimum": figure.minimum,
+            "maximum": figure.maximum,
+            "unit": figure.unit,
+        }
+
+    def set_figure(self, figure: Figure) -> None:
+        """Take another range of the same quantity."""
+        if figure != self._figure:
+            self._figure = figure
+            self.slider.set_limits(0.0, figure.usual)
+            self._after_change()
+            self.retranslate_ui()
+
+    def show_value(self, value: float | None) -> None:
+        """Put a figure into field and slider without telling anyone."""
+        self.field.show_value(value)
+        self._after_change()
+
+    def show_measured(self, value: float | None, *, stale: bool) -> None:
+        """Show what the gripper says."""
+        self.measured.show_text(fmt.with_unit(value, self._figure.unit), stale=stale)
+        self.slider.show_measured(None if stale else value)
+
+    def allow_steps(self, why_not: str) -> None:
+        """Enable − and +, or disable them and say why."""
+        for button, tip in (
+            (self.minus, self.tr("Closes the gripper by {step} at once. Hold to go on.")),
+            (self.plus, self.tr("Opens the gripper by {step} at once. Hold to go on.")),
+        ):
+            button.setEnabled(not why_not)
+            step = f"{self._figure.step:g} {self._figure.unit}"
+            button.setToolTip(why_not or tip.format(step=step))
+
+    def _on_field_edited(self) -> None:
+        self._after_change()
+        self.edited.emit()
+
+    def _on_slider_moved(self) -> None:
+        self.field.show_value(self.slider.requested)
+        self._after_change()
+        self.edited.emit()
+
+    def _after_change(self) -> None:
+        wrong = self.refusal() is not None
+        self.slider.show_requested(self.field.value, attention=wrong)
+        self.field.show_attention(wanted=wrong)
+
+    def retranslate_ui(self) -> None:
+        """Put names and ranges into the operator's language."""
+        figure = self._figure
+        name = words.gripper_figure(figure.name)
+        self._label.setText(name)
+        span = f"{name}: {figure.minimum:g}–{figure.maximum:g} {figure.unit}"
+        for widget in (self.field, self.slider):
+            describe(widget, name, span)
+        measured = self.tr("Measured: {figure}").format(figure=name)
+        describe(self.measured, measured, self.tr("Measured by the gripper"))
+        self.minus.setAccessibleName(self.tr("{figure} minus").format(figure=name))
+        self.plus.setAccessibleName(self.tr("{figure} plus").format(figure=name))
+
+
+class GripperPanel(Panel):
+    """Target and measured values of the gripper, the buttons for its power, its errors in words."""
+
+    def __init__(self, controller: ArmController) -> None:
+        super().__init__(controller, "gripper_message")
+        self._generation = self._operating_state.generation or Generation.TWO
+        self._reasons: tuple[Refusal | None, ...] | None = None
+        self._shown_kind: _Kind | None = None
+        self._mark = PowerMark()
+        self._power = text_label("gripper_power")
+        self._faults = text_label("gripper_faults", rank="fault", wraps=True)
+        self._rows = in_column(spacing=10)
+        self._stroke_note = text_label("gripper_stroke_note", rank="muted", wraps=True)
+        self._send = push_button("gripper_send_button", primary=True)
+        self._send.setMinimumHeight(38)
+        self._sent: tuple[object, ...] | None = None
+        self._acts = {act: push_button(f"gripper_{act}_button") for act in _ACTS}
+        self._measure = MeasureChoice()
+        first, second = (self._make_rows(each) for each in Generation)
+        self._rows_of: dict[_Kind, tuple[GripperRow, GripperRow]] = {
+            (Generation.ONE, False): first,
+            (Generation.TWO, False): second,
+            (Generation.TWO, True): (first[0], second[1]),  # an angle, and a torque
+        }
+        self._lay_out()
+        self._connect()
+        self.retranslate_ui()
+
+    # -- layout -------------------------------------------------------------------------------
+
+    def _make_rows(self, generation: Generation) -> tuple[GripperRow, GripperRow]:
+        """The generations measure other quantities: each has rows of its own."""
+        figures = figures_of(generation, self._controller.state)
+        travel = GripperRow(figures.travel, steps=True)
+        effort = GripperRow(figures.effort, steps=False)
+        for row in (travel, effort):
+            row.edited.connect(self._on_edited)
+            row.hide()
+            self._rows.addWidget(row)
+        travel.stepped.connect(self._on_stepped)
+        return travel, effort
+
+    @property
+    def _kind(self) -> _Kind:
+        return self._generation, self._controller.gripper.tells_angle
+
+    @property
+    def _travel(self) -> GripperRow:
+        return self._rows_of[self._kind][0]
+
+    @property
+    def _effort(self) -> GripperRow:
+        return self._rows_of[self._kind][1]
+
+    def _lay_out(self) -> None:
+        state = in_row(self._mark, self._power, STRETCH)
+        card = QFrame()
+        parts = (state, self._faults, self._measure, self._rows, self._stroke_note, STRETCH)
+        in_column(*parts, on=card, spacing=10, margins=(16, 12, 16, 12))
+        acts = empty_grid(gaps=(8, 8))
+        for place, button in enumerate(self._acts.values()):
+            acts.addWidget(button, 0, place)
+        self._stack(scrolled(card, _TALLEST_CARD_PX), self._send, acts)
+
+    def _connect(self) -> None:
+        self._send.clicked.connect(self._on_send)
+        self._acts["enable"].clicked.connect(self._on_enable)
+        self._acts["disable"].clicked.connect(self._ask_to_disable)
+        self._acts["clear"].clicked.connect(
+            lambda: self._accepted(self._controller.gripper.clear_error())
+        )
+        self._acts["zero"].clicked.connect(self._ask_for_zero)
+        self._measure.chosen.connect(self._on_measure)
+        self._listen("gripper_")
+
+    # -- actions ------------------------------------------------------------------------------
+
+    def _on_measure(self, by_angle: bool) -> None:
+        """Nothing is sent: the next target is of the other kind."""
+        self._controller.gripper.by_angle = by_angle
+        self._refusal = self._event = self._reasons = None
+        self._describe()
+        self._show_all()
+
+    def _on_edited(self) -> None:
+        self._refusal = self._event = None
+        self._show_message()
+
+    def _on_send(self) -> None:
+        travel, effort = self._travel.field.value, self._effort.field.value
+        if travel is None or effort is None:
+            self._accepted(self._travel.refusal() or self._effort.refusal())
+            return
+        if self._accepted(self._controller.gripper.move(travel, effort)):
+            self._note_sent()
+
+    def _note_sent(self) -> None:
+        self._sent = self._entered()
+        self._show_message()
+
+    def _entered(self) -> tuple[object, ...]:
+        return self._kind, self._travel.field.text(), self._effort.field.text()
+
+    def _on_stepped(self, sign: int) -> None:
+        """A step goes from where it was sent, or from where it is; the last one is shorter."""
+        heard, figure = self._controller.state.gripper, self._travel.figure
+        start = self._travel.field.value
+        if start is None or self._travel.refusal() is not None:
+            told = heard is not None and heard.value.unit == figure.unit
+            start = heard.value.travel if heard is not None and told else None
+        effort = self._effort.field.value
+        if start is None or effort is None:
+            self._accepted(self._effort.refusal() or Refusal(RefusalCode.GRIPPER_SILENT))
+            return
+        target = min(max(start + sign * figure.step, figure.minimum), figure.maximum)
+        if self._accepted(self._controller.gripper.move(round(target, 3), effort)):
+            self._travel.show_value(target)
+            self._note_sent()
+
+    def _on_enable(self) -> None:
+        effort = self._effort.field.value
+        if effort is None:
+            self._accepted(self._effort.refusal())
+            return
+        self._accepted(self._controller.gripper.enable(effort))
+
+    def _ask_to_disable(self) -> None:
+        self._ask_to_hold(
+            self.tr("Disable the gripper"),
+            self.tr("The gripper loses its power and drops what it holds. Hold the workpiece."),
+            words.gripper_act("disable"),
+            self._controller.gripper.disable,
+        )
+
+    def _ask_for_zero(self) -> None:
+        self._ask_to_hold(
+            self.tr("Set the zero of the gripper"),
+            self.tr(
+                "Where the gripper stands now becomes its 0 mm, and it loses its power: it drops "
+                "what it holds.\nClose it by hand before. With a wrong zero it presses against its "
+                "stop, or does not close."
+            ),
+            words.gripper_act("zero"),
+            self._controller.gripper.set_zero,
+            still=partial(self._controller.gripper.stands_as, self._controller.state),
+        )
+
+    # -- what the gripper says ----------------------------------------------------------------
+
+    def _forget_outdated(self, old: OperatingState) -> None:
+        if old.cannot_enable != self._operating_state.cannot_enable:
+            self._refusal = None
+        if old.device != self._operating_state.device:
+            self._event = None
+
+    def _show_state(self, state: ArmState) -> None:
+        heard = state.gripper
+        stale = is_stale(heard, state, self._operating_state)
+        gripper = None if heard is None else heard.value
+        # a gripper that was told an angle tells angles, and no opening
+        same = gripper is not None and gripper.unit == self._travel.figure.unit
+        self._travel.show_measured(gripper.travel if gripper and same else None, stale=stale)
+        effort = None
+        if gripper is not None:
+            first = self._generation is Generation.ONE
+            effort = gripper.speed_rad_s if first else gripper.torque_nm
+        self._effort.show_measured(effort, stale=stale)
+        self._show_power(heard, stale=stale)
+        figures = self._controller.gripper.figures
+        self._travel.set_figure(figures.travel)
+        self._stroke_note.setVisible(not figures.stroke_read)
+        self._show_possible()
+
+    def _show_power(self, heard: Reading[GripperState] | None, *, stale: bool) -> None:
+        if heard is None or stale:
+            mark, word = Mark.UNKNOWN, self.tr("No gripper heard")
+        elif heard.value.faults:
+            mark, word = Mark.FAULT, self.tr("Fault")
+        elif heard.value.enabled:
+            mark, word = Mark.GOOD, self.tr("Enabled")
+        else:
+            mark, word = Mark.OFF, self.tr("Disabled")
+        self._mark.show_mark(mark, muted=stale)
+        self._power.setText(word)
+        faults = sorted(heard.value.faults, key=lambda f: f.name) if heard and not stale else []
+        self._faults.setText("; ".join(words.gripper_fault(fault) for fault in faults))
+        self._faults.setVisible(bool(faults))
+
+    # -- appearance ---------------------------------------------------------------------------
+
+    def _show_all(self) -> None:
+        generation = self._operating_state.generation or self._generation
+        if generation is not self._generation:
+            self._generation = generation
+            self._reasons = None
+            self._describe()
+        kind = self._kind
+        if kind != self._shown_kind:
+            self._shown_kind = kind
+            self._describe()
+        for rows in self._rows_of.values():
+            for row in rows:
+                row.setVisible(row in self._rows_of[kind])
+        self._measure.setVisible(self._generation is not Generation.ONE)
+        if self.isVisible():
+            self._controller.gripper.learn_stroke()
+        self._acts["zero"].setVisible(self._generation is not Generation.ONE)
+        self._show_state(self._controller.state)
+        self._show_message()
+
+    def _show_possible(self) -> None:
+        gripper, now = self._controller.gripper, self._controller.operating_state
+        reasons = (
+            why_not_move_gripper(now),
+            why_not_gripper(now),
+            why_not_let_go(now),
+            gripper.why_no_angle(),
+        )
+        if reasons == self._reasons:
+            return
+        self._reasons = reasons
+        no_move, why_not, no_letting_go, why_no_angle = map(words.why_not, reasons)
+        self._measure.show_choice(by_angle=gripper.tells_angle, why_not=why_no_angle)
+        self._travel.allow_steps(no_move)
+        use = self.tr("Moves the gripper to the target, and gives it power.")
+        enable_or_explain(self._send, no_move, use, key=_SEND_KEY)
+        use = self.tr("Gives the gripper power where it is.")
+        enable_or_explain(self._acts["enable"], no_move, use)
+        use = self.tr("Takes its power: it drops what it holds. Asks first.")
+        enable_or_explain(self._acts["disable"], no_letting_go, use)
+        use = self.tr("Clears its error; it has no power until enabled again.")
+        enable_or_explain(self._acts["clear"], why_not, use)
+        use = self.tr("Makes the present opening its zero. Asks first.")
+        enable_or_explain(self._acts["zero"], why_not, use)
+
+    def _show_message(self) -> None:
+        refusal = self._refusal or self._unless_told(self._operating_state.cannot_enable)
+        if refusal is None and self._event is None:
+            refusal = self._travel.refusal() or self._effort.refusal()
+        if refusal is not None and refusal.code == RefusalCode.BUSY and self._refusal is None:
+            refusal = None  # what is under way will say itself how it ends
+        show_primary(self._send, wanted=self._entered() != self._sent)
+        self._say(refusal, self._event)
+
+    def _describe(self) -> None:
+        for rows in self._rows_of.values():
+            for row in rows:
+                row.retranslate_ui()
+        self._stroke_note.setText(
+            self.tr("How far this gripper turns is not published: watch where it ends.")
+            if self._generation is Generation.ONE or self._kind[1]
+            else self.tr("The stroke limit has not been read: up to 100 mm may be asked for.")
+        )
+
+    def retranslate_ui(self) -> None:
+        """Put every word into the operator's language."""
+        self._title.setText(self.tr("Gripper control"))
+        self._measure.retranslate_ui()
+        whose = self._title.text()
+        caption(self._send, self.tr("Send"), whose=whose, key=_SEND_KEY)
+        for act, button in self._acts.items():
+            caption(button, words.gripper_act(act), whose=whose)
+        self._reasons = None
+        self._describe()
+        self._show_all()

@@ -1,1 +1,0 @@
-"""灯光控制: the lamps of the joints."""

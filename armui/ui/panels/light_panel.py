@@ -1,0 +1,435 @@
+"""灯光控制: the colour of the lamps on the joints (manual section 1.0.7.2)."""
+
+from __future__ import annotations
+
+from typing import Final
+
+from PySide6.QtCore import QRectF, QSignalBlocker, QSize, Qt, Signal
+from PySide6.QtGui import QBrush, QColor, QPaintEvent
+from PySide6.QtWidgets import (
+    QButtonGroup,
+    QCheckBox,
+    QColorDialog,
+    QFrame,
+    QHBoxLayout,
+    QLabel,
+    QSizePolicy,
+    QWidget,
+)
+
+from armui.arm.limits import JOINTS
+from armui.arm.refusal import Refusal
+from armui.arm.refusal_codes import RefusalCode
+from armui.control.arm_controller import ArmController
+from armui.control.devices.lights import RANGES, check_light, why_no_lamps
+from armui.control.operating_state import OperatingState
+from armui.protocol.codes import ALL_LAMPS
+from armui.ui import format as fmt
+from armui.ui import words
+from armui.ui.actions.keys import keys_of
+from armui.ui.dialogs.base import ArmDialog, CloseButton
+from armui.ui.panels.panel import Panel
+from armui.ui.theme import colors_of, scaled_font
+from armui.ui.widgets import painting
+from armui.ui.widgets.buttons import (
+    caption,
+    choice_button,
+    describe,
+    enable_or_explain,
+    named,
+    push_button,
+    show_primary,
+)
+from armui.ui.widgets.figure_field import FigureField
+from armui.ui.widgets.layouts import STRETCH, empty_grid, in_row, scrolled
+from armui.ui.widgets.text_label import text_label
+from armui.ui.widgets.track_slider import TrackSlider
+
+FULL: Final = 255
+"""The highest grey value."""
+
+_PAGE: Final = 16
+_HEIGHT_PX: Final = 44
+_BRIGHT: Final = 0.45
+"""From this luminance on, black is read better than white."""
+
+
+class ColorStrip(QWidget):
+    """Shows one colour with its hexadecimal value in it; without a colour it is hatched."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._color: QColor | None = None
+        self.setFont(scaled_font(self, 1.1, bold=True))
+        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
+
+    def text(self) -> str:
+        """The value it shows: ``#RRGGBB``, or «—»."""
+        return fmt.NOTHING if self._color is None else self._color.name().upper()
+
+    def show_color(self, color: QColor | None) -> None:
+        """Show a colour, or that there is none."""
+        self._color = color
+        self.update()
+
+    def sizeHint(self) -> QSize:
+        """As large as it wants to be."""
+        return QSize(200, _HEIGHT_PX)
+
+    def minimumSizeHint(self) -> QSize:
+        """No smaller than that."""
+        return QSize(100, _HEIGHT_PX)
+
+    def paintEvent(self, _event: QPaintEvent) -> None:
+        """Draw it."""
+        colors = colors_of(self)
+        painter = painting.begin(self)
+        fill = colors.sunken if self._color is None else self._color.name()
+        painting.panel(painter, QRectF(self.rect()), fill, colors.faint)
+        if self._color is None:
+            hatching = QBrush(QColor(colors.border), Qt.BrushStyle.BDiagPattern)
+            painter.fillRect(self.rect().adjusted(4, 4, -4, -4), hatching)
+            ink = colors.text
+        else:
+            ink = "#000000" if _luminance(self._color) > _BRIGHT else "#ffffff"
+        painter.setPen(QColor(ink))
+        painter.drawText(self.rect(), Qt.AlignmentFlag.AlignCenter, self.text())
+        painter.end()
+
+
+def _luminance(color: QColor) -> float:
+    """How bright a colour looks, 0–1 (the weights of Rec. 709, without its gamma)."""
+    return 0.2126 * color.redF() + 0.7152 * color.greenF() + 0.0722 * color.blueF()
+
+
+class ChannelRow(QWidget):
+    """A grey value of 0–255; the field takes other figures too and is marked then.
+
+    Args:
+        name: For the names of slider and field: ``<name>_slider``, ``<name>_field``.
+
+    Signals:
+        edited: The operator changed the value.
+    """
+
+    edited = Signal()
+
+    def __init__(self, name: str) -> None:
+        super().__init__()
+        self.label = QLabel()
+        self.slider = named(f"{name}_slider", TrackSlider(1.0, origin=0.0))
+        self.slider.setRange(0, FULL)
+        self.slider.setPageStep(_PAGE)
+        self.field = named(f"{name}_field", FigureField(0))
+        self.field.setFixedWidth(_FIELD_PX)
+        self.label.setBuddy(self.field)
+        in_row((self.slider, 1), self.field, on=self, spacing=10, margins=0)
+        self.slider.valueChanged.connect(self._on_slider_moved)
+        self.field.value_edited.connect(self._on_field_edited)
+
+    @property
+    def value(self) -> int | None:
+        """The grey value, or ``None`` if the field holds none."""
+        value = self.field.value
+        return None if value is None or not 0 <= value <= FULL else int(value)
+
+    def show_value(self, value: int) -> None:
+        """Show a grey value without telling anyone."""
+        self.field.show_value(value)
+        self._after_change()
+
+    def _on_slider_moved(self) -> None:
+        self.field.show_value(self.slider.requested)
+        self._after_change()
+        self.edited.emit()
+
+    def _on_field_edited(self) -> None:
+        self._after_change()
+        self.edited.emit()
+
+    def _after_change(self) -> None:
+        """The slider goes with the field as far as its track reaches."""
+        wrong = self.value is None
+        self.slider.show_requested(self.field.value, attention=wrong)
+        self.field.show_attention(wanted=wrong)
+
+    def describe(self, name: str, tip: str) -> None:
+        """Name the channel in the operator's language."""
+        self.label.setText(name)
+        for widget in (self.slider, self.field):
+            describe(widget, name, tip)
+
+
+_CHANNELS: Final = ("red", "green", "blue")
+_TALLEST_CARD_PX: Final = 270
+_FIELD_PX: Final = 74
+_CONFIRM_KEY: Final = keys_of("light.confirm")
+_PICKER: Final = (
+    QColorDialog.ColorDialogOption.DontUseNativeDialog,
+    QColorDialog.ColorDialogOption.NoButtons,
+    QColorDialog.ColorDialogOption.NoEyeDropperButton,
+)
+
+
+class ColorDialog(ArmDialog):
+    """Qt's own picker beside the stop; what is picked counts at once.
+
+    It has no eye-dropper: that would grab the mouse, and the stop could not be pressed.
+
+    Signals:
+        picked: The operator has picked a colour.
+    """
+
+    picked = Signal(QColor)
+
+    def __init__(self, controller: ArmController, parent: QWidget | None = None) -> None:
+        super().__init__(controller, parent)
+        self.setObjectName("color_dialog")
+        self._picker = QColorDialog()
+        self._picker.setWindowFlags(Qt.WindowType.Widget)
+        for option in _PICKER:
+            self._picker.setOption(option)
+        self._picker.currentColorChanged.connect(self.picked)
+        self._picker.finished.connect(self.close)  # Escape in it
+        self.body.addWidget(self._picker)
+        self.footer.addStretch(1)
+        self.footer.addWidget(CloseButton(self))
+        self.retranslate_ui()
+
+    def show_color(self, color: QColor) -> None:
+        """Show a colour without telling anyone."""
+        with QSignalBlocker(self._picker):
+            self._picker.setCurrentColor(color)
+
+    def open(self) -> None:
+        """Show it; Escape may have hidden the picker in it."""
+        self._picker.show()
+        super().open()
+
+    def retranslate_ui(self) -> None:
+        """Put every word into the operator's language."""
+        self.set_title(self.tr("Colour of the lamps"))
+
+
+class LightPanel(Panel):
+    """What is to be sent to the lamps; it never claims to know what colour they have.
+
+    Fields, sliders and a picker are three ways to the same colour. Everything stays as it was left
+    while another panel is used.
+    """
+
+    def __init__(self, controller: ArmController) -> None:
+        super().__init__(controller, "light_message")
+        self._joint_label = QLabel()
+        self._joints = QButtonGroup(self)
+        self._lamp_label = QLabel()
+        self._lamp = named("lamp_field", FigureField(0))
+        self._lamp.setFixedWidth(_FIELD_PX)
+        self._lamp.show_value(0)
+        self._lamp_label.setBuddy(self._lamp)
+        self._all_lamps = named("all_lamps", QCheckBox())
+        self._all_lamps.setChecked(True)
+        self._rows = {name: ChannelRow(name) for name in _CHANNELS}
+        self._pick = push_button("pick_color_button")
+        self._picker: ColorDialog | None = None
+        self._effect_label = QLabel()
+        self._effect = named("effect_strip", ColorStrip())
+        self._confirm = push_button("light_confirm_button", primary=True)
+        self._confirm.setMinimumHeight(38)
+        self._sent: tuple[object, ...] | None = None
+        self._note = text_label("light_note", rank="muted", wraps=True)
+        self._lay_out()
+        self._connect()
+        self._show_color(QColor(FULL, FULL, FULL))
+        self.retranslate_ui()
+
+    # -- layout -------------------------------------------------------------------------------
+
+    def _lay_out(self) -> None:
+        card = QFrame()
+        grid = empty_grid(card, gaps=(10, 8), margins=(16, 12, 16, 12))
+        grid.addWidget(self._joint_label, 0, 0)
+        grid.addLayout(self._make_joint_buttons(), 0, 1)
+        lamp = in_row(self._all_lamps, STRETCH, self._lamp)
+        grid.addWidget(self._lamp_label, 1, 0)
+        grid.addLayout(lamp, 1, 1)
+        for place, row in enumerate(self._rows.values(), start=2):
+            grid.addWidget(row.label, place, 0)
+            grid.addWidget(row, place, 1)
+        grid.addWidget(self._pick, 5, 1)
+        grid.setRowStretch(6, 1)
+        grid.setColumnStretch(1, 1)
+
+        effect = in_row(self._effect_label, (self._effect, 1), spacing=12)
+        self._stack(scrolled(card, _TALLEST_CARD_PX), effect, self._confirm, self._note)
+
+    def _make_joint_buttons(self) -> QHBoxLayout:
+        buttons = in_row(spacing=6)
+        for joint in JOINTS:
+            button = choice_button(f"light_joint_{joint}", str(joint))
+            button.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
+            self._joints.addButton(button, joint)
+            buttons.addWidget(button)
+        self._joints.button(JOINTS[0]).setChecked(True)
+        return buttons
+
+    def _connect(self) -> None:
+        self._joints.idClicked.connect(self._on_edited)
+        self._all_lamps.toggled.connect(self._on_edited)
+        self._lamp.value_edited.connect(self._on_edited)
+        for row in self._rows.values():
+            row.edited.connect(self._on_channel_edited)
+        self._pick.clicked.connect(self._on_pick)
+        self._confirm.clicked.connect(self._on_confirm)
+        self._controller.operating_state_changed.connect(self._on_operating_state_changed)
+
+    # -- the colour ---------------------------------------------------------------------------
+
+    def color(self) -> QColor | None:
+        """The colour in the fields, or ``None`` if one of them holds no grey value."""
+        red, green, blue = (self._rows[name].value for name in _CHANNELS)
+        if red is None or green is None or blue is None:
+            return None
+        return QColor(red, green, blue)
+
+    def _on_channel_edited(self) -> None:
+        color = self.color()
+        self._effect.show_color(color)
+        if color is not None and self._picker is not None:
+            self._picker.show_color(color)
+        self._on_edited()
+
+    def _on_pick(self) -> None:
+        if self._picker is None:
+            self._picker = ColorDialog(self._controller, self.window())
+            self._picker.picked.connect(self._on_picked)
+        color = self.color()
+        if color is not None:
+            self._picker.show_color(color)
+        self._picker.open()
+
+    def _on_picked(self, color: QColor) -> None:
+        self._show_color(color)
+        self._on_edited()
+
+    def _show_color(self, color: QColor) -> None:
+        for name, value in zip(_CHANNELS, (color.red(), color.green(), color.blue()), strict=True):
+            self._rows[name].show_value(value)
+        self._effect.show_color(color)
+
+    # -- actions ------------------------------------------------------------------------------
+
+    def focus_joint(self, joint: int) -> None:
+        """Choose a joint."""
+        button = self._joints.button(joint)
+        button.setChecked(True)
+        button.setFocus(Qt.FocusReason.OtherFocusReason)
+        self._on_edited()
+
+    def _figures(self) -> dict[str, FigureField]:
+        """The fields that count now, by the names of ``lights.RANGES``."""
+        lamp = {} if self._all_lamps.isChecked() else {"lamp": self._lamp}
+        return {**lamp, **{name: row.field for name, row in self._rows.items()}}
+
+    def _on_confirm(self) -> None:
+        fields = self._figures()
+        values = {
+            name: int(field.value) for name, field in fields.items() if field.value is not None
+        }
+        if len(values) < len(fields):
+            self._accepted(self._first_wrong())
+        else:
+            values.setdefault("lamp", ALL_LAMPS)
+            joint = self._joints.checkedId()
+            if self._accepted(self._controller.lights.set_light(joint, **values)):
+                self._sent = self._entered()
+                self._show_possible()
+
+    def _entered(self) -> tuple[object, ...]:
+        """All that is to be sent, as it is entered."""
+        return self._joints.checkedId(), *(
+            (name, field.text()) for name, field in self._figures().items()
+        )
+
+    def _first_wrong(self) -> Refusal | None:
+        wrong = (_why_wrong(name, field) for name, field in self._figures().items())
+        return next((refusal for refusal in wrong if refusal is not None), None)
+
+    def _on_edited(self) -> None:
+        self._refusal = None
+        self._show_all()
+
+    # -- appearance ---------------------------------------------------------------------------
+
+    def _on_operating_state_changed(self, operating_state: OperatingState) -> None:
+        old, self._operating_state = self._operating_state, operating_state
+        if why_no_lamps(old) != why_no_lamps(operating_state):
+            self._refusal = None
+            self._show_possible()
+            self._show_message()
+
+    def _show_all(self) -> None:
+        self._show_lamp()
+        self._show_possible()
+        self._show_message()
+
+    def _show_lamp(self) -> None:
+        every = self._all_lamps.isChecked()
+        self._lamp.setEnabled(not every)
+        self._lamp.show_attention(wanted=not every and _why_wrong("lamp", self._lamp) is not None)
+        self._lamp.setToolTip(
+            self.tr("Every lamp is chosen. Take the tick away to choose one.")
+            if every
+            else _range_text("lamp")
+        )
+
+    def _show_possible(self) -> None:
+        """Enable what can be used now; say in the tooltip why not."""
+        why_not = words.why_not(why_no_lamps(self._operating_state))
+        use = self.tr("Sends the colour to the lamps; nothing moves.")
+        enable_or_explain(self._confirm, why_not, use, key=_CONFIRM_KEY)
+        show_primary(self._confirm, wanted=self._entered() != self._sent)
+
+    def _show_message(self) -> None:
+        standing = self._unless_told(why_no_lamps(self._operating_state))
+        self._say(self._refusal or standing or self._first_wrong())
+
+    def retranslate_ui(self) -> None:
+        """Put every word into the operator's language."""
+        self._title.setText(self.tr("Light control"))
+        self._joint_label.setText(words.light_figure("joint"))
+        for joint in JOINTS:
+            name = self.tr("Lamps of joint {joint}").format(joint=joint)
+            describe(self._joints.button(joint), name)
+        self._lamp_label.setText(words.light_figure("lamp"))
+        self._lamp.setAccessibleName(words.light_figure("lamp"))
+        self._all_lamps.setText(self.tr("All"))
+        self._all_lamps.setAccessibleName(self.tr("All lamps of the joint"))
+        for name, row in self._rows.items():
+            row.describe(words.light_figure(name), _range_text(name))
+        tip = self.tr("Opens a window to pick a colour in; nothing is sent.")
+        caption(self._pick, self.tr("Pick a colour…"), tip=tip)
+        self._effect_label.setText(self.tr("Effect"))
+        describe(self._effect, self.tr("Effect"), self.tr("The colour that Confirm sends"))
+        caption(self._confirm, self.tr("Confirm"), key=_CONFIRM_KEY)
+        self._note.setText(
+            self.tr(
+                "Works on joints that have a lamp board.\n"
+                "Lamps give no feedback: this is only what will be sent."
+            )
+        )
+        self._show_all()
+
+
+def _range_text(name: str) -> str:
+    return f"{words.light_figure(name)}: {RANGES[name][0]}–{RANGES[name][-1]}"
+
+
+def _why_wrong(name: str, field: FigureField) -> Refusal | None:
+    """What is to be said against the text in a field."""
+    value = field.value
+    if value is not None:
+        return check_light(**{name: int(value)})
+    bounds = {"minimum": RANGES[name][0], "maximum": RANGES[name][-1]}
+    text = field.text().strip() or fmt.NOTHING
+    return Refusal(RefusalCode.LIGHT_NOT_A_NUMBER, {"light": name, "value": text, **bounds})

@@ -1,1 +1,0 @@
-"""电机控制: power, zero, errors and measurements of each motor, one row each."""

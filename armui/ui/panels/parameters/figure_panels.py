@@ -1,0 +1,175 @@
+"""Panels of figures to read, edit and save: 关节设置, 配速设置, 夹爪设置."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import ClassVar, Final
+
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QFrame, QLabel
+
+from armui.arm.limits import JOINTS
+from armui.arm.parameters import KINDS, Batch, Group, Parameter
+from armui.arm.refusal import Refusal
+from armui.control.arm_controller import ArmController
+from armui.protocol.generation import Generation
+from armui.ui.panels.parameters.parameter_panel import ParameterPanel
+from armui.ui.panels.parameters.setting_cell import FigureCell, SettingCell
+from armui.ui.widgets.layouts import empty_grid
+from armui.ui.words.parameters import parameter_name
+
+_FIELD_PX: Final = 132
+_TALLEST_CARD_PX: Final = 260
+_COLUMNS: Final = ("max_angle_deg", "min_angle_deg", "max_speed_deg_s", "max_acceleration_deg_s2")
+
+_JOINTS_CARD_PX: Final = 420
+
+
+class JointSettingsPanel(ParameterPanel):
+    """Six joints by four limits; the Tab key goes down the columns."""
+
+    def __init__(self, controller: ArmController, open_backup: Callable[[], object]) -> None:
+        cells = [FigureCell(Parameter(name, joint)) for name in _COLUMNS for joint in JOINTS]
+        super().__init__(controller, "joint_settings", cells, open_backup, can_reset=True)
+        self._heads = {name: QLabel() for name in _COLUMNS}
+        card = QFrame()
+        grid = empty_grid(card, gaps=(6, 4), margins=(12, 10, 12, 10))
+        for column, (name, head) in enumerate(self._heads.items(), start=1):
+            head.setProperty("rank", "muted")
+            head.setWordWrap(True)
+            head.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignBottom)
+            unit = QLabel(KINDS[name].unit)
+            unit.setProperty("rank", "muted")
+            unit.setAlignment(Qt.AlignmentFlag.AlignRight)
+            grid.addWidget(head, 0, column)
+            grid.addWidget(unit, 1, column)
+            grid.setColumnStretch(column, 1)
+        for cell in cells:
+            column = _COLUMNS.index(cell.parameter.name) + 1
+            grid.addWidget(cell, cell.parameter.joint + 1, column)
+        for joint in JOINTS:
+            label = QLabel(f"J{joint}")
+            label.setFixedHeight(cells[0].field.height())
+            grid.addWidget(label, joint + 1, 0, Qt.AlignmentFlag.AlignTop)
+        grid.setRowStretch(len(JOINTS) + 2, 1)
+        self.finish(card, tallest_px=_JOINTS_CARD_PX)
+
+    def title(self) -> str:
+        """关节设置."""
+        return self.tr("Joint settings")
+
+    def reset_question(self) -> tuple[str, str]:
+        """Before all six joints get the factory's limits."""
+        return (
+            self.tr("Factory limits for all joints"),
+            self.tr(
+                "The angle limits, speeds and accelerations of all six joints become what they "
+                "were when the arm left the factory. Limits set for this place, narrower ones "
+                "too, are lost: save a backup first if you may need them again."
+            ),
+        )
+
+    def why_no_reset(self) -> str:
+        """Generation 1 has no command for it."""
+        if self._controller.operating_state.generation is Generation.ONE:
+            return self.tr(
+                "This arm's protocol (generation 1) has no command for it. Enter the values, or "
+                "restore a backup."
+            )
+        return ""
+
+    def reset_to_factory(self) -> Refusal | None:
+        """Ask the arm for its factory values."""
+        return self._settings.reset_joint_limits()
+
+    def retranslate_ui(self) -> None:
+        """Put every word into the operator's language."""
+        for name, head in self._heads.items():
+            head.setText(parameter_name(name))
+        super().retranslate_ui()
+
+
+class ListedParameters(ParameterPanel):
+    """A name and a field with its unit for each parameter of a group.
+
+    Args:
+        controller: Whom to ask.
+        open_backup: Opens 参数备份.
+
+    Attributes:
+        name: For the names of the buttons.
+        group: What is listed.
+        can_reset: Whether there is a 【初始化】.
+    """
+
+    name: ClassVar[str]
+    group: ClassVar[Group]
+    can_reset: ClassVar[bool]
+
+    def __init__(self, controller: ArmController, open_backup: Callable[[], object]) -> None:
+        cells = [FigureCell(each, each.kind.unit) for each in Batch(self.group).parameters()]
+        super().__init__(controller, self.name, cells, open_backup, can_reset=self.can_reset)
+        self._labels = {cell.parameter.name: QLabel() for cell in cells}
+        card = QFrame()
+        grid = empty_grid(card, gaps=(12, 6), margins=(16, 14, 16, 10))
+        for row, cell in enumerate(cells):
+            label = self._labels[cell.parameter.name]
+            label.setWordWrap(True)
+            label.setBuddy(cell.field)
+            label.setMinimumHeight(cell.field.height())
+            cell.setFixedWidth(_FIELD_PX)
+            grid.addWidget(label, row, 0, Qt.AlignmentFlag.AlignTop)
+            grid.addWidget(cell, row, 1)
+        grid.setColumnStretch(0, 1)
+        grid.setRowStretch(len(cells), 1)
+        self.finish(card, tallest_px=_TALLEST_CARD_PX)
+
+    def retranslate_ui(self) -> None:
+        """Put every word into the operator's language."""
+        for name, label in self._labels.items():
+            label.setText(parameter_name(name))
+        super().retranslate_ui()
+
+
+class EndLimitsPanel(ListedParameters):
+    """Four limits of the end, and 【初始化】."""
+
+    name = "end_limits"
+    group = Group.END_LIMITS
+    can_reset = True
+
+    def title(self) -> str:
+        """配速设置."""
+        return self.tr("End speed limits")
+
+    def reset_question(self) -> tuple[str, str]:
+        """Before the end gets the factory's limits."""
+        return (
+            self.tr("Factory limits for the end"),
+            self.tr(
+                "The greatest speeds and accelerations of the end become what they were when the "
+                "arm left the factory: straight lines and arcs may run faster than they do now."
+            ),
+        )
+
+    def reset_to_factory(self) -> Refusal | None:
+        """Ask the arm for its factory values."""
+        return self._settings.reset_end_limits()
+
+
+class GripperSettingsPanel(ListedParameters):
+    """Three values; the arm has no factory reset for them."""
+
+    name = "gripper_settings"
+    group = Group.TEACHING
+    can_reset = False
+
+    def title(self) -> str:
+        """夹爪设置."""
+        return self.tr("Gripper settings")
+
+    def remark(self, cell: SettingCell) -> str:
+        """What can be chosen where there are few values."""
+        choices = cell.parameter.kind.choices
+        unit = f" {cell.parameter.kind.unit}" if choices else ""
+        return " / ".join(f"{choice:g}" for choice in choices) + unit

@@ -1,1 +1,0 @@
-"""示教: drag teaching, and the steps that leave it safely."""

@@ -1,0 +1,375 @@
+"""示教: drag teaching, the steps that end it, and the motions the arm has planned (0x150)."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from typing import Final, TypeVar
+
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QFrame, QGridLayout, QLabel, QPushButton, QToolButton
+
+from armui.arm.state import ArmState
+from armui.control.arm_controller import ArmController
+from armui.control.devices.teaching_phase import TeachingPhase, phase_of, why_not_teach
+from armui.control.events import Event, EventCode, Level
+from armui.control.motion.planned_motion import why_not_plan
+from armui.control.operating_state import OperatingState
+from armui.control.safety.recovery_steps import UNHINDERED, Action, Step, StepKind
+from armui.protocol.codes import TeachingState, TrajectoryCommand
+from armui.ui import format as fmt
+from armui.ui import words
+from armui.ui.dialogs.confirm_dialog import confirm
+from armui.ui.freshness import is_stale
+from armui.ui.panels.panel import Panel
+from armui.ui.panels.parameters.levels_panel import DragAssistanceDialog
+from armui.ui.widgets.buttons import caption, enable_or_explain, named
+from armui.ui.widgets.hold_button import HoldButton
+from armui.ui.widgets.layouts import STRETCH, empty_grid, in_column, in_row, scrolled
+from armui.ui.widgets.text_label import text_label
+from armui.ui.words.text import Texts
+
+_Key = TypeVar("_Key")
+
+_TALLEST_CARD_PX: Final = 620
+_BUTTON_PX: Final = 36
+_COLUMNS: Final = 6
+
+_COMMANDS: Final = (
+    (TeachingState.START_RECORDING, TeachingState.STOP_RECORDING),
+    (TeachingState.RUN_RECORDING, TeachingState.MOVE_TO_START),
+    (TeachingState.PAUSE, TeachingState.CONTINUE, TeachingState.ABORT),
+)
+_PLANS: Final = (
+    (TrajectoryCommand.PAUSE, TrajectoryCommand.CONTINUE, TrajectoryCommand.ABORT),
+    (TrajectoryCommand.CLEAR_CURRENT, TrajectoryCommand.CLEAR_ALL),
+)
+_MOVES: Final = frozenset(
+    {TeachingState.RUN_RECORDING, TeachingState.MOVE_TO_START, TeachingState.CONTINUE}
+)
+_STEPS: Final = 4
+_SIGN_PX: Final = 14
+_NUMBER: Final[Mapping[StepKind, int]] = {
+    StepKind.RECORDING: 1,
+    StepKind.REPLAYING: 1,
+    StepKind.REPLAY_PAUSED: 1,
+    StepKind.DRAG_MODE_WITHOUT_POWER: 1,
+    StepKind.OVERSPEED: 1,
+    StepKind.DRAG_MODE: 1,
+    StepKind.DRAG_MODE_AT_REST: 2,
+    StepKind.STOP_REQUESTED: 2,
+    StepKind.STOPPED: 3,
+    StepKind.MOTORS_OFF: 4,
+    StepKind.MOTORS_MIXED: 4,
+}
+"""Which of the four steps is due. The steps are taken in the line above the panels, where the arm's
+own word leads from one to the next."""
+
+_OVER: Final = UNHINDERED | {StepKind.NO_DEVICE, StepKind.OPENING}
+_PHASES: Final = Texts("TeachingPhase") | {
+    TeachingPhase.OFF: "Not in drag teaching",
+    TeachingPhase.IDLE: "In drag teaching, nothing under way",
+    TeachingPhase.RECORDING: "Recording: lead the arm by hand",
+    TeachingPhase.REPLAYING: "Moving along the recording",
+    TeachingPhase.PAUSED: "Replay paused",
+}
+
+
+class TeachingExitSteps(QFrame):
+    """Four lines, the one that is due marked; hidden when there is nothing to leave."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.setObjectName("teaching_exit_steps")
+        self._leaving = False
+        self._due = 0
+        self._title = QLabel()
+        self._title.setWordWrap(True)
+        self._signs = [QLabel() for _ in range(_STEPS)]
+        self._lines = [QLabel() for _ in range(_STEPS)]
+        grid = empty_grid(self, gaps=(6, 4), margins=0)
+        grid.addWidget(self._title, 0, 0, 1, 2)
+        for row, (sign, line) in enumerate(zip(self._signs, self._lines, strict=True), start=1):
+            sign.setFixedWidth(_SIGN_PX)
+            line.setWordWrap(True)
+            grid.addWidget(sign, row, 0, Qt.AlignmentFlag.AlignTop)
+            grid.addWidget(line, row, 1)
+        grid.setColumnStretch(1, 1)
+        self.hide()
+
+    @property
+    def due(self) -> int:
+        """The step that is due, 1–4; 0 when there is nothing to leave."""
+        return self._due if self._leaving else 0
+
+    def show_step(self, phase: TeachingPhase | None, step: Step) -> None:
+        """Follow the arm: the steps begin with drag teaching and end with a ready arm."""
+        if phase is not None and phase is not TeachingPhase.OFF:
+            self._leaving = True
+        elif step.kind in _OVER:
+            self._leaving = False
+        self._due = _NUMBER.get(step.kind, self._due)
+        self.setVisible(self._leaving)
+        self._mark()
+
+    def _mark(self) -> None:
+        for number, label in enumerate(self._lines, start=1):
+            font = label.font()
+            font.setBold(number == self._due)
+            label.setFont(font)
+            sign = "✓" if number < self._due else "▸" if number == self._due else ""
+            self._signs[number - 1].setText(sign)
+            label.setText(f"{number}. {self._words()[number - 1]}")
+
+    def _words(self) -> tuple[str, ...]:
+        return (
+            self.tr("End what is under way; lead every joint near its zero by hand."),
+            self.tr("Hold the arm. Emergency stop: the motors go limp, the arm sinks."),
+            self.tr("Resume: the arm will drop, keep holding it."),
+            self.tr("Enable the motors."),
+        )
+
+    def retranslate_ui(self) -> None:
+        """Put its words into the operator's language."""
+        self._title.setText(
+            self.tr("To leave drag teaching, take the steps in the line at the top:")
+        )
+        self._mark()
+
+
+class TeachingPanel(Panel):
+    """Offers the commands that make sense now; the others say why they do not."""
+
+    def __init__(self, controller: ArmController, open_backup: Callable[[], object]) -> None:
+        super().__init__(controller, "teaching_message")
+        self._open_backup = open_backup
+        self._assistance: DragAssistanceDialog | None = None
+        self._assistance_button = named("drag_assistance_button", QToolButton())
+        self._unanswered: Event | None = None
+        self._shown: tuple[object, ...] | None = None
+        self._state_label = QLabel()
+        self._state = text_label("teaching_state", wraps=True)
+        self._phase = text_label("teaching_phase", rank="muted")
+        self._note = text_label(rank="muted", wraps=True)
+        self._teaching_exit_steps = TeachingExitSteps()
+        self._plan_label = QLabel()
+        self._plan_note = text_label(rank="muted", wraps=True)
+        self._buttons = {
+            command: self._make_button(f"teaching_{command.name.lower()}")
+            for row in _COMMANDS
+            for command in row
+        }
+        self._plan_buttons = {
+            command: self._make_button(f"plan_{command.name.lower()}")
+            for row in _PLANS
+            for command in row
+        }
+        # a motion that was held back is never set going by a slip
+        self._plan_buttons[TrajectoryCommand.CONTINUE] = HoldButton(self._controller)
+        self._name(self._plan_buttons[TrajectoryCommand.CONTINUE], "plan_continue")
+        self._lay_out()
+        self._connect()
+        self.retranslate_ui()
+
+    @staticmethod
+    def _make_button(name: str) -> QPushButton:
+        button = QPushButton()
+        TeachingPanel._name(button, name)
+        return button
+
+    @staticmethod
+    def _name(button: QPushButton, name: str) -> None:
+        button.setObjectName(name)
+        button.setMinimumHeight(_BUTTON_PX)
+
+    # -- layout -------------------------------------------------------------------------------
+
+    def _lay_out(self) -> None:
+        card = QFrame()
+        state = empty_grid(gaps=(10, None))
+        state.addWidget(self._state_label, 0, 0, Qt.AlignmentFlag.AlignTop)
+        state.addWidget(self._state, 0, 1)
+        state.addWidget(self._phase, 1, 1)
+        state.setColumnStretch(1, 1)
+        parts = (
+            state,
+            _grid(_COMMANDS, self._buttons),
+            self._note,
+            self._teaching_exit_steps,
+            6,
+            self._plan_label,
+            _grid(_PLANS, self._plan_buttons),
+            self._plan_note,
+            STRETCH,
+        )
+        in_column(*parts, on=card, spacing=8, margins=(16, 12, 16, 12))
+        head = in_row((self._title, 1), self._assistance_button)
+        self._stack(scrolled(card, _TALLEST_CARD_PX), head=head)
+
+    def _connect(self) -> None:
+        for command, button in self._buttons.items():
+            button.clicked.connect(lambda _checked, which=command: self._on_command(which))
+        for plan, button in self._plan_buttons.items():
+            if isinstance(button, HoldButton):
+                button.held.connect(lambda which=plan: self._on_plan(which))
+            else:
+                button.clicked.connect(lambda _checked, which=plan: self._on_plan(which))
+        self._assistance_button.clicked.connect(self._open_assistance)
+        self._listen()
+        self._controller.step_changed.connect(self._show_new)
+
+    # -- actions ------------------------------------------------------------------------------
+
+    def _open_assistance(self) -> None:
+        if self._assistance is None:
+            self._assistance = DragAssistanceDialog(
+                self._controller, self._open_backup, self.window()
+            )
+        self._assistance.open()
+
+    def _on_command(self, command: TeachingState) -> None:
+        if command is not TeachingState.START_RECORDING:
+            self._command(command)
+            return
+        confirm(
+            self.window(),
+            self._controller,
+            title=words.step_question(Action.LEAD_BY_HAND),
+            text=words.step_danger(Action.LEAD_BY_HAND),
+            action_label=words.teaching_command(command),
+            on_confirmed=lambda: self._command(command),
+        )
+
+    def _command(self, command: TeachingState) -> None:
+        self._unanswered = None
+        self._refusal = self._controller.teaching.command(command)
+        self._show_all()
+
+    def _on_plan(self, plan: TrajectoryCommand) -> None:
+        self._unanswered = None
+        self._refusal = self._controller.planned_motion.command(plan)
+        self._show_all()
+
+    # -- what comes from the arm --------------------------------------------------------------
+
+    def _on_state_changed(self, _state: ArmState) -> None:
+        self._show_new()
+
+    def _on_operating_state_changed(self, operating_state: OperatingState) -> None:
+        self._operating_state = operating_state
+        self._refusal = None
+        self._show_new()
+
+    def _on_noticed(self, event: Event) -> None:
+        if event.code == EventCode.TEACHING_UNANSWERED:
+            self._unanswered = event
+            self._show_all()
+
+    def _show_new(self) -> None:
+        """Say what has changed; feedback comes thirty times a second and mostly says the same."""
+        if not self.isVisible():
+            return
+        shown = self._facts()
+        if shown != self._shown:
+            if self._shown is not None and shown[0] != self._shown[0]:
+                self._unanswered = None
+            self._shown = shown
+            self._show_all()
+
+    def _facts(self) -> tuple[object, ...]:
+        controller = self._controller
+        return (
+            self._phase_now(),
+            None if controller.state.status is None else controller.state.status.value,
+            self._operating_state,
+            controller.recovery.step,
+            controller.teaching.pending,
+        )
+
+    def _phase_now(self) -> TeachingPhase | None:
+        """What drag teaching does, or ``None``: nobody knows."""
+        state = self._controller.state
+        if state.status is None or is_stale(state.status, state, self._operating_state):
+            return None
+        return phase_of(state.status.value)
+
+    # -- appearance ---------------------------------------------------------------------------
+
+    def _show_all(self) -> None:
+        phase = self._phase_now()
+        heard = self._controller.state.status
+        known = heard is not None and phase is not None
+        self._state.setText(
+            words.teaching(heard.value.teaching) if heard and known else fmt.NOTHING
+        )
+        self._phase.setText(_PHASES.text(phase) if phase is not None else fmt.NOTHING)
+        now = self._controller.operating_state
+        for command, button in self._buttons.items():
+            why_not = words.why_not(why_not_teach(now, command))
+            enable_or_explain(button, why_not, self._describe(command))
+        for plan, button in self._plan_buttons.items():
+            why_not = words.why_not(why_not_plan(now, plan))
+            enable_or_explain(button, why_not, self._plan_note.text())
+        self._teaching_exit_steps.show_step(phase, self._controller.recovery.step)
+        self._show_message()
+
+    def _describe(self, command: TeachingState) -> str:
+        if command is TeachingState.START_RECORDING:
+            return self.tr("The arm gives way to the hand and records where it is led.")
+        if command in _MOVES:
+            return self.tr("The arm moves: keep clear.")
+        return words.teaching(command)
+
+    def _show_message(self) -> None:
+        self._tell()
+        self._share_room()
+
+    def _tell(self) -> None:
+        controller = self._controller
+        refusal = self._refusal or self._unless_told(self._operating_state.unreachable)
+        if refusal is not None:
+            self._say(refusal)
+        elif controller.teaching.pending is not None:
+            text = self.tr("Waiting for the arm: {command}")
+            command = words.teaching_command(controller.teaching.pending)
+            self._message.show_message(text.format(command=command))
+        elif self._unanswered is not None:
+            self._message.show_message(words.event(self._unanswered), Level.FAULT)
+        elif self._operating_state.holds:
+            text = self.tr("A motion is held back: hold Continue, or give it up by Terminate.")
+            self._message.show_message(text, Level.WARNING)
+        else:
+            self._message.show_message("")
+
+    def retranslate_ui(self) -> None:
+        """Put every word into the operator's language."""
+        self._title.setText(self.tr("Drag teaching"))
+        self._state_label.setText(self.tr("Teaching state"))
+        self._note.setText(
+            self.tr("The teaching button on the arm works beside this panel, which follows it.")
+        )
+        self._plan_label.setText(self.tr("Planned trajectory"))
+        self._plan_note.setText(
+            self.tr("Works on motions under way. The arm does not report it: watch the arm.")
+        )
+        caption(self._assistance_button, self.tr("Drag assistance…"))
+        self._assistance_button.setToolTip(
+            self.tr("How much each joint helps the hand; firmware from S-V1.8-1.")
+        )
+        for command, button in self._buttons.items():
+            caption(button, words.teaching_command(command))
+        for plan, button in self._plan_buttons.items():
+            caption(button, words.trajectory_command(plan))
+        self._teaching_exit_steps.retranslate_ui()
+        self._show_all()
+
+
+def _grid(rows: Sequence[Sequence[_Key]], buttons: Mapping[_Key, QPushButton]) -> QGridLayout:
+    """Two or three buttons a row, each row as wide as the others."""
+    grid = empty_grid(gaps=(8, 8))
+    for number, row in enumerate(rows):
+        for column, command in enumerate(row):
+            span = _COLUMNS // len(row)
+            grid.addWidget(buttons[command], number, column * span, 1, span)
+    for column in range(_COLUMNS):
+        grid.setColumnStretch(column, 1)
+    return grid

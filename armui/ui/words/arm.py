@@ -1,0 +1,304 @@
+"""The arm and its parts in words: codes of its status frame (0x2A1), joints, gripper, lamps, modes.
+
+Both generations share the tables: generation 2 only adds codes at their ends. A code that is in
+no table is shown as unknown with its number, never as its nearest neighbour.
+"""
+
+from __future__ import annotations
+
+from typing import Final
+
+from PySide6.QtCore import QT_TRANSLATE_NOOP, QCoreApplication
+
+from armui.arm.device import Device
+from armui.arm.joint_status import Item, StatusVerdict, Word
+from armui.arm.model_check import OLDER_ZEROS
+from armui.arm.state import GripperFault
+from armui.protocol.codes import EndLoad, Mounting, TeachingState, TrajectoryCommand
+from armui.ui.words.text import Texts, sentence
+
+_CONTROL_MODES: Final = Texts("ControlMode") | {
+    0x00: "Standby mode",
+    0x01: "CAN command control mode",
+    0x02: "Teaching mode",
+    0x03: "Ethernet control mode",
+    0x04: "Wi-Fi control mode",
+    0x05: "Remote controller mode",
+    0x06: "Linked teaching input mode",
+    0x07: "Offline trajectory mode",
+}
+
+_SHORT_CONTROL_MODES: Final = Texts("ControlModeShort") | {
+    0x00: "Standby",
+    0x01: "CAN commands",
+    0x02: "Teaching",
+    0x03: "Ethernet",
+    0x04: "Wi-Fi",
+    0x05: "Remote controller",
+    0x06: "Linked teaching input",
+    0x07: "Offline trajectory",
+}
+
+_ARM_STATUSES: Final = Texts("ArmStatus") | {
+    0x00: "Normal",
+    0x01: "Emergency stop",
+    0x02: "No solution",
+    0x03: "Singularity",
+    0x04: "Target angle beyond limit",
+    0x05: "Joint communication fault",
+    0x06: "Joint brake not released",
+    0x07: "Collision",
+    0x08: "Overspeed in drag teaching",
+    0x09: "Joint status fault",
+    0x0A: "Other fault",
+    0x0B: "Teaching: recording",
+    0x0C: "Teaching: replaying",
+    0x0D: "Teaching: paused",
+    0x0E: "Main controller too hot",
+    0x0F: "Brake resistor too hot",
+}
+
+_MOVE_MODES: Final = Texts("MoveMode") | {
+    0x00: "Point mode",
+    0x01: "Joint mode",
+    0x02: "Linear mode",
+    0x03: "Arc mode",
+    0x04: "MIT mode",
+    0x05: "CPV mode",
+    0x06: "MIT mode",
+}
+
+_TEACHING_STATES: Final = Texts("Teaching") | {
+    0x00: "Off",
+    0x01: "Start of recording (drag teaching on)",
+    0x02: "End of recording (drag teaching off)",
+    0x03: "Replaying the taught trajectory",
+    0x04: "Replay paused",
+    0x05: "Replay resumed",
+    0x06: "Replay terminated",
+    0x07: "Moving to the start of the trajectory",
+}
+_GRIPPER_FIGURES: Final = Texts("GripperFigure") | {
+    "opening": "Opening",
+    "torque": "Torque",
+    "angle": "Angle",
+    "speed": "Speed",
+}
+
+_ACTS: Final = Texts("GripperAct") | {
+    "enable": "Enable",
+    "disable": "Disable",
+    "clear": "Clear error",
+    "zero": "Set zero",
+}
+
+_FAULTS: Final = Texts("GripperFault") | {
+    GripperFault.UNDERVOLTAGE: "supply voltage too low",
+    GripperFault.MOTOR_OVERTEMPERATURE: "motor too hot",
+    GripperFault.OVERCURRENT: "driver overcurrent",
+    GripperFault.DRIVER_OVERTEMPERATURE: "driver too hot",
+    GripperFault.SENSOR: "sensor abnormal",
+    GripperFault.DRIVER: "driver error",
+}
+
+
+_LOADS: Final = Texts("EndLoad") | {
+    EndLoad.EMPTY: "No load",
+    EndLoad.HALF: "Half load",
+    EndLoad.FULL: "Full load",
+    EndLoad.NOT_GIVEN: "Not given",
+}
+_ITEMS: Final = Texts("JointItem") | {
+    Item.STATUS_CODE: "Status code:",
+    Item.SUPPLY_VOLTAGE: "Supply voltage:",
+    Item.MOTOR_TEMPERATURE: "Motor temperature:",
+    Item.DRIVER_CURRENT: "Driver current:",
+    Item.DRIVER_TEMPERATURE: "Driver temperature:",
+    Item.SENSOR: "Sensor:",
+    Item.COLLISION_PROTECTION: "Collision protection:",
+    Item.DRIVER_FAULT: "Driver error:",
+    Item.DRIVER_ENABLED: "Driver enabled:",
+    Item.HOMED: "Homing:",
+    Item.STALL_PROTECTION: "Stall protection:",
+    Item.COMMUNICATION: "Joint communication:",
+}
+
+_WORDS: Final = Texts("JointWord") | {
+    Word.NORMAL: "Normal",
+    Word.TOO_LOW: "Too low",
+    Word.TOO_HOT: "Too hot",
+    Word.OVERCURRENT: "Overcurrent",
+    Word.ABNORMAL: "Abnormal",
+    Word.ERROR: "Error",
+    Word.TRIGGERED: "Triggered",
+    Word.ENABLED: "Enabled",
+    Word.DISABLED: "Disabled",
+    Word.NOT_HOMED: "Not homed",
+    Word.HOMED: "Homed",
+}
+
+_VERDICTS: Final = Texts("JointVerdict") | {
+    StatusVerdict.NORMAL: "Normal",
+    StatusVerdict.DISABLED: "Disabled",
+    StatusVerdict.UNKNOWN: "Unknown",
+    StatusVerdict.FAULT: "Fault",
+    StatusVerdict.OFFLINE: "Offline",
+}
+_LIGHTS: Final = Texts("LightFigure") | {
+    "joint": "Joint number",
+    "lamp": "Lamp number",
+    "red": "R channel",
+    "green": "G channel",
+    "blue": "B channel",
+}
+_MOUNTINGS: Final = Texts("Mounting") | {
+    Mounting.UNCHANGED: "Unchanged",
+    Mounting.LEVEL: "Level",
+    Mounting.ON_THE_LEFT_SIDE: "Left side",
+    Mounting.ON_THE_RIGHT_SIDE: "Right side",
+    Mounting.UPSIDE_DOWN: "Upside down",
+}
+_TEACHING_COMMANDS: Final = Texts("TeachingCommand") | {
+    TeachingState.START_RECORDING: "Start recording",
+    TeachingState.STOP_RECORDING: "Stop recording",
+    TeachingState.RUN_RECORDING: "Replay",
+    TeachingState.PAUSE: "Pause",
+    TeachingState.CONTINUE: "Continue",
+    TeachingState.ABORT: "Terminate",
+    TeachingState.MOVE_TO_START: "Move to start",
+}
+
+_PLANS: Final = Texts("TrajectoryCommand") | {
+    TrajectoryCommand.PAUSE: "Pause",
+    TrajectoryCommand.CONTINUE: "Continue",
+    TrajectoryCommand.CLEAR_CURRENT: "Clear current",
+    TrajectoryCommand.CLEAR_ALL: "Clear all",
+    TrajectoryCommand.ABORT: "Terminate",
+}
+
+_MODES: Final = Texts("OtherMode") | {
+    "mit": "MIT",
+    "cpv": "CPV",
+    "high_follow": "high-follow",
+}
+_KINDS: Final = Texts("ArmKind") | {"older": "{model} (zeros before S-V1.6-3)"}
+
+
+def arm_kind(kind: str) -> str:
+    """Return a `ModelFit.kind` in the operator's language."""
+    model = kind.removesuffix(OLDER_ZEROS)
+    return kind if model == kind else _KINDS.text("older", {"model": model})
+
+
+def other_mode(mode: str) -> str:
+    """A mode another host has put the arm in."""
+    return _MODES.text(mode)
+
+
+def held_target(angles_deg: object) -> str:
+    """Where a motion held back leads: six angles in degrees, or that they are not known."""
+    if not isinstance(angles_deg, tuple):
+        return QCoreApplication.translate("HeldTarget", "a target this program does not know")
+    return ", ".join(f"{angle:.1f}°" for angle in angles_deg)
+
+
+def teaching_command(command: TeachingState) -> str:
+    """What a command of 0x150 byte 2 is called («开始示教记录»)."""
+    return _TEACHING_COMMANDS.text(command)
+
+
+def trajectory_command(command: TrajectoryCommand) -> str:
+    """What a command of 0x150 byte 1 is called («暂停当前规划»)."""
+    return _PLANS.text(command)
+
+
+def device_name(device: Device) -> str:
+    """A device as the operator knows it: an adapter by its channel, a simulated arm as such."""
+    if not device.simulated:
+        return device.name
+    source = QT_TRANSLATE_NOOP("Device", "Simulated arm, gen. {generation}")
+    return sentence("Device", source, {"generation": device.generation})
+
+
+def mounting(how: Mounting) -> str:
+    """How it is mounted («水平»)."""
+    return _MOUNTINGS.text(how)
+
+
+def light_figure(name: str) -> str:
+    """What a figure of the light command is called: a key of ``lights.RANGES``."""
+    return _LIGHTS.word(name)
+
+
+def joint_item(item: Item) -> str:
+    """The name of a row («电源电压:»)."""
+    return _ITEMS.text(item)
+
+
+def joint_word(word: Word) -> str:
+    """What a cell says («过低»)."""
+    return _WORDS.text(word)
+
+
+def joint_verdict(verdict: StatusVerdict) -> str:
+    """How the six joints are («有故障»)."""
+    return _VERDICTS.text(verdict)
+
+
+def end_load(load: EndLoad) -> str:
+    """What the arm carries («半载»)."""
+    return _LOADS.text(load)
+
+
+def gripper_figure(name: str) -> str:
+    """What a figure of the gripper's command is called («开度»)."""
+    return _GRIPPER_FIGURES.word(name)
+
+
+def gripper_act(name: str) -> str:
+    """What is done to the gripper («清除错误»)."""
+    return _ACTS.word(name)
+
+
+def gripper_fault(fault: GripperFault) -> str:
+    """What its driver complains of («电机过温»)."""
+    return _FAULTS.text(fault)
+
+
+def control_mode(code: int) -> str:
+    """Who commands the arm, byte 0, in the protocol's words («待机模式»)."""
+    return _word(_CONTROL_MODES, code)
+
+
+def control_mode_short(code: int) -> str:
+    """Who commands the arm, byte 0, as short as the manual's status bar has it («待机»)."""
+    return _word(_SHORT_CONTROL_MODES, code)
+
+
+def arm_status(code: int) -> str:
+    """How the arm is, byte 1 («正常»)."""
+    return _word(_ARM_STATUSES, code)
+
+
+def move_mode(code: int) -> str:
+    """How the arm travels to a target, byte 2 («点位模式»)."""
+    return _word(_MOVE_MODES, code)
+
+
+def teaching(code: int) -> str:
+    """What drag teaching does, byte 3 («关闭»)."""
+    return _word(_TEACHING_STATES, code)
+
+
+def reached(is_reached: bool) -> str:
+    """Whether the arm is where it was sent, byte 4 («已达指定点»)."""
+    if is_reached:
+        return QCoreApplication.translate("Reached", "Target reached")
+    return QCoreApplication.translate("Reached", "Target not reached")
+
+
+def _word(table: Texts[int], code: int) -> str:
+    if code in table:
+        return table.text(code)
+    unknown = QT_TRANSLATE_NOOP("UnknownCode", "unknown ({code})")
+    return sentence("UnknownCode", unknown, {"code": f"0x{code:02X}"})
