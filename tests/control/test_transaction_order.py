@@ -47,6 +47,23 @@ def test_a_question_waits_as_long_as_it_must(program):
     assert program.done[-1] == ("b", None)
 
 
+def test_what_failed_while_it_was_put_is_put_again(program, monkeypatch):
+    def fail(*_):
+        raise RuntimeError("planted")
+
+    with monkeypatch.context() as patched:
+        patched.setattr(program.connection, "send", fail)
+        with pytest.raises(RuntimeError, match="planted"):
+            program.line.submit(program.question("a", 3))
+    program.line.submit(program.order("b", 4))
+    with monkeypatch.context() as patched:
+        patched.setattr(program.line, "_why_another_arm", fail)
+        with pytest.raises(RuntimeError, match="planted"):
+            program.wait(1.0)
+    program.wait(3.0)
+    assert sorted(name for name, _ in program.done) == ["a", "b"]
+
+
 def test_a_question_may_be_put_to_an_arm_that_is_not_heard(program):
     program.connection.arm = None
     program.line.submit(program.question("a"))

@@ -13,7 +13,8 @@ from __future__ import annotations
 import enum
 from collections import deque
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
+from math import inf
 from typing import TYPE_CHECKING, Final
 
 from armui.arm.refusal import Refusal
@@ -100,7 +101,7 @@ class _Task:
         begin_by_s: It is dropped if it has not begun by then; ``None`` for a further step of an
             action that has begun, and for a question.
         send_by_s: No frame that commands is sent later.
-        sent_s: When the first frame of this phase was sent.
+        sent_s: When the first frame of this phase was sent; infinite before.
         unanswered: The reason to tell if the value cannot be read back either.
     """
 
@@ -108,10 +109,10 @@ class _Task:
     arm: int | None
     begin_by_s: float | None
     phase: _Phase
-    attempt: int = field(init=False)
-    send_by_s: float = field(init=False)
-    sent_s: float = field(init=False)
-    deadline_s: float = field(init=False)
+    attempt: int = 0
+    send_by_s: float = 0.0
+    sent_s: float = inf
+    deadline_s: float = 0.0
     unanswered: Refusal | None = None
 
 

@@ -381,7 +381,10 @@ class Oracle:
         if first.version and first.version in (state.firmware or ""):
             return [Violation("S15", "the first arm's version after an exchange", first.version)]
         for joint, each in enumerate(operating_state.limits):
-            if operating_state.limits_read[joint] and each.max_deg in first.limits_deg:
+            true_deg = self._world.firmware.settings.limits[joint].max_deg
+            if not operating_state.limits_read[joint] or each.max_deg == true_deg:
+                continue
+            if each.max_deg in first.limits_deg:
                 text = f"joint {joint + 1}: {each.max_deg}"
                 return [Violation("S15", "the first arm's limits after an exchange", text)]
         return []
