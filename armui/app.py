@@ -356,7 +356,7 @@ def _run_window(
     system_end: SystemEnd,
 ) -> int:
     program.window.show()
-    _load_pages_when_idle(app, then=program.window.page_doings.reopen)
+    _load_pages_when_idle(app, then=program.window.page_actions.reopen)
     _GoingFirst(app, program.controller)
     device = chosen_device(options)
     if device is not None:

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import ast
 import os
 import re
 import subprocess
 import sys
+from functools import cache
 from pathlib import Path
 
 import pytest
@@ -16,7 +18,7 @@ ROOT = Path(__file__).resolve().parents[1]
 PAPERS = [
     ROOT / "README.md",
     ROOT / "CHANGELOG.md",
-    *sorted((ROOT / "resources" / "docs").glob("*.md")),
+    *sorted((ROOT / "resources" / "docs").rglob("*.md")),
     *sorted((ROOT / ".github").rglob("*.md")),
 ]
 NAMES = [str(paper.relative_to(ROOT)) for paper in PAPERS]
@@ -25,6 +27,12 @@ MOST_WORDS = 999
 LINK = re.compile(r"\]\(([^)\s]+)\)")
 ELSEWHERE = re.compile(r"[a-z]+:")
 PATH = re.compile(r"(?<![\w/.-])(?:armui|resources|tests|urdf|\.github|\.ci)/[\w/.*-]*[\w/*]")
+ROOMS = sorted((ROOT / "resources" / "docs" / "design").glob("*.md"))
+"""The pages behind the map of the design."""
+QUOTED = re.compile(r"`([^`\n]+)`")
+A_CLASS = re.compile(r"_?[A-Z]\w*[a-z]\w*(\.\w+)?")
+A_NAME = re.compile(r"[a-z]+(_[a-z]+)+|[A-Z]+(_[A-Z]+)+")
+OF_QT = re.compile(r"Q[A-Z]")
 MODULE = re.compile(r"python -m ((?:tests|armui)[\w.]*)")
 
 
@@ -86,8 +94,62 @@ def test_every_room_has_its_line_in_the_design() -> None:
     design = (ROOT / "resources" / "docs" / "design.md").read_text(encoding="utf-8")
     plan = design.split("```")[1]
     rooms = {path.parent.name for path in (ROOT / "armui").glob("*/__init__.py")}
-    rooms |= {path.parent.name for path in (ROOT / "armui" / "control").glob("*/__init__.py")}
     assert {room for room in rooms if f" {room}/" not in plan} == set()
+    assert {page.name for page in ROOMS if f"(design/{page.name})" not in design} == set()
+
+
+@pytest.mark.parametrize(
+    "page",
+    [page for page in ROOMS if (ROOT / "armui" / page.stem).is_dir()],
+    ids=lambda page: page.stem,
+)
+def test_every_folder_of_a_room_is_named_in_its_page(page: Path) -> None:
+    text = page.read_text(encoding="utf-8")
+    folders = {path.parent.name for path in (ROOT / "armui" / page.stem).glob("*/__init__.py")}
+    assert {folder for folder in folders if f"`{folder}/`" not in text} - {"process"} == set()
+
+
+def test_every_room_has_its_page() -> None:
+    rooms = {path.parent.name for path in (ROOT / "armui").glob("*/__init__.py")}
+    together = {"decode", "doctor", "export", "record"}  # commands.md
+    assert rooms - together <= {page.stem for page in ROOMS}
+
+
+@cache
+def names_of_the_program() -> frozenset[str]:
+    """Classes, functions, attributes and constants."""
+    names: set[str] = set()
+    for path in (ROOT / "armui").rglob("*.py"):
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+            if isinstance(node, ast.ClassDef | ast.FunctionDef):
+                names.add(node.name)
+            elif isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store):
+                names.add(node.id)
+            elif isinstance(node, ast.Attribute) and isinstance(node.ctx, ast.Store):
+                names.add(node.attr)
+    return frozenset(names)
+
+
+@pytest.mark.parametrize(
+    "page", [ROOT / "resources" / "docs" / "design.md", *ROOMS], ids=lambda page: page.stem
+)
+def test_every_module_and_name_in_the_design_is_there(page: Path) -> None:
+    """A module is named from the top, from `armui/`, or from the room that the page is about."""
+    room = ROOT / "armui" / page.stem
+    gone = []
+    for quoted in QUOTED.findall(page.read_text(encoding="utf-8")):
+        if quoted.endswith((".py", "/")):
+            places = [ROOT / quoted, ROOT / "armui" / quoted, room / quoted]
+            found = any(each.exists() for each in places) or any(room.rglob(quoted.rstrip("/")))
+        elif A_CLASS.fullmatch(quoted) and not OF_QT.match(quoted):
+            found = set(quoted.split(".")) <= names_of_the_program()
+        elif A_NAME.fullmatch(quoted):
+            found = quoted in names_of_the_program()
+        else:
+            continue
+        if not found:
+            gone.append(quoted)
+    assert gone == []
 
 
 def test_every_room_says_what_it_is_for() -> None:

@@ -90,7 +90,7 @@ class Walk:
             for each, points in (("one", (POINT, POINT)), ("empty", ())):
                 library.save(Trajectory(each, points=points))
         driver.connect()
-        driver.window.page_doings.reopen()
+        driver.window.page_actions.reopen()
         self._settle(driver)
         return driver
 

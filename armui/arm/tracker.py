@@ -30,8 +30,8 @@ from armui.arm.state import (
 )
 from armui.protocol.addressing import OFFSETS
 from armui.protocol.codec import Codec, InvalidFrame, InvalidFrameKind, Message
+from armui.protocol.codes import DEGREES_PER
 from armui.protocol.firmware_version import AnswerCollector, is_question
-from armui.protocol.layout import DEGREES_PER
 from armui.protocol.message_fields import record_reader
 
 _Signals = Mapping[str, float]

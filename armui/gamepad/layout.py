@@ -11,7 +11,7 @@ import math
 from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass, fields
 from enum import StrEnum
-from typing import Final, NamedTuple
+from typing import Final
 
 from armui.gamepad.device_state import DeviceKind, DeviceState
 
@@ -27,7 +27,8 @@ class JogMode(StrEnum):
     TOOL = "tool"
 
 
-class AxisSource(NamedTuple):
+@dataclass(frozen=True, slots=True)
+class AxisSource:
     """What moves one axis of the arm: an axis of the device, or two of its buttons.
 
     Attributes:

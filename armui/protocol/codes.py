@@ -7,6 +7,9 @@ two. Codes that only generation 2 knows say so; the codec refuses them in genera
 from __future__ import annotations
 
 import enum
+import math
+from collections.abc import Mapping
+from typing import Final
 
 
 class ControlMode(enum.IntEnum):
@@ -245,3 +248,14 @@ ALL_JOINTS = 7
 
 ALL_LAMPS = 0xFF
 """The lamp number that means every lamp in 0x121."""
+
+
+DEGREES_PER: Final[Mapping[str, float]] = {
+    "deg": 1.0,
+    "rad": math.degrees(1.0),
+    "rpm": 6.0,
+    "rad/s": math.degrees(1.0),
+    "rpm/s": 6.0,
+    "rad/s^2": math.degrees(1.0),
+}
+"""Degrees (per second, per second squared) in one of the units of the DBC files."""

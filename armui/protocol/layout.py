@@ -6,7 +6,6 @@ That of each message stands ready before its first frame arrives.
 from __future__ import annotations
 
 import copy
-import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from functools import cache, partial
@@ -62,17 +61,6 @@ def load_database(generation: Generation, mit_layout: MitLayout = MitLayout.B) -
     if not isinstance(database, cantools.database.can.Database):
         raise TypeError(f"{path} does not describe a CAN bus")
     return database
-
-
-DEGREES_PER: Final[Mapping[str, float]] = {
-    "deg": 1.0,
-    "rad": math.degrees(1.0),
-    "rpm": 6.0,
-    "rad/s": math.degrees(1.0),
-    "rpm/s": 6.0,
-    "rad/s^2": math.degrees(1.0),
-}
-"""Degrees (per second, per second squared) in one of the units of the DBC files."""
 
 
 LEAVE_UNCHANGED = "Leave unchanged"

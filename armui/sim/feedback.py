@@ -12,9 +12,10 @@ from armui.arm.limits import JOINTS
 from armui.arm.state import GripperFault
 from armui.kinematics.poses import Pose
 from armui.protocol.codec import Codec
+from armui.protocol.codes import DEGREES_PER
 from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
-from armui.protocol.layout import DEGREES_PER, load_database
+from armui.protocol.layout import load_database
 from armui.sim.condition import Alarm
 from armui.sim.mechanics.powered_joints import STANDSTILL, SixValues
 

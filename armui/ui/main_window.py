@@ -36,8 +36,8 @@ from armui.ui.shell.leaving import (
     unsaved,
 )
 from armui.ui.shell.operation_area import OperationArea, menu_entries
+from armui.ui.shell.page_actions import PageActions
 from armui.ui.shell.page_area import PageArea
-from armui.ui.shell.page_doings import PageDoings
 from armui.ui.shell.recovery_line import RecoveryLine
 from armui.ui.shell.robot_in_view import RobotInView, show_in_view
 from armui.ui.shell.side_menu import JointStatusButton, LibraryButton, SideMenu, WatchMenu
@@ -84,7 +84,7 @@ class MainWindow(Translated, KeepsFocus, QWidget):
         trajectories: The folder of the library; the user's own by default.
 
     Attributes:
-        page_doings: Opens pages by their names.
+        page_actions: Opens pages by their names.
     """
 
     def __init__(
@@ -148,10 +148,10 @@ class MainWindow(Translated, KeepsFocus, QWidget):
         self._watch.show_marks_in(self._status_bar)
         self._actions = WindowActions(self, controller, preferences, background)
         self._status_bar.add_mark(ModelMark(controller, self.open_connect_dialog))
-        self.page_doings = PageDoings(
+        self.page_actions = PageActions(
             self, self._workspace, self._trajectory_pages, self._watch, self._drawer
         )
-        offer = self._actions.offer(self._diagnosis, self._watch, self._picture, self.page_doings)
+        offer = self._actions.offer(self._diagnosis, self._watch, self._picture, self.page_actions)
         self._status_bar.add_mark(offer)
         self._lay_out()
         self._connect()

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import enum
 import math
-from typing import Final, NamedTuple
+from dataclasses import dataclass, replace
+from typing import Final
 
 VIEW_ANGLE_DEG: Final = 30.0
 """Opening angle of the shorter side of the picture."""
@@ -26,7 +27,8 @@ class ViewDirection(enum.Enum):
     ISO = "iso"
 
 
-class OrbitCamera(NamedTuple):
+@dataclass(frozen=True, slots=True)
+class OrbitCamera:
     """Looks at a point from a direction; Z stays up, so the arm never tips over on the screen.
 
     Attributes:
@@ -47,7 +49,8 @@ class OrbitCamera(NamedTuple):
     def orbit(self, dx_px: float, dy_px: float) -> OrbitCamera:
         """The camera after a drag that turns: the scene follows the pointer."""
         elevation_deg = self.elevation_deg + dy_px * _DEG_PER_PIXEL
-        return self._replace(
+        return replace(
+            self,
             azimuth_deg=(self.azimuth_deg - dx_px * _DEG_PER_PIXEL) % 360.0,
             elevation_deg=min(_STEEPEST_DEG, max(-_STEEPEST_DEG, elevation_deg)),
         )
@@ -57,7 +60,8 @@ class OrbitCamera(NamedTuple):
         visible_m = 2.0 * self.distance_m * math.tan(math.radians(VIEW_ANGLE_DEG / 2.0))
         metres_per_px = visible_m / max(shorter_side_px, 1.0)
         _, right, up = self.axes()
-        return self._replace(
+        return replace(
+            self,
             focus_m=_along(
                 _along(self.focus_m, right, -dx_px * metres_per_px), up, dy_px * metres_per_px
             ),
@@ -66,12 +70,12 @@ class OrbitCamera(NamedTuple):
     def zoom(self, steps: float) -> OrbitCamera:
         """The camera nearer (steps above zero) or farther, within sensible distances."""
         distance_m = self.distance_m * _ZOOM_PER_STEP**steps
-        return self._replace(distance_m=min(_FARTHEST_M, max(_NEAREST_M, distance_m)))
+        return replace(self, distance_m=min(_FARTHEST_M, max(_NEAREST_M, distance_m)))
 
     def turned_to(self, direction: ViewDirection) -> OrbitCamera:
         """The camera with its eye in another direction from the same point."""
         azimuth_deg, elevation_deg = _DIRECTIONS_DEG[direction]
-        return self._replace(azimuth_deg=azimuth_deg, elevation_deg=elevation_deg)
+        return replace(self, azimuth_deg=azimuth_deg, elevation_deg=elevation_deg)
 
     @property
     def eye_m(self) -> Vector:

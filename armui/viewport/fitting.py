@@ -5,7 +5,8 @@ from __future__ import annotations
 import itertools
 import math
 from collections.abc import Iterable, Sequence
-from typing import Final, NamedTuple
+from dataclasses import dataclass, replace
+from typing import Final
 
 from armui.viewport.camera import OrbitCamera, Vector
 from armui.viewport.projection import Projection, dot
@@ -19,7 +20,8 @@ _NEAREST_M: Final = 0.2
 _NARROWEST_PX: Final = 60.0
 
 
-class Box(NamedTuple):
+@dataclass(frozen=True, slots=True)
+class Box:
     """A rectangle in pixels from the top left corner."""
 
     left: float
@@ -33,7 +35,8 @@ class Box(NamedTuple):
         return not (beside or self.bottom <= other.top or other.bottom <= self.top)
 
 
-class Room(NamedTuple):
+@dataclass(frozen=True, slots=True)
+class Room:
     """What of a picture is free for the arm.
 
     Attributes:
@@ -55,8 +58,8 @@ class Room(NamedTuple):
         if figures.right > 0.0:
             figures = Box(0.0, 0.0, figures.right + _AIR_PX, figures.bottom + _AIR_PX)
         if corner.top > 0.0:
-            corner = corner._replace(left=corner.left - _AIR_PX, top=corner.top - _AIR_PX)
-        return self._replace(figures=figures, corner=corner)
+            corner = replace(corner, left=corner.left - _AIR_PX, top=corner.top - _AIR_PX)
+        return replace(self, figures=figures, corner=corner)
 
     @property
     def inside(self) -> Box:
@@ -82,7 +85,8 @@ def is_clear(camera: OrbitCamera, groups: Groups, room: Room, slack_px: float = 
     return all(_is_free(_box(projection, group), room, slack_px) for group in groups)
 
 
-class Ball(NamedTuple):
+@dataclass(frozen=True, slots=True)
+class Ball:
     """A ball around places that belong together: one look at it spares looks at each of them."""
 
     centre: Vector
@@ -139,13 +143,13 @@ def fitted(camera: OrbitCamera, groups: Groups, room: Room, grown: float = 1.0) 
     if not any(groups):
         return camera
     # turned about by the operator, it turns about the middle of the arm
-    camera = camera._replace(focus_m=_middle(groups))
+    camera = replace(camera, focus_m=_middle(groups))
     seen = _deciding(_seen(camera, groups, room), camera, room)
     roomy = room.with_air()
     cameras = [_within(camera, seen, box, room) for box in _free_boxes(roomy)]
     cameras.sort(key=lambda each: each.distance_m)
     best = next((each for each in cameras if is_clear(each, groups, roomy, 1.0)), cameras[-1])
-    return best._replace(distance_m=best.distance_m * grown)
+    return replace(best, distance_m=best.distance_m * grown)
 
 
 def outermost(camera: OrbitCamera, groups: Groups) -> list[Sequence[Vector]]:
@@ -199,7 +203,7 @@ def _deciding(seen: Sequence[Vector], camera: OrbitCamera, room: Room) -> list[V
     What counts at an edge is how far aside a place is, and a share of how near; the share lies
     between those of the picture's own edges, and whatever two places differ by is linear in it.
     """
-    unit = Projection(camera._replace(distance_m=1.0), room.width_px, room.height_px)
+    unit = Projection(replace(camera, distance_m=1.0), room.width_px, room.height_px)
     most = max(room.width_px, room.height_px) / unit.pixels_a_metre(camera.focus_m)
     chosen = {max(seen, key=lambda each: each[2])}
     for axis, way in itertools.product((0, 1), (-1.0, 1.0)):
@@ -219,7 +223,7 @@ def _within(camera: OrbitCamera, seen: Sequence[Vector], box: Box, room: Room) -
     What is seen at the edge of the rectangle is a plane through the eye; each of the four gives a
     condition that is linear in the place and the distance of the camera.
     """
-    unit = Projection(camera._replace(distance_m=1.0), room.width_px, room.height_px)
+    unit = Projection(replace(camera, distance_m=1.0), room.width_px, room.height_px)
     size_px = unit.pixels_a_metre(camera.focus_m)
     middle_x, middle_y = room.width_px / 2.0, room.height_px / 2.0
     left, right = (box.left - middle_x) / size_px, (box.right - middle_x) / size_px
@@ -241,7 +245,7 @@ def _within(camera: OrbitCamera, seen: Sequence[Vector], box: Box, room: Room) -
         focus + across * r + up * u
         for focus, r, u in zip(camera.focus_m, right_axis, up_axis, strict=True)
     )
-    return camera._replace(focus_m=(x, y, z), distance_m=distance)
+    return replace(camera, focus_m=(x, y, z), distance_m=distance)
 
 
 def _box(projection: Projection, group: Sequence[Vector]) -> Box | None:

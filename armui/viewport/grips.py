@@ -9,7 +9,8 @@ import enum
 import itertools
 import math
 from collections.abc import Iterable, Sequence
-from typing import Final, NamedTuple
+from dataclasses import dataclass
+from typing import Final
 
 from armui.viewport.camera import Vector
 from armui.viewport.palette import ScenePalette
@@ -73,7 +74,8 @@ class GripKind(enum.Enum):
     """Turns a joint."""
 
 
-class Grip(NamedTuple):
+@dataclass(frozen=True, slots=True)
+class Grip:
     """One handle.
 
     Attributes:

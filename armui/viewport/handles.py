@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import enum
-from typing import TYPE_CHECKING, NamedTuple
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 from armui.viewport.grips import Grip, GripDrag, grip_at, joint_grips, tool_grips
 from armui.viewport.robot_shape import Rows, composed
@@ -28,7 +29,8 @@ class HandleKind(enum.Enum):
     """Each joint."""
 
 
-class HandlePlace(NamedTuple):
+@dataclass(frozen=True, slots=True)
+class HandlePlace:
     """Where handles are wanted.
 
     Attributes:
@@ -40,7 +42,8 @@ class HandlePlace(NamedTuple):
     kind: HandleKind
 
 
-class Dragged(NamedTuple):
+@dataclass(frozen=True, slots=True)
+class Dragged:
     """A handle that is carried.
 
     Attributes:

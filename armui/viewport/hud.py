@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Final, NamedTuple
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QCoreApplication, QPoint, QPointF, QRect, QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QFont, QFontMetrics, QFontMetricsF, QImage, QPainter, QPixmap
@@ -32,7 +33,8 @@ _GAP_PX = 18.0
 _BACKDROP_OPACITY = 0.88
 
 
-class HudValues(NamedTuple):
+@dataclass(frozen=True, slots=True)
+class HudValues:
     """What the figures say; None: never heard from the arm.
 
     Attributes:

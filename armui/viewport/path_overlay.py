@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Final, NamedTuple
 
 from PySide6.QtCore import QPointF, QRectF, Qt
@@ -39,7 +40,8 @@ _RIM_PX: Final = _Rim(18.0, 18.0, 66.0, 18.0)
 """At the right edge are buttons."""
 
 
-class Tag(NamedTuple):
+@dataclass(frozen=True, slots=True)
+class Tag:
     """A number beside a point.
 
     Attributes:
@@ -52,7 +54,8 @@ class Tag(NamedTuple):
     row: int
 
 
-class Sign(NamedTuple):
+@dataclass(frozen=True, slots=True)
+class Sign:
     """A finding where it happens.
 
     Attributes:

@@ -6,7 +6,7 @@ No numpy at run time: the view knows these, and the view is made before the libr
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     import numpy as np
@@ -15,7 +15,8 @@ if TYPE_CHECKING:
     Array = NDArray[np.float64]
 
 
-class FindingMark(NamedTuple):
+@dataclass(frozen=True, slots=True)
+class FindingMark:
     """Something that a check has found, where it would happen.
 
     Attributes:
@@ -68,7 +69,8 @@ class PathPicture:
         return tuple((x / 1e3, y / 1e3, z / 1e3) for x, y, z in outermost)
 
 
-class Preview(NamedTuple):
+@dataclass(frozen=True, slots=True)
+class Preview:
     """Everything shown beside the arm itself.
 
     Attributes:
@@ -84,7 +86,8 @@ class Preview(NamedTuple):
     current_row: int | None = None
 
 
-class Trail(NamedTuple):
+@dataclass(frozen=True, slots=True)
+class Trail:
     """Where the tool has been, and where it was asked to be; the newest place last.
 
     Attributes:
@@ -96,7 +99,8 @@ class Trail(NamedTuple):
     commanded: bytes = b""
 
 
-class Reach(NamedTuple):
+@dataclass(frozen=True, slots=True)
+class Reach:
     """What the tool's reach is worked out from.
 
     Attributes:

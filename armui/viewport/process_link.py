@@ -15,7 +15,7 @@ import pickle
 import signal
 import threading
 import time
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from multiprocessing.connection import wait
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Final, TypeVar
@@ -357,7 +357,7 @@ class Conversation:
         is_new_path = path is not None and path is not self._path
         message = Draw(
             wanted.sequence,
-            state._replace(preview=state.preview._replace(path=None)),
+            replace(state, preview=replace(state.preview, path=None)),
             self._slot,
             memory=None if memory is self._memory else memory.name,
             path=path if is_new_path else None,
@@ -384,7 +384,7 @@ class Conversation:
             self.asked_serial = max(self.asked_serial, question.serial)
             return question
 
-        return state._replace(pick=fresh(state.pick), mark_pick=fresh(state.mark_pick))
+        return replace(state, pick=fresh(state.pick), mark_pick=fresh(state.mark_pick))
 
     def _hear(self) -> Answer | None:
         """The next message; None: it hangs, for it is silent though it had its turns."""
@@ -576,7 +576,7 @@ class ProcessLink:
 
     def _without_bad_robot(self, state: ViewState) -> ViewState:
         bad = state.robot == self._put_aside
-        return state._replace(robot=self._proven) if bad else state
+        return replace(state, robot=self._proven) if bad else state
 
     def _blames_robot(self, conversation: Conversation, reason: Refusal) -> bool:
         """Put a robot aside whose loading or first picture was the end of the process."""

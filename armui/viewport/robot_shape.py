@@ -8,7 +8,8 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from typing import Final, NamedTuple
+from dataclasses import dataclass
+from typing import Final
 
 from armui.viewport.camera import Vector
 
@@ -18,7 +19,8 @@ Rows = tuple[float, ...]
 IDENTITY: Final[Rows] = (1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0)
 
 
-class JointShape(NamedTuple):
+@dataclass(frozen=True, slots=True)
+class JointShape:
     """One joint of a robot.
 
     Attributes:
@@ -39,7 +41,8 @@ class JointShape(NamedTuple):
     leader: tuple[int, float, float] | None = None
 
 
-class RobotShape(NamedTuple):
+@dataclass(frozen=True, slots=True)
+class RobotShape:
     """A robot without its surfaces.
 
     Attributes:

@@ -8,7 +8,8 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from typing import Final, NamedTuple
+from dataclasses import dataclass
+from typing import Final
 
 from armui.viewport.camera import Vector
 from armui.viewport.palette import ScenePalette
@@ -20,7 +21,8 @@ _ARC_STEP_DEG: Final = 4.0
 _TICK_SHARE: Final = 0.12
 
 
-class Stroke(NamedTuple):
+@dataclass(frozen=True, slots=True)
+class Stroke:
     """A line through places, or a surface.
 
     Attributes:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import itertools
 import math
+from dataclasses import replace
 from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import (
@@ -266,13 +267,13 @@ class ArmView(QWidget):
             raise ValueError(f"{len(angles_deg)} joint angles instead of {len(JOINTS)}")
         angles = None if angles_deg is None else tuple(angles_deg)
         shown = self._state.angles_deg if look_alike(angles, self._state.angles_deg) else angles
-        self._look_at(self._state._replace(angles_deg=shown, gripper_mm=gripper_mm, stale=stale))
-        self._set_hud(self._hud._replace(angles_deg=angles, angles_stale=stale))
+        self._look_at(replace(self._state, angles_deg=shown, gripper_mm=gripper_mm, stale=stale))
+        self._set_hud(replace(self._hud, angles_deg=angles, angles_stale=stale))
 
     def forget_joints(self) -> None:
         """Nothing is known of the angles any more: the arm stays where it was seen last, faded."""
-        self._look_at(self._state._replace(stale=True))
-        self._set_hud(self._hud._replace(angles_deg=None, angles_stale=True))
+        self._look_at(replace(self._state, stale=True))
+        self._set_hud(replace(self._hud, angles_deg=None, angles_stale=True))
 
     def set_pose(
         self, pose: Sequence[float] | None, stale: bool = False, *, too_low: bool = False
@@ -285,14 +286,17 @@ class ArmView(QWidget):
             too_low: flange or fingertip is below the plane the arm stands on.
         """
         self._set_hud(
-            self._hud._replace(
-                pose=None if pose is None else tuple(pose), pose_stale=stale, too_low=too_low
+            replace(
+                self._hud,
+                pose=None if pose is None else tuple(pose),
+                pose_stale=stale,
+                too_low=too_low,
             )
         )
 
     def set_theme(self, palette: ScenePalette) -> None:
         """Take the colours of another theme."""
-        self._show(self._state._replace(palette=palette))
+        self._show(replace(self._state, palette=palette))
         self.update()
 
     def set_robot(self, path: Path | None) -> None:
@@ -302,27 +306,27 @@ class ArmView(QWidget):
             path: the URDF file; None: the project's own arm.
         """
         choice = RobotChoice(path or BUILT_IN_ROBOT.path, self._state.robot.serial + 1)
-        self._show(self._state._replace(robot=choice))
+        self._show(replace(self._state, robot=choice))
 
     def highlight_joint(self, number: int | None) -> None:
         """Give the links moved by joint 1–6 the accent colour; None takes it away."""
-        self._show(self._state._replace(highlighted_joint=number))
+        self._show(replace(self._state, highlighted_joint=number))
 
     def set_preview(self, preview: Preview) -> None:
         """Show a path, its marks and a ghost beside the arm; `NOTHING` takes them away."""
         path = preview.path
         if path is not self._state.preview.path:
             self._viewpoint.take_places(() if path is None else path.outermost_m())
-        self._look_at(self._state._replace(preview=preview))
+        self._look_at(replace(self._state, preview=preview))
 
     def set_trail(self, trail: Trail | None) -> None:
         """Show where the tool has been."""
-        self._show(self._state._replace(trail=trail))
+        self._show(replace(self._state, trail=trail))
 
     def set_reach(self, reach: Reach | None) -> None:
         """Show how far the tool could reach, or no longer."""
         self._viewpoint.take_reach(reach)
-        self._show(self._state._replace(reach=reach, camera=self._viewpoint.camera))
+        self._show(replace(self._state, reach=reach, camera=self._viewpoint.camera))
 
     def set_tool(self, tool: Sequence[float]) -> None:
         """The tool centre point in the flange: X, Y, Z in mm, RX, RY, RZ in degrees."""
@@ -403,7 +407,7 @@ class ArmView(QWidget):
             corner = Box(width - self._corner_px[0], height - self._corner_px[1], width, height)
         room = Room(width, height, figures, corner, self._strip_px)
         self._viewpoint.take_room(room)
-        self._state = self._state._replace(camera=self._viewpoint.camera)
+        self._state = replace(self._state, camera=self._viewpoint.camera)
 
     def _on_robot_shown(self, shape: RobotShape) -> None:
         self._shape = shape
@@ -424,7 +428,7 @@ class ArmView(QWidget):
             if self.mode is ViewMode.FOLLOW or not self._glance.isActive():
                 self._glance.start()
                 self._take_arm(state)
-                state = state._replace(camera=self._viewpoint.camera)
+                state = replace(state, camera=self._viewpoint.camera)
         self._show(state)
 
     def _take_arm(self, state: ViewState) -> None:
@@ -434,10 +438,10 @@ class ArmView(QWidget):
     def _on_glance(self) -> None:
         if self.isVisible():
             self._take_arm(self._state)
-            self._show(self._state._replace(camera=self._viewpoint.camera))
+            self._show(replace(self._state, camera=self._viewpoint.camera))
 
     def _take_camera(self) -> None:
-        self._show(self._state._replace(camera=self._viewpoint.camera))
+        self._show(replace(self._state, camera=self._viewpoint.camera))
         self.view_changed.emit()
 
     def _look_through(self, camera: OrbitCamera | None) -> None:
@@ -474,7 +478,8 @@ class ArmView(QWidget):
     def _fit_size(self) -> None:
         """Ask for a picture as large as the widget, in device pixels."""
         ratio = self.devicePixelRatioF()
-        self._state = self._state._replace(
+        self._state = replace(
+            self._state,
             width_px=max(1, round(self.width() * ratio)),
             height_px=max(1, round(self.height() * ratio)),
             pixel_ratio=ratio,
@@ -723,7 +728,7 @@ class ArmView(QWidget):
         if finding is not None:
             self.finding_picked.emit(finding)
         else:
-            self._show(self._state._replace(mark_pick=self._question(clicked)))
+            self._show(replace(self._state, mark_pick=self._question(clicked)))
 
     def _hover(self, at: QPointF) -> None:
         projection = self.projection
@@ -735,7 +740,7 @@ class ArmView(QWidget):
     def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
         """Ask which link is there."""
         if event.button() == Qt.MouseButton.LeftButton:
-            self._show(self._state._replace(pick=self._question(event.position())))
+            self._show(replace(self._state, pick=self._question(event.position())))
 
     def _question(self, at: QPointF) -> PickRequest:
         """What is seen there?"""

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from pathlib import Path
-from typing import Final, NamedTuple
+from typing import Final
 
 from armui.arm.models import robot_description
 from armui.protocol.generation import PiperModel
@@ -12,7 +13,8 @@ from armui.viewport.palette import LIGHT, ScenePalette
 from armui.viewport.path_picture import NOTHING, Preview, Reach, Trail
 
 
-class PickRequest(NamedTuple):
+@dataclass(frozen=True, slots=True)
+class PickRequest:
     """A question which link is seen at a pixel; `serial` tells two questions at one place apart."""
 
     serial: int
@@ -20,7 +22,8 @@ class PickRequest(NamedTuple):
     y_px: float
 
 
-class RobotChoice(NamedTuple):
+@dataclass(frozen=True, slots=True)
+class RobotChoice:
     """The URDF file to show; `serial` makes the same file, repaired, load again."""
 
     path: Path
@@ -31,7 +34,8 @@ BUILT_IN_ROBOT: Final = RobotChoice(robot_description(PiperModel.PIPER))
 """The project's own PiPER."""
 
 
-class ViewState(NamedTuple):
+@dataclass(frozen=True, slots=True)
+class ViewState:
     """Everything the picture depends on.
 
     Attributes:

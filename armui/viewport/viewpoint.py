@@ -6,6 +6,7 @@ import enum
 import itertools
 import math
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from typing import Final
 
 from armui.viewport.camera import HOME_CAMERA, OrbitCamera, Vector, ViewDirection, look_alike
@@ -137,7 +138,7 @@ class Viewpoint:
 
     def reset(self) -> None:
         """The first view again."""
-        self.camera = HOME_CAMERA._replace(orthographic=self.camera.orthographic)
+        self.camera = replace(HOME_CAMERA, orthographic=self.camera.orthographic)
         self.fit()
 
     def follow(self, *, wanted: bool) -> None:
@@ -148,12 +149,12 @@ class Viewpoint:
             return
         self.mode = ViewMode.FOLLOW
         nearer_m = min(self.camera.distance_m, _FOLLOWED_AT_M)
-        self.camera = self.camera._replace(distance_m=nearer_m)
+        self.camera = replace(self.camera, distance_m=nearer_m)
         self._look_again(exactly=False)
 
     def set_orthographic(self, *, wanted: bool) -> None:
         """Show parallel lines as such, or with perspective."""
-        self.camera = self.camera._replace(orthographic=wanted)
+        self.camera = replace(self.camera, orthographic=wanted)
         self._look_again(exactly=True)
 
     def move_by_hand(self, camera: OrbitCamera, *, only_turned: bool) -> None:
@@ -188,7 +189,7 @@ class Viewpoint:
             return
         if self.mode is ViewMode.FOLLOW:
             rows = shape.flange(shape.links(*self._poses[0]))
-            self.camera = self.camera._replace(focus_m=moved(rows, self._tool_m))
+            self.camera = replace(self.camera, focus_m=moved(rows, self._tool_m))
         elif self.mode is ViewMode.FIT and (exactly or not self._is_all_clear(shape)):
             if exactly:
                 self._been.clear()
@@ -205,7 +206,7 @@ class Viewpoint:
             for rows, points, ball in zip(links, shape.points, self._balls, strict=True):
                 if ball is None:
                     continue
-                there = ball._replace(centre=moved(rows, ball.centre))
+                there = replace(ball, centre=moved(rows, ball.centre))
                 if not is_ball_clear(projection, there, self._room, _SLACK_PX):
                     doubtful.append([moved(rows, point) for point in points])
         doubtful += [(place,) for place in (*self._places, *self._reached)]

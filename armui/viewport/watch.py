@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections import deque
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Final, NamedTuple
+from typing import Final
 
 from armui.viewport.messages import PictureBusy, PicturePhase
 
@@ -75,7 +75,8 @@ def is_stuck(busy: PictureBusy, busy_for_s: float, *, starved: bool = False) -> 
     return busy_for_s >= limit_s and busy.cpu_s < _WAITS_SHARE * busy_for_s
 
 
-class ThreadTurns(NamedTuple):
+@dataclass(frozen=True, slots=True)
+class ThreadTurns:
     """What a thread has had of the processors so far; seconds.
 
     Attributes:

@@ -1025,7 +1025,7 @@
     </message>
 </context>
 <context>
-    <name>CallableOff</name>
+    <name>CancellableProgress</name>
     <message>
         <source>Cancel</source>
         <translation>取消</translation>
@@ -5916,6 +5916,25 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     </message>
 </context>
 <context>
+    <name>PageActions</name>
+    <message>
+        <source>Open a trajectory of the library first.</source>
+        <translation>请先在轨迹库中打开一条轨迹。</translation>
+    </message>
+    <message>
+        <source>It stands in a window of its own.</source>
+        <translation>已在独立窗口中。</translation>
+    </message>
+    <message>
+        <source>It stands in no window of its own.</source>
+        <translation>不在独立窗口中。</translation>
+    </message>
+    <message>
+        <source>The drawer is folded away.</source>
+        <translation>抽屉已收起。</translation>
+    </message>
+</context>
+<context>
     <name>PageBar</name>
     <message>
         <source>the panel</source>
@@ -5936,25 +5955,6 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     <message>
         <source>Takes this page out into a window of its own, for a second screen.</source>
         <translation>把本页移到独立窗口，例如放到第二块屏幕上。</translation>
-    </message>
-</context>
-<context>
-    <name>PageDoings</name>
-    <message>
-        <source>Open a trajectory of the library first.</source>
-        <translation>请先在轨迹库中打开一条轨迹。</translation>
-    </message>
-    <message>
-        <source>It stands in a window of its own.</source>
-        <translation>已在独立窗口中。</translation>
-    </message>
-    <message>
-        <source>It stands in no window of its own.</source>
-        <translation>不在独立窗口中。</translation>
-    </message>
-    <message>
-        <source>The drawer is folded away.</source>
-        <translation>抽屉已收起。</translation>
     </message>
 </context>
 <context>

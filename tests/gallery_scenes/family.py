@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from functools import cache
 from typing import Final
 
@@ -55,7 +56,7 @@ def _pictures(model: PiperModel, palette: ScenePalette) -> tuple[QImage, ...]:
     scene = Scene(_CELL_PX, _CELL_PX, palette=palette)
     try:
         scene.load(robot_description(model))
-        scene.camera = HOME_CAMERA._replace(focus_m=_FOCUS_M, distance_m=_DISTANCE_M)
+        scene.camera = replace(HOME_CAMERA, focus_m=_FOCUS_M, distance_m=_DISTANCE_M)
         images = []
         for angles_deg in POSES.values():
             scene.set_joints(angles_deg, 40.0)

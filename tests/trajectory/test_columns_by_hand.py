@@ -159,6 +159,9 @@ def test_any_bytes_in_any_dialect_are_read_or_refused(data, encoding, dialect):
     sheet = table.sheet
     assert len(sheet.guesses) == sheet.width >= 1
     assert 1 <= sheet.first_line <= max(1, sheet.lines)
-    for said, shown in zip(dialect[:2], (sheet.delimiter, sheet.decimal), strict=True):
+    for said, shown in (
+        (dialect.delimiter, sheet.delimiter),
+        (dialect.decimal, sheet.decimal),
+    ):
         assert said in (None, shown)
     assert encoding in (None, table.encoding)

@@ -18,6 +18,7 @@ from armui.trajectory.files import TrajectoryFileError
 from armui.trajectory.points.program import GripperOpening, LightAction, Trajectory, Waypoint
 from armui.trajectory.samples.recording import Recording
 from tests.examples import examples
+from tests.trajectory.library.contents import recording, trajectory
 from tests.trajectory.strategies import RECORDINGS, TRAJECTORIES
 
 TEXT_FORMATS = (".log", ".csv", ".json")
@@ -235,3 +236,19 @@ def test_a_spreadsheet_that_parts_by_semicolons_is_read():
     ).decode("utf-8-sig")
     read = files.read_text(text.replace(",", ";"), "x")
     assert read.points[0].target == POSE
+
+
+def test_good_files_are_read_and_bad_ones_named(tmp_path: Path) -> None:
+    (tmp_path / "1.csv").write_bytes(files.to_bytes(trajectory(), ".csv"))
+    (tmp_path / "2.log").write_text("armui trajectory 1\n\nJ 0 0 o 0 0 0\n")
+    (tmp_path / "3.json").write_bytes(files.to_bytes(recording(), ".json"))
+
+    assert files.load(tmp_path / "1.csv") == trajectory()
+    assert files.load(tmp_path / "3.json") == recording()
+    with pytest.raises(TrajectoryFileError) as bad:
+        files.load(tmp_path / "2.log")
+    with pytest.raises(TrajectoryFileError, match=r"4\.log: cannot be read"):
+        files.load(tmp_path / "4.log")
+
+    assert bad.value.file == "2.log"
+    assert (bad.value.line, bad.value.column) == (3, 7)

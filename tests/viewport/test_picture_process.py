@@ -3,6 +3,7 @@
 import os
 import signal
 import sys
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -173,7 +174,7 @@ def test_a_starved_process_is_waited_for(view, losses, moving):
 
 def test_after_three_times_in_a_minute_a_button_is_offered(view, losses, qtbot):
     good = view._state
-    view._show(good._replace(angles_deg=(0.0,)))
+    view._show(replace(good, angles_deg=(0.0,)))
     wait_until(lambda: len(losses) == 3)
     assert [lost.comes_back for lost in losses] == [True, True, False]
     assert {lost.reason.code for lost in losses} == {RefusalCode.DRAWING_STOPPED}

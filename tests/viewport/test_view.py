@@ -3,6 +3,7 @@
 import subprocess
 import sys
 import time
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -227,7 +228,7 @@ def test_an_arm_that_reports_the_last_digit_anew_is_not_drawn_anew(view, qtbot):
 def test_a_picture_for_small_pixels_has_more_of_them(view, qtbot):
     state = view._state
     with next_frame(view, qtbot) as drawn:
-        view._client.show(state._replace(width_px=675, height_px=525, pixel_ratio=1.5))
+        view._client.show(replace(state, width_px=675, height_px=525, pixel_ratio=1.5))
     image = drawn.args[0].image
     assert (image.width(), image.height(), image.devicePixelRatio()) == (675, 525, 1.5)
     assert image.deviceIndependentSize().toSize() == view.size()

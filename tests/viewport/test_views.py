@@ -1,16 +1,22 @@
 """The widget's views: the arm fills the picture, by pixels; what stands over it is where it is."""
 
+from functools import partial
+
 import numpy as np
 import pytest
 from PySide6.QtCore import QPoint
 from PySide6.QtGui import QColor, QImage
 
 from armui.viewport.camera import ViewDirection
+from armui.viewport.client import PictureClient
 from armui.viewport.palette import LIGHT
 from armui.viewport.path_picture import Reach
 from armui.viewport.projection import Projection
 from armui.viewport.robot_shape import composed, moved, pose_rows
+from armui.viewport.view import ArmView
 from armui.viewport.viewpoint import ViewMode
+from tests.viewport.pinhole import HEIGHT, WIDTH
+from tests.waiting import wait_until
 
 LIMIT_MS = 50_000
 RAISED = (30.0, 70.0, -60.0, 20.0, 40.0, 10.0)
@@ -205,3 +211,22 @@ def test_an_arm_of_which_nothing_is_known_any_more_stays_faded_where_it_was(view
     settle(view, qtbot)
     assert view._state == stale
     assert view._hud.angles_deg is None
+
+
+def test_two_views_on_one_process_get_their_own_first_picture(qtbot):
+    client = PictureClient()
+    images, pids = [], []
+    for _ in range(2):
+        view = ArmView(client=client)
+        qtbot.addWidget(view)
+        view.resize(WIDTH, HEIGHT)
+        view.set_joints((0.0,) * 6, 0.0)
+        view.show()
+        wait_until(partial(getattr, view, "is_settled"))
+        images.append(view._picture.image.copy())
+        pids.append(client.pid)
+        view.shutdown()
+        view.close()
+    client.stop()
+    assert images[0] == images[1]
+    assert pids[0] == pids[1] is not None

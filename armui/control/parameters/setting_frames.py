@@ -7,8 +7,7 @@ from typing import TYPE_CHECKING, Final
 
 from armui.arm.parameters import Batch, Group, Parameter
 from armui.protocol import commands
-from armui.protocol.codes import SettingIndex
-from armui.protocol.layout import DEGREES_PER
+from armui.protocol.codes import DEGREES_PER, SettingIndex
 
 if TYPE_CHECKING:
     from armui.protocol.codec import Codec

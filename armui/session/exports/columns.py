@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING, Any, Final, NamedTuple
 
 import numpy as np
 
+from armui.protocol.codes import DEGREES_PER
 from armui.protocol.frame import EncodeError
-from armui.protocol.layout import DEGREES_PER
 from armui.telemetry.quantities import RECORDS, Field, Record, Source, Space
 
 if TYPE_CHECKING:

@@ -10,7 +10,7 @@ import re
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from functools import partial
-from typing import Final, NamedTuple
+from typing import Final
 
 from armui.sim.condition import Alarm
 from armui.sim.faults.faulty_link import FaultyLink
@@ -38,7 +38,8 @@ class FaultParameter(enum.Enum):
         self.most = most
 
 
-class Broken(NamedTuple):
+@dataclass(frozen=True, slots=True)
+class Broken:
     """The arm and the link that a fault acts on."""
 
     arm: Firmware

@@ -7,9 +7,10 @@ output; there is no watchdog. How the joints move with it is `joint_dynamics`.
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
 from math import radians
 from operator import is_
-from typing import Final, NamedTuple
+from typing import Final
 
 import numpy as np
 
@@ -20,7 +21,8 @@ from armui.sim.mechanics.powered_joints import JOINT_COUNT, STANDSTILL, SixValue
 from armui.sim.mechanics.rigid_body import Values
 
 
-class DriverSetpoint(NamedTuple):
+@dataclass(frozen=True, slots=True)
+class DriverSetpoint:
     """What one driver is told.
 
     Attributes:

@@ -11,6 +11,7 @@ from armui.arm.state import JointNumber
 from armui.protocol.codec import Codec, InvalidFrame
 from armui.protocol.codes import (
     ALL_JOINTS,
+    DEGREES_PER,
     VALID,
     EndLoad,
     FactoryReset,
@@ -20,7 +21,6 @@ from armui.protocol.codes import (
 )
 from armui.protocol.frame import Frame
 from armui.protocol.generation import PiperModel
-from armui.protocol.layout import DEGREES_PER
 from armui.protocol.message_fields import record_reader, signal_names
 from armui.sim.parameters.settings import ArmSettingsRecord, HandleSettings, Light
 

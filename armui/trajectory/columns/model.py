@@ -79,7 +79,8 @@ Figures = Sequence[float | None]
 """Of one column, in their order; ``None`` where a cell holds no number."""
 
 
-class Guess(NamedTuple):
+@dataclass(frozen=True, slots=True)
+class Guess:
     """What a column seems to hold: `column` is ``None`` where nothing speaks for anything.
 
     `confidence` is 1 where the title says quantity and unit, less where one of them was guessed
@@ -93,7 +94,8 @@ class Guess(NamedTuple):
     figures: Figures = ()
 
 
-class Dialect(NamedTuple):
+@dataclass(frozen=True, slots=True)
+class Dialect:
     """How a table is built as far as the operator says it; what is ``None`` is guessed."""
 
     delimiter: str | None = None

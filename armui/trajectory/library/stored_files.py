@@ -5,10 +5,10 @@ from __future__ import annotations
 import contextlib
 import os
 from collections.abc import Callable, Iterator
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from datetime import UTC, datetime
 from pathlib import Path
-from typing import Any, Final, NamedTuple
+from typing import Any, Final
 
 from armui.system.atomic import write_whole
 from armui.system.clock import in_calendar_s
@@ -80,7 +80,8 @@ _SUFFIXES: Final = (".log", ".npz")
 _INDEX: Final = ".index.json"
 
 
-class StoredFile(NamedTuple):
+@dataclass(frozen=True, slots=True)
+class StoredFile:
     """A file of the library and what is known of it."""
 
     path: Path
@@ -160,7 +161,9 @@ class FileStore:
 def _by_name(found: list[StoredFile]) -> dict[str, StoredFile]:
     """Files by name; a copy that holds a name already taken goes by its file's name."""
     named: dict[str, StoredFile] = {}
-    found = sorted(found, key=lambda kept: (kept.path.stem != file_stem(kept.entry.name), kept))
+    found = sorted(
+        found, key=lambda kept: (kept.path.stem != file_stem(kept.entry.name), kept.path)
+    )
     for kept in found:
         name, number = kept.entry.name, 1
         if name in named:
@@ -169,7 +172,7 @@ def _by_name(found: list[StoredFile]) -> dict[str, StoredFile]:
                 number += 1
                 name = f"{stem} {number}"
         entry = kept.entry if name == kept.entry.name else replace(kept.entry, name=name)
-        named[name] = kept._replace(entry=entry)
+        named[name] = replace(kept, entry=entry)
     return named
 
 

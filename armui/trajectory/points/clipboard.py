@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Final, NamedTuple
+from dataclasses import dataclass
+from typing import Final
 
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
@@ -38,7 +39,8 @@ def to_text(points: Sequence[Waypoint]) -> str:
     )
 
 
-class PastedPoints(NamedTuple):
+@dataclass(frozen=True, slots=True)
+class PastedPoints:
     """Points from a text.
 
     Attributes:

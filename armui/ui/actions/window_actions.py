@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from armui.ui.main_window import MainWindow
     from armui.ui.picture.picture_work import PictureWork
     from armui.ui.shell.diagnosis_dialogs import DiagnosisDialogs
-    from armui.ui.shell.page_doings import PageDoings
+    from armui.ui.shell.page_actions import PageActions
     from armui.ui.shell.recovery_line import RecoveryLine
     from armui.ui.shell.watch_windows import WatchWindows
     from armui.ui.shell.work_area import RunPlace
@@ -55,7 +55,7 @@ class WindowActions(QObject):
         self._background = background
         self._doings: dict[str, Doing] = {}
         self._opened: dict[str, QDialog] = {}
-        self._pages: PageDoings | None = None
+        self._pages: PageActions | None = None
         FirstSteps(window, controller, store)
         self._button = CommandsButton()
         self._button.clicked.connect(self.open_palette)
@@ -91,7 +91,7 @@ class WindowActions(QObject):
         diagnosis: DiagnosisDialogs,
         watch: WatchWindows,
         picture: PictureWork,
-        pages: PageDoings,
+        pages: PageActions,
     ) -> CommandsButton:
         """Offer what these windows do and no button in the main window; the palette's button."""
         self._doings |= {

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import time
+from dataclasses import replace
 from typing import TYPE_CHECKING, Final
 
 from armui.arm.refusal import Refusal
@@ -96,7 +97,7 @@ class FramePainter:
             row = scene.pick_mark(question.x_px, question.y_px)
             if row is not None:
                 self._on_mark_picked(row)
-        unasked = before and state._replace(pick=before.pick, mark_pick=before.mark_pick)
+        unasked = before and replace(state, pick=before.pick, mark_pick=before.mark_pick)
         if before is not None and unasked == before:
             return None
         return self._render(scene, smooth=self._smooth_frame_s < _CHEAP_FRAME_S)

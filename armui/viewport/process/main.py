@@ -9,6 +9,7 @@ import threading
 import time
 import traceback
 from contextlib import contextmanager
+from dataclasses import replace
 from typing import TYPE_CHECKING, Final
 
 from armui.arm.refusal import Refusal
@@ -175,10 +176,10 @@ class _Drawing:
         else:
             if not request.keeps_path:
                 self._path = request.path
-            preview = request.state.preview._replace(path=self._path)
+            preview = replace(request.state.preview, path=self._path)
             before = painter.robot
             known = None if request.robot is None else pickle.loads(request.robot)  # noqa: S301 - our own
-            pixels = painter.paint(request.state._replace(preview=preview), known)
+            pixels = painter.paint(replace(request.state, preview=preview), known)
             if painter.robot is not before and painter.robot is not known:
                 content = pickle.dumps(painter.robot)
                 if len(content) < _MOST_KEPT_BYTES:  # in the memory of the window's process

@@ -5,8 +5,8 @@ from __future__ import annotations
 import logging
 import math
 import threading
-from dataclasses import dataclass
-from typing import TYPE_CHECKING, Final, NamedTuple
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, Final
 
 import numpy as np
 import pyvista as pv
@@ -154,7 +154,8 @@ class ReachVolume:
         return found
 
 
-class _Axis(NamedTuple):
+@dataclass(frozen=True, slots=True)
+class _Axis:
     """A joint's axis while all joints are at zero, and two directions square to it.
 
     Attributes:
@@ -177,7 +178,8 @@ class _Axis(NamedTuple):
         return np.concatenate([spokes @ turn.T for turn in turns]) + self.place
 
 
-class _Grid(NamedTuple):
+@dataclass(frozen=True, slots=True)
+class _Grid:
     """Cells around an axis.
 
     Attributes:
@@ -216,11 +218,11 @@ class _Grid(NamedTuple):
             sums = np.concatenate((np.zeros_like(sums[:1]), sums))
             cells += sums[begin + wide] > sums[begin]
         cells /= np.float32(len(_SHARES))
-        return self._replace(cells=cells)
+        return replace(self, cells=cells)
 
     def soft(self) -> _Grid:
         """The same with a border that is not a staircase."""
-        return self._replace(cells=_softened(self.cells, round_axis=0))
+        return replace(self, cells=_softened(self.cells, round_axis=0))
 
 
 def reached(robot: Robot, reach: Reach) -> ReachVolume:
@@ -353,7 +355,8 @@ _DEEP_M: Final = 0.09
 _SMOOTHINGS: Final = 20
 
 
-class ReachShell(NamedTuple):
+@dataclass(frozen=True, slots=True)
+class ReachShell:
     """Surfaces in the base frame, metres.
 
     Attributes:

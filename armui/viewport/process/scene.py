@@ -6,6 +6,7 @@ A scene belongs to the thread that made it: OpenGL contexts don't travel.
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -472,7 +473,7 @@ class Scene:
         if self.camera.orthographic:
             seen_m = distance_m * math.tan(math.radians(VIEW_ANGLE_DEG / 2.0))
             camera.SetParallelScale(seen_m * height_px / min(width_px, height_px))
-            away = self.camera._replace(distance_m=_FAR_BEFORE_FOCUS_M)
+            away = replace(self.camera, distance_m=_FAR_BEFORE_FOCUS_M)
             camera.SetPosition(away.eye_m)
             camera.SetClippingRange(0.01, _FAR_BEFORE_FOCUS_M + _FAR_BEHIND_FOCUS_M)
             return

@@ -1,6 +1,7 @@
 """Draws when something has changed, and only then."""
 
 import pickle
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -41,8 +42,15 @@ def rig():
 
 def test_an_unchanged_state_is_not_drawn_again(rig):
     assert rig.painter.paint(STATE).size_px == (240, 180)
-    assert rig.painter.paint(STATE._replace()) is None
-    assert rig.painter.paint(STATE._replace(angles_deg=(1.0,) * 6)) is not None
+    assert (
+        rig.painter.paint(
+            replace(
+                STATE,
+            )
+        )
+        is None
+    )
+    assert rig.painter.paint(replace(STATE, angles_deg=(1.0,) * 6)) is not None
 
 
 @pytest.mark.parametrize(
@@ -50,7 +58,7 @@ def test_an_unchanged_state_is_not_drawn_again(rig):
     [
         {"width_px": 200},
         {"camera": STATE.camera.orbit(5.0, 0.0)},
-        {"palette": STATE.palette._replace(background="#101010")},
+        {"palette": replace(STATE.palette, background="#101010")},
         {"gripper_mm": 70.0},
         {"stale": True},
         {"highlighted_joint": 2},
@@ -59,24 +67,24 @@ def test_an_unchanged_state_is_not_drawn_again(rig):
 )
 def test_each_change_gives_another_picture(rig, change):
     before = rig.painter.paint(STATE).top_down()
-    after = rig.painter.paint(STATE._replace(**change)).top_down()
+    after = rig.painter.paint(replace(STATE, **change)).top_down()
     assert after.shape != before.shape or (after != before).any()
 
 
 def test_a_question_is_answered_once_and_draws_nothing(rig):
     rig.painter.paint(STATE)
-    asked = STATE._replace(pick=PickRequest(1, 0.0, 0.0))
+    asked = replace(STATE, pick=PickRequest(1, 0.0, 0.0))
     assert rig.painter.paint(asked) is None
     assert rig.painter.paint(asked) is None
     assert rig.picked == [None]
-    rig.painter.paint(STATE._replace(pick=PickRequest(2, 0.0, 0.0)))
+    rig.painter.paint(replace(STATE, pick=PickRequest(2, 0.0, 0.0)))
     assert rig.picked == [None, None]
 
 
 def test_a_robot_that_fails_is_told_and_the_old_one_stays(rig, tmp_path):
     before = rig.painter.paint(STATE).top_down()
     path = write_arm(tmp_path, hinges=3)
-    after = rig.painter.paint(STATE._replace(robot=RobotChoice(path))).top_down()
+    after = rig.painter.paint(replace(STATE, robot=RobotChoice(path))).top_down()
     np.testing.assert_array_equal(before, after)
     (failure,) = rig.failures
     assert failure == Refusal(
@@ -86,9 +94,9 @@ def test_a_robot_that_fails_is_told_and_the_old_one_stays(rig, tmp_path):
 
 def test_the_same_file_is_read_again_when_asked_again(rig, tmp_path):
     path = write_arm(tmp_path, hinges=3)
-    rig.painter.paint(STATE._replace(robot=RobotChoice(path, 0)))
+    rig.painter.paint(replace(STATE, robot=RobotChoice(path, 0)))
     write_arm(tmp_path)
-    rig.painter.paint(STATE._replace(robot=RobotChoice(path, 1)))
+    rig.painter.paint(replace(STATE, robot=RobotChoice(path, 1)))
     assert len(rig.failures) == 1
 
 
@@ -100,7 +108,7 @@ def test_slow_smoothing_waits_until_the_picture_rests(rig, monkeypatch):
     assert (fine != rough).any()
     assert not rig.painter.is_rough
     assert rig.painter.refine() is None
-    rig.painter.paint(STATE._replace(stale=True))
+    rig.painter.paint(replace(STATE, stale=True))
     assert rig.painter.is_rough
 
 
@@ -108,7 +116,7 @@ def test_cheap_smoothing_is_used_at_once(rig, monkeypatch):
     monkeypatch.setattr(frame_painter, "_CHEAP_FRAME_S", 1e9)
     rig.painter.paint(STATE)
     rig.painter.refine()
-    rig.painter.paint(STATE._replace(stale=True))
+    rig.painter.paint(replace(STATE, stale=True))
     assert not rig.painter.is_rough
 
 
@@ -116,7 +124,7 @@ def test_a_robot_that_was_read_before_is_not_read_again(rig, tmp_path):
     path = write_arm(
         tmp_path, visual='<visual><geometry><sphere radius="0.05"/></geometry></visual>'
     )
-    state = STATE._replace(robot=RobotChoice(path))
+    state = replace(STATE, robot=RobotChoice(path))
     first = rig.painter.paint(state).top_down()
     known = pickle.loads(pickle.dumps(rig.painter.robot))
     path.unlink()

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import TYPE_CHECKING, Final, Protocol
 
 from PySide6.QtCore import QObject, Signal
@@ -131,7 +132,7 @@ class PathPreview(QObject):
         """Let the mark of a row stand out, and bring the ghost there."""
         if self._path is None:
             return
-        self._set(self._shown._replace(selected_row=row))
+        self._set(replace(self._shown, selected_row=row))
         if row in self._ends:
             self._bar.go_to(float(self._path.times_s[self._ends[row]]))
             self._scrubbed = False
@@ -141,13 +142,13 @@ class PathPreview(QObject):
         """Light the point that the arm is on its way to; meanwhile there is no ghost beside it."""
         if self._path is not None and row != self._shown.current_row:
             ghost_deg = tuple(self._path.at(self._bar.time_s)) if row is None else None
-            self._set(self._shown._replace(current_row=row, ghost_deg=ghost_deg))
+            self._set(replace(self._shown, current_row=row, ghost_deg=ghost_deg))
 
     def _on_time(self, time_s: float) -> None:
         if self._path is not None:
             self._scrubbed = True
             self._target_deg = None
-            self._set(self._shown._replace(ghost_deg=tuple(self._path.at(time_s))))
+            self._set(replace(self._shown, ghost_deg=tuple(self._path.at(time_s))))
 
     def _on_closed(self) -> None:
         self.show(None)
@@ -171,5 +172,5 @@ class PathPreview(QObject):
     def _set(self, preview: Preview) -> None:
         self._shown = preview
         if self._target_deg is not None:
-            preview = preview._replace(ghost_deg=self._target_deg)
+            preview = replace(preview, ghost_deg=self._target_deg)
         self._view.set_preview(preview)

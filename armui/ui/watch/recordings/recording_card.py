@@ -89,7 +89,7 @@ def moment_text(unix_s: float) -> str:
     return fmt.NOTHING if at is None else f"{at:%Y-%m-%d %H:%M:%S}"
 
 
-class CallableOff(Translated, QWidget):
+class CancellableProgress(Translated, QWidget):
     """A progress bar with a button; hidden while nothing goes on.
 
     Args:
@@ -250,7 +250,7 @@ class RecordingCard(Translated, QFrame):
         self.record_button.setIconSize(QSize(_ICON_PX, _ICON_PX))
         self.state_label = named("session_state", ElidedLabel())
         self.figures_label = text_label("session_figures", rank="muted")
-        self.making = CallableOff(self._call_off_mf4)
+        self.making = CancellableProgress(self._call_off_mf4)
         self.making.setObjectName("session_making")
         self._format_label, self._size_label, self._folder_label = QLabel(), QLabel(), QLabel()
         self.format_box = named("session_format", QComboBox())

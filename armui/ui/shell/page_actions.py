@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from armui.ui.widgets.page import Page
 
 
-class PageDoings(QObject):
+class PageActions(QObject):
     """Knows how each place is opened, and why it cannot be.
 
     Args:
