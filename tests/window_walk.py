@@ -49,7 +49,7 @@ from armui.ui.shell.workspace import PageWindow
 from armui.ui.widgets.stop_button import StopButton
 from armui.ui.widgets.text_label import ElidedLabel
 from tests.app_driver import AppDriver
-from tests.operator_library.actions import POINT
+from tests.operator.library.actions import POINT
 
 SIZES = ((1024, 720), (1280, 800), (1440, 900), (1920, 1080), (2560, 1440), (3840, 2160))
 """Of the main window, in pixels."""

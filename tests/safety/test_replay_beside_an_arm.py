@@ -9,7 +9,7 @@ from armui.protocol.generation import Generation
 from armui.ui.widgets.halt_button import HaltButton
 from armui.ui.widgets.stop_button import StopButton
 from armui.ui.widgets.stop_shortcut import HALT_KEY
-from tests.operator_replay import Replay
+from tests.operator.replay_actions import Replay
 from tests.session.recordings import START_S, frames, greeting, write
 
 LEFT = Qt.MouseButton.LeftButton

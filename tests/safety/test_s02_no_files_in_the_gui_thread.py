@@ -40,8 +40,8 @@ from armui.ui.watch.plot_layout import SETS
 from armui.ui.watch.plots_area import PlotPage
 from armui.ui.watch.recordings.sessions_window import SessionsWindow
 from tests.app_driver import AppDriver
-from tests.operator_library.actions import POINT, LibraryDriver
-from tests.operator_replay import Replay
+from tests.operator.library.actions import POINT, LibraryDriver
+from tests.operator.replay_actions import Replay
 from tests.safety.file_watch import watched
 from tests.session.recordings import START_S, frames, greeting, write
 

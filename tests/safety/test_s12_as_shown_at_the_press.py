@@ -7,7 +7,7 @@ import pytest
 from armui.control.run.progress import RunPhase
 from armui.protocol.codes import EndLoad
 from armui.protocol.generation import PiperModel
-from tests.test_operator_running import BACK, OUT, UP, Operator, to
+from tests.operator.test_running import BACK, OUT, UP, Operator, to
 
 FAR = (90.0, 60.0, -60.0, 0.0, 20.0, 0.0)
 

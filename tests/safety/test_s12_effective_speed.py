@@ -8,7 +8,7 @@ from armui.trajectory.library.store import Library
 from armui.trajectory.points.program import Trajectory, Waypoint, speeds_of
 from armui.ui.trajectory.editor.editor_page import EditorPage
 from armui.ui.trajectory.library.library_page import LibraryPage
-from tests.test_operator_running import BACK, OUT, Operator
+from tests.operator.test_running import BACK, OUT, Operator
 
 SLOW = Waypoint(MoveMode.MOVE_J, OUT, speed_percent=15)
 FAST = Waypoint(MoveMode.MOVE_J, BACK, speed_percent=90)

@@ -8,8 +8,8 @@ from PySide6.QtWidgets import QAbstractButton
 from armui.trajectory.library.store import Library
 from armui.trajectory.points.program import Trajectory
 from armui.ui.trajectory.library.library_page import LibraryPage
-from tests.operator_library.actions import POINT
-from tests.test_operator_palette import command
+from tests.operator.library.actions import POINT
+from tests.operator.test_palette import command
 
 pytestmark = pytest.mark.styled
 

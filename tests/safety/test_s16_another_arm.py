@@ -20,7 +20,7 @@ from armui.trajectory.points.program import Trajectory
 from armui.trajectory.samples.recording import Recording
 from armui.ui.trajectory.editor.editor_page import EditorPage
 from armui.ui.trajectory.library.library_work import LibraryWork
-from tests.test_operator_running import OUT, Operator, to
+from tests.operator.test_running import OUT, Operator, to
 from tests.trajectory.arms import ARM, HERE, joint, pose, run
 
 OLD = ModelFit(older_zeros=True).kind

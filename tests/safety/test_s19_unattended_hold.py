@@ -12,7 +12,7 @@ from PySide6.QtWidgets import QApplication
 
 from armui.ui.widgets.hold_guard import UNATTENDED_S, HoldGuard
 from tests.control.jogger import bend, hold
-from tests.test_operator_jogging import angles, choose_continuous
+from tests.operator.test_jogging import angles, choose_continuous
 
 LEFT = Qt.MouseButton.LeftButton
 QUICK_MS = 60

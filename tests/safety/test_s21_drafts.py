@@ -11,7 +11,7 @@ from armui.protocol.codes import MoveMode
 from armui.trajectory.library.store import Library
 from armui.trajectory.points.program import Trajectory, Waypoint
 from armui.ui.trajectory.editor.editor_page import EditorPage
-from tests.operator_library.actions import POINT, LibraryDriver
+from tests.operator.library.actions import POINT, LibraryDriver
 
 OTHER = Waypoint(MoveMode.MOVE_J, (1.0, 20.0, -30.0, 0.0, 0.0, 0.0))
 SAVED = Trajectory("one", points=(POINT,))

@@ -14,8 +14,8 @@ from armui.session.recording.recorded_session import RecordedSession
 from armui.trajectory.library.store import Library
 from armui.ui.trajectory.editor.leave_question import LeaveQuestion
 from armui.ui.watch.recordings.sessions_window import SessionColumn, SessionsWindow
-from tests.test_operator_recording import Operator
-from tests.test_operator_sessions import Sessions
+from tests.operator.test_recording import Operator
+from tests.operator.test_sessions import Sessions
 
 pytestmark = pytest.mark.timeout(120)
 

@@ -42,7 +42,7 @@ from armui.ui.watch.recordings.sessions_window import SessionColumn, SessionsWin
 from armui.ui.watch.replay.log_time import duration, moment
 from armui.ui.watch.replay.time_line import mark_text
 from tests.bus.playback.logs import Player
-from tests.operator_replay import Replay
+from tests.operator.replay_actions import Replay
 from tests.session.indexed import open_indexed
 from tests.session.recording.made import recorded, taken
 from tests.session.recordings import START_S, frames, greeting

@@ -52,7 +52,7 @@ from tests.examples import sample
 from tests.failing import ERROR, failing, functions_of, getter
 from tests.gamepad.pads import PAD, Pads, switch_on
 from tests.gamepad.piloting import pick_up
-from tests.operator_editor.actions import Editor
+from tests.operator.editor.actions import Editor
 
 ABORT = bytes([0, 6, 0, 0, 0, 0, 0, 0])  # 0x150 byte 1: the trajectory command 6, end it
 STREAM = {0x155, 0x156, 0x157}

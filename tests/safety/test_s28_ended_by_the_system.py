@@ -27,7 +27,7 @@ from armui.trajectory.points.program import GripperOpening
 from armui.ui.dialogs.confirm_dialog import ConfirmDialog
 from tests.arm_rig import thin_out
 from tests.examples import sample
-from tests.operator_editor.actions import OUT, Editor, to
+from tests.operator.editor.actions import OUT, Editor, to
 from tests.test_window_process import LIMIT_MS, shared_memory_of, wait_for_the_end_of
 
 pytestmark = [

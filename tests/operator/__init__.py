@@ -1,0 +1,1 @@
+"""What the operator sees and does, through the window, at a simulated arm."""

@@ -1,0 +1,91 @@
+"""Cells: what is entered is checked where it is entered, and can be taken back."""
+
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QColor
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QComboBox, QLineEdit, QWidget
+
+from armui.protocol.codes import MoveMode
+from armui.trajectory.points.cells import PointColumn
+from armui.trajectory.points.program import GripperOpening, LightAction
+from tests.operator.editor.actions import BACK, UP
+
+pytestmark = pytest.mark.styled
+
+
+def test_an_angle_is_typed_undone_and_done_again(editor):
+    editor.type_into(1, PointColumn.VALUE_2, "45,5")
+    assert editor.text(1, PointColumn.VALUE_2) == "45.500"
+    assert editor.window.title == "Test *"
+    editor.click("editor_undo")
+    assert editor.points[1].target == BACK
+    assert editor.window.title == "Test"
+    editor.click("editor_redo")
+    assert editor.points[1].target[1] == 45.5
+
+
+def test_what_cannot_be_is_said_at_the_cell_and_stays_open(editor):
+    field = editor.type_into(0, PointColumn.SPEED, "250")
+    problem = editor.table.findChild(QWidget, "cell_problem")
+    assert problem.isVisible()
+    assert field.isVisible()
+    assert problem.text()
+    below = editor.table.visualRect(editor.table.model().index(0, PointColumn.SPEED)).bottom()
+    assert 0 <= problem.y() - below <= 6
+    field.selectAll()
+    QTest.keyClicks(field, "25")
+    editor.enter(field)
+    assert not problem.isVisible()
+    assert editor.points[0].speed_percent == 25
+
+
+def test_escape_leaves_a_cell_as_it_was(editor):
+    field = editor.edit(0, PointColumn.DWELL)
+    QTest.keyClicks(field, "3")
+    QTest.keyClick(field, Qt.Key.Key_Escape)
+    assert editor.points[0].dwell_s == 0.0
+    assert editor.window.isVisible()
+
+
+def test_the_gripper_has_an_editor_of_its_own(editor):
+    box = editor.edit(0, PointColumn.GRIPPER)
+    kind = editor.table.findChild(QComboBox, "gripper_kind")
+    assert box is not None
+    kind.setCurrentIndex(1)
+    place = editor.table.findChild(QLineEdit, "gripper_place")
+    place.selectAll()
+    QTest.keyClicks(place, "35")
+    editor.enter(place.parentWidget())
+    assert editor.points[0].gripper == GripperOpening(35.0, 1.0)
+    assert editor.text(0, PointColumn.GRIPPER) == "35 mm, 1 N·m"
+
+
+def test_so_have_the_lamps(editor):
+    editor.edit(1, PointColumn.LIGHT)
+    joint = editor.table.findChild(QComboBox, "light_joint")
+    joint.setCurrentIndex(3)
+    color = editor.table.findChild(QLineEdit, "light_color")
+    color.selectAll()
+    QTest.keyClicks(color, "255, 128, 0")
+    editor.enter(color.parentWidget())
+    assert editor.points[1].light == LightAction(3, 255, 128, 0)
+    assert editor.text(1, PointColumn.LIGHT) == "J3 all"
+    index = editor.table.model().index(1, PointColumn.LIGHT)
+    assert index.data(Qt.ItemDataRole.DecorationRole) == QColor(255, 128, 0)
+
+
+def test_another_kind_of_motion_keeps_the_place(editor):
+    box = editor.edit(2, PointColumn.MOVE)
+    assert isinstance(box, QComboBox)
+    box.setCurrentText("MOVE L")
+    box.activated.emit(box.currentIndex())
+    model = editor.app_driver.controller.cartesian.kinematics()
+    assert editor.points[2].move is MoveMode.MOVE_L
+    assert editor.points[2].target == pytest.approx(tuple(model.forward(UP)))
+    assert editor.text(2, PointColumn.VALUE_1) == f"{model.forward(UP).x_mm:.3f}"
+
+
+def test_only_an_arc_has_a_middle(editor):
+    index = editor.table.model().index(0, PointColumn.MIDDLE)
+    assert not index.flags() & Qt.ItemFlag.ItemIsEditable

@@ -1,0 +1,128 @@
+"""The window: finding and replacing, saving and leaving, its language."""
+
+import pytest
+from PySide6.QtCore import QPoint, Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QComboBox, QWidget
+
+from armui.trajectory.points.cells import PointColumn
+from armui.ui.background import Background
+from armui.ui.trajectory.editor.editor_page import EditorPage
+from armui.ui.trajectory.editor.leave_question import LeaveQuestion
+from armui.ui.trajectory.library.library_work import LibraryWork
+from armui.ui.trajectory.running.preflight import Checks
+from armui.ui.trajectory.running.run_bar import RunChoices
+from tests.app_driver import AtOnce
+from tests.operator.editor.actions import CTRL, notes
+
+pytestmark = pytest.mark.styled
+
+# Find and replace ---------------------------------------------------------------------------------
+
+
+def test_a_note_is_found_and_replaced(editor):
+    QTest.keyClick(editor.window, Qt.Key.Key_F, CTRL)
+    find = editor.child("find_text")
+    QTest.keyClicks(find, "ba")
+    QTest.keyClick(find, Qt.Key.Key_Return)
+    assert editor.table.current_row() == 1
+    assert editor.child("find_result").text() == "1 of 1"
+    QTest.keyClicks(editor.child("replace_text"), "wo")
+    editor.click("replace_one")
+    assert notes(editor) == ["out", "wock", "up"]
+    editor.click("find_close")
+    assert not find.isVisible()
+
+
+def test_a_figure_is_replaced_everywhere_as_one_step(editor):
+    editor.click("editor_find")
+    field = editor.child("find_field", QComboBox)
+    field.setCurrentIndex(field.findData("speed"))
+    QTest.keyClicks(editor.child("find_text"), "100")
+    QTest.keyClicks(editor.child("replace_text"), "40 %")
+    editor.click("replace_all")
+    assert [point.speed_percent for point in editor.points] == [40, 40, 40]
+    editor.click("editor_undo")
+    assert [point.speed_percent for point in editor.points] == [100, 100, 100]
+
+
+# Saving -------------------------------------------------------------------------------------------
+
+
+def test_saved_points_are_in_the_library(editor):
+    editor.type_into(0, PointColumn.DWELL, "1.5 s")
+    QTest.keyClick(editor.window, Qt.Key.Key_S, CTRL)
+    assert editor.library.load("Test").points[0].dwell_s == 1.5
+    assert editor.message() == "Saved."
+    editor.window.close()
+    assert not editor.window.isVisible()
+
+
+def test_closing_with_changes_asks_and_saves(editor):
+    editor.type_into(0, PointColumn.DWELL, "2")
+    editor.window.close()
+    question = editor.app_driver.dialog(LeaveQuestion)
+    editor.app_driver.click(question.cancel_button)
+    assert editor.window.isVisible()
+    editor.window.close()
+    editor.app_driver.click(editor.app_driver.dialog(LeaveQuestion).save_button)
+    assert not editor.window.isVisible()
+    assert editor.library.load("Test").points[0].dwell_s == 2.0
+
+
+def test_changes_can_be_discarded(editor):
+    editor.type_into(0, PointColumn.DWELL, "2")
+    editor.window.close()
+    editor.app_driver.click(editor.app_driver.dialog(LeaveQuestion).action_button)
+    assert editor.library.load("Test").points[0].dwell_s == 0.0
+    assert editor.library.drafts() == []
+
+
+def test_changes_survive_a_crash(editor):
+    editor.type_into(0, PointColumn.DWELL, "2")
+    editor.app_driver.wait(lambda: editor.library.drafts() == ["Test"])
+    # the program is gone without a word: another one opens the same folder
+    again = EditorPage(
+        editor.app_driver.controller,
+        Checks(editor.app_driver.controller, Background(AtOnce())),
+        RunChoices(),
+        LibraryWork(editor.library, Background(AtOnce()), editor.window),
+        editor.library.load("Test"),
+        draft=editor.library.draft("Test"),
+    )
+    assert again.document.points[0].dwell_s == 2.0
+    assert "were not saved" in again.findChild(QWidget, "editor_message").text()
+    again.document.stack.undo()
+    assert again.document.points[0].dwell_s == 0.0
+    again.deleteLater()
+
+
+def test_the_draft_goes_when_nothing_is_left_to_save(editor):
+    editor.type_into(0, PointColumn.DWELL, "2")
+    editor.app_driver.wait(lambda: editor.library.drafts() == ["Test"])
+    editor.click("editor_undo")
+    editor.app_driver.wait(lambda: editor.library.drafts() == [])
+
+
+# Words --------------------------------------------------------------------------------------------
+
+
+def test_everything_is_said_in_the_language_chosen(editor):
+    editor.app_driver.store.change(language="zh")
+    editor.app_driver.store.change(language="en")
+    titles = [
+        editor.table.model().headerData(column, Qt.Orientation.Horizontal) for column in PointColumn
+    ]
+    assert titles[0] == "Motion"
+    assert all(titles)
+    assert editor.table.mapTo(editor.window, QPoint(0, 0)).x() >= 0
+
+
+def test_beside_the_jog_buttons_one_button_is_lit(editor):
+    send = editor.child("run_send")
+    assert send.property("primary")
+    editor.click("editor_jog")
+    assert editor.child("box_insert").property("primary")
+    assert not send.property("primary")
+    editor.click("editor_jog")
+    assert send.property("primary")

@@ -1,0 +1,164 @@
+"""The list: what it tells of each trajectory, and what is done to them."""
+
+from typing import Any
+
+from PySide6.QtCore import QCoreApplication, Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QListWidget, QWidget
+
+from armui.protocol.codes import MoveMode
+from armui.protocol.generation import PiperModel
+from armui.trajectory.points.program import Trajectory, Waypoint
+from armui.ui.trajectory.editor.editor_page import EditorPage
+from tests.app_driver import Slow
+from tests.operator.library.actions import POINT
+
+
+def test_the_list_tells_of_each(driver):
+    name, points, length, modified, check, note = driver.rows()[1]
+    assert (name, points, length, check, note) == ("three", "2", "—", "—", "")
+    assert modified.startswith("20")
+
+
+def test_what_needs_a_choice_says_so(driver):
+    assert not driver.child("delete").isEnabled()
+    assert "Choose a trajectory" in driver.child("delete").toolTip()
+    driver.choose("one", "two")
+    assert driver.child("delete").isEnabled()
+    assert not driver.child("rename").isEnabled()
+
+
+def test_a_new_one_is_created_and_opened(driver):
+    driver.click("create")
+    editor = driver.app_driver.page(EditorPage)
+    assert editor.title == "Trajectory"
+    QTest.keyClick(editor.table, Qt.Key.Key_Return, Qt.KeyboardModifier.ControlModifier)
+    driver.app_driver.click(editor.findChild(QWidget, "editor_insert_measured"))
+    assert "No arm is connected" in editor.findChild(QWidget, "editor_message").text()
+    assert "Trajectory" in driver.names()
+
+
+def test_a_double_click_opens_the_second_level(driver):
+    index = driver.table.model().index(2, 1)
+    place = driver.table.visualRect(index).center()
+    QTest.mouseClick(driver.table.viewport(), Qt.MouseButton.LeftButton, pos=place)
+    QTest.mouseDClick(driver.table.viewport(), Qt.MouseButton.LeftButton, pos=place)
+    editor = driver.app_driver.page(EditorPage)
+    assert editor.document.name == "two"
+    assert len(editor.document.points) == 3
+
+
+def test_several_are_deleted_and_brought_back(driver):
+    driver.choose("one", "three")
+    driver.click("delete")
+    assert driver.names() == ["two"]
+    assert driver.message() == "Deleted: one, three"
+    driver.click("undo")
+    assert driver.names() == ["one", "three", "two"]
+    assert driver.library.load("three").points == (POINT, POINT)
+    assert not driver.child("undo").isVisible()
+
+
+def test_one_that_is_open_is_not_deleted(driver):
+    driver.window.open_trajectory("one")
+    driver.choose("one")
+    driver.click("delete")
+    assert "one" in driver.names()
+    assert "“one” is open" in driver.message()
+
+
+def test_a_copy_gets_a_name_of_its_own(driver):
+    driver.choose("two")
+    driver.click("duplicate")
+    assert driver.names() == ["one", "three", "two", "two 2"]
+    assert driver.library.load("two 2").points == driver.library.load("two").points
+
+
+def test_another_name_is_typed_into_the_list(driver):
+    driver.choose("two")
+    driver.rename("zwei/2")
+    assert driver.names() == ["one", "three", "zwei/2"]
+    assert len(driver.library.load("zwei/2").points) == 3
+
+
+def test_a_name_that_is_taken_is_refused(driver):
+    driver.choose("two")
+    driver.rename("one")
+    assert driver.names() == ["one", "three", "two"]
+    assert "one" in driver.message()
+
+
+def test_only_what_is_searched_for_is_listed(driver):
+    QTest.keyClicks(driver.child("search"), "T")
+    assert driver.names() == ["three", "two"]
+
+
+def test_a_damaged_file_is_listed_and_stays_as_it_is(driver):
+    path = driver.app_driver.library_folder / "one.log"
+    path.write_text("armui trajectory 1\nJ 1 2")
+    driver.window.refresh()
+    assert driver.rows()[0][4] == "✕ damaged"
+    driver.window.open_trajectory("one")
+    assert "one.log, line 2" in driver.message()
+    assert path.read_text() == "armui trajectory 1\nJ 1 2"
+
+
+# What a check leaves in the list
+
+BENT = (0.0, 40.0, -40.0, 0.0, 85.0, 0.0)
+"""Joint 5 turns to 85° in a PiPER H, to 70° in a PiPER."""
+
+
+def check_in_editor(driver, name):
+    driver.window.open_trajectory(name)
+    editor = driver.app_driver.page(EditorPage)
+    driver.app_driver.click(editor.findChild(QWidget, "editor_check"))
+    editor.leave()
+
+
+def marks(driver):
+    return {row[0]: row[4] for row in driver.rows()}
+
+
+def test_what_a_check_found_stays_listed_whenever_the_disk_answers(driver, monkeypatch):
+    away = Waypoint(MoveMode.MOVE_P, (900.0, 0.0, 200.0, 0.0, 85.0, 0.0))
+    driver.library.save(Trajectory("away", points=(POINT, away)))
+    driver.app_driver.ready()
+    driver.app_driver.click("library_button")
+    driver.window.refresh()
+    driver.choose("away")
+    disk: Any = Slow()
+    monkeypatch.setattr(driver.window._work._background, "_files", disk)
+    driver.app_driver.click(driver.window.findChild(QWidget, "run_send"))
+    for _ in range(6):
+        disk.work()
+        QCoreApplication.processEvents()
+    assert "Mend what is listed" in driver.message()
+    findings = driver.window.findChild(QListWidget, "findings_list")
+    assert findings.isVisible()
+    assert findings.item(0).text().startswith("✕ Error · Row 2")
+    assert marks(driver)["away"] == "✕ errors"
+    driver.choose("one")
+    assert not findings.isVisible()
+
+
+def test_a_mark_is_for_the_arm_it_was_made_for(driver):
+    driver.library.save(Trajectory("bent", points=(Waypoint(MoveMode.MOVE_J, BENT),)))
+    driver.app_driver.connect()
+    driver.app_driver.click("library_button")
+    check_in_editor(driver, "bent")
+    driver.window.refresh()
+    assert marks(driver)["bent"] == "✕ errors"
+    driver.app_driver.connect(PiperModel.PIPER_H)
+    assert marks(driver)["bent"] == "—"
+    driver.app_driver.connect(PiperModel.PIPER)
+    assert marks(driver)["bent"] == "✕ errors"  # it still holds for that one
+
+
+def test_where_the_arm_stands_is_no_mark_of_a_trajectory(driver):
+    driver.library.save(Trajectory("far", points=(POINT,)))
+    driver.app_driver.ready()  # 40° and more away
+    driver.app_driver.click("library_button")
+    check_in_editor(driver, "far")
+    driver.window.refresh()
+    assert marks(driver)["far"] == "✓ checked"

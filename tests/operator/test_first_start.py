@@ -1,0 +1,96 @@
+"""From an empty window to a moving simulated arm: what is lit is pressed, and the presses counted.
+
+``python -m tests.operator.test_first_start`` says how many there are.
+"""
+
+import os
+import sys
+import tempfile
+from pathlib import Path
+
+os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
+
+import pytest
+from PySide6.QtWidgets import QApplication, QDialog, QPushButton
+
+from armui.protocol.generation import Generation
+from tests.app_driver import AppDriver
+
+PRESSES = 4
+"""Connection…, Connect, Enable, J1 +. It was five: the dialog had to be closed by hand."""
+
+
+def lit(app_driver):
+    """The one button that is lit, in the dialog in front or else in the window."""
+    windows = QApplication.topLevelWidgets()
+    dialogs = [each for each in windows if isinstance(each, QDialog) and each.isVisible()]
+    place = dialogs[0] if dialogs else app_driver.window
+    buttons = [
+        button
+        for button in place.findChildren(QPushButton)
+        if button.property("primary") and button.isVisible() and button.isEnabled()
+    ]
+    assert len(buttons) <= 1, [button.objectName() or button.text() for button in buttons]
+    return buttons[0] if buttons else None
+
+
+def press_what_is_lit(app_driver):
+    """Press until the arm moves; the names of what was pressed."""
+    pressed: list[str] = []
+    before = app_driver.firmware.joints_deg
+    while app_driver.firmware.joints_deg == before:
+        assert len(pressed) < 20, pressed
+        if app_driver.controller.operating_state.device is None:
+            app_driver.wait(lambda: lit(app_driver) is not None)
+        else:
+            app_driver.run_until(lambda: lit(app_driver) is not None)
+        button = lit(app_driver)
+        pressed.append(button.objectName() or button.text())
+        app_driver.click(button)
+        app_driver.run(0.7)
+    return pressed
+
+
+def test_pressing_what_is_lit_moves_the_arm(app_driver):
+    pressed = press_what_is_lit(app_driver)
+    assert pressed == ["recovery_button", "Connect", "recovery_button", "jog_plus_1"]
+    assert len(pressed) == PRESSES
+    app_driver.run(1.0)
+    assert lit(app_driver) is None, "it is known now"
+
+
+def test_the_next_start_is_no_first_one(qapp, request, tmp_path):
+    settings = tmp_path / "settings.json"
+    for lights in (True, False):
+        name = f"{request.node.nodeid}-{lights}"
+        app_driver = AppDriver(qapp, name, settings, Generation.TWO)
+        try:
+            app_driver.connect()
+            app_driver.enable_by_hand()
+            assert bool(app_driver.find("jog_plus_1").property("primary")) is lights
+            app_driver.click("jog_plus_1")
+            app_driver.run(0.5)
+        finally:
+            app_driver.close()
+
+
+@pytest.mark.parametrize("generation", list(Generation))
+def test_in_both_generations(qapp, request, tmp_path, generation):
+    app_driver = AppDriver(qapp, request.node.nodeid, tmp_path / "settings.json", generation)
+    try:
+        assert len(press_what_is_lit(app_driver)) == PRESSES
+    finally:
+        app_driver.close()
+
+
+def main():
+    app = QApplication(sys.argv[:1])
+    with tempfile.TemporaryDirectory() as folder:
+        app_driver = AppDriver(app, "count", Path(folder) / "settings.json", Generation.TWO)
+        pressed = press_what_is_lit(app_driver)
+        app_driver.close()
+    print(f"{len(pressed)} presses from the start to the first motion: {', '.join(pressed)}")
+
+
+if __name__ == "__main__":
+    main()

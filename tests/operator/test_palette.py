@@ -1,0 +1,354 @@
+"""The operator presses Ctrl+K, types a piece of a name, and Enter: the button itself does it."""
+
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QAbstractButton, QPushButton, QToolButton
+
+from armui.control.run.progress import RunPhase
+from armui.control.safety.recovery_steps import StepKind
+from armui.ui.actions.catalogue import actions
+from armui.ui.actions.command import always, while_editing
+from armui.ui.actions.keys import SHORTCUTS
+from armui.ui.actions.palette import CommandPalette
+from armui.ui.actions.places import MOVABLE, PANELS, PLACES
+from armui.ui.actions.shortcut_list import ShortcutList
+from armui.ui.dialogs.confirm_dialog import ConfirmDialog
+from armui.ui.dialogs.sections import KeyCap
+from armui.ui.dialogs.settings import SettingsDialog
+from armui.ui.trajectory.library.library_page import LibraryPage
+from armui.ui.widgets.press_button import PressButton
+from tests.operator.test_running import BACK, OUT, Operator, to
+
+
+def open_palette(app_driver, window=None):
+    window = window or app_driver.window
+    window.activateWindow()  # off the screen nobody gives it back when a dialog closes
+    app_driver.wait(window.isActiveWindow)
+    QTest.keyClick(window, Qt.Key.Key_K, Qt.KeyboardModifier.ControlModifier)
+    palette = app_driver.dialog(CommandPalette)
+    app_driver.wait(lambda: palette.knows_names)
+    return palette
+
+
+def rows(palette):
+    model = palette.list.model()
+    offers = (model.index(row, 0).data(Qt.ItemDataRole.UserRole) for row in range(model.rowCount()))
+    return list(offers)
+
+
+def command(app_driver, words):
+    """Find something and press Enter."""
+    palette = open_palette(app_driver)
+    QTest.keyClicks(palette.search, words)
+    QTest.keyClick(palette.search, Qt.Key.Key_Return)
+    return palette
+
+
+@pytest.mark.parametrize("words", ["tool control", "tool con", "末端", "mdkz", "moduankongzhi"])
+def test_a_panel_is_found_by_any_of_its_names(app_driver, words):
+    palette = open_palette(app_driver)
+    palette.search.setText(words)
+    QTest.keyClick(palette.search, Qt.Key.Key_Return)
+    assert app_driver.find("menu_cartesian").isChecked()
+    assert not palette.isVisible()
+
+
+@pytest.mark.parametrize(
+    ("words", "first"),
+    [
+        ("zero", "Home"),
+        ("归零", "Home"),
+        ("零点", "Home"),
+        ("guiling", "Home"),
+        ("jinjitingzhi", "Emergency stop"),
+        ("jjtz", "Emergency stop"),
+        ("bangzhu", "User guide"),
+        ("estop", "Emergency stop"),
+        ("e-stop", "Emergency stop"),
+        ("stop", "Emergency stop"),
+        ("停止", "Emergency stop"),
+        ("preferences", "Settings"),
+        ("帮助", "User guide"),
+        ("quit", "Close the program"),
+    ],
+)
+def test_what_an_operator_calls_a_thing_finds_it_first(app_driver, words, first):
+    palette = open_palette(app_driver)
+    palette.search.setText(words)
+    assert rows(palette)[0].title.startswith(first)
+
+
+@pytest.mark.parametrize("language", ["en", "zh"])
+def test_what_is_dangerous_is_never_first_where_anything_else_is_found(app_driver, language):
+    app_driver.connect()
+    app_driver.click("menu_motor")
+    app_driver.store.change(language=language)
+    palette = open_palette(app_driver)
+    words = {word for action in actions() for word in action.title.text().lower().split()}
+    words |= {word[:3] for word in words} | {"zero", "off", "零", "失能", "恢复", "reset", "power"}
+    for word in sorted(words):
+        palette.search.setText(word)
+        dangerous = [row.dangerous for row in rows(palette)]
+        assert dangerous == sorted(dangerous), word
+    palette.search.setText("zero")
+    titles = [row.title for row in rows(palette)]
+    assert any(row.dangerous for row in rows(palette)), titles  # it is found all the same
+
+
+def test_it_moves_the_arm_by_the_panels_own_button(app_driver):
+    app_driver.connect()
+    app_driver.enable_by_hand()
+    app_driver.click("menu_light")
+    app_driver.controller.motion.send_joints([10.0, 0.0, 0.0, 0.0, 0.0, 0.0])
+    app_driver.run_until(lambda: abs(app_driver.controller.state.angles_deg()[0] - 10.0) < 0.1)
+    command(app_driver, "motion home")
+    assert app_driver.find("menu_motion").isChecked()
+    app_driver.run_until(lambda: abs(app_driver.controller.state.angles_deg()[0]) < 0.1)
+
+
+def test_what_is_dangerous_asks_what_its_button_asks(app_driver):
+    app_driver.connect()
+    app_driver.enable_by_hand()
+    command(app_driver, "disable j3")
+    question = app_driver.dialog(ConfirmDialog)
+    assert "joint 3" in question.windowTitle()
+    app_driver.run(0.2)
+    assert all(app_driver.controller.operating_state.enabled)
+    question.reject()
+
+
+def test_what_cannot_be_done_says_why_and_is_not_done(app_driver):
+    app_driver.connect()
+    palette = open_palette(app_driver)
+    QTest.keyClicks(palette.search, "motion home")
+    first = rows(palette)[0]
+    assert first.title == "Home"
+    assert "not enabled" in first.reason
+    sent = len(app_driver.codes())
+    QTest.keyClick(palette.search, Qt.Key.Key_Return)
+    assert palette.isVisible()
+    assert palette.findChild(object, "palette_message").text() == first.reason
+    assert len(app_driver.codes()) == sent
+
+
+def test_reasons_go_with_the_arm_while_the_palette_is_open(app_driver):
+    app_driver.connect()
+    palette = open_palette(app_driver)
+    QTest.keyClicks(palette.search, "motion home")
+    assert rows(palette)[0].reason
+    app_driver.controller.motors.enable()
+    app_driver.run_until(lambda: app_driver.controller.operating_state.cannot_move is None)
+    app_driver.wait(lambda: not rows(palette)[0].reason)
+
+
+def test_unsaved_values_are_asked_about_and_nothing_else_happens(app_driver):
+    app_driver.connect()
+    app_driver.click("menu_collision")
+    app_driver.run_until(lambda: app_driver.find("collision_edit_button").isEnabled())
+    app_driver.click("collision_edit_button")
+    app_driver.click("collision_all_level_5")
+    command(app_driver, "gripper control")
+    assert app_driver.find("menu_collision").isChecked()
+    command(app_driver, "tool frame")
+    assert app_driver.find("menu_collision").isChecked()
+
+
+def test_a_field_is_gone_to(app_driver):
+    command(app_driver, "target j4")
+    app_driver.wait(app_driver.find("target_field_4").hasFocus)
+
+
+def test_another_window_and_its_own_buttons(app_driver):
+    command(app_driver, "trajectory library")
+    library = app_driver.page(LibraryPage)
+    palette = open_palette(app_driver, library)
+    titles = {offer.title for offer in rows(palette) if offer.place == "Trajectory library"}
+    assert {"Import files", "Create", "Record"} <= titles
+
+
+def test_it_opens_from_a_dialog(app_driver):
+    app_driver.window.open_settings_dialog()
+    palette = open_palette(app_driver, app_driver.dialog(SettingsDialog))
+    assert palette.search.hasFocus()
+
+
+def test_nothing_found_says_what_can_be_found(app_driver):
+    palette = command(app_driver, "qqqq")
+    assert palette.isVisible()
+    assert "pinyin" in palette.findChild(object, "palette_message").text()
+
+
+def test_the_language_is_switched(app_driver):
+    command(app_driver, "language")
+    assert app_driver.store.settings.language == "zh"
+    palette = open_palette(app_driver)
+    palette.search.setText("回零")
+    assert [offer.place for offer in rows(palette)] == ["运动控制"]
+
+
+# What the catalogue says of buttons that are not seen ---------------------------------------------
+
+
+def no_device(app_driver):
+    pass
+
+
+def disabled(app_driver):
+    app_driver.connect()
+
+
+def enabled(app_driver):
+    app_driver.connect()
+    app_driver.enable_by_hand()
+
+
+def stopped(app_driver):
+    enabled(app_driver)
+    app_driver.controller.emergency_stop()
+    app_driver.run(0.3)
+
+
+def teaching(app_driver):
+    app_driver.connect()
+    app_driver.click("menu_teaching")
+    app_driver.click("teaching_start_recording")
+    app_driver.run(0.3)
+
+
+def moving(app_driver):
+    enabled(app_driver)
+    app_driver.controller.motion.send_joints([60.0, 0.0, 0.0, 0.0, 0.0, 0.0])
+    app_driver.run(0.3)
+
+
+@pytest.mark.parametrize(
+    "state",
+    [no_device, disabled, enabled, stopped, teaching, moving],
+    ids=lambda each: each.__name__,
+)
+def test_a_button_that_is_not_seen_has_the_reason_it_has_when_it_is(app_driver, state):
+    state(app_driver)
+    wrong = {}
+    for panel in PANELS:
+        app_driver.click(f"menu_{panel}")
+        app_driver.run_until(lambda: not app_driver.controller.settings.busy)
+        for action in actions():
+            if action.place != panel or action.does in {always, while_editing}:
+                continue
+            button = app_driver.find(action.target)
+            said = "" if button.isEnabled() else button.toolTip()
+            reason = action.why_not(app_driver.controller.operating_state)
+            if said != reason:
+                wrong[action.name] = (said, reason)
+    assert wrong == {}
+
+
+def test_every_button_of_every_panel_can_be_found(app_driver):
+    app_driver.connect()
+    known = {action.target for action in actions()}
+    missing = []
+    for panel in PANELS:
+        app_driver.click(f"menu_{panel}")
+        palette = open_palette(app_driver)
+        titles = {offer.title for offer in rows(palette)}
+        palette.close()
+        for button in app_driver.window.findChildren(QAbstractButton):
+            words = any(letter.isalpha() for letter in button.text())
+            shown = isinstance(button, QPushButton | QToolButton) and button.isVisible()
+            told = button.objectName() in known or button.text().strip() in titles
+            in_window = button.window() is app_driver.window
+            if shown and words and in_window and not isinstance(button, PressButton) and not told:
+                missing.append(button.objectName())
+    assert missing == []
+
+
+def test_every_target_is_there(app_driver):
+    app_driver.connect()
+    for panel in PANELS:
+        app_driver.click(f"menu_{panel}")
+        for action in actions():
+            if action.target and action.place in (panel, "window"):
+                assert app_driver.find(action.target) is not None
+
+
+def test_names_are_used_once():
+    names = [action.name for action in actions()]
+    assert len(set(names)) == len(names)
+    targets = [(action.place in MOVABLE and action.place, action.target) for action in actions()]
+    targets = [each for each in targets if each[1]]
+    assert len(set(targets)) == len(targets)
+
+
+# Shortcuts ----------------------------------------------------------------------------------------
+
+
+def test_the_list_of_shortcuts_shows_each_of_them(app_driver):
+    QTest.keyClick(app_driver.window, Qt.Key.Key_Question)
+    dialog = app_driver.dialog(ShortcutList)
+    shown = [cap.text() for cap in dialog.findChildren(KeyCap)]
+    assert sorted(shown) == sorted(each.text() for each in SHORTCUTS.values())
+
+
+def test_a_question_mark_can_be_typed(app_driver):
+    field = app_driver.find("target_field_1")
+    field.setFocus()
+    QTest.keyClick(field, Qt.Key.Key_Question)
+    assert not [each for each in app_driver.window.findChildren(ShortcutList) if each.isVisible()]
+
+
+OVERLAPPING = [
+    {"everywhere", "window", "view"},
+    *({"everywhere", "window", panel} for panel in ("motion", "light", "gripper", "parameters")),
+    *({"everywhere", place} for place in ("library", "editor", "plots", "events", "bus", "replay")),
+]
+
+
+@pytest.mark.parametrize("places", OVERLAPPING, ids=lambda each: "-".join(sorted(each)))
+def test_no_key_means_two_things_at_one_place(places):
+    keys = [
+        each.keys
+        for each in SHORTCUTS.values()
+        if each.place in places and each.by_qt and each.keys != "Esc"
+    ]
+    assert len(set(keys)) == len(keys)
+
+
+def test_every_place_of_a_shortcut_is_known():
+    assert {each.place for each in SHORTCUTS.values()} <= PLACES.keys()
+    assert {action.place for action in actions()} <= PLACES.keys()
+
+
+def test_tooltips_name_the_keys_of_the_table(app_driver):
+    app_driver.connect()
+    app_driver.enable_by_hand()
+    for action in actions():
+        if action.place in ("motion", "window") and action.keys and action.target:
+            assert f"({action.keys})" in app_driver.find(action.target).toolTip()
+
+
+def test_the_next_step_of_a_run_that_is_paused_leads_to_its_button(app_driver):
+    operator = Operator(app_driver, to(OUT), to(BACK))
+    operator.send()
+    operator.until(lambda: operator.progress.phase is RunPhase.MOVING)
+    app_driver.run(0.5)
+    app_driver.click("run_pause")
+    operator.until(lambda: operator.progress.phase is RunPhase.PAUSED)
+    app_driver.run_until(lambda: app_driver.controller.recovery.step.kind is StepKind.RUN_PAUSED)
+    command(app_driver, "next step")
+    held = app_driver.find("run_continue")
+    assert app_driver.window.focusWidget() is held
+    app_driver.run(0.5)
+    assert operator.progress.phase is RunPhase.PAUSED, "it is to be held by hand"
+    app_driver.click("run_stop")
+
+
+def test_the_next_step_of_a_run_that_waits_is_not_taken_unseen(app_driver):
+    operator = Operator(app_driver, to(OUT), to(BACK))
+    operator.child("run_steps").setChecked(True)
+    operator.send()
+    operator.until(lambda: operator.progress.phase is RunPhase.WAITING)
+    app_driver.run_until(lambda: app_driver.controller.recovery.step.kind is StepKind.RUN_WAITS)
+    command(app_driver, "next step")
+    assert app_driver.window.focusWidget() is app_driver.find("run_pause")
+    assert operator.progress.phase is RunPhase.WAITING
