@@ -69,6 +69,7 @@ class ArmRig:
         self.powered = True
         self.company: list[Company] = []
         self.broken: Exception | None = None
+        self._untold: Exception | None = None  # nobody told it in time, and nobody will
         self._host_bus: HostBus | None = None
         self._codec = Codec(generation)
         self.device = Device("virtual", channel, None, simulated=True, generation=int(generation))
@@ -226,7 +227,10 @@ class ArmRig:
         gone = {LinkState.NO_DEVICE, LinkState.LOST}
         while self.controller.operating_state.link not in gone and not deadline.hasExpired():
             QCoreApplication.processEvents()
+            if self._untold is self.broken is not None:
+                return
             time.sleep(_POLL_S)
+        self._untold = self.broken if deadline.hasExpired() else None
 
     @property
     def _adrift(self) -> bool:

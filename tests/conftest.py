@@ -2,6 +2,7 @@
 
 import gc
 import os
+import signal
 import threading
 from functools import partial
 from itertools import count
@@ -24,6 +25,17 @@ _YOUNG_SEARCHES = 10
 _SEARCHES = count(1)
 
 load_profile()
+
+
+def pytest_configure():
+    """Programs that tests start hear the signals that this one was told to ignore.
+
+    A shell has what it starts in the background ignore SIGINT, and nohup SIGHUP; it is inherited.
+    """
+    for name in ("SIGINT", "SIGHUP"):
+        number = getattr(signal, name, None)  # Windows has no SIGHUP
+        if number is not None and signal.getsignal(number) is signal.SIG_IGN:
+            signal.signal(number, signal.SIG_DFL)
 
 
 @pytest.fixture(params=[Generation.ONE, Generation.TWO], ids=["gen1", "gen2"])

@@ -9,10 +9,10 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QWidget
 
+from armui.ui.shell import watch_windows
 from armui.ui.watch.recordings.sessions_window import SessionsWindow
 from armui.ui.watch.replay import replay_window
 from armui.ui.watch.replay.replay_window import ReplayWindow
-from armui.viewport import view as viewport_view
 from tests.app_driver import AtOnce
 from tests.ui.fake_view import FakeView
 
@@ -35,7 +35,7 @@ class Replay:
     def __init__(self, driver: Any, monkeypatch: Any, helper: Any = AtOnce) -> None:
         self.driver = driver
         monkeypatch.setattr(replay_window, "HelperProcess", helper)
-        monkeypatch.setattr(viewport_view, "ArmView", StillView)
+        monkeypatch.setattr(watch_windows, "ArmView", StillView)
         driver.click("sessions_button")
         driver.click(driver.dialog(SessionsWindow).other_button)
         self.window = driver.dialog(ReplayWindow)

@@ -418,6 +418,9 @@ def test_the_picture_s_process_lost_in_mid_drag(drawing, kind, harm):
     drawing.run(0.3)
     wait_until(lambda: view._lost is None)
     # the stop has let the arm sink: a camera that fits it may have stepped back
-    assert (view.camera.azimuth_deg, view.camera.elevation_deg) == camera[2:4]
+    assert (view.camera.azimuth_deg, view.camera.elevation_deg) == (
+        camera.azimuth_deg,
+        camera.elevation_deg,
+    )
     assert has_ended(hand)
     assert [each for each in moved(drawing) if each.arbitration_id != 0x150] == []

@@ -4,6 +4,8 @@ The long run is a command of its own: ``python -m tests.safety.fuzz --seeds 200 
 tenth of whose actions have a function fail that runs during a motion.
 """
 
+from functools import wraps
+
 import pytest
 
 from armui.arm.refusal import Refusal
@@ -109,6 +111,7 @@ def test_a_target_that_comes_back_after_its_cancel_is_seen(qapp, monkeypatch):
     ]
     assert promise(actions) is None
 
+    @wraps(set_speed)
     def reviving(motion, percent):
         motion.send_joints(A)
         return set_speed(motion, percent)
