@@ -42,6 +42,7 @@ def held(rig, other_host):
     rig.lie(A, version=NEW)
     rig.connect()
     rig.controller.motion.set_speed_percent(60)
+    rig.run(0.1)  # the arm before has heard it
     put(rig, in_mit(NEW))
     other_host.say(MIT, *hold(A, **STIFF))
     rig.run(3.0)

@@ -228,8 +228,7 @@ class RecordingWriter:
         plan.folder.mkdir(parents=True, exist_ok=True)
         self.name, self._sidecar = self._begin()
         try:
-            self._index = DiskFile(plan.folder / f"{self.name}{index_file.SUFFIX}")
-            self._index.append(index_file.MAGIC)
+            self._index = self._begun(f"{self.name}{index_file.SUFFIX}", index_file.MAGIC)
         except OSError:
             self._sidecar.discard()
             raise
@@ -290,19 +289,27 @@ class RecordingWriter:
             taken = (plan.folder / file_name(name, 1, plan.kind.value)).exists()
             if taken and number < _MOST_NAMES:
                 continue
+            first = sidecar.as_bytes([self._first_line()])
             try:
-                found = DiskFile(plan.folder / f"{name}{sidecar.SUFFIX}")
+                return name, self._begun(f"{name}{sidecar.SUFFIX}", first)
             except FileExistsError:
                 if number == _MOST_NAMES:
                     raise
-                continue
-            try:
-                found.append(sidecar.as_bytes([self._first_line()]))
-            except OSError:
-                found.discard()
-                raise
-            return name, found
         raise AssertionError("count() never ends")
+
+    def _begun(self, name: str, first: bytes) -> DiskFile:
+        """A new file with its first bytes; none is left behind that has not got them.
+
+        Raises:
+            OSError: It cannot be made, or not be written.
+        """
+        found = DiskFile(self._plan.folder / name)
+        try:
+            found.append(first)
+        except OSError:
+            found.discard()
+            raise
+        return found
 
     def _first_line(self) -> Line:
         plan = self._plan

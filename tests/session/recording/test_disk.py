@@ -57,6 +57,19 @@ def until_full(made):
     raise AssertionError("the disk was never full")
 
 
+def test_what_cannot_be_begun_leaves_nothing_behind(tmp_path, monkeypatch):
+    """However much room there is for the beginning of sidecar and index."""
+    whole = tmp_path / "whole"
+    writer(whole).finish({})
+    begun_bytes = next(whole.glob(f"*{sidecar.SUFFIX}")).read_bytes().index(b"\n") + 1
+    for room in (0, 1, begun_bytes, begun_bytes + 1):
+        with monkeypatch.context() as patched:
+            FullDisk(patched, room)
+            with pytest.raises(OSError, match="No space left"):
+                writer(tmp_path / "full")
+        assert list((tmp_path / "full").iterdir()) == []
+
+
 @pytest.mark.parametrize("kind", RecordingFormat)
 @pytest.mark.parametrize("room", [20_000, 33_333, 47_001])
 def test_on_a_full_disk_what_was_written_can_be_read(tmp_path, monkeypatch, kind, room):
