@@ -4,6 +4,8 @@ import pytest
 from PySide6.QtCore import QCoreApplication, QEvent
 from PySide6.QtWidgets import QApplication, QDialog
 
+from armui.ui.watch.events.event_page import EventPage
+
 pytestmark = pytest.mark.styled
 
 
@@ -38,6 +40,8 @@ def assert_same(before, after):
 
 def there_and_back(driver):
     driver.window.setFocus()
+    for events in driver.window.findChildren(EventPage):
+        events.refresh()  # as its timer does, which may come between two pictures
     before = looks()
     driver.store.change(theme="dark")
     settle()
