@@ -325,6 +325,7 @@ def _run(options: StartOptions) -> int:
     QCoreApplication.setApplicationName("armui")
     QApplication.setDesktopFileName("armui")
     app = make_application(sys.argv[:1])
+    GarbageSearch(app)  # before any other thread begins
     chosen: Choices = {} if options.language is None else {"language": options.language}
     store = SettingsStore(default_path(), for_this_run=chosen)
     opener = partial(open_device, sim_firmware=options.sim_firmware)
@@ -411,12 +412,9 @@ def keep_from_collector() -> None:
     """What the program was built from is no garbage: do not search it over and over.
 
     That would stop every thread, the stop's too, for tens of milliseconds at a time. The libraries
-    of a first connection follow within seconds. What comes later is searched in this thread alone.
+    of a first connection follow within seconds.
     """
     gc.freeze()
-    app = QApplication.instance()
-    if app is not None:
-        GarbageSearch(app)
     QTimer.singleShot(_CONNECTED_MS, gc.freeze)
 
 

@@ -25,6 +25,7 @@ from armui.settings import SettingsStore
 from armui.system.clock import steady_s
 from armui.system.helper_process import HelperProcess
 from armui.system.thread_priority import raise_threads
+from armui.ui.garbage import GarbageSearch
 from tests.benchmarks.other_arm import BUS
 from tests.waiting import wait_until
 
@@ -72,6 +73,7 @@ def window(
     """The program as the operator has it, connected, with the picture on the screen."""
     before = sys.getswitchinterval()
     sys.setswitchinterval(_SWITCH_INTERVAL_S)
+    GarbageSearch(app)
     controller = ArmController(open_bus, clock=clock)
     store = SettingsStore(folder / "settings.json")
     program = Program(app, store, controller, HelperProcess(), folder / "trajectories")

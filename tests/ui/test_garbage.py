@@ -1,6 +1,9 @@
 """Garbage ends in the thread of the windows, whoever makes it."""
 
 import gc
+import os
+import subprocess
+import sys
 import threading
 
 import pytest
@@ -46,6 +49,56 @@ def test_no_other_thread_searches(search):
     assert not ended
     search.look()
     assert ended == [threading.main_thread()] * 1000
+
+
+STARTED = """
+import gc, threading
+from functools import wraps
+from PySide6.QtCore import QTimer
+from armui import app
+from armui.start import StartOptions
+
+begun = {}
+
+def noting(start):
+    @wraps(start)
+    def noted(thread, *arguments):
+        if app.QApplication.instance() is not None:  # the log's writer begins before there are windows
+            begun[thread.name] = gc.isenabled()
+        return start(thread, *arguments)
+    return noted
+
+threading.Thread.start = noting(threading.Thread.start)
+
+class Brief(app.Program):
+    def __init__(self, *arguments, **more):
+        super().__init__(*arguments, **more)
+        QTimer.singleShot(1500, app.QApplication.quit)
+
+def opened(*arguments, **more):
+    begun["bus"] = gc.isenabled()
+    return open_device(*arguments, **more)
+
+open_device, app.open_device, app.Program = app.open_device, opened, Brief
+app.run(StartOptions(sim_generation=2))
+assert "bus" in begun and len(begun) > 1, begun
+assert not any(begun.values()), begun
+"""
+
+
+def test_from_the_first_thread_on_no_other_searches(tmp_path):
+    own = {name: str(tmp_path) for name in ("HOME", "XDG_DATA_HOME", "XDG_STATE_HOME")}
+    own |= {name: str(tmp_path) for name in ("XDG_CONFIG_HOME", "XDG_RUNTIME_DIR")}
+    environment = {**os.environ, **own, "QT_QPA_PLATFORM": "offscreen"}
+    done = subprocess.run(
+        [sys.executable, "-c", STARTED],
+        env=environment,
+        capture_output=True,
+        text=True,
+        timeout=50.0,
+        check=False,
+    )
+    assert done.returncode == 0, done.stderr
 
 
 def test_what_has_become_old_is_found_within_a_minute(search, monkeypatch):
