@@ -1,12 +1,15 @@
 """Jogging: the arm follows a hold, and is at rest within 100 ms of whatever ends it."""
 
 import math
+from contextlib import suppress
 
 import pytest
 
+from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.control.motion.jog_pace import REST_S, pace
 from armui.control.motion.jog_path import JointJog, ToolJog
+from armui.control.operations.started import Started
 from armui.kinematics.arm_kinematics import Kinematics
 from armui.kinematics.poses import AXES, JogFrame, matrix_to_pose, shifted, tool_matrix
 from armui.protocol.frame import Frame
@@ -343,3 +346,20 @@ def test_the_pace_keeps_the_promise_at_every_percentage():
                 top = max(speed, lead / 0.045)
                 assert lead / top + top / acceleration <= REST_S + 1e-9
             assert 1 <= now.arm_percent <= max(percent, 1)
+
+
+def test_a_record_that_cannot_be_closed_holds_no_jog(rig, monkeypatch):
+    """What holds a jog lets go before anything that can fail (S23)."""
+    rig.ready()
+
+    def fail(*_):
+        raise RuntimeError("planted")
+
+    monkeypatch.setattr(Started, "close", fail)
+    jogging = rig.controller.jogging
+    for let_go in (jogging.stop, jogging.halt, lambda: jogging.end(Refusal(RefusalCode.BUSY))):
+        assert jogging.start(JointJog(1, 1)) is None
+        with suppress(RuntimeError):
+            let_go()
+        assert not jogging.active
+        assert not jogging._timer.isActive()

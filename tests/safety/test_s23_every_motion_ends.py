@@ -29,6 +29,7 @@ from armui.control.motion.jog_stream import JogStream
 from armui.control.motion.jogging import Jogging
 from armui.control.motion.steered_path import SteeredToolPath
 from armui.control.motion_end import MotionEnd
+from armui.control.operations.started import Started
 from armui.control.run.execution import Execution
 from armui.control.run.player import Player
 from armui.control.run.recorder import Recorder
@@ -457,7 +458,7 @@ def by_gamepad(rig):
     return press, release
 
 
-_SHARED = (HoldGuard, Jogging, JogStream)
+_SHARED = (HoldGuard, Jogging, JogStream, Started)
 _PANEL = (JogPanel, MotionPanel, JointJogPath)
 HELD = {
     "keys": (by_keys, (KeyPad, *_PANEL, *_SHARED)),

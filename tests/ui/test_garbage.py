@@ -63,7 +63,7 @@ begun = {}
 def noting(start):
     @wraps(start)
     def noted(thread, *arguments):
-        if app.QApplication.instance() is not None:  # the log's writer begins before there are windows
+        if app.QApplication.instance() is not None:  # the log's writer begins before it
             begun[thread.name] = gc.isenabled()
         return start(thread, *arguments)
     return noted

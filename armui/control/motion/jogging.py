@@ -33,7 +33,6 @@ from armui.control.safety.standstill import QUIET_DEG, QUIET_S, RestWatch
 from armui.kinematics.poses import AXES, JogFrame
 from armui.protocol import commands
 from armui.protocol.codes import MoveMode
-from armui.telemetry.events import EventOutcome
 
 _STEERED: Final = {
     None: EventCode.DEVICE_JOGS_JOINTS,
@@ -184,11 +183,10 @@ class Jogging(ControllerPart):
 
     def _let_go(self) -> None:
         hold, self._hold = self._hold, None
-        if hold is None:
-            return
-        if hold.command is None:  # what was sent is followed until the arm has come to rest
-            hold.started.close(Ending.CUT_OFF)
         self._timer.stop()
+        if hold is not None and hold.command is None:
+            # what was sent is followed until the arm has come to rest
+            hold.started.close(Ending.CUT_OFF)
 
     def tick(self) -> None:
         """Send the next setpoint; its own timer calls it, and the controller's."""
@@ -296,16 +294,15 @@ class Jogging(ControllerPart):
         return None
 
     def _end(self, reason: Refusal | None) -> None:
-        started = None if self._hold is None else self._hold.started
-        reason = reason or Refusal(RefusalCode.JOINTS_UNKNOWN)
-        code = EventCode.JOG_ENDED
-        if started is not None:
-            started.close(
-                Ending.CUT_OFF,
-                EventOutcome(code, self._context.clock(), code.level, {"reason": reason}),
-            )
-        self.stop()
-        self._context.tell(code, reason=reason)
+        hold, self._hold = self._hold, None
+        self._timer.stop()
+        self._context.refresh()
+        self._context.close(
+            None if hold is None else hold.started,
+            Ending.CUT_OFF,
+            EventCode.JOG_ENDED,
+            reason=reason or Refusal(RefusalCode.JOINTS_UNKNOWN),
+        )
 
     # The controller's tick ------------------------------------------------------------------
 
