@@ -1,4 +1,4 @@
-"""Where the picture is taken from: a turntable camera, without any drawing library. Pure."""
+"""The turntable camera of the 3D picture, without any drawing library. Pure."""
 
 from __future__ import annotations
 
@@ -7,6 +7,8 @@ import math
 from dataclasses import dataclass, replace
 from typing import Final
 
+from armui.viewport.vectors import Vector, plus
+
 VIEW_ANGLE_DEG: Final = 30.0
 """Opening angle of the shorter side of the picture."""
 
@@ -14,8 +16,6 @@ _DEG_PER_PIXEL = 0.4
 _ZOOM_PER_STEP = 0.88
 _NEAREST_M, _FARTHEST_M = 0.15, 8.0
 _STEEPEST_DEG = 89.0
-
-Vector = tuple[float, float, float]
 
 
 class ViewDirection(enum.Enum):
@@ -62,8 +62,8 @@ class OrbitCamera:
         _, right, up = self.axes()
         return replace(
             self,
-            focus_m=_along(
-                _along(self.focus_m, right, -dx_px * metres_per_px), up, dy_px * metres_per_px
+            focus_m=plus(
+                plus(self.focus_m, right, -dx_px * metres_per_px), up, dy_px * metres_per_px
             ),
         )
 
@@ -81,7 +81,7 @@ class OrbitCamera:
     def eye_m(self) -> Vector:
         """Position of the eye in the base frame."""
         outward, _, _ = self.axes()
-        return _along(self.focus_m, outward, self.distance_m)
+        return plus(self.focus_m, outward, self.distance_m)
 
     def axes(self) -> tuple[Vector, Vector, Vector]:
         """Unit vectors: from the focus to the eye, to the right and up on the screen."""
@@ -89,11 +89,6 @@ class OrbitCamera:
         ca, sa = math.cos(azimuth), math.sin(azimuth)
         ce, se = math.cos(elevation), math.sin(elevation)
         return (ce * ca, ce * sa, se), (-sa, ca, 0.0), (-se * ca, -se * sa, ce)
-
-
-def _along(start: Vector, direction: Vector, distance: float) -> Vector:
-    x, y, z = (a + b * distance for a, b in zip(start, direction, strict=True))
-    return (x, y, z)
 
 
 HOME_CAMERA: Final = OrbitCamera(focus_m=(0.06, 0.0, 0.25), distance_m=1.7)
@@ -112,8 +107,8 @@ _SAME_ANGLE_DEG: Final = 0.005
 """Less moves nothing by a pixel: an arm at rest that reports the last digit is not drawn anew."""
 
 
-def look_alike(one: tuple[float, ...] | None, other: tuple[float, ...] | None) -> bool:
-    """Whether two poses of the arm, six angles in degrees each, can't be told apart on a screen."""
+def poses_equal(one: tuple[float, ...] | None, other: tuple[float, ...] | None) -> bool:
+    """Tell whether two poses, six angles in degrees each, look the same on a screen."""
     if one is None or other is None:
         return False
     return all(abs(a - b) < _SAME_ANGLE_DEG for a, b in zip(one, other, strict=True))

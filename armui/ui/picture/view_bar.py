@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 _BUTTON_PX: Final = 30
 _MARGIN_PX: Final = 4
 TRAILS_S: Final = (0, 5, 15, 60)
-"""How much of the tool's way can be shown, in seconds of motion; 0: nothing."""
+"""The lengths of the trail to choose from, in seconds of motion; 0: nothing."""
 
 
 _TIPS: Final = Texts("ViewBar") | {
@@ -43,7 +43,7 @@ _TIPS: Final = Texts("ViewBar") | {
     "save": "Writes the picture with its figures to a file",
     "copy": "Puts the picture with its figures into the clipboard",
 }
-"""What each action does; its name and its key are those of ``view.<action>`` in `SHORTCUTS`."""
+"""The tooltip of each action; name and key are those of ``view.<action>`` in `SHORTCUTS`."""
 _SWITCHES: Final = ("follow", "orthographic", "tool_frame", "reach")
 _HANDLES: Final = Texts("ViewBar") | {
     None: "No handles",
@@ -150,7 +150,7 @@ class ViewBar(Translated, QFrame):
 
     @property
     def without_button(self) -> dict[str, QAction]:
-        """What only the menu has, and the switch of the handles."""
+        """The actions that only the menu has, and the switch of the handles."""
         rest = {name: each for name, each in self.view_actions.items() if name not in _STRIP}
         return {**rest, "handles": self._toggle_handles}
 
