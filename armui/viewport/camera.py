@@ -25,11 +25,15 @@ class ViewDirection(enum.Enum):
     SIDE = "side"
     TOP = "top"
     ISO = "iso"
+    BELOW = "below"
 
 
 @dataclass(frozen=True, slots=True)
 class OrbitCamera:
     """Looks at a point from a direction; Z stays up, so the arm never tips over on the screen.
+
+    The operator's hand does not bring the eye below the floor: only `turned_to` does, and from
+    there on the hand turns it about below, too, until it has come up again.
 
     Attributes:
         focus_m: the point looked at, in the base frame.
@@ -48,29 +52,36 @@ class OrbitCamera:
 
     def orbit(self, dx_px: float, dy_px: float) -> OrbitCamera:
         """The camera after a drag that turns: the scene follows the pointer."""
+        lowest_deg = 0.0 if self.elevation_deg >= 0.0 else -_STEEPEST_DEG
         elevation_deg = self.elevation_deg + dy_px * _DEG_PER_PIXEL
-        return replace(
+        turned = replace(
             self,
             azimuth_deg=(self.azimuth_deg - dx_px * _DEG_PER_PIXEL) % 360.0,
-            elevation_deg=min(_STEEPEST_DEG, max(-_STEEPEST_DEG, elevation_deg)),
+            elevation_deg=min(_STEEPEST_DEG, max(lowest_deg, elevation_deg)),
         )
+        return self._kept_above_floor(turned)
 
     def pan(self, dx_px: float, dy_px: float, shorter_side_px: float) -> OrbitCamera:
         """The camera after a drag that moves: what is under the pointer stays under it."""
         visible_m = 2.0 * self.distance_m * math.tan(math.radians(VIEW_ANGLE_DEG / 2.0))
         metres_per_px = visible_m / max(shorter_side_px, 1.0)
         _, right, up = self.axes()
-        return replace(
-            self,
-            focus_m=plus(
-                plus(self.focus_m, right, -dx_px * metres_per_px), up, dy_px * metres_per_px
-            ),
-        )
+        focus_m = plus(self.focus_m, right, -dx_px * metres_per_px)
+        focus_m = plus(focus_m, up, dy_px * metres_per_px)
+        return self._kept_above_floor(replace(self, focus_m=focus_m))
 
     def zoom(self, steps: float) -> OrbitCamera:
         """The camera nearer (steps above zero) or farther, within sensible distances."""
         distance_m = self.distance_m * _ZOOM_PER_STEP**steps
-        return replace(self, distance_m=min(_FARTHEST_M, max(_NEAREST_M, distance_m)))
+        distance_m = min(_FARTHEST_M, max(_NEAREST_M, distance_m))
+        return self._kept_above_floor(replace(self, distance_m=distance_m))
+
+    def _kept_above_floor(self, moved: OrbitCamera) -> OrbitCamera:
+        """Return a camera moved by hand, raised where it would sink below the floor."""
+        below_m = -moved.eye_m[2]
+        if below_m <= 0.0 or self.eye_m[2] < 0.0:
+            return moved
+        return replace(moved, focus_m=plus(moved.focus_m, (0.0, 0.0, 1.0), below_m))
 
     def turned_to(self, direction: ViewDirection) -> OrbitCamera:
         """The camera with its eye in another direction from the same point."""
@@ -98,9 +109,11 @@ _DIRECTIONS_DEG: Final = {
     ViewDirection.FRONT: (0.0, 0.0),
     ViewDirection.SIDE: (-90.0, 0.0),
     ViewDirection.TOP: (-90.0, 90.0),
+    ViewDirection.BELOW: (-90.0, -90.0),
     ViewDirection.ISO: (HOME_CAMERA.azimuth_deg, HOME_CAMERA.elevation_deg),
 }
-"""Azimuth and elevation: from +X onto the arm, from its right, from above with X to the right."""
+"""Azimuth and elevation: from +X onto the arm, from its right, from above and from below with X to
+the right."""
 
 
 _SAME_ANGLE_DEG: Final = 0.005

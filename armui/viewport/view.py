@@ -82,8 +82,8 @@ class ArmView(QWidget):
     show, or is gone, the widget says so (safety promise S24).
 
     To begin with, the arm fills the room it has, and the camera steps back when the arm would
-    leave it, or come behind the figures. Once the operator has moved the picture, it stays where
-    it was put; a view chosen, `fit` or `reset_view` brings that back.
+    leave it, or come behind the figures. Once the operator has turned or moved the picture, it
+    stays as it was put, until a view is chosen or `fit` or `reset_view` is called.
 
     Left drag turns, middle drag or shift with left drag moves, the wheel zooms, a double click on
     a link picks its joint. With the focus: arrow keys turn, + and − zoom, Home resets.
@@ -448,9 +448,7 @@ class ArmView(QWidget):
         """The operator has moved the camera."""
         if camera is None or self._viewpoint.is_carried:
             return
-        before = self._state.camera
-        turned = (camera.focus_m, camera.distance_m) == (before.focus_m, before.distance_m)
-        self._viewpoint.move_by_hand(camera, only_turned=turned)
+        self._viewpoint.move_by_hand(camera)
         self._take_camera()
 
     # what is asked for, and what comes ---------------------------------------------------------

@@ -41,7 +41,7 @@ class ViewMode(enum.Enum):
     FIT = enum.auto()
     """The arm fills the room it has; when it leaves it, the camera steps back."""
     FREE = enum.auto()
-    """The operator has moved the picture or its scale."""
+    """The operator has turned or moved the picture, or changed its scale."""
     FOLLOW = enum.auto()
     """The tool stays in the middle."""
 
@@ -158,11 +158,11 @@ class Viewpoint:
         self.camera = replace(self.camera, orthographic=wanted)
         self._look_again(exactly=True)
 
-    def move_by_hand(self, camera: OrbitCamera, *, only_turned: bool) -> None:
-        """The operator has moved the camera; one that was only turned goes on to fit the arm."""
-        if not only_turned and self.mode is ViewMode.FIT:
-            self.mode = ViewMode.FREE
-        if self.mode is ViewMode.FOLLOW and camera.focus_m != self.camera.focus_m:
+    def move_by_hand(self, camera: OrbitCamera) -> None:
+        """Take the operator's camera, which stays; one that follows is turned, and follows on."""
+        if camera == self.camera:
+            return
+        if self.mode is not ViewMode.FOLLOW or camera.focus_m != self.camera.focus_m:
             self.mode = ViewMode.FREE
         self.camera = camera
 

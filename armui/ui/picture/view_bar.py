@@ -35,6 +35,7 @@ _TIPS: Final = Texts("ViewBar") | {
     "side": "Looks at the arm from its right side",
     "top": "Looks down on the arm",
     "iso": "Looks at the arm from the front right and above",
+    "below": "Looks at the arm from below the floor; turning the picture never goes there",
     "fit": "Shows all of the arm as large as the room allows",
     "follow": "Keeps the tool centre point in the middle",
     "orthographic": "Parallel lines look parallel: lengths can be compared",
@@ -53,7 +54,7 @@ _HANDLES: Final = Texts("ViewBar") | {
 }
 _STRIP: Final = ("front", "side", "top", "iso", "fit", "follow")
 _MENU: Final = (
-    ("front", "side", "top", "iso"),
+    ("front", "side", "top", "iso", "below"),
     ("fit", "follow", "orthographic"),
     ("tool_frame", "reach", "trail"),
     ("save", "copy"),
