@@ -237,7 +237,8 @@ class MainWindow(Translated, KeepsFocus, QWidget):
 
     def _show_in_view(self, state: ArmState) -> None:
         if self.isVisible():
-            show_in_view(self._view, state, self._controller.operating_state)
+            tool = self._preferences.settings.tool
+            show_in_view(self._view, state, self._controller.operating_state, tool)
 
     def _recolor(self) -> None:
         dark = colors_of(self) is DARK
