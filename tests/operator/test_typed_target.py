@@ -113,7 +113,7 @@ def test_a_joint_beyond_its_limits_has_no_ghost_and_says_why(at):
     at.app_driver.type_into("target_field_1", "170")
     at.look()
     assert at.ghost is None
-    assert "J1" in note(at)
+    assert "Joint 1" in note(at)
     assert "150" in note(at)
     at.app_driver.type_into("target_field_1", "20")
     at.look()

@@ -70,23 +70,23 @@ class PathPreview(QObject):
     def show(
         self,
         path: PlannedPath | None,
-        places_of: Callable[[Array], Array] | None = None,
         bad_rows: frozenset[int] = frozenset(),
         findings: tuple[FindingMark, ...] = (),
         name: str = "",
         *,
         numbered: bool = True,
+        places_of: Callable[[Array], Array] | None = None,
     ) -> None:
         """Show a path; ``None`` takes the preview away.
 
         Args:
             path: As it is planned.
-            places_of: Works out of (n, 6) joint angles the (n, 3) places that are drawn, mm; by
-                default those of the plan, the tip of the tool.
             bad_rows: Rows in which something forbids a run.
             findings: What was found, where it would happen.
             name: The trajectory's.
             numbered: Whether its rows are points; those of a recording are samples.
+            places_of: Works out of (n, 6) joint angles the (n, 3) places that are drawn, mm; by
+                default those of the plan, the tip of the tool.
         """
         self._name = name
         self._path = path

@@ -310,11 +310,11 @@ class PreviewLink(QObject):
         geometry = checked.order.arm.kinematics.geometry
         self._preview.show(
             checked.path,
-            lambda joints_deg: tool_points(flange_transforms(geometry, joints_deg), tool),
             bad_rows,
             finding_marks(checked, tool),
             content.name,
             numbered=isinstance(content, Trajectory),
+            places_of=lambda joints_deg: tool_points(flange_transforms(geometry, joints_deg), tool),
         )
 
     def _show_points(self) -> None:
