@@ -524,7 +524,7 @@
     </message>
     <message>
         <source>Tool centre point</source>
-        <translation type="unfinished">工具中心点</translation>
+        <translation>工具中心点</translation>
     </message>
     <message>
         <source>Flange</source>
@@ -10445,6 +10445,10 @@ The other program must have ended.</source>
     <message>
         <source>Preview of the target: it has not been sent</source>
         <translation>目标预览：尚未发送</translation>
+    </message>
+    <message>
+        <source>Simulated arm in drag teaching: lead it by the handles in the picture, as by hand</source>
+        <translation>仿真机械臂处于拖动示教：在画面中拖动手柄即可用鼠标牵引</translation>
     </message>
 </context>
 <context>

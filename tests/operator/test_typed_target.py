@@ -58,7 +58,7 @@ def note(at):
 
 @pytest.mark.usefixtures("no_motion")
 def test_a_typed_joint_target_has_a_ghost_and_a_needle_and_the_arm_stays(at):
-    assert at.ghost is None
+    assert not at.ghost
     assert note(at) == ""
     type_joints(at)
     assert at.ghost == pytest.approx(OUT)
@@ -75,16 +75,16 @@ def test_what_was_sent_is_no_preview_any_more(at):
     type_joints(at)
     at.app_driver.click("send_button")
     at.look()
-    assert at.ghost is None
+    assert not at.ghost
     assert note(at) == ""
     at.app_driver.run(0.5)
     at.look()
-    assert at.ghost is None
+    assert not at.ghost
     at.app_driver.run_until(
         lambda: not at.app_driver.controller.operating_state.moving, seconds=30.0
     )
     at.look()
-    assert at.ghost is None
+    assert not at.ghost
     assert at.app_driver.controller.state.angles_deg() == pytest.approx(OUT, abs=0.1)
 
 
@@ -93,7 +93,7 @@ def test_the_ghost_goes_with_the_panel_and_with_the_figure(at):
     type_joints(at)
     at.app_driver.click("menu_light")
     at.look()
-    assert at.ghost is None
+    assert not at.ghost
     assert note(at) == ""
     at.app_driver.click("menu_motion")
     at.look()
@@ -103,7 +103,7 @@ def test_the_ghost_goes_with_the_panel_and_with_the_figure(at):
     assert at.ghost == pytest.approx((-33.0, *OUT[1:]))
     at.app_driver.click("load_button")  # where the arm is: a ghost would be one with it
     at.look()
-    assert at.ghost is None
+    assert not at.ghost
     assert note(at) == ""
 
 
@@ -112,7 +112,7 @@ def test_a_joint_beyond_its_limits_has_no_ghost_and_says_why(at):
     type_joints(at)
     at.app_driver.type_into("target_field_1", "170")
     at.look()
-    assert at.ghost is None
+    assert not at.ghost
     assert "Joint 1" in note(at)
     assert "150" in note(at)
     at.app_driver.type_into("target_field_1", "20")
@@ -129,7 +129,7 @@ def test_half_a_figure_has_no_ghost(at):
     field.selectAll()
     QTest.keyClick(field, Qt.Key.Key_Minus)
     at.look()
-    assert at.ghost is None
+    assert not at.ghost
     assert note(at) == ""
 
 
@@ -146,7 +146,7 @@ def test_a_typed_pose_has_a_ghost_that_stands_there(at):
 @pytest.mark.usefixtures("no_motion")
 def test_a_pose_out_of_reach_has_no_ghost_and_says_so(at):
     type_pose(at, X=900.0)
-    assert at.ghost is None
+    assert not at.ghost
     assert "reach" in note(at)
     at.app_driver.type_into("pose_field_X", "300")
     at.look()
@@ -158,7 +158,7 @@ def test_a_pose_that_was_sent_is_no_preview_and_a_new_one_is_again(at):
     type_pose(at)
     at.app_driver.click("move_p_button")
     at.look()
-    assert at.ghost is None
+    assert not at.ghost
     assert note(at) == ""
     at.app_driver.run(0.3)
     at.app_driver.type_into("pose_field_Z", "280")  # while the arm is on its way
@@ -177,7 +177,7 @@ def test_an_arm_that_moves_by_itself_has_no_ghost(at):
     for _ in range(5):
         at.app_driver.run(0.3)
         at.look()
-        assert at.ghost is None
+        assert not at.ghost
         assert note(at) == ""
 
 

@@ -17,7 +17,7 @@ from armui.ui.dialogs.files import FileExport
 from armui.ui.freshness import is_stale
 from armui.ui.panels.jogging.cartesian_panel import CartesianPanel
 from armui.ui.panels.jogging.motion_panel import JointRow, MotionPanel
-from armui.ui.picture.target_drag import CartesianTarget, MotionTarget, TargetDrag
+from armui.ui.picture.target_drag import CartesianTarget, LedArm, MotionTarget, TargetDrag
 from armui.ui.picture.view_bar import ViewBar
 from armui.ui.theme import colors_of
 from armui.viewport.camera import ViewDirection, poses_equal
@@ -34,7 +34,7 @@ if TYPE_CHECKING:
     from armui.control.operating_state import OperatingState
     from armui.settings import Settings, SettingsStore
     from armui.ui.background import Background
-    from armui.ui.picture.target_drag import DragTarget
+    from armui.ui.picture.target_drag import DragTarget, HandGuide
     from armui.ui.trajectory.preview.path_preview import PathPreview
     from armui.ui.trajectory.preview.preview_link import PreviewLink
     from armui.viewport.vectors import Vector
@@ -240,7 +240,9 @@ _M_PER_MM: Final = 0.001
 
 
 class PictureWork(QObject):
-    """Shows around the arm what the operator wants to see of it. Nothing it does moves the arm.
+    """Shows around the arm what the operator wants to see of it. It sends nothing to any arm.
+
+    A simulated arm of this process that is in drag teaching is led by the mouse, as by a hand.
 
     Args:
         controller: Knows the limits and the tool.
@@ -249,6 +251,7 @@ class PictureWork(QObject):
         background: Writes files.
         preview: Shows the path of a trajectory.
         window: The main window.
+        hand: Finds the hand that leads the simulated arm of this process.
 
     Attributes:
         bar: Buttons and menu for the picture.
@@ -264,6 +267,7 @@ class PictureWork(QObject):
         *,
         preview: PathPreview,
         window: QWidget,
+        hand: Callable[[], HandGuide | None] = lambda: None,
     ) -> None:
         super().__init__(window)
         self._controller = controller
@@ -290,6 +294,7 @@ class PictureWork(QObject):
         self._link: PreviewLink | None = None
         self._panel: Callable[[], QWidget | None] | None = None
         self._targets: dict[QWidget, DragTarget] = {}
+        self._led_arm = LedArm(controller, hand)
         self._drag = TargetDrag(controller, view, preview, self.note, self._target)
         self.bar.handles_wanted.connect(self._drag.set_kind)
         preview.row_shown.connect(self._drag.look)
@@ -316,7 +321,12 @@ class PictureWork(QObject):
         self._drag.look()
 
     def _target(self) -> DragTarget | None:
-        """The chosen point while an editor is seen, else the target of the panel that is shown."""
+        """Return what can be dragged: a simulated arm that gives way, a point, or a target.
+
+        The point is the chosen one while an editor is seen; the target is that of the panel.
+        """
+        if self._led_arm.gives_way():
+            return self._led_arm
         point = None if self._link is None else self._link.target
         if point is not None or self._panel is None:
             return point

@@ -12,7 +12,9 @@ from PySide6.QtCore import QObject, QTimer
 from armui.arm.limits import ANGLE_STEP_DEG, check_joints
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
+from armui.control.devices.teaching_phase import TeachingPhase, phase_of
 from armui.control.events import Level
+from armui.control.operating_state import LinkState, StopState
 from armui.kinematics.axes import JogFrame
 from armui.ui import words
 from armui.viewport.grips import GripKind, snapped
@@ -263,6 +265,76 @@ class CartesianTarget:
         return self._solved[1]
 
 
+class HandGuide(Protocol):
+    """The hand that leads a simulated arm where it gives way (`armui.sim`)."""
+
+    def lead_to(self, joints_deg: Sequence[float], speed_deg_s: float = ...) -> None:
+        """Lead all joints to six angles; the one with the longest way turns at this speed."""
+
+    def let_go(self) -> None:
+        """Leave the arm where it is."""
+
+
+_LEAD_DEG_S: Final = 30.0
+"""As a careful hand does: far below the speed at which drag teaching gives up."""
+
+
+class LedArm:
+    """A simulated arm in drag teaching, led by the mouse as a real one is by the hand.
+
+    No frame is sent for it: only the simulator in this process is told, and only of an arm that
+    gives way. A real arm is never moved by it.
+
+    Args:
+        controller: Knows which arm is connected, and what it says of drag teaching.
+        hand: Finds the hand of the simulated arm in this process; None: there is none.
+    """
+
+    def __init__(self, controller: ArmController, hand: Callable[[], HandGuide | None]) -> None:
+        self._controller = controller
+        self._hand = hand
+        self._held: HandGuide | None = None
+
+    def gives_way(self) -> bool:
+        """Tell whether the connected arm is the simulated one, and says that it gives way."""
+        now = self._controller.operating_state
+        device, status = now.device, now.status
+        if device is None or not device.simulated or now.link is not LinkState.ONLINE:
+            return False
+        records = status is not None and phase_of(status) is TeachingPhase.RECORDING
+        return records and now.stop is StopState.RUNNING and self._hand() is not None
+
+    def angles_deg(self) -> tuple[float, ...] | None:
+        """Return the measured angles."""
+        return self._controller.state.angles_deg()
+
+    def typed_deg(self) -> None:
+        """Nothing is typed: what is led is the arm itself."""
+
+    def begin(self) -> None:
+        """Take the arm by the hand."""
+        self._held = self._hand()
+
+    def is_as_begun(self) -> bool:
+        """Tell whether it is the same arm, and still gives way."""
+        return self._held is not None and self._held is self._hand() and self.gives_way()
+
+    def carry(self, angles_deg: tuple[float, ...]) -> None:
+        """Lead the arm there."""
+        if self._held is not None:
+            self._held.lead_to(angles_deg, _LEAD_DEG_S)
+
+    def drop(self, angles_deg: tuple[float, ...]) -> None:
+        """Let go: the arm stays where it has come to."""
+        self.give_up(angles_deg)
+
+    def give_up(self, _angles_deg: tuple[float, ...]) -> None:
+        """Let go; an arm is not led back."""
+        if self._held is not None:
+            self._held.let_go()
+        self._held = None
+
+
 _LOOK_MS: Final = 100
 _ELSEWHERE_DEG: Final = 0.05
 """A ghost nearer to the arm than this would be one with it."""
@@ -298,7 +370,7 @@ class TargetDrag(QObject):
         self._last_deg: tuple[float, ...] = ()
         self._began_with: object = None
         self._refused = False
-        self._told: Refusal | bool = False
+        self._told: Refusal | Callable[[], str] | None = None
         self.kind: HandleKind | None = None
         self._look = QTimer(self, interval=_LOOK_MS)
         self._look.timeout.connect(self.look)
@@ -325,17 +397,34 @@ class TargetDrag(QObject):
             return
         target = self._target()
         typed = None if target is None else target.typed_deg()
+        kind = self._kind_for(target)
         angles_deg = None if isinstance(typed, Refusal) else typed
-        if self.kind is not None and target is not None:
+        if kind is not None and target is not None:
             angles_deg = target.angles_deg()
-        if self.kind is None or angles_deg is None:
-            self._view.set_handles(None)
-        else:
-            self._view.set_handles(HandlePlace(angles_deg, self.kind))
+        place = None if kind is None or angles_deg is None else HandlePlace(angles_deg, kind)
+        self._view.set_handles(place)
         ghost_deg = angles_deg if self._is_elsewhere(angles_deg) else None
         self._preview.show_target(ghost_deg)
-        is_preview = ghost_deg is not None and typed is not None
-        self._tell(typed if isinstance(typed, Refusal) else is_preview)
+        if isinstance(typed, Refusal):
+            self._tell(typed)
+        elif isinstance(target, LedArm):
+            self._tell(self._led_text)
+        else:
+            is_preview = typed is not None and ghost_deg is not None
+            self._tell(self._preview_text if is_preview else None)
+
+    def _kind_for(self, target: DragTarget | None) -> HandleKind | None:
+        """Return the handles of a target; an arm that is led has some without being asked."""
+        led = isinstance(target, LedArm)
+        return self.kind or (HandleKind.JOINTS if led else None)
+
+    def _preview_text(self) -> str:
+        return self.tr("Preview of the target: it has not been sent")
+
+    def _led_text(self) -> str:
+        return self.tr(
+            "Simulated arm in drag teaching: lead it by the handles in the picture, as by hand"
+        )
 
     def _is_elsewhere(self, angles_deg: Sequence[float] | None) -> bool:
         """Tell whether a ghost there would not be one with the arm."""
@@ -345,18 +434,16 @@ class TargetDrag(QObject):
         pairs = zip(angles_deg, measured_deg, strict=True)
         return any(abs(one - other) > _ELSEWHERE_DEG for one, other in pairs)
 
-    def _tell(self, told: Refusal | bool) -> None:
-        """Say that what is seen is a preview (True), or why nothing is; False: say nothing."""
+    def _tell(self, told: Refusal | Callable[[], str] | None) -> None:
+        """Say what is seen, or why nothing is, until something else is to be said."""
         if told == self._told:
             return
         self._told = told
         if isinstance(told, Refusal):
             self._say(told)
-        elif told:
+        elif told is not None:
             self._refused = True
-            self._note.say(
-                lambda: self.tr("Preview of the target: it has not been sent"), stays=True
-            )
+            self._note.say(told, stays=True)
         else:
             self._say(None)
 
@@ -365,16 +452,17 @@ class TargetDrag(QObject):
     def _on_taken(self) -> None:
         target = self._target()
         angles_deg = None if target is None else target.angles_deg()
-        if target is None or angles_deg is None or self.kind is None:
+        kind = self._kind_for(target)
+        if target is None or angles_deg is None or kind is None:
             return
         cartesian = self._controller.cartesian
         limits = self._controller.operating_state.limits
         target.begin()
-        self._told = False
+        self._told = None
         self._held = target
         self._began_with = self._basis()
         self._base = DragBase(
-            angles_deg, self.kind, tuple(cartesian.tool), cartesian.kinematics(), limits
+            angles_deg, kind, tuple(cartesian.tool), cartesian.kinematics(), limits
         )
         self._last_deg = angles_deg
 
@@ -416,9 +504,9 @@ class TargetDrag(QObject):
         if not self._is_as_begun(held):
             held.give_up(base.angles_deg)
             refusal = Refusal(RefusalCode.DRAG_GIVEN_UP)
-        elif given_up:
+        elif given_up or self._last_deg == base.angles_deg:
             held.give_up(base.angles_deg)
-        elif self._last_deg != base.angles_deg:
+        else:
             refusal = held.drop(self._last_deg)
         self.look()
         if refusal is not None:
