@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Protocol
+from typing import TYPE_CHECKING
 
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
@@ -13,7 +13,13 @@ from armui.control.authority import Authority
 from armui.control.events import EventCode
 from armui.control.motion.motion_command import CommandKind, End, MotionCommand
 from armui.control.operating_state import OperatingState, why_unreachable
-from armui.control.operations.started import Ending, Started, close_and_tell, report_and_tell
+from armui.control.operations.started import (
+    Ending,
+    Started,
+    Tell,
+    close_and_tell,
+    report_and_tell,
+)
 from armui.control.parameters.arm_model import planning_model
 from armui.control.safety.overspeed import tool_pace
 from armui.protocol import commands
@@ -25,15 +31,6 @@ if TYPE_CHECKING:
     from armui.kinematics.poses import Matrix
     from armui.protocol.codes import MoveMode
     from armui.protocol.frame import Frame
-
-
-class Tell(Protocol):
-    """Tells the operator an event: its code, the command that begins with it, and its figures."""
-
-    def __call__(
-        self, code: EventCode, started: Started | None = None, /, **params: object
-    ) -> None:
-        """Tell it; the command is told with its beginning alone."""
 
 
 @dataclass(frozen=True, slots=True)

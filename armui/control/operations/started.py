@@ -5,7 +5,7 @@ from __future__ import annotations
 import enum
 from dataclasses import dataclass, field
 from itertools import count
-from typing import TYPE_CHECKING, Final
+from typing import TYPE_CHECKING, Final, Protocol
 
 from armui.arm.refusal_codes import RefusalCode
 from armui.control.event_log.observed import ObservedCode
@@ -15,7 +15,6 @@ if TYPE_CHECKING:
     from collections.abc import Callable
 
     from armui.arm.refusal import Refusal
-    from armui.control.context import Tell
     from armui.control.events import EventCode
 
 _CUT_OFF: Final = frozenset(
@@ -90,6 +89,15 @@ class Started:
         """
         if self.ending is None:
             self.ending, self.result = ending, result or self.result
+
+
+class Tell(Protocol):
+    """Tells the operator an event: its code, the command that begins with it, and its figures."""
+
+    def __call__(
+        self, code: EventCode, started: Started | None = None, /, **params: object
+    ) -> None:
+        """Tell it; the command is told with its beginning alone."""
 
 
 def report_and_tell(

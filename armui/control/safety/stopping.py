@@ -16,7 +16,13 @@ from armui.control.operating_state import (
     why_only_heard,
     why_unreachable,
 )
-from armui.control.operations.started import Ending, Started, close_and_tell, report_and_tell
+from armui.control.operations.started import (
+    Ending,
+    Started,
+    Tell,
+    close_and_tell,
+    report_and_tell,
+)
 from armui.control.safety.emergency_stop import EmergencyStop, StopWatch
 from armui.protocol import commands
 from armui.protocol.addressing import OFFSETS
@@ -25,7 +31,6 @@ from armui.protocol.frame import Frame
 
 if TYPE_CHECKING:
     from armui.arm.device import Device
-    from armui.control.context import Tell
     from armui.control.link.connection import Connection
 
 _AT_REST_S: Final = 1.3
