@@ -7,8 +7,8 @@ from armui.arm.refusal_codes import RefusalCode
 from armui.control.motion.jog_path import JointJog, ToolJog
 from armui.control.motion.steered_path import SteeredJog
 from armui.control.safety.recovery_steps import StepKind
+from armui.kinematics.axes import JogFrame
 from armui.kinematics.forward import flange_rows
-from armui.kinematics.poses import JogFrame
 from armui.trajectory.planning.check import CheckRequest, check
 from armui.trajectory.planning.findings import Approach
 from armui.ui import words

@@ -20,7 +20,7 @@ from armui.control.motion.joint_motion import Motion
 from armui.control.motion.planned_motion import PlannedMotion
 from armui.control.operations.operation import operation_of
 from armui.control.parameters.arm_settings import ArmSettings
-from armui.kinematics.poses import AXES
+from armui.kinematics.axes import AXES
 from armui.protocol.codes import ALL_JOINTS, TeachingState, TrajectoryCommand
 from armui.ui.actions import page_commands
 from armui.ui.actions.command import Command, while_editing, with_angles, with_pose

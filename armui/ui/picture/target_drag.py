@@ -13,8 +13,7 @@ from armui.arm.limits import ANGLE_STEP_DEG, check_joints
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.control.events import Level
-from armui.kinematics import poses
-from armui.kinematics.poses import JogFrame, flange_pose
+from armui.kinematics.axes import JogFrame
 from armui.ui import words
 from armui.viewport.grips import GripKind, snapped
 from armui.viewport.handles import HandleKind, HandlePlace
@@ -89,6 +88,7 @@ def dragged_to(
         return check_joints(angles, base.limits) or tuple(angles)
 
     from armui.arm.reach import check_pose  # noqa: PLC0415 - scipy, loaded when needed
+    from armui.kinematics import poses  # noqa: PLC0415 - numpy, likewise
 
     tool_point = poses.tool_matrix(base.kinematics.matrix(base.angles_deg), base.tool)
     own = base.kind is HandleKind.TOOL_FRAME
@@ -205,6 +205,8 @@ class CartesianTarget:
 
     def carry(self, angles_deg: tuple[float, ...]) -> None:
         """Into the fields, as the pose of the tool centre point."""
+        from armui.kinematics import poses  # noqa: PLC0415 - numpy, loaded when needed
+
         cartesian = self._controller.cartesian
         tool_point = poses.tool_matrix(cartesian.kinematics().matrix(angles_deg), cartesian.tool)
         self._panel.take_targets(poses.matrix_to_pose(tool_point))
@@ -226,6 +228,7 @@ class CartesianTarget:
         self, pose: tuple[float, ...], near_deg: Sequence[float]
     ) -> tuple[float, ...] | None:
         from armui.arm.reach import check_pose  # noqa: PLC0415 - scipy, loaded when needed
+        from armui.kinematics.poses import flange_pose  # noqa: PLC0415 - numpy, likewise
 
         cartesian = self._controller.cartesian
         limits = self._controller.operating_state.limits

@@ -13,7 +13,7 @@ from armui.arm.state import ArmState
 from armui.control.arm_controller import ArmController
 from armui.control.motion.jog_path import ToolJog
 from armui.control.operating_state import OperatingState
-from armui.kinematics.poses import AXES, LINEAR_AXES, JogFrame
+from armui.kinematics.axes import AXES, LINEAR_AXES, JogFrame
 from armui.protocol.codes import ArmStatusCode, MoveMode
 from armui.settings import SettingsStore
 from armui.ui import format as fmt
