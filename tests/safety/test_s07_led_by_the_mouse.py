@@ -194,10 +194,11 @@ def test_a_late_picture_leads_nothing(teacher, monkeypatch):
 
 def test_the_hand_is_there_for_as_long_as_the_simulated_arm():
     hand = SimulatedHand()
-    assert hand.guiding is None
-    with open_device(SIMULATED[0], hand=hand):
-        assert hand.guiding is not None
-    assert hand.guiding is None
+    there = []
     real = replace(SIMULATED[0], simulated=False, channel="nothing-simulated")
-    with open_device(real, hand=hand):
-        assert hand.guiding is None
+    for device in (SIMULATED[0], real):
+        there.append(hand.guiding is not None)
+        with open_device(device, hand=hand):
+            there.append(hand.guiding is not None)
+        there.append(hand.guiding is not None)
+    assert there == [False, True, False, False, False, False]
