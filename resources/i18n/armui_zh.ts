@@ -237,10 +237,6 @@
         <translation>关节状态</translation>
     </message>
     <message>
-        <source>Session recordings</source>
-        <translation>会话记录</translation>
-    </message>
-    <message>
         <source>Replay a recording</source>
         <translation>回放会话记录</translation>
     </message>
@@ -6233,6 +6229,10 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     <message>
         <source>Replay</source>
         <translation>回放</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>运行</translation>
     </message>
     <message>
         <source>Drawer</source>

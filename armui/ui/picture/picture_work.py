@@ -311,10 +311,6 @@ class PictureWork(QObject):
         """Say which panel is shown: its target can be dragged."""
         self._panel = panel
 
-    def doings(self) -> dict[str, Callable[[], object]]:
-        """What the picture offers without a button, by the name of its shortcut."""
-        return {f"view.{name}": action.trigger for name, action in self.bar.without_button.items()}
-
     def look(self) -> None:
         """Stand the handles where the target is now."""
         if self._drag is not None:
