@@ -23,8 +23,11 @@ from PySide6.QtWidgets import QApplication
 from armui.arm.device import DEFAULT_BITRATE, Device, bitrate_is_ours
 from armui.arm.refusal import Refusal
 from armui.control.arm_controller import ArmController
+from armui.control.event_log.keeper import EventKeeper
 from armui.control.events import Event, EventCode
+from armui.control.link.neighbours import Neighbours
 from armui.control.operating_state import LinkState, OperatingState
+from armui.control.sessions.choices import SessionChoices, choices_of
 from armui.ending import SystemEnd
 from armui.protocol.generation import Generation, PiperModel
 from armui.settings import Choices, Settings, SettingsStore, default_path
@@ -48,9 +51,6 @@ if TYPE_CHECKING:
 
     import can
 
-    from armui.control.event_log.keeper import EventKeeper
-    from armui.control.link.neighbours import Neighbours
-    from armui.control.sessions.choices import SessionChoices
     from armui.viewport.client import PictureClient
 
 _LOG: Final = logging.getLogger(__name__)
@@ -223,13 +223,9 @@ class Program:
         return self._files.waiting if isinstance(self._files, FileThread) else ()
 
     def _keep_events(self, folder: Path, files: Executor) -> None:
-        from armui.control.event_log.keeper import EventKeeper  # noqa: PLC0415 - faster start
-
         self._event_keeper = EventKeeper(self.controller.happenings, folder, files)
 
     def _meet(self, settings: Path, place: Path) -> None:
-        from armui.control.link.neighbours import Neighbours  # noqa: PLC0415 - faster start
-
         self._neighbours = Neighbours(self.controller, settings, place)
 
     def shutdown(self) -> None:
@@ -287,8 +283,6 @@ class Program:
 
 
 def _session_choices(store: SettingsStore) -> SessionChoices:
-    from armui.control.sessions.choices import choices_of  # noqa: PLC0415 - faster start
-
     return choices_of(store.settings)
 
 

@@ -119,7 +119,7 @@ def _replay_parser() -> argparse.ArgumentParser:
 
 
 def _version(text: str) -> str:
-    from armui.protocol.firmware_version import (  # noqa: PLC0415 - faster start
+    from armui.protocol.firmware_version import (  # noqa: PLC0415 - Python 3.10 can't load it
         RECOMMENDED,
         FirmwareVersion,
     )

@@ -1107,8 +1107,8 @@
         <translation>不检测</translation>
     </message>
     <message>
-        <source>Levels 1 to 8 watch for collisions; level 0 does not watch at all.</source>
-        <translation>等级 1~8 检测碰撞；等级 0 不检测碰撞。</translation>
+        <source>Levels 1 to 8 watch for collisions; level 0 does not watch at all. The maker has not published whether 1 or 8 is the more sensitive one.</source>
+        <translation>1–8 级检测碰撞，0 级不检测。厂家未公布 1 级与 8 级哪个更灵敏。</translation>
     </message>
 </context>
 <context>
@@ -10929,6 +10929,14 @@ Afterwards the motors must be enabled again.</source>
     <message>
         <source>Shows what the tool centre point can reach; orange bounds what it can&apos;t within</source>
         <translation>显示工具中心点能到达的空间；橙色是其中到不了的部分的边界</translation>
+    </message>
+    <message>
+        <source>View from below</source>
+        <translation>仰视</translation>
+    </message>
+    <message>
+        <source>Looks at the arm from below the floor; turning the picture never goes there</source>
+        <translation>从地面以下看机械臂；拖动旋转不会转到地面以下</translation>
     </message>
 </context>
 <context>

@@ -5,7 +5,7 @@ from __future__ import annotations
 import time
 from collections import deque
 from collections.abc import Callable
-from concurrent.futures import Future, ThreadPoolExecutor
+from concurrent.futures import Future, ThreadPoolExecutor, wait
 from datetime import datetime
 from pathlib import Path
 from typing import TYPE_CHECKING, Final
@@ -368,7 +368,7 @@ _WORDS: Final = {"operator": "saved"}
 
 
 def _line(each: FedEvent, shift_s: float) -> Line:
-    from armui.session.recording.sidecar import event_line  # noqa: PLC0415 - faster start
+    from armui.session.recording.sidecar import event_line  # noqa: PLC0415 - numpy
 
     return event_line(each.at_s + shift_s, each.mark, each.entry)
 
@@ -385,13 +385,11 @@ def _save(
     Raises:
         OSError: It could not be written.
     """
-    from armui.session.recording.session_recording import write_at_once  # noqa: PLC0415 - faster start
+    from armui.session.recording.session_recording import write_at_once  # noqa: PLC0415 - numpy
 
     collector.collect(everything=True)
     return write_at_once(plan, ring.snapshot(), lines, {"reason": plan.name}, clock)
 
 
 def _is_done(future: Future[Path], within_s: float) -> bool:
-    from concurrent.futures import wait  # noqa: PLC0415 - faster start
-
     return bool(wait([future], within_s).done)

@@ -130,8 +130,8 @@ class WindowActions(QObject):
         """
         self._recovery, self._run = recovery, run
         does: dict[str, Callback] = {
-            "everywhere.stop": self._controller.emergency_stop,
-            "everywhere.halt": self._controller.halt_and_hold,
+            "everywhere.stop": self._stop,
+            "everywhere.halt": self._halt,
             "window.resume": ask_to_resume,
             _NEXT_STEP: self._take_step,
             "replay.open": watch.open_replay,
@@ -218,6 +218,12 @@ class WindowActions(QObject):
         return self._opened[name]
 
     # -- what has no button -------------------------------------------------------------------
+
+    def _stop(self) -> None:
+        self._controller.emergency_stop()
+
+    def _halt(self) -> None:
+        self._controller.halt_and_hold()
 
     def _step_button(self) -> QWidget | None:
         in_strip = self._controller.recovery.step.kind in _IN_THE_RUN_STRIP

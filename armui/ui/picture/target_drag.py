@@ -13,8 +13,7 @@ from armui.arm.limits import ANGLE_STEP_DEG, check_joints
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.control.events import Level
-from armui.kinematics import poses
-from armui.kinematics.poses import JogFrame, flange_pose
+from armui.kinematics.axes import JogFrame
 from armui.ui import words
 from armui.viewport.grips import GripKind, snapped
 from armui.viewport.handles import HandleKind, HandlePlace
@@ -39,7 +38,7 @@ FINE: Final = {GripKind.AXIS: 1.0, GripKind.RING: 1.0, GripKind.JOINT: 1.0}
 
 @dataclass(frozen=True)
 class DragBase:
-    """What a drag begins with.
+    """The state at the beginning of a drag.
 
     Attributes:
         angles_deg: Of the arm, or of its ghost.
@@ -89,6 +88,7 @@ def dragged_to(
         return check_joints(angles, base.limits) or tuple(angles)
 
     from armui.arm.reach import check_pose  # noqa: PLC0415 - scipy, loaded when needed
+    from armui.kinematics import poses  # noqa: PLC0415 - numpy, likewise
 
     tool_point = poses.tool_matrix(base.kinematics.matrix(base.angles_deg), base.tool)
     own = base.kind is HandleKind.TOOL_FRAME
@@ -117,7 +117,7 @@ class DragTarget(Protocol):
         """The six angles it stands for now; None: it stands for none."""
 
     def begin(self) -> None:
-        """It is taken hold of."""
+        """Begin a drag: a handle of it was taken."""
 
     def is_as_begun(self) -> bool:
         """Tell whether it still is what was taken hold of."""
@@ -152,7 +152,7 @@ class MotionTarget:
         return True
 
     def angles_deg(self) -> tuple[float, ...] | None:
-        """What stands in the six fields."""
+        """Return the figures of the six fields."""
         return self._panel.targets()
 
     def carry(self, angles_deg: tuple[float, ...]) -> None:
@@ -160,7 +160,7 @@ class MotionTarget:
         self._panel.take_targets(angles_deg)
 
     def drop(self, angles_deg: tuple[float, ...]) -> Refusal | None:
-        """It stands there already."""
+        """Leave it in the fields."""
         self._panel.take_targets(angles_deg)
         return None
 
@@ -205,6 +205,8 @@ class CartesianTarget:
 
     def carry(self, angles_deg: tuple[float, ...]) -> None:
         """Into the fields, as the pose of the tool centre point."""
+        from armui.kinematics import poses  # noqa: PLC0415 - numpy, loaded when needed
+
         cartesian = self._controller.cartesian
         tool_point = poses.tool_matrix(cartesian.kinematics().matrix(angles_deg), cartesian.tool)
         self._panel.take_targets(poses.matrix_to_pose(tool_point))
@@ -226,6 +228,7 @@ class CartesianTarget:
         self, pose: tuple[float, ...], near_deg: Sequence[float]
     ) -> tuple[float, ...] | None:
         from armui.arm.reach import check_pose  # noqa: PLC0415 - scipy, loaded when needed
+        from armui.kinematics.poses import flange_pose  # noqa: PLC0415 - numpy, likewise
 
         cartesian = self._controller.cartesian
         limits = self._controller.operating_state.limits
@@ -330,7 +333,7 @@ class TargetDrag(QObject):
         self._last_deg = angles_deg
 
     def _basis(self) -> object:
-        """What a drag is worked out with: arm, link, limits and tool."""
+        """Return what a drag is worked out with: arm, link, limits and tool."""
         state = self._controller.operating_state
         tool = tuple(self._controller.cartesian.tool)
         return state.link, state.model_fit.geometry, state.limits, tool

@@ -41,7 +41,7 @@ class DiagnosisDialogs:
         Args:
             device: The one that could not be connected; all of them by default.
         """
-        from armui.ui.dialogs.doctor import DoctorDialog  # noqa: PLC0415 - faster start
+        from armui.ui.dialogs.doctor import DoctorDialog  # noqa: PLC0415 - cantools
 
         if self._doctor is None:
             self._doctor = DoctorDialog(self._controller, self._window)

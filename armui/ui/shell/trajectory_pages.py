@@ -103,7 +103,7 @@ class TrajectoryPages(QObject):
         return self._library
 
     def _make(self) -> LibraryPage:
-        from armui.trajectory.library.store import Library  # noqa: PLC0415 - numpy, faster start
+        from armui.trajectory.library.store import Library  # noqa: PLC0415 - numpy, scipy
         from armui.ui.trajectory.library.library_page import LibraryPage  # noqa: PLC0415 - as above
         from armui.ui.trajectory.preview.preview_link import PreviewLink  # noqa: PLC0415 - as above
 

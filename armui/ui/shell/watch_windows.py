@@ -136,7 +136,7 @@ class WatchWindows(QObject):
 
     def open_export(self, path: Path | None = None) -> None:
         """Show the window 导出, with a recording if one is given."""
-        from armui.ui.watch.export_dialog import ExportDialog  # noqa: PLC0415 - faster start
+        from armui.ui.watch.export_dialog import ExportDialog  # noqa: PLC0415 - cantools
 
         window = self._open("export", lambda: ExportDialog(self._controller, self._window))
         if isinstance(window, ExportDialog) and path is not None:
@@ -144,7 +144,7 @@ class WatchWindows(QObject):
 
     def show_events(self, number: int | None = None) -> None:
         """Show the page 事件, with one of its entries chosen."""
-        from armui.ui.watch.events.event_page import EventPage  # noqa: PLC0415 - faster start
+        from armui.ui.watch.events.event_page import EventPage  # noqa: PLC0415 - cantools
 
         def make() -> Page:
             page = EventPage(self._controller, self._background)

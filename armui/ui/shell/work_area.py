@@ -56,7 +56,7 @@ class RunPlace(QWidget):
     def _on_operating_state(self, operating_state: OperatingState) -> None:
         if not operating_state.running or self._strip is not None:
             return
-        from armui.ui.trajectory.running.run_strip import RunStrip  # noqa: PLC0415 - faster start
+        from armui.ui.trajectory.running.run_strip import RunStrip  # noqa: PLC0415 - numpy
 
         self._strip = RunStrip(self._controller)
         self._column.addWidget(self._strip)

@@ -15,7 +15,7 @@ from armui.control.motion.cartesian import Cartesian
 from armui.control.motion.jog_path import ToolJog
 from armui.control.operating_state import OperatingState
 from armui.control.operations.operation import operation_of
-from armui.kinematics.poses import AXES, LINEAR_AXES, JogFrame
+from armui.kinematics.axes import AXES, LINEAR_AXES, JogFrame
 from armui.protocol.codes import ArmStatusCode, MoveMode
 from armui.settings import SettingsStore
 from armui.ui import format as fmt

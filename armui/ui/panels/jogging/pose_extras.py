@@ -16,7 +16,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from armui.kinematics.poses import AXES, LINEAR_AXES
+from armui.kinematics.axes import AXES, LINEAR_AXES
 from armui.ui import format as fmt
 from armui.ui.theme import scaled_font
 from armui.ui.widgets.buttons import caption, choice_button, enable_or_explain, push_button
