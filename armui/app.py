@@ -56,7 +56,7 @@ if TYPE_CHECKING:
 _LOG: Final = logging.getLogger(__name__)
 
 DRIVE_NOTHING: Final = (
-    "armui.bus.tap",
+    "armui.bus.notifier",
     "armui.session",
     "armui.settings",
     "armui.system",
