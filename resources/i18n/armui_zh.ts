@@ -523,6 +523,14 @@
         <translation>重新启动3D 视图</translation>
     </message>
     <message>
+        <source>Tool centre point</source>
+        <translation>工具中心点</translation>
+    </message>
+    <message>
+        <source>Flange</source>
+        <translation>法兰</translation>
+    </message>
+    <message>
         <source>The 3D view is not available: this computer offers no OpenGL. Install a graphics driver or Mesa (on Debian the packages libegl1 and libgl1-mesa-dri) and start the 3D view again.</source>
         <translation>3D 视图不可用：这台电脑没有 OpenGL。请安装显卡驱动或 Mesa（Debian 上为软件包 libegl1 和 libgl1-mesa-dri），然后重新启动3D 视图。</translation>
     </message>
@@ -1099,6 +1107,10 @@
         <translation>碰撞等级</translation>
     </message>
     <message>
+        <source>Levels 1 to 8 watch for collisions; level 0 does not watch at all. The maker has not published whether 1 or 8 is the more sensitive one.</source>
+        <translation>1–8 级检测碰撞，0 级不检测。厂家未公布 1 级与 8 级哪个更灵敏。</translation>
+    </message>
+    <message>
         <source>Level 0 – no collision detection: {joints} will not stop when they hit something or someone.</source>
         <translation>等级 0 – 不检测碰撞：{joints} 碰到物体或人时不会停止。</translation>
     </message>
@@ -1109,10 +1121,6 @@
     <message>
         <source>no detection</source>
         <translation>不检测</translation>
-    </message>
-    <message>
-        <source>Levels 1 to 8 watch for collisions; level 0 does not watch at all.</source>
-        <translation>等级 1~8 检测碰撞；等级 0 不检测碰撞。</translation>
     </message>
 </context>
 <context>
@@ -10433,6 +10441,17 @@ The other program must have ended.</source>
     </message>
 </context>
 <context>
+    <name>TargetDrag</name>
+    <message>
+        <source>Preview of the target: it has not been sent</source>
+        <translation>目标预览：尚未发送</translation>
+    </message>
+    <message>
+        <source>Simulated arm in drag teaching: lead it by the handles in the picture, as by hand</source>
+        <translation>仿真机械臂处于拖动示教：在画面中拖动手柄即可用鼠标牵引</translation>
+    </message>
+</context>
+<context>
     <name>Targets</name>
     <message>
         <source>Joint targets</source>
@@ -10863,6 +10882,10 @@ Afterwards the motors must be enabled again.</source>
         <translation>显示工具中心点的坐标轴</translation>
     </message>
     <message>
+        <source>View from below</source>
+        <translation>仰视</translation>
+    </message>
+    <message>
         <source>Workspace</source>
         <translation>工作空间</translation>
     </message>
@@ -10883,10 +10906,6 @@ Afterwards the motors must be enabled again.</source>
         <translation>将画面连同数值复制到剪贴板</translation>
     </message>
     <message>
-        <source>Way of the tool</source>
-        <translation>末端轨迹</translation>
-    </message>
-    <message>
         <source>Last {seconds} s of motion</source>
         <translation>最近 {seconds} 秒的运动</translation>
     </message>
@@ -10903,8 +10922,20 @@ Afterwards the motors must be enabled again.</source>
         <translation>视角以及画面中显示的内容</translation>
     </message>
     <message>
+        <source>Way of the tool centre point</source>
+        <translation>工具中心点走过的轨迹</translation>
+    </message>
+    <message>
+        <source>Way of the flange</source>
+        <translation>法兰走过的轨迹</translation>
+    </message>
+    <message>
         <source>No handles</source>
         <translation>不显示手柄</translation>
+    </message>
+    <message>
+        <source>Looks at the arm from below the floor; turning the picture never goes there</source>
+        <translation>从地面以下看机械臂；拖动旋转不会转到地面以下</translation>
     </message>
     <message>
         <source>Tool, along the axes of the base</source>

@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 _BUTTON_PX: Final = 30
 _MARGIN_PX: Final = 4
 TRAILS_S: Final = (0, 5, 15, 60)
-"""How much of the tool's way can be shown, in seconds of motion; 0: nothing."""
+"""The lengths of the trail to choose from, in seconds of motion; 0: nothing."""
 
 
 _TIPS: Final = Texts("ViewBar") | {
@@ -35,6 +35,7 @@ _TIPS: Final = Texts("ViewBar") | {
     "side": "Looks at the arm from its right side",
     "top": "Looks down on the arm",
     "iso": "Looks at the arm from the front right and above",
+    "below": "Looks at the arm from below the floor; turning the picture never goes there",
     "fit": "Shows all of the arm as large as the room allows",
     "follow": "Keeps the tool centre point in the middle",
     "orthographic": "Parallel lines look parallel: lengths can be compared",
@@ -43,7 +44,7 @@ _TIPS: Final = Texts("ViewBar") | {
     "save": "Writes the picture with its figures to a file",
     "copy": "Puts the picture with its figures into the clipboard",
 }
-"""What each action does; its name and its key are those of ``view.<action>`` in `SHORTCUTS`."""
+"""The tooltip of each action; name and key are those of ``view.<action>`` in `SHORTCUTS`."""
 _SWITCHES: Final = ("follow", "orthographic", "tool_frame", "reach")
 _HANDLES: Final = Texts("ViewBar") | {
     None: "No handles",
@@ -53,7 +54,7 @@ _HANDLES: Final = Texts("ViewBar") | {
 }
 _STRIP: Final = ("front", "side", "top", "iso", "fit", "follow")
 _MENU: Final = (
-    ("front", "side", "top", "iso"),
+    ("front", "side", "top", "iso", "below"),
     ("fit", "follow", "orthographic"),
     ("tool_frame", "reach", "trail"),
     ("save", "copy"),
@@ -150,7 +151,7 @@ class ViewBar(Translated, QFrame):
 
     @property
     def without_button(self) -> dict[str, QAction]:
-        """What only the menu has, and the switch of the handles."""
+        """The actions that only the menu has, and the switch of the handles."""
         rest = {name: each for name, each in self.view_actions.items() if name not in _STRIP}
         return {**rest, "handles": self._toggle_handles}
 
@@ -207,6 +208,7 @@ class ViewBar(Translated, QFrame):
         self._view.show_tool_frame(wanted=settings.picture_tool_frame)
         self.view_actions["orthographic"].setChecked(settings.picture_orthographic)
         self.view_actions["tool_frame"].setChecked(settings.picture_tool_frame)
+        self._name_trail()
         trail = self._trails.get(settings.picture_trail_s)
         if trail is not None:
             trail.setChecked(True)
@@ -233,11 +235,17 @@ class ViewBar(Translated, QFrame):
             "Ctrl: coarse steps, Shift: fine steps, Esc: give up"
         )
         describe(self._handles_button, name, f"{tip} ({keys})")
-        self._trail_menu.setTitle(self.tr("Way of the tool"))
+        self._name_trail()
         for length_s, action in self._trails.items():
             words = self.tr("Last {seconds} s of motion").format(seconds=length_s)
             action.setText(words if length_s else self.tr("Off"))
         describe(self._more, self.tr("View"), self.tr("Views, and what is drawn in the picture"))
+
+    def _name_trail(self) -> None:
+        """Say whose way the trail is: that of the point whose figures stand in the picture."""
+        of_tool = any(self._preferences.settings.tool)
+        way = self.tr("Way of the tool centre point") if of_tool else self.tr("Way of the flange")
+        self._trail_menu.setTitle(way)
 
     def _recolor(self) -> None:
         color = colors_of(self).muted
