@@ -114,6 +114,7 @@ class AppDriver(ArmRig):
                 self.library_folder,
                 files=files or AtOnce(),
                 pictures=pictures,
+                hand=lambda: self.firmware.hand_guiding,
             )
         self.window = self.program.window
         self.window.resize(1280, 800)

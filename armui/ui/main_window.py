@@ -69,6 +69,7 @@ if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
     from armui.settings import Settings, SettingsStore
     from armui.system.failures import Failure
+    from armui.ui.picture.target_drag import HandGuide
     from armui.viewport.view import ArmView
 
 _FIRST_SIZE: Final = QSize(1440, 900)
@@ -84,6 +85,7 @@ class MainWindow(Translated, KeepsFocus, QWidget):
         workers: Who does what takes long.
         files: Who does what waits for a disk, in a thread of this process; the workers by default.
         trajectories: The folder of the library; the user's own by default.
+        hand: Finds the hand that leads the simulated arm of this process; by default none.
 
     Attributes:
         window_actions: Opens the command palette, and knows what it offers.
@@ -99,6 +101,7 @@ class MainWindow(Translated, KeepsFocus, QWidget):
         trajectories: Path | None = None,
         *,
         files: Executor | None = None,
+        hand: Callable[[], HandGuide | None] = lambda: None,
     ) -> None:
         super().__init__()
         self._controller = controller
@@ -128,7 +131,13 @@ class MainWindow(Translated, KeepsFocus, QWidget):
         self._preview_bar = PreviewBar()
         self._preview = PathPreview(view, self._preview_bar, self)
         self._picture = PictureWork(
-            controller, view, preferences, background, preview=self._preview, window=self
+            controller,
+            view,
+            preferences,
+            background,
+            preview=self._preview,
+            window=self,
+            hand=hand,
         )
         self._view_region = ViewRegion(view, self._preview_bar, self._picture)
         self._pages = PageArea()
@@ -275,7 +284,8 @@ class MainWindow(Translated, KeepsFocus, QWidget):
 
     def _show_in_view(self, state: ArmState) -> None:
         if self.isVisible():
-            show_in_view(self._view, state, self._controller.operating_state)
+            tool = self._preferences.settings.tool
+            show_in_view(self._view, state, self._controller.operating_state, tool)
 
     def _recolor(self) -> None:
         dark = colors_of(self) is DARK

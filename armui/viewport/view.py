@@ -276,7 +276,12 @@ class ArmView(QWidget):
         self._set_hud(replace(self._hud, angles_deg=None, angles_stale=True))
 
     def set_pose(
-        self, pose: Sequence[float] | None, stale: bool = False, *, too_low: bool = False
+        self,
+        pose: Sequence[float] | None,
+        stale: bool = False,
+        *,
+        too_low: bool = False,
+        of_tool: bool = False,
     ) -> None:
         """Show the measured end pose.
 
@@ -284,6 +289,7 @@ class ArmView(QWidget):
             pose: X, Y, Z in mm, RX, RY, RZ in degrees; None: never heard.
             stale: it is no longer fresh.
             too_low: flange or fingertip is below the plane the arm stands on.
+            of_tool: It is that of the tool centre point, not of the flange.
         """
         self._set_hud(
             replace(
@@ -291,6 +297,7 @@ class ArmView(QWidget):
                 pose=None if pose is None else tuple(pose),
                 pose_stale=stale,
                 too_low=too_low,
+                of_tool=of_tool,
             )
         )
 
@@ -555,12 +562,16 @@ class ArmView(QWidget):
             return
         if self._range is not None:
             number, limits_deg = self._range
-            edited_deg = shown.preview.ghost_deg or angles_deg
+            ghost_deg = shown.preview.ghost_deg
+            edited_deg = ghost_deg or angles_deg
+            measured_deg = None if ghost_deg is None or shown.stale else angles_deg[number - 1]
 
             def its_range() -> list[Stroke]:
-                return joint_range(shape, edited_deg, number, limits_deg, palette)
+                return joint_range(
+                    shape, edited_deg, number, limits_deg, palette, measured_deg=measured_deg
+                )
 
-            depends_on = (shape, edited_deg, self._range)
+            depends_on = (shape, edited_deg, measured_deg, self._range)
             self._range_layer.paint(painter, depends_on, its_range, projection, palette)
         if self._shows_tool and not shown.stale:
             rows = composed(shape.flange(shape.links(angles_deg)), self._tool)

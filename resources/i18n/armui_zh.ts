@@ -538,6 +538,14 @@
         <source>It ended three times in a minute; the arm is not affected.</source>
         <translation>一分钟内结束了三次；机械臂不受影响。</translation>
     </message>
+    <message>
+        <source>Tool centre point</source>
+        <translation>工具中心点</translation>
+    </message>
+    <message>
+        <source>Flange</source>
+        <translation>法兰</translation>
+    </message>
 </context>
 <context>
     <name>Asker</name>
@@ -10433,6 +10441,17 @@ The other program must have ended.</source>
     </message>
 </context>
 <context>
+    <name>TargetDrag</name>
+    <message>
+        <source>Preview of the target: it has not been sent</source>
+        <translation>目标预览：尚未发送</translation>
+    </message>
+    <message>
+        <source>Simulated arm in drag teaching: lead it by the handles in the picture, as by hand</source>
+        <translation>仿真机械臂处于拖动示教：在画面中拖动手柄即可用鼠标牵引</translation>
+    </message>
+</context>
+<context>
     <name>Targets</name>
     <message>
         <source>Joint targets</source>
@@ -10883,10 +10902,6 @@ Afterwards the motors must be enabled again.</source>
         <translation>将画面连同数值复制到剪贴板</translation>
     </message>
     <message>
-        <source>Way of the tool</source>
-        <translation>末端轨迹</translation>
-    </message>
-    <message>
         <source>Last {seconds} s of motion</source>
         <translation>最近 {seconds} 秒的运动</translation>
     </message>
@@ -10937,6 +10952,14 @@ Afterwards the motors must be enabled again.</source>
     <message>
         <source>Looks at the arm from below the floor; turning the picture never goes there</source>
         <translation>从地面以下看机械臂；拖动旋转不会转到地面以下</translation>
+    </message>
+    <message>
+        <source>Way of the tool centre point</source>
+        <translation>工具中心点走过的轨迹</translation>
+    </message>
+    <message>
+        <source>Way of the flange</source>
+        <translation>法兰走过的轨迹</translation>
     </message>
 </context>
 <context>

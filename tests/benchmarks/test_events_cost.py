@@ -10,7 +10,7 @@ import statistics
 import time
 from datetime import UTC, datetime
 
-from armui.control.event_log.heard import StatusTap
+from armui.control.event_log.heard import StatusListener
 from armui.protocol.codec import Codec
 from armui.protocol.generation import Generation
 from armui.telemetry.events import Asker, EventKind, EventLog, Level
@@ -27,10 +27,10 @@ MOST_PIECE_MS = 10.0
 
 
 def test_a_frame(capsys, benchmark):
-    codec, tap = Codec(Generation.TWO), StatusTap()
-    tap.on_codec(codec)
-    tap.know_generation(Generation.TWO)
-    without, with_it = without_and_with(codec, tap, tap.take)
+    codec, listener = Codec(Generation.TWO), StatusListener()
+    listener.on_codec(codec)
+    listener.know_generation(Generation.TWO)
+    without, with_it = without_and_with(codec, listener, listener.take)
     benchmark.extra_info.update(without_us=without, with_us=with_it)
     benchmark.pedantic(lambda: None, rounds=1)
     with capsys.disabled():

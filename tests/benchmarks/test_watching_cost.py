@@ -33,8 +33,8 @@ MOST_SHARE = 1 / 3
 def nobody_told(controller):
     """Frames go into the picture of the arm, and nowhere else; nothing is an event."""
     connection, happenings = controller._connection, controller.happenings
-    worker, taps = connection._worker, connection._taps
-    worker.tap(())
+    worker, listeners = connection._worker, connection._listeners
+    worker.set_listeners(())
     advance = happenings.advance
     happenings.advance = lambda: None
     sessions = controller.sessions
@@ -47,7 +47,7 @@ def nobody_told(controller):
         collector.start()
         sessions._timer.start()
         happenings.advance = advance
-        worker.tap((connection.telemetry, *taps))
+        worker.set_listeners((connection.telemetry, *listeners))
 
 
 def spent_in(seconds, counted):

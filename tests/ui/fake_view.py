@@ -41,7 +41,9 @@ class FakeView(QWidget):
     def forget_joints(self) -> None:
         self.joints = None
 
-    def set_pose(self, pose: Any, stale: bool = False, too_low: bool = False) -> None:
+    def set_pose(
+        self, pose: Any, stale: bool = False, too_low: bool = False, of_tool: bool = False
+    ) -> None:
         self.pose = (pose, stale)
 
     def set_theme(self, palette: Any) -> None:

@@ -7,7 +7,7 @@ from datetime import datetime
 from typing import TYPE_CHECKING, Any, Final
 
 from armui.control.context import ControllerPart
-from armui.control.event_log.heard import StatusTap
+from armui.control.event_log.heard import StatusListener
 from armui.control.event_log.observed import ObservedCode
 from armui.control.event_log.observer import EventObserver
 from armui.control.event_log.writer import STREAMS, EventWriter
@@ -65,13 +65,13 @@ class EventCollector(ControllerPart):
         self._writer = EventWriter(self.log, wall)
         self._player = player
         self._recovery = recovery
-        self._tap = StatusTap()
+        self._listener = StatusListener()
         self._observer = EventObserver()
         self._followed: dict[int, Started] = {}
         self._lasting: dict[EventCode, int] = {}
         self._run_point = 0
         self._told: tuple[Event, int] | None = None
-        context.connection.add_tap(self._tap)
+        context.connection.add_listener(self._listener)
 
     def number_of(self, event: Event) -> int | None:
         """The entry of the newest notice; ``None`` of any other."""
@@ -185,7 +185,7 @@ class EventCollector(ControllerPart):
         if connection.device is None:
             return
         changes = self._observer.observe(
-            self._tap.take(), connection.newest, connection.traffic, self._context.clock()
+            self._listener.take(), connection.newest, connection.traffic, self._context.clock()
         )
         for change in changes:
             self._writer.write(change)

@@ -9,12 +9,12 @@ from typing import TYPE_CHECKING, Any, Final, NamedTuple
 from armui.arm.limits import JOINTS
 from armui.arm.state import FRESH_FOR_S
 from armui.protocol.codec import Message
-from armui.telemetry.tap import Tap
+from armui.telemetry.listener import Listener
 
 if TYPE_CHECKING:
     from armui.protocol.codec import Codec
     from armui.protocol.generation import Generation
-    from armui.telemetry.tap import Taken
+    from armui.telemetry.listener import ReceivedFrame
 
 STATUS: Final = "ArmStatus"
 GRIPPER: Final = "GripperFeedback"
@@ -81,7 +81,7 @@ class InvalidFrames(NamedTuple):
     last_s: float
 
 
-class StatusTap(Tap):
+class StatusListener(Listener):
     """Notes changes in the bus thread; the controller's tick takes them away.
 
     An arm repeats most of what it says, and the same bytes share one decoded message: they cost
@@ -124,7 +124,7 @@ class StatusTap(Tap):
         self._codec = codec
         self._latest = {}
 
-    def on_heard(self, batch: Sequence[Taken]) -> None:
+    def on_heard(self, batch: Sequence[ReceivedFrame]) -> None:
         """Look for changes."""
         latest = self._latest
         for heard, at_s, frame, _flags in batch:

@@ -1,6 +1,6 @@
 """What the frames of a whole log say of the arm's status, change by change, as if live: pure.
 
-The same as `StatusTap` notes of them one by one, looked for in all frames of a message at once.
+The same as `StatusListener` notes of them one by one, found in all frames of a message at once.
 """
 
 from __future__ import annotations

@@ -106,7 +106,7 @@ class EventObserver:
         """Take in what was noted since the last look.
 
         Args:
-            noted: By :class:`StatusTap`.
+            noted: By :class:`StatusListener`.
             state: The arm as heard.
             traffic: What other hosts were heard to send.
             now_s: Monotonic time.

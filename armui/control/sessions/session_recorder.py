@@ -87,7 +87,7 @@ class SessionRecorder(QObject):
         self.choices = SessionChoices(paths.sessions())
         self._timer = QTimer(self, interval=_LOOK_MS)
         self._timer.timeout.connect(self.look)
-        context.connection.add_tap(self._lane)
+        context.connection.add_listener(self._lane)
         context.connection.changed.connect(self._on_connection)
 
     # What there is ----------------------------------------------------------------------------
@@ -215,7 +215,7 @@ class SessionRecorder(QObject):
         Returns:
             Whether all have ended within a second: a disk may hang.
         """
-        self._context.connection.remove_tap(self._lane)
+        self._context.connection.remove_listener(self._lane)
         if self._recording is not None:
             self._end(self._recording, "program ended")
         self._timer.stop()

@@ -231,6 +231,7 @@ class ViewBar(Translated, QFrame):
         self._view.show_tool_frame(wanted=settings.picture_tool_frame)
         self.view_actions["orthographic"].setChecked(settings.picture_orthographic)
         self.view_actions["tool_frame"].setChecked(settings.picture_tool_frame)
+        self._name_trail()
         trail = self._trails.get(settings.picture_trail_s)
         if trail is not None:
             trail.setChecked(True)
@@ -257,11 +258,17 @@ class ViewBar(Translated, QFrame):
             "Ctrl: coarse steps, Shift: fine steps, Esc: give up"
         )
         describe(self._handles_button, name, f"{tip} ({keys})")
-        self._trail_menu.setTitle(self.tr("Way of the tool"))
+        self._name_trail()
         for length_s, action in self._trails.items():
             words = self.tr("Last {seconds} s of motion").format(seconds=length_s)
             action.setText(words if length_s else self.tr("Off"))
         describe(self._more, self.tr("View"), self.tr("Views, and what is drawn in the picture"))
+
+    def _name_trail(self) -> None:
+        """Say whose way the trail is: that of the point whose figures stand in the picture."""
+        of_tool = any(self._preferences.settings.tool)
+        way = self.tr("Way of the tool centre point") if of_tool else self.tr("Way of the flange")
+        self._trail_menu.setTitle(way)
 
     def _recolor(self) -> None:
         color = colors_of(self).muted

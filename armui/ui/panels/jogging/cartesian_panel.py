@@ -341,7 +341,12 @@ class CartesianPanel(JogPanel):
         else:
             self._accepted(self._controller.cartesian.move_arc(*points))
 
+    def typed(self) -> tuple[float, ...] | None:
+        """As of any such panel; what was sent stays in the fields until the arm is there."""
+        return None if self._sent else super().typed()
+
     def _on_edited(self) -> None:
+        self._sent = False
         self._light_move()
         self._accepted(None)
 

@@ -574,12 +574,12 @@ class BusPage(Page):
         self.statistics.forget_waiting()
         self._device = self._controller.operating_state.device
         self.begin()
-        self._controller.bus.add_tap(self.statistics)
+        self._controller.bus.add_listener(self.statistics)
 
     def hideEvent(self, event: QHideEvent) -> None:
         """Listen no more."""
         self._soon.stop()
-        self._controller.bus.remove_tap(self.statistics)
+        self._controller.bus.remove_listener(self.statistics)
         super().hideEvent(event)
 
     def retranslate_ui(self) -> None:
