@@ -148,7 +148,7 @@ class FrameProcessor:
                 self._tracker.update(heard, at_s)
             except Exception:  # noqa: BLE001 - as in `process`
                 self._count_failed(frame)
-        self._tracker.pardon_silences()
+        self._tracker.reset_timeouts()
         self.publish()
 
     def _count_failed(self, frame: Frame) -> None:

@@ -13,7 +13,7 @@ from armui.bus.adapters import open_bus
 from armui.bus.receive_clock import STAMPED, ReceiveClock
 from armui.protocol.frame import Frame, FrameFlag
 from armui.protocol.generation import Generation
-from armui.session.gather import MESSAGE_FLAGS
+from armui.session.batch_builder import MESSAGE_FLAGS
 from armui.sim.firmware import Firmware
 from armui.sim.node import Node
 

@@ -14,18 +14,18 @@ from armui.protocol.codec import Message
 from armui.protocol.codes import MotorAction, StopCommand, TrajectoryCommand
 from armui.protocol.frame import Frame, FrameFlag
 from armui.system.clock import steady_s, wall_clock
-from armui.telemetry.columns import NOT_OF_THE_ARM, ColumnWriter, row_of
 from armui.telemetry.listener import Listener
 from armui.telemetry.quantities import BUS, QUANTITIES, RECORDS, Quantity, Record, Source, Space
 from armui.telemetry.series import KEPT_S, Row, Series
+from armui.telemetry.series_columns import NOT_OF_THE_ARM, ColumnWriter, row_of
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from armui.protocol.codec import Codec
     from armui.protocol.generation import Generation
-    from armui.telemetry.columns import FrameColumns
     from armui.telemetry.listener import ReceivedFrame
+    from armui.telemetry.series_columns import FrameColumns
 
 _BUS_EVERY_S: Final = 0.1
 _ROUNDING_S: Final = 1e-4

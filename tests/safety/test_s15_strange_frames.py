@@ -14,7 +14,7 @@ import pytest
 from armui.arm.limits import JOINTS
 from armui.arm.tracker import Tracker
 from armui.bus.frame_processor import FrameProcessor
-from armui.control.event_log.heard import StatusListener
+from armui.control.event_log.status_listener import StatusListener
 from armui.control.operating_state import LinkState
 from armui.protocol.codec import Codec, InvalidFrame
 from armui.protocol.firmware_version import FirmwareVersion

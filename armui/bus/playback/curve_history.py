@@ -12,8 +12,8 @@ import numpy as np
 from armui.arm.other_hosts import MOTION_IDS, OTHER_COMMAND_IDS
 from armui.bus.playback.log_cursor import LogCursor
 from armui.protocol.frame import FrameFlag
-from armui.telemetry.columns import joined
 from armui.telemetry.listener import Listener
+from armui.telemetry.series_columns import joined
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
@@ -22,8 +22,8 @@ if TYPE_CHECKING:
     from armui.protocol.generation import Generation
     from armui.session.frames import Channel
     from armui.session.session import Session
-    from armui.telemetry.columns import FrameColumns
     from armui.telemetry.listener import ReceivedFrame
+    from armui.telemetry.series_columns import FrameColumns
     from armui.telemetry.store import Telemetry
 
 # Between a replay and the series of its curves: frame by frame, or many frames at once.

@@ -12,10 +12,10 @@ import numpy as np
 from armui.bus.frame_processor import FrameProcessor
 from armui.bus.playback.curve_history import CurveHistory, SeriesListener, fill, is_own_command
 from armui.bus.playback.log_cursor import LogCursor, ReplayedFrame
-from armui.protocol.columns import bit_mask, payload_words
 from armui.protocol.frame import Frame
-from armui.telemetry.columns import NOT_OF_THE_ARM, joined
+from armui.protocol.signal_columns import bit_mask, payload_words
 from armui.telemetry.series import KEPT_S
+from armui.telemetry.series_columns import NOT_OF_THE_ARM, joined
 from armui.telemetry.store import Telemetry
 
 if TYPE_CHECKING:
@@ -27,8 +27,8 @@ if TYPE_CHECKING:
     from armui.protocol.codec import Codec, Message
     from armui.session.frames import Channel
     from armui.session.session import Session
-    from armui.telemetry.columns import FrameColumns
     from armui.telemetry.listener import Listener
+    from armui.telemetry.series_columns import FrameColumns
 
 # Which frames of a slice of a log must be looked at one by one when it is played fast.
 

@@ -10,10 +10,10 @@ import pytest
 from armui.arm.device import RecordedArm
 from armui.arm.other_hosts import OtherTraffic
 from armui.arm.state import ArmState
-from armui.control.event_log.heard import StatusListener
 from armui.control.event_log.log_events import entry_of, log_events
 from armui.control.event_log.log_status import status_changes
 from armui.control.event_log.observer import EventObserver
+from armui.control.event_log.status_listener import StatusListener
 from armui.control.event_log.writer import EventWriter
 from armui.protocol.codec import Codec
 from armui.protocol.generation import Generation
@@ -49,10 +49,10 @@ def noted_live(session, generation, size=7):
             batch.append((codec.decode(row.frame), row.time_s, row.frame, 0))
             if len(batch) == size:
                 listener.on_heard(batch)
-                known += listener.take()
+                known += listener.take_changes()
                 batch = []
     listener.on_heard(batch)
-    return known + listener.take()
+    return known + listener.take_changes()
 
 
 def live_log(session, generation):

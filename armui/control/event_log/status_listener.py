@@ -1,4 +1,4 @@
-"""What the bus thread notes for the event log: every change of a status, however short."""
+"""Notes every change of a status for the event log, in the bus thread, however short it is."""
 
 from __future__ import annotations
 
@@ -50,7 +50,7 @@ _COMMON: Final = WATCHED[STATUS][: len(_STATUS_CODES) + len(JOINTS)]
 """What of the status both generations say alike."""
 
 
-class Heard(NamedTuple):
+class StatusChange(NamedTuple):
     """A status that differs from the one before.
 
     Attributes:
@@ -91,7 +91,7 @@ class StatusListener(Listener):
     def __init__(self) -> None:
         self._latest: dict[str, Any] = {}
         self._values: dict[str, tuple[float | None, ...]] = {}
-        self._changes: deque[Heard | InvalidFrames] = deque(maxlen=_MOST_WAITING)
+        self._changes: deque[StatusChange | InvalidFrames] = deque(maxlen=_MOST_WAITING)
         self._invalid: dict[str, InvalidFrames] = {}
         self._generation: Generation | None = None
         self._codec: Codec | None = None
@@ -99,8 +99,8 @@ class StatusListener(Listener):
         self._count = 0
         self._counted_s: float | None = None
 
-    def take(self) -> list[Heard | InvalidFrames]:
-        """What was noted since the last call; the controller's thread."""
+    def take_changes(self) -> list[StatusChange | InvalidFrames]:
+        """Return what was noted since the last call; called by the controller's thread."""
         changes = []
         while self._changes:
             changes.append(self._changes.popleft())
@@ -139,7 +139,7 @@ class StatusListener(Listener):
             if name not in WATCHED:
                 continue
             if self._last_s is not None and at_s - self._last_s > FRESH_FOR_S:
-                self._changes.append(Heard(self._last_s, GAP, {}))
+                self._changes.append(StatusChange(self._last_s, GAP, {}))
                 self._begin_anew()
                 latest = self._latest
             self._last_s = at_s
@@ -169,7 +169,7 @@ class StatusListener(Listener):
             self._values[name] = values
             named = zip(watched, values, strict=True)
             told = {each: value for each, value in named if value is not None}
-            self._changes.append(Heard(at_s, name, told))
+            self._changes.append(StatusChange(at_s, name, told))
 
     def _note_rate(self, at_s: float) -> None:
         counted_s = self._counted_s
@@ -178,7 +178,7 @@ class StatusListener(Listener):
             return
         self._count += 1
         if at_s - counted_s >= RATE_SPAN_S:
-            self._changes.append(Heard(at_s, RATE, {"hz": self._count / (at_s - counted_s)}))
+            self._changes.append(StatusChange(at_s, RATE, {"hz": self._count / (at_s - counted_s)}))
             self._counted_s, self._count = at_s, 0
 
     def _note_invalid(self, kind: str, arbitration_id: int, at_s: float) -> None:

@@ -2,7 +2,14 @@
 
 import pytest
 
-from armui.control.event_log.heard import GAP, RATE, STATUS, Heard, InvalidFrames, StatusListener
+from armui.control.event_log.status_listener import (
+    GAP,
+    RATE,
+    STATUS,
+    InvalidFrames,
+    StatusChange,
+    StatusListener,
+)
 from armui.protocol.codec import Codec
 from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
@@ -28,7 +35,9 @@ def tap_of(generation=Generation.TWO, codec=CODEC):
 def hear(listener, *frames, codec=CODEC, now_s=0.0):
     listener.on_heard([(codec.decode(frame), at_s, frame, 0) for frame, at_s in frames])
     listener.on_look(now_s)
-    return [(each.name, each.at_s) for each in listener.take() if isinstance(each, Heard)]
+    return [
+        (each.name, each.at_s) for each in listener.take_changes() if isinstance(each, StatusChange)
+    ]
 
 
 def test_a_fault_of_one_frame_is_noted_with_its_time():
@@ -84,7 +93,7 @@ def test_the_rate_is_measured_over_two_seconds(missing):
     listener = tap_of()
     frames = [(NORMAL, n * 0.005) for n in range(801) if not missing or n % missing]
     listener.on_heard([(CODEC.decode(frame), at_s, frame, 0) for frame, at_s in frames])
-    rates = [each.values["hz"] for each in listener.take() if each.name == RATE]
+    rates = [each.values["hz"] for each in listener.take_changes() if each.name == RATE]
     assert rates == pytest.approx([150.0 if missing else 200.0] * len(rates), rel=0.01)
     assert rates
 
@@ -93,14 +102,14 @@ def test_frames_that_are_not_understood_are_counted_by_sort():
     listener = tap_of()
     garbage = [(Frame(0x4F0, b""), 1.0), (Frame(0x2A1, b"\1"), 1.1), (Frame(0x4F1, b""), 1.2)]
     listener.on_heard([(CODEC.decode(frame), at_s, frame, 0) for frame, at_s in garbage])
-    assert listener.take() == []
+    assert listener.take_changes() == []
     listener.on_look(1.3)
-    assert listener.take() == [
+    assert listener.take_changes() == [
         InvalidFrames("UNKNOWN_ID", 0x4F1, 2, 1.0, 1.2),
         InvalidFrames("WRONG_LENGTH", 0x2A1, 1, 1.1, 1.1),
     ]
     listener.on_look(1.4)
-    assert listener.take() == []
+    assert listener.take_changes() == []
 
 
 def test_an_odd_value_is_noted_and_heard():
@@ -108,7 +117,7 @@ def test_an_odd_value_is_noted_and_heard():
     odd = Frame(0x2A1, bytes.fromhex("01 77 01 00 00 00 00 00"))
     listener.on_heard([(CODEC.decode(odd), 1.0, odd, 0)])
     listener.on_look(1.0)
-    status, invalid = listener.take()
+    status, invalid = listener.take_changes()
     assert status.values["Status"] == 0x77
     assert invalid.sort == "VALUE_OUTSIDE_TABLE"
 
@@ -118,7 +127,7 @@ def test_nobody_who_takes_it_away_is_no_flood():
     for n in range(20_000):
         frame = COLLISION if n % 2 else NORMAL
         listener.on_heard([(CODEC.decode(frame), n * 0.005, frame, 0)])
-    assert len(listener.take()) <= 5_000
+    assert len(listener.take_changes()) <= 5_000
 
 
 def what_an_arm_says():
@@ -142,11 +151,11 @@ def test_a_log_gives_the_same_events_however_it_is_cut(size):
     live, listener = [], tap_of()
     for each in heard:
         listener.on_heard([each])
-        live += listener.take()
+        live += listener.take_changes()
     again, listener = [], tap_of()
     for first in range(0, len(heard), size):
         listener.on_heard(heard[first : first + size])
-        again += listener.take()
+        again += listener.take_changes()
     assert again == live
     broken = [
         each for each in live if each.name == STATUS and each.values.get("J4CommunicationFault")
