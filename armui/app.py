@@ -25,7 +25,7 @@ from armui.arm.refusal import Refusal
 from armui.control.arm_controller import ArmController
 from armui.control.event_log.keeper import EventKeeper
 from armui.control.events import Event, EventCode
-from armui.control.link.neighbours import Neighbours
+from armui.control.link.instance_registry import InstanceRegistry
 from armui.control.operating_state import LinkState, OperatingState
 from armui.control.sessions.choices import SessionChoices, choices_of
 from armui.ending import SystemEnd
@@ -58,7 +58,7 @@ if TYPE_CHECKING:
 _LOG: Final = logging.getLogger(__name__)
 
 DRIVE_NOTHING: Final = (
-    "armui.bus.tap",
+    "armui.bus.notifier",
     "armui.session",
     "armui.settings",
     "armui.system",
@@ -210,7 +210,7 @@ class Program:
         for name in failures.LOGGERS:
             logging.getLogger(name).addHandler(self._failure_handler)
         self._event_keeper: EventKeeper | None = None
-        self._neighbours: Neighbours | None = None
+        self._instances: InstanceRegistry | None = None
         # once the window stands
         if events is not None:
             keep = partial(self._keep_events, events, files or workers)
@@ -227,10 +227,10 @@ class Program:
         return self._files.waiting if isinstance(self._files, FileThread) else ()
 
     def _keep_events(self, folder: Path, files: Executor) -> None:
-        self._event_keeper = EventKeeper(self.controller.happenings, folder, files)
+        self._event_keeper = EventKeeper(self.controller.event_collector, folder, files)
 
     def _meet(self, settings: Path, place: Path) -> None:
-        self._neighbours = Neighbours(self.controller, settings, place)
+        self._instances = InstanceRegistry(self.controller, settings, place)
 
     def shutdown(self) -> None:
         """End the motion and every thread.
@@ -255,8 +255,8 @@ class Program:
             self.ended = self.ended and self._files.ended
         self.view.shutdown()
         self._workers.shutdown()
-        if self._neighbours is not None:
-            self._neighbours.close()
+        if self._instances is not None:
+            self._instances.close()
 
     def _on_failed(self, failure: Failure) -> None:
         """Motion ends first; then it is told."""

@@ -323,10 +323,6 @@ class PictureWork(QObject):
         """Say which panel is shown: its target can be dragged."""
         self._panel = panel
 
-    def doings(self) -> dict[str, Callable[[], object]]:
-        """Return the actions without a button, by the name of their shortcut."""
-        return {f"view.{name}": action.trigger for name, action in self.bar.without_button.items()}
-
     def look(self) -> None:
         """Stand ghost and handles where the target is now."""
         self._drag.look()
