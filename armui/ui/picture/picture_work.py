@@ -79,7 +79,7 @@ class PictureExport(FileExport):
             text = self.tr("There is no picture of now to be taken: wait until it is drawn.")
             self.said.emit(text, Level.WARNING)
             return None
-        return self._view.taken_picture()
+        return self._view.grab_picture()
 
 
 def _write(image: QImage, path: Path) -> None:
