@@ -237,10 +237,6 @@
         <translation>关节状态</translation>
     </message>
     <message>
-        <source>Session recordings</source>
-        <translation>会话记录</translation>
-    </message>
-    <message>
         <source>Replay a recording</source>
         <translation>回放会话记录</translation>
     </message>
@@ -541,6 +537,14 @@
     <message>
         <source>It ended three times in a minute; the arm is not affected.</source>
         <translation>一分钟内结束了三次；机械臂不受影响。</translation>
+    </message>
+    <message>
+        <source>Tool centre point</source>
+        <translation>工具中心点</translation>
+    </message>
+    <message>
+        <source>Flange</source>
+        <translation>法兰</translation>
     </message>
 </context>
 <context>
@@ -1111,8 +1115,8 @@
         <translation>不检测</translation>
     </message>
     <message>
-        <source>Levels 1 to 8 watch for collisions; level 0 does not watch at all.</source>
-        <translation>等级 1~8 检测碰撞；等级 0 不检测碰撞。</translation>
+        <source>Levels 1 to 8 watch for collisions; level 0 does not watch at all. The maker has not published whether 1 or 8 is the more sensitive one.</source>
+        <translation>1–8 级检测碰撞，0 级不检测。厂家未公布 1 级与 8 级哪个更灵敏。</translation>
     </message>
 </context>
 <context>
@@ -6235,6 +6239,10 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>回放</translation>
     </message>
     <message>
+        <source>Run</source>
+        <translation>运行</translation>
+    </message>
+    <message>
         <source>Drawer</source>
         <translation>抽屉</translation>
     </message>
@@ -10433,6 +10441,17 @@ The other program must have ended.</source>
     </message>
 </context>
 <context>
+    <name>TargetDrag</name>
+    <message>
+        <source>Preview of the target: it has not been sent</source>
+        <translation>目标预览：尚未发送</translation>
+    </message>
+    <message>
+        <source>Simulated arm in drag teaching: lead it by the handles in the picture, as by hand</source>
+        <translation>仿真机械臂处于拖动示教：在画面中拖动手柄即可用鼠标牵引</translation>
+    </message>
+</context>
+<context>
     <name>Targets</name>
     <message>
         <source>Joint targets</source>
@@ -10883,10 +10902,6 @@ Afterwards the motors must be enabled again.</source>
         <translation>将画面连同数值复制到剪贴板</translation>
     </message>
     <message>
-        <source>Way of the tool</source>
-        <translation>末端轨迹</translation>
-    </message>
-    <message>
         <source>Last {seconds} s of motion</source>
         <translation>最近 {seconds} 秒的运动</translation>
     </message>
@@ -10929,6 +10944,22 @@ Afterwards the motors must be enabled again.</source>
     <message>
         <source>Shows what the tool centre point can reach; orange bounds what it can&apos;t within</source>
         <translation>显示工具中心点能到达的空间；橙色是其中到不了的部分的边界</translation>
+    </message>
+    <message>
+        <source>View from below</source>
+        <translation>仰视</translation>
+    </message>
+    <message>
+        <source>Looks at the arm from below the floor; turning the picture never goes there</source>
+        <translation>从地面以下看机械臂；拖动旋转不会转到地面以下</translation>
+    </message>
+    <message>
+        <source>Way of the tool centre point</source>
+        <translation>工具中心点走过的轨迹</translation>
+    </message>
+    <message>
+        <source>Way of the flange</source>
+        <translation>法兰走过的轨迹</translation>
     </message>
 </context>
 <context>

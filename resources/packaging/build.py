@@ -58,7 +58,7 @@ class Build:
         self.work.mkdir(parents=True, exist_ok=True)
         self.out.mkdir(parents=True, exist_ok=True)
         self.version = version()
-        self._environment = environment
+        self._environment = environment and environment.absolute()
         self._steps: dict[str, Path] = {}
 
     @property

@@ -11,7 +11,7 @@ from armui.control.motion.jog_path import JointJog
 from armui.control.operations.started import Ending, Started
 from armui.control.run.progress import RunPhase
 from armui.control.run.replay import Replay
-from armui.kinematics.poses import JogFrame
+from armui.kinematics.axes import JogFrame
 from armui.protocol.codes import EndLoad, Mounting, MoveMode, TeachingState, TrajectoryCommand
 from tests.control.jogger import bend
 from tests.control.test_replayer import wave

@@ -68,7 +68,7 @@ class Recorder(QObject, ControllerPart):
         refusal = why_not_record(self._context.refresh())
         if refusal is not None:
             return self._context.refuse(refusal)
-        from armui.control.run.sample_store import SampleStore  # noqa: PLC0415 - numpy, faster start
+        from armui.control.run.sample_store import SampleStore  # noqa: PLC0415 - numpy
 
         self._samples = SampleStore(self._context.operating_state().model_fit.taught_on)
         self.dropped = 0

@@ -14,7 +14,8 @@ from armui.control.operating_state import LinkState, StopState
 from armui.control.run.progress import Run
 from armui.control.run.replay import Replay
 from armui.control.safety.recovery_steps import Action
-from armui.kinematics.poses import JogFrame, flange_pose
+from armui.kinematics.axes import JogFrame
+from armui.kinematics.poses import flange_pose
 from armui.protocol.codes import EndLoad, LinkageRole, MoveMode, TeachingState, TrajectoryCommand
 from armui.protocol.generation import Generation
 from armui.sim.faults.schedule import fault
