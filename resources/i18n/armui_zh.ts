@@ -237,10 +237,6 @@
         <translation>关节状态</translation>
     </message>
     <message>
-        <source>Session recordings</source>
-        <translation>会话记录</translation>
-    </message>
-    <message>
         <source>Replay a recording</source>
         <translation>回放会话记录</translation>
     </message>
@@ -523,14 +519,6 @@
         <translation>重新启动3D 视图</translation>
     </message>
     <message>
-        <source>Tool centre point</source>
-        <translation>工具中心点</translation>
-    </message>
-    <message>
-        <source>Flange</source>
-        <translation>法兰</translation>
-    </message>
-    <message>
         <source>The 3D view is not available: this computer offers no OpenGL. Install a graphics driver or Mesa (on Debian the packages libegl1 and libgl1-mesa-dri) and start the 3D view again.</source>
         <translation>3D 视图不可用：这台电脑没有 OpenGL。请安装显卡驱动或 Mesa（Debian 上为软件包 libegl1 和 libgl1-mesa-dri），然后重新启动3D 视图。</translation>
     </message>
@@ -549,6 +537,14 @@
     <message>
         <source>It ended three times in a minute; the arm is not affected.</source>
         <translation>一分钟内结束了三次；机械臂不受影响。</translation>
+    </message>
+    <message>
+        <source>Tool centre point</source>
+        <translation>工具中心点</translation>
+    </message>
+    <message>
+        <source>Flange</source>
+        <translation>法兰</translation>
     </message>
 </context>
 <context>
@@ -1107,10 +1103,6 @@
         <translation>碰撞等级</translation>
     </message>
     <message>
-        <source>Levels 1 to 8 watch for collisions; level 0 does not watch at all. The maker has not published whether 1 or 8 is the more sensitive one.</source>
-        <translation>1–8 级检测碰撞，0 级不检测。厂家未公布 1 级与 8 级哪个更灵敏。</translation>
-    </message>
-    <message>
         <source>Level 0 – no collision detection: {joints} will not stop when they hit something or someone.</source>
         <translation>等级 0 – 不检测碰撞：{joints} 碰到物体或人时不会停止。</translation>
     </message>
@@ -1121,6 +1113,10 @@
     <message>
         <source>no detection</source>
         <translation>不检测</translation>
+    </message>
+    <message>
+        <source>Levels 1 to 8 watch for collisions; level 0 does not watch at all. The maker has not published whether 1 or 8 is the more sensitive one.</source>
+        <translation>1–8 级检测碰撞，0 级不检测。厂家未公布 1 级与 8 级哪个更灵敏。</translation>
     </message>
 </context>
 <context>
@@ -6243,6 +6239,10 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>回放</translation>
     </message>
     <message>
+        <source>Run</source>
+        <translation>运行</translation>
+    </message>
+    <message>
         <source>Drawer</source>
         <translation>抽屉</translation>
     </message>
@@ -10882,10 +10882,6 @@ Afterwards the motors must be enabled again.</source>
         <translation>显示工具中心点的坐标轴</translation>
     </message>
     <message>
-        <source>View from below</source>
-        <translation>仰视</translation>
-    </message>
-    <message>
         <source>Workspace</source>
         <translation>工作空间</translation>
     </message>
@@ -10922,20 +10918,8 @@ Afterwards the motors must be enabled again.</source>
         <translation>视角以及画面中显示的内容</translation>
     </message>
     <message>
-        <source>Way of the tool centre point</source>
-        <translation>工具中心点走过的轨迹</translation>
-    </message>
-    <message>
-        <source>Way of the flange</source>
-        <translation>法兰走过的轨迹</translation>
-    </message>
-    <message>
         <source>No handles</source>
         <translation>不显示手柄</translation>
-    </message>
-    <message>
-        <source>Looks at the arm from below the floor; turning the picture never goes there</source>
-        <translation>从地面以下看机械臂；拖动旋转不会转到地面以下</translation>
     </message>
     <message>
         <source>Tool, along the axes of the base</source>
@@ -10960,6 +10944,22 @@ Afterwards the motors must be enabled again.</source>
     <message>
         <source>Shows what the tool centre point can reach; orange bounds what it can&apos;t within</source>
         <translation>显示工具中心点能到达的空间；橙色是其中到不了的部分的边界</translation>
+    </message>
+    <message>
+        <source>View from below</source>
+        <translation>仰视</translation>
+    </message>
+    <message>
+        <source>Looks at the arm from below the floor; turning the picture never goes there</source>
+        <translation>从地面以下看机械臂；拖动旋转不会转到地面以下</translation>
+    </message>
+    <message>
+        <source>Way of the tool centre point</source>
+        <translation>工具中心点走过的轨迹</translation>
+    </message>
+    <message>
+        <source>Way of the flange</source>
+        <translation>法兰走过的轨迹</translation>
     </message>
 </context>
 <context>
