@@ -109,7 +109,9 @@ class Authority:
         shown, braking = self._percent_shown, self._braking
         if shown is not None and braking is not None and now_s < braking[0]:
             shown = max(shown, braking[1])
-        self.overspeed = self._overspeed.observe(state, shown, seen.factory_limits, pace)
+        self.overspeed = self._overspeed.observe(
+            state, shown, seen.factory_limits, seen.accelerations_deg_s2, pace
+        )
 
     @property
     def at_rest(self) -> bool:
@@ -285,7 +287,7 @@ class Authority:
         self.arm_percent, self._mode_sent = speed_percent, (move_mode, now_s)
         self._cancelled_s, self.cancel_unheeded = None, False
         self._limits = (None,) * 6
-        self._overspeed.restart()
+        self._overspeed.change_speed()
         return self.command
 
     def is_current(self, command: MotionCommand) -> bool:
@@ -311,7 +313,7 @@ class Authority:
                 if seen is not None:
                     self._slow_down(percent, seen.now_s)
                 self.command = command._replace(speed_percent=percent)
-                self._overspeed.restart()
+                self._overspeed.change_speed()
         elif seen is not None and (self.under_way or self.moves):
             self.holds |= {Hold.SPEED_ZERO}
             self._zero_since_s = seen.now_s

@@ -91,9 +91,9 @@ def test_another_speed_shown_is_compared_with_what_comes_after(arm, does):
     arm.turn(4, 2.0)
     assert arm.authority.overspeed is None
     does(arm)
-    arm.turn(4, 2.0)
+    arm.turn(15, 2.0)  # 0.3 s at 100 °/s: time to take it up, and to slow down by 286 °/s²
     assert arm.authority.overspeed is None
-    arm.turn(3, 2.0)
+    arm.turn(5, 2.0)
     assert arm.authority.overspeed is not None
 
 
