@@ -77,6 +77,7 @@ BEGIN: dict[str, tuple[Any, Ending]] = {
     "run.start": (lambda c, _rig: c.player.start(run_of(to(OUT), to(BACK))), DONE),
     "run.pause": (lambda c, _rig: c.player.pause(), SENT),
     "run.go_on": (lambda c, _rig: c.player.go_on(), SENT),
+    "run.override": (lambda c, _rig: c.speed_override.set_percent(50), SENT),
     "replay.start": (lambda c, _rig: c.replayer.start(Replay(wave())), DONE),
     "replay.pause": (lambda c, _rig: c.replayer.pause(), SENT),
     "replay.go_on": (lambda c, _rig: c.replayer.go_on(), SENT),

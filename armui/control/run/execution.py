@@ -46,6 +46,8 @@ class Execution(QObject, ControllerPart):
         self._since_s = 0.0
         self._started: Started | None = None
         self._override_percent = 100
+        self._untold = False
+        """The speed of now could not be told the arm yet."""
 
     @property
     def progress(self) -> Progress:

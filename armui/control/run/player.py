@@ -159,7 +159,7 @@ class Player(Execution):
     def tell_speed(self) -> None:
         """Tell the arm the speed of the point under way once more."""
         if self._phase is RunPhase.MOVING:
-            self._context.tell_percent(self._percent)
+            self._untold = not self._context.tell_percent(self._percent)
 
     @property
     def _percent(self) -> int:
@@ -218,8 +218,8 @@ class Player(Execution):
         if run is None or watch is None or schedule is None:
             return
         self._keep_time()
-        if self._context.authority.arm_percent != self._percent:
-            self.tell_speed()  # it could not be told when it was chosen
+        if self._untold:
+            self.tell_speed()
         now_s = self._context.clock()
         arrival = watch.look(self._context.state(), now_s)
         if isinstance(arrival, Refusal):
@@ -296,6 +296,7 @@ class Player(Execution):
             self._fail(sent)
             return
         self._since_s = self._looked_s = self._context.clock()
+        self._untold = False
         self._watch = ArrivalWatch(point, self._since_s)
         self._phase = RunPhase.MOVING
         self._publish()

@@ -140,7 +140,7 @@ class Replayer(Execution):
     def tell_speed(self) -> None:
         """Tell the arm the speed of the way to the first sample; later the targets tell it."""
         if self._phase is RunPhase.MOVING and self._watch is not None:
-            self._context.tell_percent(self._approach_percent)
+            self._untold = not self._context.tell_percent(self._approach_percent)
 
     @property
     def _approach_percent(self) -> int:
@@ -180,7 +180,7 @@ class Replayer(Execution):
     def _approach(self, replay: Replay) -> None:
         """Set out for the first sample, slowly: the arm may stand anywhere."""
         self._since_s = self._looked_s = self._context.clock()
-        self._waited_s = 0.0
+        self._waited_s, self._untold = 0.0, False
         self._watch = ArrivalWatch(Waypoint(MoveMode.MOVE_J, replay.first_deg), self._since_s)
         sent = self._send_first(replay, CommandKind.RUN, self._approach_percent)
         if isinstance(sent, Refusal):
@@ -194,8 +194,8 @@ class Replayer(Execution):
         # what it may take grows as the arm slows down
         self._waited_s += (now_s - self._looked_s) * self._share
         self._looked_s = now_s
-        if self._context.authority.arm_percent != self._approach_percent:
-            self.tell_speed()  # it could not be told when it was chosen
+        if self._untold:
+            self.tell_speed()
         arrival = watch.look(self._context.state(), now_s)
         if isinstance(arrival, Refusal):
             self._fail(arrival)
