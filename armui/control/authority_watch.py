@@ -18,8 +18,8 @@ from armui.telemetry.events import EventOutcome, Level
 
 if TYPE_CHECKING:
     from armui.control.authority import Authority
-    from armui.control.context import Tell
     from armui.control.link.connection import Connection
+    from armui.control.operations.started import Tell
 
 
 _NAMED_AFTER_S: Final = 0.1

@@ -1,4 +1,4 @@
-"""What the operator's hand does to the camera: a drag of the mouse, the wheel, a key."""
+"""Camera control by mouse drag, wheel and keys."""
 
 from __future__ import annotations
 
@@ -76,7 +76,7 @@ class Drag:
         return event.position() if way_px < QApplication.startDragDistance() else None
 
     def forget(self) -> None:
-        """What is not seen is not dragged."""
+        """End the drag: the view is hidden, or the button came up unnoticed."""
         self._pressed_at = self._last = None
 
 

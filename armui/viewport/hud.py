@@ -1,4 +1,4 @@
-"""What stands over the picture: end pose and joint angles, and why it is old or not there."""
+"""The figures over the picture (end pose, joint angles), and the notice of an old or lost one."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ _BACKDROP_OPACITY = 0.88
 
 @dataclass(frozen=True, slots=True)
 class HudValues:
-    """What the figures say; None: never heard from the arm.
+    """The values of the figures; None: never heard from the arm.
 
     Attributes:
         pose: X, Y, Z in mm, RX, RY, RZ in degrees.
@@ -201,7 +201,7 @@ _PLATE_OPACITY: Final = 0.85
 
 
 def lost_text(lost: Lost) -> str:
-    """Why there is no picture, and what comes next."""
+    """Say why there is no picture, and what comes next."""
     if lost.reason.code == RefusalCode.NO_OPENGL:
         return QCoreApplication.translate(
             "ArmView",

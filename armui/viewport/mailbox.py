@@ -35,13 +35,13 @@ class Mailbox(Generic[T]):
 
     @property
     def is_closed(self) -> bool:
-        """Whether `close` was called."""
+        """Tell whether `close` was called."""
         with self._changed:
             return self._is_closed
 
     @property
     def has_item(self) -> bool:
-        """Whether an item waits."""
+        """Tell whether an item waits."""
         with self._changed:
             return self._item is not None
 

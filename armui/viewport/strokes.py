@@ -11,9 +11,9 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Final
 
-from armui.viewport.camera import Vector
 from armui.viewport.palette import ScenePalette
 from armui.viewport.robot_shape import RobotShape, Rows, moved, rotation, turned
+from armui.viewport.vectors import Vector
 
 FRAME_M: Final = 0.07
 ARC_M: Final = 0.13

@@ -22,7 +22,7 @@ from PySide6.QtGui import QColor, QHelpEvent, QPainter, QPen
 from PySide6.QtWidgets import QToolTip, QWidget
 
 from armui.arm.limits import JOINTS
-from armui.viewport.camera import look_alike
+from armui.viewport.camera import poses_equal
 from armui.viewport.camera_input import Drag, press_key, turn_wheel
 from armui.viewport.client import Picture, PictureClient
 from armui.viewport.fitting import Box, Room
@@ -82,8 +82,8 @@ class ArmView(QWidget):
     show, or is gone, the widget says so (safety promise S24).
 
     To begin with, the arm fills the room it has, and the camera steps back when the arm would
-    leave it, or come behind the figures. Once the operator has moved the picture, it stays where
-    it was put; a view chosen, `fit` or `reset_view` brings that back.
+    leave it, or come behind the figures. Once the operator has turned or moved the picture, it
+    stays as it was put, until a view is chosen or `fit` or `reset_view` is called.
 
     Left drag turns, middle drag or shift with left drag moves, the wheel zooms, a double click on
     a link picks its joint. With the focus: arrow keys turn, + and − zoom, Home resets.
@@ -189,7 +189,7 @@ class ArmView(QWidget):
 
     @property
     def is_settled(self) -> bool:
-        """Whether the picture on the screen shows the newest state, with smooth edges."""
+        """Tell whether the picture on the screen shows the newest state, with smooth edges."""
         return (
             self._picture is not None
             and not self._is_frame_new
@@ -199,17 +199,17 @@ class ArmView(QWidget):
 
     @property
     def has_given_up(self) -> bool:
-        """Whether there is no picture, and none will come by itself."""
+        """Tell whether there is no picture, and none will come by itself."""
         return self._lost is not None and not self._lost.comes_back
 
     @property
     def is_current(self) -> bool:
-        """Whether what is on the screen may be taken for what is there now."""
+        """Tell whether what is on the screen may be taken for what is there now."""
         return self._picture is not None and not self._notice()
 
     @property
     def is_late(self) -> bool:
-        """Whether the picture lags, or is gone: nothing is aimed at in it."""
+        """Tell whether the picture lags, or is gone: nothing is aimed at in it."""
         return self._client.looks_old or self._lost is not None
 
     def taken_picture(self) -> QImage | None:
@@ -224,12 +224,12 @@ class ArmView(QWidget):
 
     @property
     def camera(self) -> OrbitCamera:
-        """Where the arm is seen from."""
+        """The camera of the next picture."""
         return self._state.camera
 
     @property
     def mode(self) -> ViewMode:
-        """Who moves the camera."""
+        """The camera mode."""
         return self._viewpoint.mode
 
     @property
@@ -266,7 +266,7 @@ class ArmView(QWidget):
         if angles_deg is not None and len(angles_deg) != len(JOINTS):
             raise ValueError(f"{len(angles_deg)} joint angles instead of {len(JOINTS)}")
         angles = None if angles_deg is None else tuple(angles_deg)
-        shown = self._state.angles_deg if look_alike(angles, self._state.angles_deg) else angles
+        shown = self._state.angles_deg if poses_equal(angles, self._state.angles_deg) else angles
         self._look_at(replace(self._state, angles_deg=shown, gripper_mm=gripper_mm, stale=stale))
         self._set_hud(replace(self._hud, angles_deg=angles, angles_stale=stale))
 
@@ -448,9 +448,7 @@ class ArmView(QWidget):
         """The operator has moved the camera."""
         if camera is None or self._viewpoint.is_carried:
             return
-        before = self._state.camera
-        turned = (camera.focus_m, camera.distance_m) == (before.focus_m, before.distance_m)
-        self._viewpoint.move_by_hand(camera, only_turned=turned)
+        self._viewpoint.move_by_hand(camera)
         self._take_camera()
 
     # what is asked for, and what comes ---------------------------------------------------------
@@ -524,7 +522,7 @@ class ArmView(QWidget):
         self.give_up_drag()
 
     def _notice(self) -> str:
-        """What is wrong with the picture, in words; empty when nothing is."""
+        """Say what is wrong with the picture; empty when nothing is."""
         if self._lost is not None:
             return lost_text(self._lost)
         if self._picture is None:
@@ -743,7 +741,7 @@ class ArmView(QWidget):
             self._show(replace(self._state, pick=self._question(event.position())))
 
     def _question(self, at: QPointF) -> PickRequest:
-        """What is seen there?"""
+        """Ask which link or mark is seen at a place."""
         self._pick_serial += 1
         place = at * self._state.pixel_ratio
         return PickRequest(self._pick_serial, place.x(), place.y())

@@ -1,4 +1,4 @@
-"""From where the arm is seen: the operator's hand, a view that fits, or one that follows. Pure."""
+"""Camera modes: fitted to the arm, moved by the operator, or following the tool. Pure."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import Final
 
-from armui.viewport.camera import HOME_CAMERA, OrbitCamera, Vector, ViewDirection, look_alike
+from armui.viewport.camera import HOME_CAMERA, OrbitCamera, ViewDirection, poses_equal
 from armui.viewport.fitting import (
     Ball,
     Room,
@@ -22,6 +22,7 @@ from armui.viewport.fitting import (
 from armui.viewport.path_picture import Reach
 from armui.viewport.projection import Projection
 from armui.viewport.robot_shape import RobotShape, moved
+from armui.viewport.vectors import Vector
 
 _GROWN: Final = 1.12
 """An arm that leaves the picture gets more room than it needs: it is on its way."""
@@ -35,12 +36,12 @@ _TRIED: Final = 8
 
 
 class ViewMode(enum.Enum):
-    """Who moves the camera."""
+    """The camera modes: who moves the camera."""
 
     FIT = enum.auto()
     """The arm fills the room it has; when it leaves it, the camera steps back."""
     FREE = enum.auto()
-    """The operator has moved the picture or its scale."""
+    """The operator has turned or moved the picture, or changed its scale."""
     FOLLOW = enum.auto()
     """The tool stays in the middle."""
 
@@ -96,7 +97,7 @@ class Viewpoint:
         if ghost_deg is not None:
             poses.append((tuple(ghost_deg), 0.0))
         if len(poses) == len(self._poses) and all(
-            look_alike(one[0], other[0]) and one[1] == other[1]
+            poses_equal(one[0], other[0]) and one[1] == other[1]
             for one, other in zip(poses, self._poses, strict=True)
         ):
             return
@@ -104,13 +105,13 @@ class Viewpoint:
         self._look_again(exactly=False)
 
     def take_places(self, places: tuple[Vector, ...]) -> None:
-        """What else shall be in the picture: the outermost places of a path."""
+        """Take the outermost places of a path, which shall be in the picture, too."""
         if places != self._places:
             self._places = places
             self._look_again(exactly=False)
 
     def take_reach(self, reach: Reach | None) -> None:
-        """Whether all of what the tool can reach shall be in the picture."""
+        """Take the reach that shall be in the picture, too; None: none."""
         if reach != self._reach:
             self._reach = reach
             self._reached = self._reached_places()
@@ -157,11 +158,11 @@ class Viewpoint:
         self.camera = replace(self.camera, orthographic=wanted)
         self._look_again(exactly=True)
 
-    def move_by_hand(self, camera: OrbitCamera, *, only_turned: bool) -> None:
-        """The operator has moved the camera; one that was only turned goes on to fit the arm."""
-        if not only_turned and self.mode is ViewMode.FIT:
-            self.mode = ViewMode.FREE
-        if self.mode is ViewMode.FOLLOW and camera.focus_m != self.camera.focus_m:
+    def move_by_hand(self, camera: OrbitCamera) -> None:
+        """Take the operator's camera, which stays; one that follows is turned, and follows on."""
+        if camera == self.camera:
+            return
+        if self.mode is not ViewMode.FOLLOW or camera.focus_m != self.camera.focus_m:
             self.mode = ViewMode.FREE
         self.camera = camera
 
@@ -198,7 +199,7 @@ class Viewpoint:
             self._been = outermost(self.camera, [*self._groups(), *self._been])
 
     def _is_all_clear(self, shape: RobotShape) -> bool:
-        """Whether everything is in the picture; asked twelve times a second while the arm moves."""
+        """Tell whether everything is in the picture; asked 12 times a second in a motion."""
         projection = Projection(self.camera, self._room.width_px, self._room.height_px)
         doubtful: list[Sequence[Vector]] = []
         for pose in self._poses:

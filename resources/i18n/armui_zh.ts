@@ -1099,6 +1099,10 @@
         <translation>碰撞等级</translation>
     </message>
     <message>
+        <source>Levels 1 to 8 watch for collisions; level 0 does not watch at all. The maker has not published whether 1 or 8 is the more sensitive one.</source>
+        <translation>1–8 级检测碰撞，0 级不检测。厂家未公布 1 级与 8 级哪个更灵敏。</translation>
+    </message>
+    <message>
         <source>Level 0 – no collision detection: {joints} will not stop when they hit something or someone.</source>
         <translation>等级 0 – 不检测碰撞：{joints} 碰到物体或人时不会停止。</translation>
     </message>
@@ -1109,10 +1113,6 @@
     <message>
         <source>no detection</source>
         <translation>不检测</translation>
-    </message>
-    <message>
-        <source>Levels 1 to 8 watch for collisions; level 0 does not watch at all.</source>
-        <translation>等级 1~8 检测碰撞；等级 0 不检测碰撞。</translation>
     </message>
 </context>
 <context>
@@ -10863,6 +10863,10 @@ Afterwards the motors must be enabled again.</source>
         <translation>显示工具中心点的坐标轴</translation>
     </message>
     <message>
+        <source>View from below</source>
+        <translation>仰视</translation>
+    </message>
+    <message>
         <source>Workspace</source>
         <translation>工作空间</translation>
     </message>
@@ -10905,6 +10909,10 @@ Afterwards the motors must be enabled again.</source>
     <message>
         <source>No handles</source>
         <translation>不显示手柄</translation>
+    </message>
+    <message>
+        <source>Looks at the arm from below the floor; turning the picture never goes there</source>
+        <translation>从地面以下看机械臂；拖动旋转不会转到地面以下</translation>
     </message>
     <message>
         <source>Tool, along the axes of the base</source>

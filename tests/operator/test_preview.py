@@ -164,6 +164,82 @@ def test_a_run_of_another_trajectory_lights_nothing(at):
     assert at.shown.current_row is None
 
 
+def test_path_findings_and_ghost_go_with_the_page_and_come_back_with_it(app_driver):
+    at = Operator(app_driver, OUT, BEYOND, BACK)
+    at.check()
+    app_driver.find("preview_slider").setFocus()
+    QTest.keyClick(app_driver.find("preview_slider"), Qt.Key.Key_End)
+    shown = at.shown
+    assert shown.path.findings
+    app_driver.click("menu_motion")
+    assert at.shown == NOTHING
+    assert not app_driver.find("preview_bar").isVisible()
+    app_driver.click("library_button")
+    assert at.shown == shown
+    assert app_driver.find("preview_bar").isVisible()
+
+
+def test_points_that_were_not_checked_go_with_the_page_too(at):
+    assert at.shown.path.rows == (0, 1)
+    at.app_driver.click("menu_teaching")
+    assert at.shown == NOTHING
+    at.app_driver.click("library_button")
+    assert at.shown.path.rows == (0, 1)
+
+
+def test_the_page_before_takes_the_picture_of_the_one_that_is_left(at):
+    at.check()
+    editor = at.editor
+    at.app_driver.page(EditorPage).above.open()
+    assert at.shown == NOTHING
+    editor.open()
+    assert len(at.shown.path.places_mm) > 0
+
+
+def test_another_editor_shows_its_own_points_beside_the_preview_of_the_first(at):
+    at.check()
+    first, path = at.editor, at.shown.path
+    library = Library(at.app_driver.library_folder)
+    library.save(Trajectory("Other", points=(Waypoint(MoveMode.MOVE_J, OUT),)))
+    first.above.open()
+    at.app_driver.page(LibraryPage).open_trajectory("Other")
+    assert at.shown.path.rows == (0,)
+    assert not at.app_driver.find("preview_bar").isVisible()
+    first.open()
+    assert at.shown.path.places_mm.tolist() == path.places_mm.tolist()
+    assert at.app_driver.find("preview_bar").isVisible()
+
+
+def test_a_page_in_a_window_of_its_own_keeps_its_path_in_the_picture(at):
+    at.check()
+    at.app_driver.taken_out(EditorPage)
+    at.app_driver.click("menu_motion")
+    assert len(at.shown.path.places_mm) > 0
+
+
+def test_what_is_played_in_the_preview_is_not_played_unseen(at):
+    at.check()
+    at.app_driver.click("preview_play")
+    at.app_driver.click("menu_motion")
+    at.app_driver.click("library_button")
+    assert at.app_driver.read("preview_play") == "Play"
+
+
+def test_the_path_of_a_run_under_way_stays_when_the_page_is_left(at):
+    app_driver = at.app_driver
+    at.check()
+    player = app_driver.controller.player
+    assert player.start(Run("Test", at.editor.document.points, (3.0, 3.0))) is None
+    app_driver.run_until(lambda: player.progress.index == 1)
+    app_driver.run(0.1)
+    app_driver.click("menu_motion")
+    assert at.shown.current_row == 1
+    assert len(at.shown.path.places_mm) > 0
+    app_driver.run_until(lambda: player.progress.phase in OVER)
+    app_driver.run(0.1)
+    assert at.shown == NOTHING
+
+
 class SeenView:
     """A picture that is seen, of the project's own arm."""
 

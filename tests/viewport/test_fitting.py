@@ -114,9 +114,19 @@ def test_the_camera_rests_while_the_arm_is_in_the_picture_and_steps_back_when_it
     assert looking.sees(REST)
 
 
-def test_what_the_operator_has_moved_stays_until_a_view_is_chosen(looking):
-    moved = looking.viewpoint.camera.zoom(3.0)
-    looking.viewpoint.move_by_hand(moved, only_turned=False)
+@pytest.mark.parametrize(
+    "by_hand",
+    [
+        lambda camera: camera.orbit(70.0, 60.0),
+        lambda camera: camera.pan(40.0, 10.0, 500.0),
+        lambda camera: camera.zoom(3.0),
+    ],
+)
+def test_what_the_operator_has_moved_stays_until_a_view_is_chosen(looking, by_hand):
+    moved = by_hand(looking.viewpoint.camera)
+    looking.viewpoint.hold(held=True)
+    looking.viewpoint.move_by_hand(moved)
+    looking.viewpoint.hold(held=False)
     assert looking.move(STRETCHED) == moved
     looking.viewpoint.come_to_rest()
     looking.viewpoint.take_room(room_of((500, 500)))
@@ -150,12 +160,17 @@ def test_following_keeps_the_tool_in_the_middle(looking, shape):
         looking.move(pose)
         rows = shape.flange(shape.links(pose))
         assert looking.viewpoint.camera.focus_m == pytest.approx((rows[3], rows[7], rows[11]))
-    looking.viewpoint.move_by_hand(looking.viewpoint.camera.orbit(30.0, 0.0), only_turned=True)
+    looking.viewpoint.move_by_hand(looking.viewpoint.camera.orbit(30.0, 0.0))
     modes = [looking.viewpoint.mode]
     panned = looking.viewpoint.camera.pan(30.0, 0.0, 500.0)
-    looking.viewpoint.move_by_hand(panned, only_turned=False)
+    looking.viewpoint.move_by_hand(panned)
     modes.append(looking.viewpoint.mode)
     assert modes == [ViewMode.FOLLOW, ViewMode.FREE]
+
+
+def test_a_press_that_moves_nothing_leaves_the_picture_fitting_the_arm(looking):
+    looking.viewpoint.move_by_hand(looking.viewpoint.camera)
+    assert looking.viewpoint.mode is ViewMode.FIT
 
 
 def test_a_ball_that_is_clear_has_nothing_in_it_that_is_not():

@@ -59,6 +59,7 @@ _WINDOW: Final = (
     Command("view.side", target="view_side_button"),
     Command("view.top", target="view_top_button"),
     Command("view.iso", target="view_iso_button"),
+    Command("view.below"),
     Command("view.fit", target="view_fit_button"),
     Command("view.follow", target="view_follow_button"),
     Command("view.orthographic"),

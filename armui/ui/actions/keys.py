@@ -54,6 +54,7 @@ _ONE_PRESS: Final = (
     ("view.front", "Ctrl+1", Text("ViewBar", "Front view")),
     ("view.side", "Ctrl+2", Text("ViewBar", "Side view")),
     ("view.top", "Ctrl+3", Text("ViewBar", "Top view")),
+    ("view.below", "Ctrl+Alt+3", Text("ViewBar", "View from below")),
     ("view.iso", "Ctrl+4", Text("ViewBar", "Oblique view")),
     ("view.fit", "Ctrl+9", Text("ViewBar", "Fit")),
     ("view.follow", "Ctrl+5", Text("ViewBar", "Follow the tool")),

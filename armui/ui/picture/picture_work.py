@@ -21,7 +21,7 @@ from armui.ui.panels.jogging.motion_panel import JointRow, MotionPanel
 from armui.ui.picture.target_drag import CartesianTarget, MotionTarget, TargetDrag
 from armui.ui.picture.view_bar import ViewBar
 from armui.ui.theme import colors_of
-from armui.viewport.camera import ViewDirection, look_alike
+from armui.viewport.camera import ViewDirection, poses_equal
 from armui.viewport.path_picture import Reach
 from armui.viewport.robot_shape import moved
 from armui.viewport.tool_trail import ToolTrail
@@ -38,8 +38,8 @@ if TYPE_CHECKING:
     from armui.ui.picture.target_drag import DragTarget
     from armui.ui.trajectory.preview.path_preview import PathPreview
     from armui.ui.trajectory.preview.preview_link import PreviewLink
-    from armui.viewport.camera import Vector
     from armui.viewport.handles import HandleKind
+    from armui.viewport.vectors import Vector
     from armui.viewport.view import ArmView
 
 
@@ -152,7 +152,7 @@ class TrailKeeper:
             self._is_new, self._handed_over_s = False, now_s
             self._view.set_trail(self._trail.trail)
         setpoint_deg = self._controller.motion.setpoint_deg
-        if look_alike(tuple(angles_deg), self._seen[0]) and setpoint_deg == self._seen[1]:
+        if poses_equal(tuple(angles_deg), self._seen[0]) and setpoint_deg == self._seen[1]:
             return
         self._seen = (tuple(angles_deg), setpoint_deg)
         driven_mm = self._tool_mm(angles_deg)
@@ -162,7 +162,7 @@ class TrailKeeper:
         self._is_new |= self._trail.add(now_s, driven_mm, commanded_mm)
 
     def _tool_mm(self, angles_deg: Sequence[float]) -> Vector | None:
-        """Where the picture has the tool at six angles."""
+        """Return the place of the tool at six angles, in the base frame."""
         shape = self._view.shape
         if shape is None:
             return None
@@ -312,7 +312,7 @@ class PictureWork(QObject):
         self._panel = panel
 
     def doings(self) -> dict[str, Callable[[], object]]:
-        """What the picture offers without a button, by the name of its shortcut."""
+        """Return the actions without a button, by the name of their shortcut."""
         return {f"view.{name}": action.trigger for name, action in self.bar.without_button.items()}
 
     def look(self) -> None:

@@ -38,7 +38,7 @@ FINE: Final = {GripKind.AXIS: 1.0, GripKind.RING: 1.0, GripKind.JOINT: 1.0}
 
 @dataclass(frozen=True)
 class DragBase:
-    """What a drag begins with.
+    """The state at the beginning of a drag.
 
     Attributes:
         angles_deg: Of the arm, or of its ghost.
@@ -117,7 +117,7 @@ class DragTarget(Protocol):
         """The six angles it stands for now; None: it stands for none."""
 
     def begin(self) -> None:
-        """It is taken hold of."""
+        """Begin a drag: a handle of it was taken."""
 
     def is_as_begun(self) -> bool:
         """Tell whether it still is what was taken hold of."""
@@ -152,7 +152,7 @@ class MotionTarget:
         return True
 
     def angles_deg(self) -> tuple[float, ...] | None:
-        """What stands in the six fields."""
+        """Return the figures of the six fields."""
         return self._panel.targets()
 
     def carry(self, angles_deg: tuple[float, ...]) -> None:
@@ -160,7 +160,7 @@ class MotionTarget:
         self._panel.take_targets(angles_deg)
 
     def drop(self, angles_deg: tuple[float, ...]) -> Refusal | None:
-        """It stands there already."""
+        """Leave it in the fields."""
         self._panel.take_targets(angles_deg)
         return None
 
@@ -333,7 +333,7 @@ class TargetDrag(QObject):
         self._last_deg = angles_deg
 
     def _basis(self) -> object:
-        """What a drag is worked out with: arm, link, limits and tool."""
+        """Return what a drag is worked out with: arm, link, limits and tool."""
         state = self._controller.operating_state
         tool = tuple(self._controller.cartesian.tool)
         return state.link, state.model_fit.geometry, state.limits, tool

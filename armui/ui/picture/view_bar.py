@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 _BUTTON_PX: Final = 30
 _MARGIN_PX: Final = 4
 TRAILS_S: Final = (0, 5, 15, 60)
-"""How much of the tool's way can be shown, in seconds of motion; 0: nothing."""
+"""The lengths of the trail to choose from, in seconds of motion; 0: nothing."""
 
 
 _TIPS: Final = Texts("ViewBar") | {
@@ -35,6 +35,7 @@ _TIPS: Final = Texts("ViewBar") | {
     "side": "Looks at the arm from its right side",
     "top": "Looks down on the arm",
     "iso": "Looks at the arm from the front right and above",
+    "below": "Looks at the arm from below the floor; turning the picture never goes there",
     "fit": "Shows all of the arm as large as the room allows",
     "follow": "Keeps the tool centre point in the middle",
     "orthographic": "Parallel lines look parallel: lengths can be compared",
@@ -43,7 +44,7 @@ _TIPS: Final = Texts("ViewBar") | {
     "save": "Writes the picture with its figures to a file",
     "copy": "Puts the picture with its figures into the clipboard",
 }
-"""What each action does; its name and its key are those of ``view.<action>`` in `SHORTCUTS`."""
+"""The tooltip of each action; name and key are those of ``view.<action>`` in `SHORTCUTS`."""
 _SWITCHES: Final = ("follow", "orthographic", "tool_frame", "reach")
 _HANDLES: Final = Texts("ViewBar") | {
     None: "No handles",
@@ -53,7 +54,7 @@ _HANDLES: Final = Texts("ViewBar") | {
 }
 _STRIP: Final = ("front", "side", "top", "iso", "fit", "follow")
 _MENU: Final = (
-    ("front", "side", "top", "iso"),
+    ("front", "side", "top", "iso", "below"),
     ("fit", "follow", "orthographic"),
     ("tool_frame", "reach", "trail"),
     ("save", "copy"),
@@ -150,7 +151,7 @@ class ViewBar(Translated, QFrame):
 
     @property
     def without_button(self) -> dict[str, QAction]:
-        """What only the menu has, and the switch of the handles."""
+        """The actions that only the menu has, and the switch of the handles."""
         rest = {name: each for name, each in self.view_actions.items() if name not in _STRIP}
         return {**rest, "handles": self._toggle_handles}
 

@@ -203,8 +203,11 @@ class CollisionPanel(LevelsPanel):
         return self.tr("Collision level")
 
     def note(self) -> str:
-        """Which levels watch."""
-        return self.tr("Levels 1 to 8 watch for collisions; level 0 does not watch at all.")
+        """Say which levels watch, and that nobody has said which of them is the sensitive one."""
+        return self.tr(
+            "Levels 1 to 8 watch for collisions; level 0 does not watch at all. The maker has not "
+            "published whether 1 or 8 is the more sensitive one."
+        )
 
     def danger(self) -> str:
         """Joints that would not notice, or do not notice, what they hit."""

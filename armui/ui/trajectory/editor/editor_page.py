@@ -30,8 +30,8 @@ from armui.ui.trajectory.editor.other_arm_line import OtherArmLine
 from armui.ui.trajectory.editor.point_edits import OfOtherArm, Outcome, PointEdits
 from armui.ui.trajectory.editor.points_model import PointsModel
 from armui.ui.trajectory.editor.points_table import PointsTable
-from armui.ui.trajectory.running.preflight import Checks, Preflight
 from armui.ui.trajectory.running.run_bar import RunBar, RunChoices
+from armui.ui.trajectory.running.run_request import Checks, Preflight
 from armui.ui.widgets.buttons import named, push_button
 from armui.ui.widgets.layouts import fill, in_column
 from armui.ui.widgets.message_line import MessageLine, Words
@@ -214,6 +214,7 @@ class EditorPage(Page):
         self.table.row_chosen.connect(self.selected_row_changed)
         self._run_bar.listen(self)
         self._run_bar.checked.connect(self._show_check)
+        self._run_bar.withdrawn.connect(self._findings.withdraw_question)
         self._run_bar.refused.connect(
             lambda reason: self._say(partial(words.refusal, reason), Level.WARNING)
         )
@@ -233,7 +234,7 @@ class EditorPage(Page):
         """Beside the jog buttons, making a point is what is done most: not running."""
         jogs = self._actions["jog"].isChecked()
         self._jog.unfold(jogs)
-        self._run_bar.stand_back(jogs)
+        self._run_bar.show_secondary(jogs)
 
     # Editing ----------------------------------------------------------------------------------
 

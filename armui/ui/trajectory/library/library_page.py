@@ -36,8 +36,8 @@ from armui.ui.trajectory.library.library_presence import (
 from armui.ui.trajectory.library.library_table import LibraryHint, LibraryTable
 from armui.ui.trajectory.library.library_work import LibraryWork
 from armui.ui.trajectory.recording.recording_page import RecordingPage
-from armui.ui.trajectory.running.preflight import Checks, Preflight
 from armui.ui.trajectory.running.run_bar import RunBar, RunChoices
+from armui.ui.trajectory.running.run_request import Checks, Preflight
 from armui.ui.widgets.buttons import named
 from armui.ui.widgets.flow import in_flow
 from armui.ui.widgets.layouts import fill
@@ -148,6 +148,7 @@ class LibraryPage(Page):
         self._controller.operating_state_changed.connect(self._on_operating_state)
         self._run_bar.listen(self)
         self._run_bar.checked.connect(self._show_check)
+        self._run_bar.withdrawn.connect(self._findings.withdraw_question)
         self._run_bar.refused.connect(
             lambda reason: self._say(partial(words.refusal, reason), Level.WARNING)
         )

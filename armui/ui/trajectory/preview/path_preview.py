@@ -53,6 +53,7 @@ class PathPreview(QObject):
         self._name = ""
         self._wanted_deg: tuple[float, ...] | None = None
         self._target_deg: tuple[float, ...] | None = None
+        self._is_seen = True
         self._scrubbed = False
         """The operator went to a time; what he did last is where the ghost is."""
         self._shown = NOTHING
@@ -87,7 +88,7 @@ class PathPreview(QObject):
         self._scrubbed = False
         self._ends = {} if path is None else path.ends()
         if path is None or path.duration_s <= 0.0:
-            self._bar.shut()
+            self._bar.set_shown(False)
             self._set(NOTHING)
             return
         outline = path.outline(_MOST_PLACES)
@@ -102,6 +103,7 @@ class PathPreview(QObject):
         )
         self._shown = Preview(picture, self._shown.selected_row, tuple(path.at(0.0)))
         self._bar.open(path.duration_s)
+        self._bar.set_shown(self._is_seen)
         self._scrubbed = False
         self._set(self._shown)
 
@@ -118,6 +120,16 @@ class PathPreview(QObject):
         if self._path is None:
             self._set(Preview(marks, row, ghost_deg))
         self.row_shown.emit()
+
+    def set_seen(self, seen: bool) -> None:
+        """Say whether the page is seen whose path, points and ghost these are: they go with it.
+
+        The path of a run that is under way stays in the picture.
+        """
+        if seen != self._is_seen:
+            self._is_seen = seen
+            self._bar.set_shown(seen and self._path is not None and self._path.duration_s > 0.0)
+            self._set(self._shown)
 
     def show_joint_range(
         self, number: int | None, limits_deg: tuple[float, float] = (0.0, 0.0)
@@ -171,6 +183,8 @@ class PathPreview(QObject):
 
     def _set(self, preview: Preview) -> None:
         self._shown = preview
+        if not self._is_seen and preview.current_row is None:
+            preview = NOTHING
         if self._target_deg is not None:
             preview = replace(preview, ghost_deg=self._target_deg)
         self._view.set_preview(preview)

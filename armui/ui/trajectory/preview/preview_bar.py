@@ -83,10 +83,11 @@ class PreviewBar(Translated, QFrame):
             self._slider.show_requested(time_s)
         self._on_moved()
 
-    def shut(self) -> None:
-        """There is nothing to preview."""
-        self._play.setChecked(False)
-        self.hide()
+    def set_shown(self, shown: bool) -> None:
+        """Show the bar, or hide it; what is hidden is not played."""
+        if not shown:
+            self._play.setChecked(False)
+        self.setVisible(shown)
 
     def _on_moved(self) -> None:
         self._time.show_text(f"{_clock(self.time_s)} / {_clock(self._duration_s)}", stale=False)

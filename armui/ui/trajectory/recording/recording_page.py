@@ -23,7 +23,7 @@ from armui.ui import words
 from armui.ui.background import Job
 from armui.ui.trajectory.editor.leave_question import LeaveQuestion
 from armui.ui.trajectory.library.library_work import LibraryWork
-from armui.ui.trajectory.running.preflight import Checks, Preflight
+from armui.ui.trajectory.running.run_request import Checks, Preflight
 from armui.ui.trajectory.text import duration
 from armui.ui.widgets.buttons import named, push_button
 from armui.ui.widgets.figure_field import FigureField
@@ -252,7 +252,7 @@ class RecordingPage(Page):
         self._work_out(self._plan_preview)
 
     def _plan_preview(self, recording: Recording) -> None:
-        self._checks.begin(self._checks.prepare(recording, RunOptions(), self._show_preview))
+        self._checks.begin(recording, RunOptions(), self._show_preview)
 
     def _show_preview(self, checked: Preflight | Refusal) -> None:
         if isinstance(checked, Refusal):

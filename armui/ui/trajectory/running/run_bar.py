@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import replace
-from functools import partial
 from typing import Final, NamedTuple
 
 from PySide6.QtCore import QObject, QSignalBlocker, Qt, Signal
@@ -28,7 +27,7 @@ from armui.trajectory.planning.timing import APPROACH_PERCENT
 from armui.trajectory.points.program import SpeedsFrom
 from armui.ui import words
 from armui.ui.actions.keys import keys_of, listen_for
-from armui.ui.trajectory.running.preflight import CheckJob, Checks, Preflight
+from armui.ui.trajectory.running.run_request import Checks, RequestState, RunRequest
 from armui.ui.trajectory.running.runner import Runner, ended_early
 from armui.ui.widgets.buttons import enable_or_explain, named, push_button, show_primary
 from armui.ui.widgets.flow import in_flow, pair
@@ -122,12 +121,14 @@ class RunBar(Translated, QWidget):
     Signals:
         checked: A :class:`Preflight` and, if the operator has to agree to the run, what begins it;
             else ``None``.
+        withdrawn: What the operator was asked to agree to is not to be run any more.
         refused: A :class:`Refusal`.
         progressed: A :class:`Progress`.
         started: The name of what begins to run, and its :class:`RunOptions`.
     """
 
     checked = Signal(object, object)
+    withdrawn = Signal()
     refused = Signal(object)
     progressed = Signal(object)
     started = Signal(str, object)
@@ -146,18 +147,16 @@ class RunBar(Translated, QWidget):
         self._content = content
         self._name = ""
         self._speeds: Sequence[SpeedsFrom] = ()
-        self._job: CheckJob | None = None
-        self._reading: object | None = None
+        self._request: RunRequest | None = None
         self._recording = False
         self._nothing: Refusal | None = None
-        self._about_to_run = False
         self._runner = Runner(controller, self)
         self._again: _Started | None = None
         self._make_widgets()
         self._lay_out()
-        self._send.clicked.connect(self._on_send)
+        self._send.clicked.connect(self.send)
         self._call_off.clicked.connect(lambda _checked=False: self.drop_check())
-        self._resume.clicked.connect(self._on_resume)
+        self._resume.clicked.connect(self.resume)
         self._cycles.currentIndexChanged.connect(self._on_chosen)
         for spin in (self._times, self._speed, self._first):
             spin.valueChanged.connect(self._on_chosen)
@@ -227,65 +226,6 @@ class RunBar(Translated, QWidget):
             widget.setVisible(not recording)
         self._show_usable()
 
-    def check(self) -> None:
-        """Check what would be run; :attr:`checked` tells how it ended."""
-        self._check(self._options(), lambda checked: self.checked.emit(checked, None))
-
-    def drop_check(self, but: str = "") -> None:
-        """What is being checked is so no more, or not wanted: nothing comes of it, no run either.
-
-        Args:
-            but: The name of what may go on being checked.
-        """
-        reading = self._reading is not None and not but
-        if reading or (self._job is not None and self._job.order.content.name != but):
-            if self._job is not None:
-                self._job.drop()
-            self._job = self._reading = None
-            self._about_to_run = False
-            self._show_usable()
-
-    def _check(self, options: RunOptions, then: Callable[[Preflight], object]) -> None:
-        self.drop_check()
-        reading = self._reading = object()
-        self._content(partial(self._on_content, reading, options, then))
-        self._show_usable()
-
-    def _on_content(
-        self,
-        reading: object,
-        options: RunOptions,
-        then: Callable[[Preflight], object],
-        content: Content | None,
-    ) -> None:
-        """What shall be checked was read; unless it is not wanted any more, check it."""
-        if reading is not self._reading:
-            return
-        self._reading = None
-        if content is None:
-            self._about_to_run = False
-            self._show_usable()
-            return
-        self._job = self._checks.prepare(content, options, partial(self._on_checked, then))
-        self._checks.begin(self._job)
-        self._show_usable()
-
-    @property
-    def _checking(self) -> bool:
-        """Whether something is being read or checked."""
-        return self._job is not None or self._reading is not None
-
-    def _on_checked(
-        self, then: Callable[[Preflight], object], checked: Preflight | Refusal
-    ) -> None:
-        self._job = None
-        self._about_to_run = False
-        self._show_usable()
-        if isinstance(checked, Refusal):
-            self.refused.emit(checked)
-        else:
-            then(checked)
-
     def _options(self) -> RunOptions:
         recording = self._recording
         cycles = {_ONCE: 1, _TIMES: self._times.value(), _LOOP: ENDLESS}
@@ -354,16 +294,77 @@ class RunBar(Translated, QWidget):
         before = [one for one in self._speeds if one.row < row]
         return before[-1][1:] if before else (1, 1)
 
-    def stand_back(self, wanted: bool) -> None:
-        """Whether something else on the page is done more often than running it."""
+    # What is asked for ------------------------------------------------------------------------
+
+    def show_secondary(self, wanted: bool) -> None:
+        """Show that something else on the page is done more often than running it."""
         show_primary(self._send, wanted=not wanted)
 
-    def _on_send(self) -> None:
-        self._run(self._options)
+    def check(self) -> None:
+        """Check what would be run; :attr:`checked` tells how it ended."""
+        self._begin(self._options, runs=False)
 
-    def _on_resume(self) -> None:
+    def send(self) -> None:
+        """Check what is chosen, then run it."""
+        self._begin(self._options)
+
+    def resume(self) -> None:
         """Take a run up where it ended."""
-        self._run(self._options_to_resume)
+        self._begin(self._options_to_resume, self._why_not_resume)
+
+    def _begin(
+        self,
+        options: Callable[[], RunOptions],
+        why_not: Callable[[str], Refusal | None] = lambda _name: None,
+        *,
+        runs: bool = True,
+    ) -> None:
+        self._give_up()
+        self._request = RunRequest(
+            *(self._controller, self._checks, self._runner),
+            read=self._content,
+            options=options,
+            told=self._on_request,
+            runs=runs,
+            why_not=why_not,
+        )
+        self._request.begin()
+
+    def _on_request(self, request: RunRequest) -> None:
+        """Show how far a request has come."""
+        if request is not self._request:
+            return
+        self._show_usable()
+        checked = request.checked
+        if request.state is RequestState.CHECKED:
+            self.checked.emit(checked, request.accept if request.must_ask else None)
+        elif request.state is RequestState.REFUSED:
+            self.refused.emit(request.refusal)
+        elif request.state is RequestState.GIVEN_UP and request.must_ask:
+            self.withdrawn.emit()
+        elif request.state is RequestState.UNDER_WAY and checked is not None:
+            cycles = self._options().cycles
+            self._again = _Started(request.name, cycles, request.options.cycles)
+            self._shared.note_run(request.name)
+            self.started.emit(request.name, self._options())
+
+    def drop_check(self, but: str = "") -> None:
+        """Let nothing come of what is read, checked or asked: it is so no more, or not wanted.
+
+        Args:
+            but: The name of what may go on being checked; its page tells what it has read.
+        """
+        if self._request is not None and not (but and self._request.name in {"", but}):
+            self._give_up()
+
+    def _give_up(self) -> None:
+        if self._request is not None:
+            self._request.give_up()
+
+    @property
+    def is_checking(self) -> bool:
+        """True while something is read or checked."""
+        return self._request is not None and self._request.is_busy
 
     def _options_to_resume(self) -> RunOptions:
         """As shown now, from where it ended; for as many cycles as are left, unless chosen anew."""
@@ -378,48 +379,8 @@ class RunBar(Translated, QWidget):
         begun_here = self._again is not None and self._again.name == progress.name == name
         return begun_here and ended_early(progress)
 
-    def _run(self, wanted: Callable[[], RunOptions]) -> None:
-        """Check, then run.
-
-        Args:
-            wanted: Tells how, by what is shown; asked again when the arm is about to set out.
-        """
-        refusal = self._controller.operating_state.cannot_run
-        if refusal is not None:
-            self.refused.emit(refusal)
-            return
-        self._check(wanted(), partial(self._run_checked, wanted))
-        self._about_to_run = self._checking
-
-    def _run_checked(self, wanted: Callable[[], RunOptions], checked: Preflight) -> None:
-        if wanted == self._options_to_resume and not self._may_resume(checked.content.name):
-            self.refused.emit(Refusal(RefusalCode.ASKED_OTHERWISE))
-        elif wanted() != checked.basis.options:
-            self._run(wanted)  # turned meanwhile: what is shown has not been checked
-        elif checked.errors:
-            self.checked.emit(checked, None)
-            self.refused.emit(Refusal(RefusalCode.FINDINGS_AGAINST, {"count": checked.errors}))
-        elif checked.findings or checked.took_s > _SURPRISING_S:
-            self.checked.emit(checked, lambda: self._start(wanted, checked))
-        else:
-            self.checked.emit(checked, None)
-            self._start(wanted, checked)
-
-    def _start(self, wanted: Callable[[], RunOptions], checked: Preflight) -> None:
-        options = wanted()
-        if options != checked.basis.options:
-            self._run(wanted)
-            return
-        refusal = checked.why_outdated(self._controller, options)
-        if refusal is None:
-            name, cycles = checked.content.name, self._options().cycles
-            self._again = _Started(name, cycles, options.cycles)
-            refusal = self._runner.start(checked)
-        if refusal is not None:
-            self.refused.emit(refusal)
-            return
-        self._shared.note_run(checked.content.name)
-        self.started.emit(checked.content.name, self._options())
+    def _why_not_resume(self, name: str) -> Refusal | None:
+        return None if self._may_resume(name) else Refusal(RefusalCode.ASKED_OTHERWISE)
 
     # How far it has come ----------------------------------------------------------------------
 
@@ -432,8 +393,9 @@ class RunBar(Translated, QWidget):
         self.progressed.emit(progress)
 
     def _on_operating_state(self, operating_state: OperatingState) -> None:
-        if self._about_to_run and operating_state.stop is not StopState.RUNNING:
-            self.drop_check()  # the stop was meant for what was about to begin, too
+        request = self._request
+        if request is not None and request.runs and operating_state.stop is not StopState.RUNNING:
+            request.give_up()  # the stop was meant for what was about to begin, too
         if self.isVisible():
             self._show_usable()
 
@@ -446,7 +408,7 @@ class RunBar(Translated, QWidget):
         return words.why_not(self._controller.operating_state.cannot_run)
 
     def _show_usable(self, *_: object) -> None:
-        progress, checking = self._runner.progress, self._checking
+        progress, checking = self._runner.progress, self.is_checking
         why_not = self._why_not()
         for choice in self._choices:  # the run under way has its own
             choice.setEnabled(not self._runner.running)
@@ -487,7 +449,8 @@ class RunBar(Translated, QWidget):
 
     def hideEvent(self, event: QHideEvent) -> None:
         """Nothing begins from a page that is not seen."""
-        self.drop_check()
+        if self.is_checking:
+            self._give_up()
         super().hideEvent(event)
 
 
