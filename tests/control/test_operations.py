@@ -30,6 +30,7 @@ ARGUMENTS: dict[str, tuple[dict[str, Any], ...]] = {
         {"command": TrajectoryCommand[name]}
         for name in ("PAUSE", "CONTINUE", "CLEAR_CURRENT", "CLEAR_ALL", "ABORT")
     ),
+    "run.override": ({"percent": 0}, {"percent": 50}),
 }
 """What a reason may depend on beside the state."""
 

@@ -38,7 +38,9 @@ def ready(any_rig):
 
 
 def started(rig, *places, percent=80, dwell_s=0.0, **more):
-    points = [Waypoint(MoveMode.MOVE_J, each, speed_percent=percent, dwell_s=dwell_s) for each in places]
+    points = [
+        Waypoint(MoveMode.MOVE_J, each, speed_percent=percent, dwell_s=dwell_s) for each in places
+    ]
     run = Run("run", points, [2.0] * len(points), **more)
     assert rig.controller.player.start(run) is None
     return rig.controller.player

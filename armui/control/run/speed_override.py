@@ -20,6 +20,8 @@ if TYPE_CHECKING:
 
 _AGAIN_S: Final = 0.1
 """So long after it a lower percentage is told once more: a frame may be lost."""
+FULL_PERCENT: Final = 100
+"""Everything goes at its own speed."""
 STEP_PERCENT: Final = 10
 """How much a key changes a speed."""
 
@@ -53,8 +55,7 @@ class SpeedOverride(ControllerPart):
         self._motion = motion
         self._runs = runs
         self._again_s: float | None = None
-        self._before_zero = 100
-        self.percent = 100
+        self._before_zero = self.percent = FULL_PERCENT
 
     @operation("run.override", "Set the speed override of runs", why_no_override)
     def set_percent(self, percent: float) -> Refusal | None:

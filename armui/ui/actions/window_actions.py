@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Final
 from PySide6.QtCore import QObject, Qt
 from PySide6.QtWidgets import QApplication, QDialog, QWidget
 
+from armui.control.run.speed_override import STEP_PERCENT
 from armui.control.safety.recovery_steps import StepKind
 from armui.ui.actions.commands_button import CommandsButton
 from armui.ui.actions.keys import listen_for
@@ -63,6 +64,7 @@ class WindowActions(QObject):
             "palette": self.open_palette,
             "guide": self.open_guide,
             "shortcuts": self.open_shortcuts,
+            "faster": self._go_faster,
         }
         everywhere = Qt.ShortcutContext.ApplicationShortcut
         for name, act in openers.items():
@@ -158,6 +160,8 @@ class WindowActions(QObject):
         own: dict[str, tuple[Doing, Callable[[], str]]] = {
             "everywhere.stop": (self._controller.emergency_stop, _always),
             "everywhere.halt": (self._controller.halt_and_hold, _always),
+            "everywhere.slower": (self._go_slower, _always),
+            "everywhere.faster": (self._go_faster, _always),
             "everywhere.guide": (self.open_guide, _always),
             "everywhere.shortcuts": (self.open_shortcuts, _always),
             "window.resume": (self._ask_to_resume, _always),
@@ -188,6 +192,12 @@ class WindowActions(QObject):
         if button is None:
             return self.tr("There is no next step now.")
         return "" if button.isEnabled() else button.toolTip()
+
+    def _go_slower(self) -> None:
+        self._controller.speed_override.step(-STEP_PERCENT)
+
+    def _go_faster(self) -> None:
+        self._controller.speed_override.step(STEP_PERCENT)
 
     def _switch_language(self) -> None:
         self._store.change(language="en" if self._store.settings.language == "zh" else "zh")

@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QProgressBar, QToolButton, QWidget
 from armui.control.run.progress import ENDLESS, OVER, Progress, RunPhase
 from armui.ui import words
 from armui.ui.theme import colors_of
+from armui.ui.trajectory.running.override_control import OverrideControl
 from armui.ui.trajectory.running.runner import Runner, can_go_on, can_pause
 from armui.ui.trajectory.text import duration
 from armui.ui.widgets import icons
@@ -53,6 +54,7 @@ class RunStrip(Translated, QWidget):
         self._bar.setRange(0, _STEPS)
         self._bar.setTextVisible(False)
         self._bar.setMinimumWidth(_BAR_PX // 2)
+        self._override = OverrideControl(controller)
         self._pause = push_button("run_pause", on_enter=False)
         # a motion that was held back is never set going by a slip
         self._continue = named("run_continue", HoldButton(controller))
@@ -60,7 +62,7 @@ class RunStrip(Translated, QWidget):
         self._close = named("run_close", QToolButton())
         self._close.setIconSize(QSize(_ICON_PX, _ICON_PX))
         in_row(
-            *((self._name, 2), (self._text, 4), (self._bar, 1)),
+            *((self._name, 2), (self._text, 4), (self._bar, 1), self._override),
             *(self._pause, self._continue, self._stop, self._close),
             on=self,
             spacing=12,
