@@ -5159,6 +5159,10 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>已接管：本程序可以移动机械臂。</translation>
     </message>
     <message>
+        <source>Speed override {percent} %</source>
+        <translation>运行倍率 {percent} %</translation>
+    </message>
+    <message>
         <source>The arm was told to end its motion and still moves. Stop it, or cut its power.</source>
         <translation>已命令机械臂终止运动，但它仍在动。请急停，或切断其电源。</translation>
     </message>
@@ -5884,6 +5888,10 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <source>Go on with the replay</source>
         <translation>继续回放</translation>
     </message>
+    <message>
+        <source>Set the speed override of runs</source>
+        <translation>设置运行倍率</translation>
+    </message>
 </context>
 <context>
     <name>OtherArmLine</name>
@@ -5913,6 +5921,21 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     <message>
         <source>high-follow</source>
         <translation>高跟随</translation>
+    </message>
+</context>
+<context>
+    <name>OverrideControl</name>
+    <message>
+        <source>Override</source>
+        <translation>倍率</translation>
+    </message>
+    <message>
+        <source>Share of the run&apos;s own speed, changed while it runs; 0 % pauses it. Slower {slower}, faster {faster}.</source>
+        <translation>相对于本次运行自身速度的比例，运行中可随时调整；0 % 即暂停。减速 {slower}，加速 {faster}。</translation>
+    </message>
+    <message>
+        <source>Speed override of the run</source>
+        <translation>运行倍率</translation>
     </message>
 </context>
 <context>
@@ -8232,6 +8255,10 @@ The other program must have ended.</source>
         <translation>第 {column} 列：{field}不能使用单位“{value}”。请选择 {choices} 之一。</translation>
     </message>
     <message>
+        <source>The speed override is 0 %: raise it, then hold “Continue” for 1 s.</source>
+        <translation>运行倍率为 0 %：请先调高，再按住“继续”1 秒。</translation>
+    </message>
+    <message>
         <source>{frames} of the arm has not been heard for {seconds} s: nobody knows where it is. Check its power and the CAN cable; nothing is sent until it is heard again.</source>
         <translation>已有 {seconds} 秒未收到机械臂的 {frames}：无法得知其位置。请检查电源与 CAN 线；重新收到之前不发送任何运动指令。</translation>
     </message>
@@ -8816,6 +8843,14 @@ The other program must have ended.</source>
         <translation>顶栏的速度不影响运行。</translation>
     </message>
     <message>
+        <source>{text} · override {percent} %</source>
+        <translation>{text} · 倍率 {percent} %</translation>
+    </message>
+    <message>
+        <source>The override was chosen in a run and stays; it can be raised once something runs (key {key}).</source>
+        <translation>倍率是在运行中设定的，保持有效；开始运行后可调高（按键 {key}）。</translation>
+    </message>
+    <message>
         <source>{text} · first run</source>
         <translation>{text} · 首次运行</translation>
     </message>
@@ -9336,6 +9371,10 @@ The other program must have ended.</source>
         <translation>使用指南，打开当前所在处的章节</translation>
     </message>
     <message>
+        <source>Faster: run or motion</source>
+        <translation>加速：运行或运动</translation>
+    </message>
+    <message>
         <source>This list</source>
         <translation>本列表</translation>
     </message>
@@ -9362,6 +9401,10 @@ The other program must have ended.</source>
     <message>
         <source>Halt: ends any motion, the motors keep their power</source>
         <translation>停住：结束任何运动，电机保持通电</translation>
+    </message>
+    <message>
+        <source>Slower: run or motion</source>
+        <translation>减速：运行或运动</translation>
     </message>
     <message>
         <source>To the next control; with Shift to the one before</source>

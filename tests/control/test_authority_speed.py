@@ -114,6 +114,7 @@ def test_what_is_held_back_is_given_the_time_to_brake_and_no_more(arm, hold):
     arm.turn(15, 2.0)  # 0.3 s at 100 °/s: time to take it up, and to slow down by 286 °/s²
     assert arm.authority.overspeed is None
     arm.turn(15, 2.0)
+    assert arm.authority.overspeed is not None
     assert arm.authority.overspeed.params["maximum"] == 0.0
 
 

@@ -91,7 +91,7 @@ class Replayer(Execution):
 
     @operation("replay.pause", "Pause the replay", why_not_pause)
     def pause(self) -> Refusal | None:
-        """Hold where the arm is: on the way to the first sample by 0x150, later by sending nothing."""
+        """Hold where the arm is: by 0x150 on the way to the first sample, later by silence."""
         if self._phase is not RunPhase.MOVING:
             return self._context.refuse(Refusal(RefusalCode.NOT_RUNNING))
         self._pace = 0.0
@@ -128,7 +128,7 @@ class Replayer(Execution):
         return None
 
     def set_override(self, percent: int) -> None:
-        """Let the recorded time go by at another pace; at 0 % it comes to a stand, and is paused."""
+        """Let the recorded time go by at another pace; at 0 % it comes to a stand: a pause."""
         self._override_percent = percent
         if percent == 0 and self._phase is RunPhase.MOVING:
             self._pause()

@@ -60,8 +60,8 @@ _WIDEST_PX: Final = 620
 class SpeedControl(Translated, QWidget):
     """Slider and field for 0–100 % of the arm's highest speed (manual 1.0.3, 0x151 byte 2).
 
-    Dragging sends a lower speed at once, a higher one when the handle is let go; keys, clicks and the
-    field send at once.
+    Dragging sends a lower speed at once, a higher one when the handle is let go; keys, clicks and
+    the field send at once.
     """
 
     def __init__(self, controller: ArmController) -> None:

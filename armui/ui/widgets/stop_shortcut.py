@@ -28,8 +28,8 @@ _PRESSES: Final = frozenset({QEvent.Type.MouseButtonPress, QEvent.Type.MouseButt
 class StopShortcut(QObject):
     """Listens to the whole application, below any dialog that holds the other keys back.
 
-    A key only ever stops, halts or slows; recovery needs the button and its question. A press that Qt
-    would only take to close a popup (of a combo box, a menu) reaches the stop button it lies on.
+    A key only ever stops, halts or slows; recovery needs the button and its question. A press that
+    Qt would only take to close a popup (of a combo box, a menu) reaches the stop button under it.
 
     Args:
         app: The application to listen to; the listener lives and dies with it.
