@@ -38,7 +38,7 @@ class FakeView(QWidget):
     def set_joints(self, angles_deg: Any, gripper_mm: Any, stale: bool = False) -> None:
         self.joints = (angles_deg, gripper_mm, stale)
 
-    def forget_joints(self) -> None:
+    def set_joints_unknown(self) -> None:
         self.joints = None
 
     def set_pose(

@@ -79,7 +79,7 @@ class PictureExport(FileExport):
             text = self.tr("There is no picture of now to be taken: wait until it is drawn.")
             self.said.emit(text, Level.WARNING)
             return None
-        return self._view.taken_picture()
+        return self._view.grab_picture()
 
 
 def _write(image: QImage, path: Path) -> None:
@@ -172,6 +172,9 @@ class TrailKeeper:
 
 _LONG_MS: Final = 6000
 _WIDEST_PX: Final = 420
+_NARROW_PX: Final = 240
+"""So wide a line stands beside the buttons at the lower right."""
+_NOTE_RIM_PX: Final = 11
 
 
 class PictureNote(QLabel):
@@ -183,6 +186,7 @@ class PictureNote(QLabel):
         self.setWordWrap(True)
         self.setTextFormat(Qt.TextFormat.PlainText)
         self.setMaximumWidth(_WIDEST_PX)
+        self.setIndent(0)  # beside the rim of the style sheet
         self.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
         self._words: str | Callable[[], str] = ""
         self._level = Level.INFO
@@ -207,17 +211,24 @@ class PictureNote(QLabel):
         self._end.stop()
         self._words, self._level = words, level
         text = words if isinstance(words, str) else words()
-        self.setText(text)
-        self.setAccessibleName(text)
+        self._write(text)
         self._color()
         self.setVisible(bool(text))
         if text and not stays:
             self._end.start()
 
+    def _write(self, text: str) -> None:
+        """Show a text, in one line where it is a short one."""
+        self.setText(text)
+        self.setAccessibleName(text)
+        self.ensurePolished()  # as wide as the theme's font has it
+        line_px = self.fontMetrics().horizontalAdvance(text) + 2 * _NOTE_RIM_PX
+        self.setMinimumWidth(min(line_px, _NARROW_PX) if text else 0)
+
     def changeEvent(self, event: QEvent) -> None:
         """Follow the language and the colours."""
         if event.type() == QEvent.Type.LanguageChange and not isinstance(self._words, str):
-            self.setText(self._words())
+            self._write(self._words())
         elif event.type() == QEvent.Type.PaletteChange and self.text():
             self._color()
         super().changeEvent(event)
@@ -230,7 +241,7 @@ class PictureNote(QLabel):
         }.get(self._level, (colors.surface, colors.border))
         sheet = (
             f"#picture_note {{ background: {ground}; border: 1px solid {line}; "
-            f"border-radius: 6px; padding: 6px 10px; color: {colors.text}; }}"
+            f"border-radius: 6px; padding: 6px {_NOTE_RIM_PX - 1}px; color: {colors.text}; }}"
         )
         if sheet != self.styleSheet():  # which is itself a change of the palette
             self.setStyleSheet(sheet)

@@ -43,7 +43,7 @@ def show_in_view(
     )
     angles_deg = state.angles_deg()
     if angles_deg is None and operating_state.link is LinkState.LOST:
-        view.forget_joints()  # the cable is out, and the arm has not gone to its zeros
+        view.set_joints_unknown()  # the cable is out, and the arm has not gone to its zeros
     else:
         gripper_mm = None if state.gripper is None else state.gripper.value.opening_mm
         view.set_joints(angles_deg, gripper_mm, stale=joints_stale)
