@@ -237,10 +237,6 @@
         <translation>关节状态</translation>
     </message>
     <message>
-        <source>Session recordings</source>
-        <translation>会话记录</translation>
-    </message>
-    <message>
         <source>Replay a recording</source>
         <translation>回放会话记录</translation>
     </message>
@@ -541,6 +537,14 @@
     <message>
         <source>It ended three times in a minute; the arm is not affected.</source>
         <translation>一分钟内结束了三次；机械臂不受影响。</translation>
+    </message>
+    <message>
+        <source>Tool centre point</source>
+        <translation>工具中心点</translation>
+    </message>
+    <message>
+        <source>Flange</source>
+        <translation>法兰</translation>
     </message>
 </context>
 <context>
@@ -6261,6 +6265,10 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <source>Drawer</source>
         <translation>抽屉</translation>
     </message>
+    <message>
+        <source>Run</source>
+        <translation>运行</translation>
+    </message>
 </context>
 <context>
     <name>PlotBar</name>
@@ -10476,6 +10484,17 @@ The other program must have ended.</source>
     </message>
 </context>
 <context>
+    <name>TargetDrag</name>
+    <message>
+        <source>Preview of the target: it has not been sent</source>
+        <translation>目标预览：尚未发送</translation>
+    </message>
+    <message>
+        <source>Simulated arm in drag teaching: lead it by the handles in the picture, as by hand</source>
+        <translation>仿真机械臂处于拖动示教：在画面中拖动手柄即可用鼠标牵引</translation>
+    </message>
+</context>
+<context>
     <name>Targets</name>
     <message>
         <source>Joint targets</source>
@@ -10930,10 +10949,6 @@ Afterwards the motors must be enabled again.</source>
         <translation>将画面连同数值复制到剪贴板</translation>
     </message>
     <message>
-        <source>Way of the tool</source>
-        <translation>末端轨迹</translation>
-    </message>
-    <message>
         <source>Last {seconds} s of motion</source>
         <translation>最近 {seconds} 秒的运动</translation>
     </message>
@@ -10980,6 +10995,14 @@ Afterwards the motors must be enabled again.</source>
     <message>
         <source>Shows what the tool centre point can reach; orange bounds what it can&apos;t within</source>
         <translation>显示工具中心点能到达的空间；橙色是其中到不了的部分的边界</translation>
+    </message>
+    <message>
+        <source>Way of the tool centre point</source>
+        <translation>工具中心点走过的轨迹</translation>
+    </message>
+    <message>
+        <source>Way of the flange</source>
+        <translation>法兰走过的轨迹</translation>
     </message>
 </context>
 <context>
