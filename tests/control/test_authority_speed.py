@@ -112,10 +112,11 @@ def test_what_is_held_back_is_given_the_time_to_brake_and_no_more(arm, hold):
     arm.turn(8, 2.0)
     hold(arm)
     arm.turn(15, 2.0)  # 0.3 s at 100 °/s: time to take it up, and to slow down by 286 °/s²
-    assert arm.authority.overspeed is None
+    assert [arm.authority.overspeed] == [None]
     arm.turn(15, 2.0)
-    assert arm.authority.overspeed is not None
-    assert arm.authority.overspeed.params["maximum"] == 0.0
+    (reason,) = [arm.authority.overspeed]
+    assert reason is not None
+    assert reason.params["maximum"] == 0.0
 
 
 @pytest.mark.parametrize("hold", [hold_by_zero, hold_by_pause])

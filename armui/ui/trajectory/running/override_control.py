@@ -31,6 +31,9 @@ class OverrideControl(Translated, QWidget):
 
     Args:
         controller: Owns the override.
+
+    Attributes:
+        field: Takes a figure.
     """
 
     def __init__(self, controller: ArmController) -> None:
@@ -42,27 +45,27 @@ class OverrideControl(Translated, QWidget):
         self._slider.setPageStep(STEP_PERCENT)
         self._slider.setTracking(False)
         self._slider.setFixedWidth(_SLIDER_PX)
-        self._field = named("override_field", QSpinBox())
-        self._field.setRange(0, FULL_PERCENT)
-        self._field.setSingleStep(STEP_PERCENT)
-        self._field.setSuffix(" %")
-        self._field.setKeyboardTracking(False)
-        self._field.setAlignment(Qt.AlignmentFlag.AlignCenter)
-        self._field.setMinimumWidth(_FIELD_PX)
-        self._label.setBuddy(self._field)
+        self.field = named("override_field", QSpinBox())
+        self.field.setRange(0, FULL_PERCENT)
+        self.field.setSingleStep(STEP_PERCENT)
+        self.field.setSuffix(" %")
+        self.field.setKeyboardTracking(False)
+        self.field.setAlignment(Qt.AlignmentFlag.AlignCenter)
+        self.field.setMinimumWidth(_FIELD_PX)
+        self._label.setBuddy(self.field)
         self.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Preferred)
-        in_row(self._label, self._slider, self._field, on=self, spacing=6, margins=0)
+        in_row(self._label, self._slider, self.field, on=self, spacing=6, margins=0)
         self._slider.valueChanged.connect(self._on_chosen)
         self._slider.sliderMoved.connect(self._on_dragged)
         self._slider.sliderReleased.connect(self._on_released)
-        self._field.valueChanged.connect(self._on_chosen)
+        self.field.valueChanged.connect(self._on_chosen)
         controller.operating_state_changed.connect(self._on_operating_state)
         self.retranslate_ui()
         self._show()
 
     def _on_dragged(self, percent: int) -> None:
-        with QSignalBlocker(self._field):
-            self._field.setValue(percent)
+        with QSignalBlocker(self.field):
+            self.field.setValue(percent)
         if percent < self._controller.speed_override.percent:
             self._controller.speed_override.set_percent(percent)
 
@@ -82,8 +85,8 @@ class OverrideControl(Translated, QWidget):
     def _show(self) -> None:
         percent = self._controller.speed_override.percent
         self._slider.show_requested(percent, attention=percent < FULL_PERCENT)
-        with QSignalBlocker(self._field):
-            self._field.setValue(percent)
+        with QSignalBlocker(self.field):
+            self.field.setValue(percent)
 
     def retranslate_ui(self) -> None:
         """Put every word into the operator's language."""
@@ -92,7 +95,7 @@ class OverrideControl(Translated, QWidget):
             "Share of the run's own speed, changed while it runs; 0 % pauses it. Slower {slower}, "
             "faster {faster}."
         ).format(slower=key_text("everywhere.slower"), faster=key_text("everywhere.faster"))
-        for widget in (self._slider, self._field):
+        for widget in (self._slider, self.field):
             describe(widget, self.tr("Speed override of the run"), tip)
 
     def showEvent(self, event: QShowEvent) -> None:

@@ -11,8 +11,9 @@ from PySide6.QtWidgets import QProgressBar, QToolButton, QWidget
 from armui.control.operations.operation import operation_of
 from armui.control.run.player import Player
 from armui.control.run.progress import ENDLESS, OVER, Progress, RunPhase
+from armui.control.run.speed_override import STEP_PERCENT, SpeedOverride
 from armui.ui import words
-from armui.ui.actions.command import Command, Target
+from armui.ui.actions.command import Command, Target, also
 from armui.ui.theme import colors_of
 from armui.ui.trajectory.running.override_control import OverrideControl
 from armui.ui.trajectory.running.runner import Runner, can_go_on, can_pause
@@ -50,6 +51,13 @@ class RunStrip(Translated, QWidget):
         Command("run.pause", Text("RunStrip", "Pause"), operation_of(Player.pause)),
         Command("run.go_on", operation=operation_of(Player.go_on)),
         Command("run.stop", Text("RunStrip", "End run")),
+        Command(
+            "run.override",
+            Text("OverrideControl", "Speed override of the run"),
+            operation_of(SpeedOverride.set_percent),
+            {"percent": STEP_PERCENT},
+            synonyms=also("velocity fast slow 速度 快 慢"),
+        ),
     )
 
     def __init__(self, controller: ArmController) -> None:
@@ -90,7 +98,7 @@ class RunStrip(Translated, QWidget):
 
     def command_targets(self) -> Mapping[str, Target]:
         """Return what carries out each command, by the command's name."""
-        stop: dict[str, Target] = {"run.stop": self._stop}
+        stop: dict[str, Target] = {"run.stop": self._stop, "run.override": self._override.field}
         if can_pause(self._runner.progress):
             return {**stop, "run.pause": self._pause}
         go_on = self.go_on_button  # a press of the palette never sets the arm moving
