@@ -4412,6 +4412,14 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
 <context>
     <name>LibraryPage</name>
     <message>
+        <source>Saved as “{name}”.</source>
+        <translation>已保存为“{name}”。</translation>
+    </message>
+    <message>
+        <source>Deleted: {names}</source>
+        <translation>已删除：{names}</translation>
+    </message>
+    <message>
         <source>“{name}” is not saved yet. Open it and save it first.</source>
         <translation>“{name}”尚未保存，请先打开并保存。</translation>
     </message>
@@ -7045,6 +7053,10 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     <message>
         <source>Record</source>
         <translation>录制</translation>
+    </message>
+    <message>
+        <source>It is in memory alone until it is saved. {reason}</source>
+        <translation>保存前数据只在内存中。{reason}</translation>
     </message>
     <message>
         <source>Recording: {time}, {count} samples</source>
@@ -10794,6 +10806,29 @@ Afterwards the motors must be enabled again.</source>
     <message>
         <source>What you entered has not been saved to the arm. If you discard it, the arm keeps what it holds now.</source>
         <translation>输入的值尚未保存到机械臂。若放弃修改，机械臂保持现有的值。</translation>
+    </message>
+</context>
+<context>
+    <name>UnsavedRecordingLine</name>
+    <message>
+        <source>Keep</source>
+        <translation>保留</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>丢弃</translation>
+    </message>
+    <message>
+        <source>Saves it in the library.</source>
+        <translation>保存到轨迹库。</translation>
+    </message>
+    <message>
+        <source>For 30 days it is under “Recently deleted…”.</source>
+        <translation>30 天内可在“最近删除…”中恢复。</translation>
+    </message>
+    <message>
+        <source>Unsaved recording of {time}: “{name}”, {count} samples.</source>
+        <translation>{time} 的录制尚未保存：“{name}”，{count} 个采样。</translation>
     </message>
 </context>
 <context>
