@@ -31,7 +31,7 @@ from armui.control.motion.motion_command import End
 from armui.control.motion_end import MotionEnd
 from armui.control.operating_state import Busy, OperatingState
 from armui.control.parts import Parts
-from armui.control.run.run_end import cut_short
+from armui.control.run.run_end import abort_motion
 from armui.control.safety.emergency_stop import is_stopped
 from armui.control.safety.stopping import Stopping
 from armui.protocol.codes import TrajectoryCommand
@@ -190,7 +190,7 @@ class ArmController(ControllerParts):
             return
         self._end_run_because(Refusal(RefusalCode.RUN_LEFT))
         if self._authority.holds:
-            cut_short(self._context)
+            abort_motion(self._context)
         self._forget_arm()
         self._connection.close()
         self._timer.stop()
@@ -243,7 +243,7 @@ class ArmController(ControllerParts):
         self.noticed.emit(Event(self._wall(self._clock()), code.level, code, params, started))
 
     def _on_noticed(self, event: Event) -> None:
-        self.happenings.on_noticed(event)
+        self.event_collector.on_noticed(event)
 
     def tick(self) -> None:
         """Take in what was heard and move on what is under way; the controller's timer calls it."""
@@ -313,7 +313,7 @@ class ArmController(ControllerParts):
     def _end_too_fast(self, reason: Refusal) -> None:
         self._end_run_because(reason)
         self.jogging.stop()
-        cut_short(self._context)
+        abort_motion(self._context)
 
     def _on_connection(self, report: BusReport, code: EventCode) -> None:
         if code == EventCode.LINK_LOST:
@@ -350,7 +350,7 @@ class ArmController(ControllerParts):
         """
         self._end_driven()
         if single and self._authority.may_be_ours:
-            cut_short(self._context)
+            abort_motion(self._context)
         if self._authority.holds:
             self.planned_motion.command(TrajectoryCommand.ABORT)
         self._refresh()

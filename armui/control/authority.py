@@ -20,7 +20,7 @@ from armui.control.motion.motion_command import (
     Observation,
     why_held,
 )
-from armui.control.safety.hearing import limp, taught, why_silent
+from armui.control.safety.feedback_freshness import any_motor_off, in_drag_teaching, why_silent
 from armui.control.safety.interlocks import MOVABLE_STATUSES
 from armui.control.safety.other_command import OtherCommand
 from armui.control.safety.overspeed import OverspeedWatch
@@ -157,10 +157,10 @@ class Authority:
         seen = self._seen
         if seen is None or not seen.online or self._silent is not None:
             return Mover.UNKNOWN
-        no_power = limp(seen.state, seen.now_s)
+        no_power = any_motor_off(seen.state, seen.now_s)
         if no_power is not False:
             return Mover.GRAVITY if no_power else Mover.UNKNOWN
-        if taught(seen.state):
+        if in_drag_teaching(seen.state):
             return Mover.HAND
         if self.other.drives:
             return Mover.LEADER if self.other.is_leader else Mover.OTHER_HOST
@@ -411,9 +411,9 @@ class Authority:
             return End.SILENT
         if status.value.arm_status == ArmStatusCode.EMERGENCY_STOP:
             return End.STOPPED
-        if limp(state, now_s):
+        if any_motor_off(state, now_s):
             return End.DISABLED
-        if taught(state):
+        if in_drag_teaching(state):
             return End.TAUGHT
         if status.value.arm_status not in MOVABLE_STATUSES:  # it may move on, but not to there
             self.command = command._replace(joints_deg=None, tool=None)
@@ -445,7 +445,7 @@ class Authority:
             self.holds -= {Hold.SPEED_ZERO}  # it had arrived: nothing is left to hold back
         left = status.value.control_mode != ControlMode.CAN_CONTROL
         stopped = status.value.arm_status == ArmStatusCode.EMERGENCY_STOP
-        if left or stopped or limp(seen.state, seen.now_s):
+        if left or stopped or any_motor_off(seen.state, seen.now_s):
             self.holds = frozenset()
 
     def _follow_cancel(self, now_s: float) -> None:

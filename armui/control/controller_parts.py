@@ -213,7 +213,7 @@ class ControllerParts(QObject):
             self.sessions.choose(self.session_choices())
 
     @cached_property
-    def happenings(self) -> EventCollector:
+    def event_collector(self) -> EventCollector:
         """Writes down what happens; made with the first thing that does."""
         from armui.control.event_log.collector import EventCollector  # noqa: PLC0415 - cantools
 
@@ -222,7 +222,7 @@ class ControllerParts(QObject):
     @property
     def events(self) -> EventLog:
         """What has happened: commands, changes of status, faults."""
-        return self.happenings.log
+        return self.event_collector.log
 
     @cached_property
     def model_watch(self) -> ModelWatch:
@@ -251,7 +251,7 @@ class ControllerParts(QObject):
             self.mode_exit,
             self._dropped_frames,
             self.model_watch,
-            self.happenings,
+            self.event_collector,
         )
 
     @cached_property

@@ -135,7 +135,7 @@ class Firmware:
             unsupported=self.unsupported,
         )
         self.protection = Protection(
-            self.mechanics, self.drivers, self.condition, self.settings, self._moves.cut_short
+            self.mechanics, self.drivers, self.condition, self.settings, self._moves.abort_motion
         )
         self.feedback_stopped = False
         self.drivers_tell = False
@@ -307,7 +307,7 @@ class Firmware:
         """Breaks or mends the connection between the controller and a joint (1–6)."""
         self.condition.communication_fault[joint - 1] = present
         if present:
-            self._moves.cut_short()
+            self._moves.abort_motion()
 
     def power_cycle(self) -> None:
         """Takes the power away and gives it back: see `switch_off` and `switch_on`."""
@@ -408,7 +408,7 @@ class Firmware:
             self._moves.power_on(i for i in indices if self.protection.may_power(i))
         else:
             self._motion_commands.drop_work()
-            self._moves.cut_short()
+            self._moves.abort_motion()
             self.mechanics.power_off(indices, UnpoweredJoints.FREE)
         return [self._parameter_server.answer(SettingIndex.MOTOR_ENABLE)]
 

@@ -69,13 +69,13 @@ class Drag:
     def release(self, event: QMouseEvent) -> QPointF | None:
         """The button comes up: the place of a click, or ``None`` after a drag."""
         pressed_at = self._pressed_at
-        self.forget()
+        self.cancel()
         if pressed_at is None:
             return None
         way_px = (event.position() - pressed_at).manhattanLength()
         return event.position() if way_px < QApplication.startDragDistance() else None
 
-    def forget(self) -> None:
+    def cancel(self) -> None:
         """End the drag: the view is hidden, or the button came up unnoticed."""
         self._pressed_at = self._last = None
 

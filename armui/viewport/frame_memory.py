@@ -72,7 +72,7 @@ class FrameMemory:
             raise ValueError("the memory is closed")
         return whole[start : start + image_bytes]
 
-    def forget_name(self) -> None:
+    def unlink_name(self) -> None:
         """Both processes have it open: nobody needs its name any more; may be called twice."""
         if self._is_named:
             self._is_named = False

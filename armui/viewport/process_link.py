@@ -18,13 +18,12 @@ import time
 from dataclasses import dataclass, replace
 from multiprocessing.connection import wait
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Final, TypeVar
+from typing import TYPE_CHECKING, Any, Final, Generic, TypeVar
 
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.system.files import read_file
 from armui.viewport.frame_memory import SLOTS, FrameMemory
-from armui.viewport.mailbox import Mailbox
 from armui.viewport.messages import (
     BYTES_PER_PIXEL,
     Draw,
@@ -243,6 +242,112 @@ class ProcessLostError(Exception):
         super().__init__(str(reason))
 
 
+T = TypeVar("T")
+
+MOST_UNUSED: Final = 1
+"""So many results may lie unused when the next item is taken."""
+
+
+class Mailbox(Generic[T]):
+    """Holds the newest item only.
+
+    Items may lead to results, which the receiver uses. While more than `MOST_UNUSED` of them are
+    unused nothing is taken; items put in meanwhile replace each other. So a slow receiver slows
+    the reader down instead of filling a queue.
+    """
+
+    def __init__(self) -> None:
+        self._changed = threading.Condition()
+        self._item: T | None = None
+        self._results = 0
+        self._used = 0
+        self._is_interrupted = False
+        self._is_closed = False
+
+    def put(self, item: T) -> None:
+        """Replace whatever is waiting."""
+        with self._changed:
+            self._item = item
+            self._changed.notify_all()
+
+    @property
+    def is_closed(self) -> bool:
+        """Tell whether `close` was called."""
+        with self._changed:
+            return self._is_closed
+
+    @property
+    def has_item(self) -> bool:
+        """Tell whether an item waits."""
+        with self._changed:
+            return self._item is not None
+
+    def take(self, timeout_s: float | None = None) -> T | None:
+        """Sleep until results were used, then until there is an item.
+
+        Args:
+            timeout_s: how long to wait for an item; by default for ever.
+
+        Returns:
+            The item; None once the box is closed or the reader interrupted, or when time is up.
+        """
+        with self._changed:
+            self._changed.wait_for(lambda: self._is_woken or self._has_room)
+            self._changed.wait_for(lambda: self._is_woken or self._item is not None, timeout_s)
+            return None if self._is_woken else self._pop()
+
+    def take_at_once(self) -> T | None:
+        """The item if there is one, else None; never waits."""
+        with self._changed:
+            return self._pop()
+
+    def result_sent(self) -> int:
+        """The reader has sent a result; its number, from 1."""
+        with self._changed:
+            self._results += 1
+            return self._results
+
+    def acknowledge(self, number: int) -> None:
+        """The receiver has used this result, and needs none of those before it."""
+        with self._changed:
+            self._used = max(self._used, number)
+            self._changed.notify_all()
+
+    def reset_results(self) -> None:
+        """No result is unused: what was sent so far does not count any more."""
+        with self._changed:
+            self._used = self._results
+
+    def interrupt(self) -> None:
+        """Wake the reader, and let it not sleep before `resume`."""
+        with self._changed:
+            self._is_interrupted = True
+            self._changed.notify_all()
+
+    def resume(self) -> None:
+        """The reader may sleep again."""
+        with self._changed:
+            self._is_interrupted = False
+
+    def close(self) -> None:
+        """Wake the reader for the last time."""
+        with self._changed:
+            self._is_closed = True
+            self._changed.notify_all()
+
+    @property
+    def _is_woken(self) -> bool:
+        return self._is_closed or self._is_interrupted
+
+    @property
+    def _has_room(self) -> bool:
+        return self._results - self._used <= MOST_UNUSED
+
+    def _pop(self) -> T | None:
+        item, self._item = self._item, None
+        return item
+
+
 class RenderSession:
     """Requests to one render process, and its answers.
 
@@ -304,7 +409,7 @@ class RenderSession:
         memory = self._memory
         if memory is None:
             return
-        memory.forget_name()
+        memory.unlink_name()
         if drawn.size_px is None:
             self._tell(UpToDate(drawn.sequence, drawn.is_rough))
             return
@@ -335,7 +440,7 @@ class RenderSession:
     def close(self) -> None:
         """Nothing with a name is left."""
         if self._memory is not None:
-            self._memory.forget_name()
+            self._memory.unlink_name()
 
     def _send(self, request: RenderRequest | None) -> None:
         if request is None:
@@ -386,7 +491,7 @@ class RenderSession:
 
         return replace(state, pick=fresh(state.pick), mark_pick=fresh(state.mark_pick))
 
-    def _hear(self) -> Answer | None:
+    def _receive(self) -> Answer | None:
         """The next message; None: it hangs, for it is silent though it had its turns."""
         message = self._child.receive(LIMITS[self.phase].silent_s)
         if message is not None:
@@ -412,7 +517,7 @@ class RenderSession:
         since_s = looked_s = time.monotonic()
         turns: dict[int, ThreadTurns] = {}
         while True:
-            message = self._hear()
+            message = self._receive()
             if message is None:
                 raise ProcessLostError(Refusal(RefusalCode.PICTURE_PROCESS_HUNG))
             if isinstance(message, Ready):
@@ -433,9 +538,9 @@ class RenderSession:
                 _LOG.error("The 3D view stopped\n%s", message.traceback)
                 raise ProcessLostError(message.reason)
             else:
-                self._pass_on(message)
+                self._forward(message)
 
-    def _pass_on(self, message: Answer) -> None:
+    def _forward(self, message: Answer) -> None:
         if isinstance(message, LoadFailed):
             self.failed_robot = self.robot
         self._tell(message)
@@ -525,7 +630,7 @@ class ProcessLink:
     def _draw_in_one_process(self) -> Refusal | None:
         """Draw until the process is lost; why. None: a robot was to blame, and is put aside."""
         self._mailbox.resume()
-        self._mailbox.forget_results()
+        self._mailbox.reset_results()
         try:
             child = ChildProcess(self._entry, self._mailbox.interrupt)
         except OSError as error:

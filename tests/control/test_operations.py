@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import inspect
 import itertools
 import re
 from collections.abc import Iterator
@@ -16,7 +15,6 @@ from armui.control.operations.operation import Consent, Operations, operation, o
 from armui.protocol.codes import EndLoad, TeachingState, TrajectoryCommand
 from armui.protocol.generation import Generation
 from armui.ui import words
-from armui.ui.actions.catalogue import actions
 from tests.control.test_recovery_rules import online, without_link
 from tests.translations import ROOT
 from tests.ui.test_translation import committed  # noqa: F401 - a fixture
@@ -122,15 +120,6 @@ def test_what_is_refused_is_refused_by_the_reason_of_its_declaration(rig, name, 
     reason = bound.operation.why_not(rig.controller.operating_state, **given)
     assert reason is not None
     assert bound.carry_out(*arguments) == reason
-
-
-def test_the_palette_reads_the_declarations(rig):
-    of_palette = {each.does.id for each in actions() if not inspect.isfunction(each.does)}
-    assert of_palette <= set(rig.controller.operations)
-    assert {"motion.send", "lamps.set", "run.start", "joints.set_zero"} <= of_palette
-    for each in actions():
-        if not inspect.isfunction(each.does) and each.does.shown_first:
-            assert each.shown_first
 
 
 def test_an_operation_is_declared_once():

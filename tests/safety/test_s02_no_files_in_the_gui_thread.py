@@ -242,7 +242,7 @@ def test_the_events(live_driver, monkeypatch, tmp_path):
     app_driver = live_driver
     app_driver.ready()
     keeper = EventKeeper(
-        app_driver.controller.happenings, tmp_path / "logs", app_driver.program._files
+        app_driver.controller.event_collector, tmp_path / "logs", app_driver.program._files
     )
     with watched(monkeypatch) as seen:
         app_driver.click("events_button")

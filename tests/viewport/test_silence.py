@@ -11,9 +11,14 @@ from typing import Any
 import pytest
 
 from armui.arm.refusal_codes import RefusalCode
-from armui.viewport.mailbox import Mailbox
 from armui.viewport.messages import Drawn, PicturePhase, Ready
-from armui.viewport.process_link import ChildProcess, ProcessLostError, RenderRequest, RenderSession
+from armui.viewport.process_link import (
+    ChildProcess,
+    Mailbox,
+    ProcessLostError,
+    RenderRequest,
+    RenderSession,
+)
 from armui.viewport.view_state import BUILT_IN_ROBOT, ViewState
 from armui.viewport.watch import ThreadTurns
 

@@ -12,7 +12,7 @@ from armui.arm.refusal_codes import RefusalCode
 from armui.control.context import Context, ControllerPart
 from armui.control.operations.started import Ending
 from armui.control.run.progress import OVER, Progress, RunPhase
-from armui.control.run.run_end import cut_short, cut_short_for
+from armui.control.run.run_end import abort_motion, abort_motion_for
 from armui.control.safety.standstill import RestWatch
 
 if TYPE_CHECKING:
@@ -94,7 +94,7 @@ class Execution(QObject, ControllerPart):
     # What both do the same way ----------------------------------------------------------------
 
     def _fail(self, reason: Refusal, ending: Ending = Ending.FAILED) -> None:
-        cut_short_for(self._context, reason)
+        abort_motion_for(self._context, reason)
         self._end(RunPhase.FAILED)
         self._progress = self._snapshot(reason)
         self._tell_failed(reason, ending)
@@ -102,7 +102,7 @@ class Execution(QObject, ControllerPart):
 
     def _abort_motion(self) -> None:
         """Have the arm end its motion and stay powered; wait until it rests."""
-        cut_short(self._context)
+        abort_motion(self._context)
         self._await_rest()
 
     def _await_rest(self) -> None:

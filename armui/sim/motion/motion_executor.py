@@ -87,13 +87,13 @@ class MotionExecutor:
         condition.no_solution = planning_error.status is ArmStatusCode.NO_SOLUTION
         condition.singular = planning_error.status is ArmStatusCode.SINGULARITY
         condition.beyond_limit = list(planning_error.beyond)
-        self.cut_short()
+        self.abort_motion()
         self._order, self._settled = order, self._conditions()
 
     def mode_changed(self) -> None:
         """Ends or changes the motion as the mode and speed in `condition` now ask."""
         if not self._condition.obeys(self._move_mode):
-            self.cut_short()
+            self.abort_motion()
         else:
             self.drive()
 
@@ -108,7 +108,7 @@ class MotionExecutor:
         self.paused = False
         self.drive()
 
-    def cut_short(self) -> None:
+    def abort_motion(self) -> None:
         """Brakes; the order counts as not reached. A pause ends with it."""
         self.forget()
         self._brake()

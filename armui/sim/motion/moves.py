@@ -276,9 +276,9 @@ class Moves:
         """Takes a 0x151 that keeps the modes."""
         self._executor.mode_changed()
 
-    def cut_short(self) -> None:
+    def abort_motion(self) -> None:
         """Brakes; the target counts as not reached. One that waits goes on waiting."""
-        self._executor.cut_short()
+        self._executor.abort_motion()
 
     def forget(self) -> None:
         """Drops every target, whole or in parts; what moves is left to the caller."""
@@ -293,11 +293,11 @@ class Moves:
     def _abort(self) -> None:
         self._joints.drop_parts()
         self._tool.drop_parts()
-        self._executor.cut_short()
+        self._executor.abort_motion()
 
     def _clear_all(self) -> None:
         self.forget()
-        self._executor.cut_short()
+        self._executor.abort_motion()
 
     def _take_joints(self, signals: dict[str, float]) -> None:
         self._joints.take({int(name[1:]): angle_deg for name, angle_deg in signals.items()})

@@ -80,7 +80,7 @@ class ToolMotions:
         if point is ArcPointNumber.NONE or pose is None:
             return
         if any(self._executor.pursues((mode, (pose,))) for mode in _POSE_MODES):
-            self._executor.cut_short()
+            self._executor.abort_motion()
         self._latest = self._waiting = None
         if point is ArcPointNumber.START:
             self._arc.clear()

@@ -39,15 +39,18 @@ class Names:
         """Whether there are any."""
         return bool(self._pinyin)
 
-    def search_text(self, title: str, place: str, synonyms: Sequence[str] = ()) -> SearchText:
-        """All that something can be found by.
+    def search_text(
+        self, titles: Sequence[str], place: str, synonyms: Sequence[str] = ()
+    ) -> SearchText:
+        """Return everything that a command can be found by.
 
         Args:
-            title: What it is called, in the language that is shown.
-            place: Where it is done, likewise.
-            synonyms: What else it is called, in any language; lower case.
+            titles: Its titles, in the language that is shown.
+            place: The title of its place, likewise.
+            synonyms: Other names, in any language; lower case.
         """
-        names, more = self._called(title), self._called(place)
+        names = [name for title in titles for name in self._called(title)]
+        more = self._called(place)
         return SearchText(
             names=tuple(name.lower() for name in names),
             more=tuple(name.lower() for name in more),

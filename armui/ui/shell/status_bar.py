@@ -261,13 +261,13 @@ class StatusBar(Translated, QWidget):
 
     def _on_noticed(self, event: Event) -> None:
         self._event, self._problem = event, None
-        self._entry = self._controller.happenings.number_of(event)
+        self._entry = self._controller.event_collector.number_of(event)
         self._show_notice()
 
     def show_problem(self, reason: Refusal) -> None:
         """Say what went wrong in the program itself."""
         self._problem = (datetime.now().astimezone(), reason)
-        self._entry = self._controller.happenings.on_problem(reason).number
+        self._entry = self._controller.event_collector.on_problem(reason).number
         self._show_notice()
 
     def _show_notice(self) -> None:

@@ -112,8 +112,6 @@ class TrajectoryPages(QObject):
         library = (
             Library(folder, call=files.call) if isinstance(files, FileThread) else Library(folder)
         )
-        # as 末端控制 takes it: what goes along the tool's axes must not wait for that panel
-        self._controller.cartesian.tool = self._preferences.settings.tool
         background = Background(self._workers, files, self)
         page = LibraryPage(self._controller, background, library)
         self._workspace.add(page, self._area)

@@ -44,6 +44,11 @@ class RunPlace(QWidget):
         controller.operating_state_changed.connect(self._on_operating_state)
 
     @property
+    def strip(self) -> RunStrip | None:
+        """The line of a run; ``None``: nothing has run yet."""
+        return self._strip
+
+    @property
     def go_on_button(self) -> QWidget | None:
         """The button that goes on with a run that pauses or waits, while it is seen."""
         return None if self._strip is None else self._strip.go_on_button

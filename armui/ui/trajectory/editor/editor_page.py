@@ -20,9 +20,10 @@ from armui.trajectory.planning.findings import Severity
 from armui.trajectory.points.edits import Change
 from armui.trajectory.points.program import Trajectory, Waypoint, speeds_of
 from armui.ui import words
+from armui.ui.actions.command import Command, Target
 from armui.ui.panels.jogging.jog_box import JogBox
 from armui.ui.trajectory.editor.document import Document, DraftKeeper
-from armui.ui.trajectory.editor.editor_actions import EditorActions, EditorHint
+from armui.ui.trajectory.editor.editor_actions import NAMES, EditorActions, EditorHint
 from armui.ui.trajectory.editor.find_bar import FindBar, Finder
 from armui.ui.trajectory.editor.findings_pane import FindingsPane
 from armui.ui.trajectory.editor.leave_question import LeaveQuestion
@@ -30,7 +31,7 @@ from armui.ui.trajectory.editor.other_arm_line import OtherArmLine
 from armui.ui.trajectory.editor.point_edits import OfOtherArm, Outcome, PointEdits
 from armui.ui.trajectory.editor.points_model import PointsModel
 from armui.ui.trajectory.editor.points_table import PointsTable
-from armui.ui.trajectory.running.run_bar import RunBar, RunChoices
+from armui.ui.trajectory.running.run_bar import RunBar, RunChoices, run_commands
 from armui.ui.trajectory.running.run_request import Checks, Preflight
 from armui.ui.widgets.buttons import named, push_button
 from armui.ui.widgets.layouts import fill, in_column
@@ -113,6 +114,10 @@ class EditorPage(Page):
         preview_wanted: A :class:`Preflight` whose path is to be shown in 3D, or ``None``.
     """
 
+    commands = (
+        *(Command(f"editor.{name}", leads=name == "go_to") for name in NAMES),
+        *run_commands("editor"),
+    )
     saved = Signal()
     used = Signal()
     insert_wanted = Signal()
@@ -170,6 +175,13 @@ class EditorPage(Page):
         if not self.document.points:
             self._actions["jog"].trigger()
         self.table.setFocus()
+
+    def command_targets(self) -> Mapping[str, Target]:
+        """Return what carries out each command, by the command's name."""
+        return {
+            **{f"editor.{name}": target for name, target in self._actions.targets().items()},
+            **self._run_bar.command_targets("editor"),
+        }
 
     def _handlers(self) -> dict[str, Callable[[], object]]:
         rows = self._edits

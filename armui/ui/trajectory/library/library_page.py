@@ -20,6 +20,7 @@ from armui.trajectory.files import Content
 from armui.trajectory.library.run_options import RunOptions
 from armui.trajectory.library.store import IndexEntry, Library, Listing
 from armui.ui import words
+from armui.ui.actions.command import Command, Target
 from armui.ui.background import Background
 from armui.ui.trajectory.editor.findings_pane import FindingsPane
 from armui.ui.trajectory.library.bin_dialog import BinButton
@@ -37,13 +38,14 @@ from armui.ui.trajectory.library.library_table import LibraryHint, LibraryTable
 from armui.ui.trajectory.library.library_work import LibraryWork
 from armui.ui.trajectory.recording.recording_page import RecordingPage
 from armui.ui.trajectory.recording.unsaved_line import UnsavedRecordingLine
-from armui.ui.trajectory.running.run_bar import RunBar, RunChoices
+from armui.ui.trajectory.running.run_bar import RunBar, RunChoices, run_commands
 from armui.ui.trajectory.running.run_request import Checks, Preflight
 from armui.ui.widgets.buttons import named
 from armui.ui.widgets.flow import in_flow
 from armui.ui.widgets.layouts import fill
 from armui.ui.widgets.message_line import MessageLine, Words
 from armui.ui.widgets.page import Page
+from armui.ui.words.text import Text
 
 
 class LibraryPage(Page):
@@ -64,6 +66,17 @@ class LibraryPage(Page):
         preview_wanted: A :class:`Preflight` whose path is to be shown in 3D.
     """
 
+    commands = (
+        *(Command(f"library.{act}") for act in ("import", "create", "record", "delete")),
+        *(Command(f"library.{act}") for act in ("duplicate", "rename")),
+        Command("library.export", Text("LibraryBar", "Export files")),
+        Command("library.bin", Text("BinButton", "Recently deleted…")),
+        Command("library.find"),
+        Command("library.undo"),
+        Command("library.by_columns", Text("ColumnsOffer", "Import by columns…")),
+        Command("library.report", Text("ReportButton", "Results…")),
+        *run_commands("library"),
+    )
     page_made = Signal(object)
     editor_opened = Signal(object)
     preview_wanted = Signal(object)
@@ -103,6 +116,18 @@ class LibraryPage(Page):
         self._connect()
         self.retranslate_ui()
         self._table.setFocus()
+
+    def command_targets(self) -> Mapping[str, Target]:
+        """Return what carries out each command, by the command's name."""
+        return {
+            **{f"library.{name}": button for name, button in self._bar.buttons.items()},
+            "library.bin": self._bin_button,
+            "library.find": self._bar.search,
+            "library.undo": self._undo_button,
+            "library.by_columns": self._exchange.by_columns,
+            "library.report": self._exchange.report,
+            **self._run_bar.command_targets("library"),
+        }
 
     # Layout -----------------------------------------------------------------------------------
 

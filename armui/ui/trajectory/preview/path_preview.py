@@ -10,9 +10,11 @@ from PySide6.QtCore import QObject, Signal
 from armui.viewport.path_picture import NOTHING, PathPicture, Preview
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
     from armui.trajectory.planning.planned_path import PlannedPath
     from armui.ui.trajectory.preview.preview_bar import PreviewBar
-    from armui.viewport.path_picture import FindingMark
+    from armui.viewport.path_picture import Array, FindingMark
 
 
 _MOST_PLACES: Final = 30_000
@@ -73,6 +75,7 @@ class PathPreview(QObject):
         name: str = "",
         *,
         numbered: bool = True,
+        places_of: Callable[[Array], Array] | None = None,
     ) -> None:
         """Show a path; ``None`` takes the preview away.
 
@@ -82,6 +85,8 @@ class PathPreview(QObject):
             findings: What was found, where it would happen.
             name: The trajectory's.
             numbered: Whether its rows are points; those of a recording are samples.
+            places_of: Works out of (n, 6) joint angles the (n, 3) places that are drawn, mm; by
+                default those of the plan, the tip of the tool.
         """
         self._name = name
         self._path = path
@@ -91,11 +96,11 @@ class PathPreview(QObject):
             self._bar.set_shown(False)
             self._set(NOTHING)
             return
-        outline = path.outline(_MOST_PLACES)
+        outline, ends = path.outline(_MOST_PLACES), list(self._ends.values())
         picture = PathPicture(
-            path.places_mm[outline],
+            path.places_mm[outline] if places_of is None else places_of(path.joints_deg[outline]),
             path.speeds_mm_s[outline],
-            path.places_mm[list(self._ends.values())],
+            path.places_mm[ends] if places_of is None else places_of(path.joints_deg[ends]),
             tuple(self._ends),
             bad_rows,
             findings,

@@ -11,11 +11,10 @@ import numpy as np
 from PySide6.QtCore import QCoreApplication, QEvent, QModelIndex, QObject
 
 from armui.arm.refusal import Refusal
-from armui.control.parameters.arm_model import arm_model
 from armui.kinematics.forward import flange_transforms
 from armui.kinematics.poses import pose_to_matrix
 from armui.trajectory.planning.convert import comes_from, to_joints
-from armui.trajectory.planning.findings import Severity
+from armui.trajectory.planning.findings import FindingCode, Severity
 from armui.trajectory.points import edits
 from armui.trajectory.points.cells import VALUES
 from armui.trajectory.points.program import VALUE_COUNT, Trajectory, check_point
@@ -23,10 +22,10 @@ from armui.ui.words.findings import finding as finding_text
 from armui.viewport.path_picture import FindingMark, PathPicture
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping
+    from numpy.typing import NDArray
 
-    from armui.arm.models import ArmModel
     from armui.control.arm_controller import ArmController
+    from armui.kinematics.geometry import Geometry
     from armui.trajectory.planning.findings import Finding
     from armui.trajectory.points.program import Waypoint
     from armui.ui.trajectory.editor.editor_page import EditorPage
@@ -35,18 +34,29 @@ if TYPE_CHECKING:
     from armui.ui.trajectory.running.run_request import Preflight
     from armui.ui.widgets.page import Page
 
+    Array = NDArray[np.float64]
+
 
 _MOST = 200
 """More signs than anybody looks at would hide the path."""
 
 
-def finding_marks(checked: Preflight) -> tuple[FindingMark, ...]:
-    """The findings that happen at a place, errors first."""
-    path = checked.path
-    ends = path.ends()
+def tool_points(flanges: Array, tool: Sequence[float]) -> Array:
+    """Return the (n, 3) tool centre points of (n, 4, 4) flange poses, in mm.
+
+    Args:
+        flanges: In the base frame.
+        tool: The tool centre point in the flange; with zeros it is the flange itself.
+    """
+    points: Array = flanges[:, :3, 3] + flanges[:, :3, :3] @ np.array(tool[:3])
+    return points
+
+
+def finding_marks(checked: Preflight, tool: Sequence[float]) -> tuple[FindingMark, ...]:
+    """Return the findings that happen at a place, errors first."""
     marks = []
     for found in checked.findings[:_MOST]:
-        place_mm = _place_mm(checked, found, ends)
+        place_mm = _place_mm(checked, found, tool)
         if place_mm is not None:
             error = found.severity is Severity.ERROR
             marks.append(FindingMark(place_mm, error, found.row, finding_text(found)))
@@ -54,39 +64,45 @@ def finding_marks(checked: Preflight) -> tuple[FindingMark, ...]:
 
 
 def _place_mm(
-    checked: Preflight, found: Finding, ends: Mapping[int, int]
+    checked: Preflight, found: Finding, tool: Sequence[float]
 ) -> tuple[float, float, float] | None:
-    """Where it happens: as the check says, else where the arm would stand, else at its point."""
-    if found.place_mm is not None:
+    """Return the tool centre point of a finding, and of one about the floor the fingertip."""
+    arm, path, content = checked.order.arm, checked.path, checked.content
+    if found.place_mm is not None and found.code == FindingCode.BELOW_FLOOR:
         x, y, z = found.place_mm
         return x, y, z
-    if found.joints_deg is not None:
-        arm = checked.order.arm
-        flange = arm.kinematics.matrix(found.joints_deg)
-        x, y, z = (flange[:3, 3] + arm.tool_mm * flange[:3, 2]).tolist()
-        return x, y, z
-    if found.row is not None and found.row in ends:
-        x, y, z = checked.path.places_mm[ends[found.row]].tolist()
-        return x, y, z
-    return None
+    joints_deg: Sequence[float] | None = found.joints_deg
+    if joints_deg is None and found.row is not None:
+        if isinstance(content, Trajectory) and not content.points[found.row].is_joint:
+            flange = pose_to_matrix(content.points[found.row].target)
+            x, y, z = tool_points(flange[np.newaxis], tool)[0].tolist()
+            return x, y, z
+        end = path.ends().get(found.row)
+        joints_deg = None if end is None else path.joints_deg[end].tolist()
+    if joints_deg is None:
+        return None
+    flange = arm.kinematics.matrix(joints_deg)
+    x, y, z = tool_points(flange[np.newaxis], tool)[0].tolist()
+    return x, y, z
 
 
 MOST_POINTS: Final = 3000
 """A few milliseconds in the window's thread; of longer ones a check shows the points."""
 
 
-def marks_of(points: Sequence[Waypoint], arm: ArmModel) -> PathPicture | None:
-    """Where the tip of the tool is at each point; None for more than `MOST_POINTS`, and none."""
+def marks_of(
+    points: Sequence[Waypoint], geometry: Geometry, tool: Sequence[float]
+) -> PathPicture | None:
+    """Return the tool centre point at each point; None for more than `MOST_POINTS`, and none."""
     if not 0 < len(points) <= MOST_POINTS:
         return None
     targets = np.array([point.target for point in points], dtype=np.float64)
     joint = np.array([point.is_joint for point in points])
     flanges = np.empty((len(points), 4, 4))
-    flanges[joint] = flange_transforms(arm.kinematics.geometry, targets[joint])
+    flanges[joint] = flange_transforms(geometry, targets[joint])
     flanges[~joint] = pose_to_matrix(targets[~joint])
-    tips = flanges[:, :3, 3] + arm.tool_mm * flanges[:, :3, 2]
-    nothing = np.empty((0, 3))
-    return PathPicture(nothing, np.empty(0), tips, tuple(range(len(points))))
+    marks = tool_points(flanges, tool)
+    return PathPicture(np.empty((0, 3)), np.empty(0), marks, tuple(range(len(points))))
 
 
 _ZERO: Final = (0.0,) * VALUE_COUNT
@@ -125,6 +141,9 @@ class PointTarget:
         if solved is None or solved[0] is not points or solved[1] != row:
             solved = self._solved = (points, row, self._solve(points, row))
         return solved[2]
+
+    def typed_deg(self) -> None:
+        """The chosen point's ghost is shown with its path; see `PathPreview.show_points`."""
 
     def begin(self) -> None:
         """Note which point is taken hold of; it stays as it is until the drag ends."""
@@ -287,13 +306,15 @@ class PreviewLink(QObject):
         bad_rows = frozenset(
             each.row for each in errors if each.row is not None and each.approach is None
         )
-        content = checked.content
+        content, tool = checked.content, self._controller.cartesian.tool
+        geometry = checked.order.arm.kinematics.geometry
         self._preview.show(
             checked.path,
             bad_rows,
-            finding_marks(checked),
+            finding_marks(checked, tool),
             content.name,
             numbered=isinstance(content, Trajectory),
+            places_of=lambda joints_deg: tool_points(flange_transforms(geometry, joints_deg), tool),
         )
 
     def _show_points(self) -> None:
@@ -304,9 +325,11 @@ class PreviewLink(QObject):
         if self._shown is not None:
             self._shown = None
             self._preview.show(None)
-        points = target.editor.document.points
-        if self._marks[0] is not points:
-            self._marks = (points, marks_of(points, arm_model(self._controller)))
+        points, cartesian = target.editor.document.points, self._controller.cartesian
+        geometry = cartesian.kinematics().geometry
+        key = (points, geometry, cartesian.tool)
+        if self._marks[0] != key:
+            self._marks = (key, marks_of(points, geometry, cartesian.tool))
         row = target.editor.table.current_row()
         self._preview.show_points(self._marks[1], row if row >= 0 else None, target.angles_deg())
 

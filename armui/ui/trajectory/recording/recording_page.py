@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import replace
 from functools import partial
 from typing import TYPE_CHECKING, Final
@@ -15,11 +15,14 @@ from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.control.events import Level
 from armui.control.operating_state import OperatingState
+from armui.control.operations.operation import operation_of
+from armui.control.run.recorder import Recorder
 from armui.trajectory.library.run_options import RunOptions
 from armui.trajectory.library.store import Library
 from armui.trajectory.samples import thin
 from armui.trajectory.samples.recording import Recording
 from armui.ui import words
+from armui.ui.actions.command import Command, Target
 from armui.ui.background import Job
 from armui.ui.trajectory.editor.leave_question import LeaveQuestion
 from armui.ui.trajectory.library.library_work import LibraryWork
@@ -31,6 +34,7 @@ from armui.ui.widgets.layouts import STRETCH, empty_grid, fill, in_row
 from armui.ui.widgets.message_line import MessageLine
 from armui.ui.widgets.page import Page
 from armui.ui.widgets.text_label import text_label
+from armui.ui.words.text import Text
 
 if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
@@ -126,6 +130,13 @@ class RecordingPage(Page):
         preview_wanted: A :class:`Preflight` of what would be saved, to be shown in 3D.
     """
 
+    commands = (
+        Command("recording.record", Text("RecordingPage", "Record"), operation_of(Recorder.start)),
+        Command("recording.stop", Text("RecordingPage", "Stop recording")),
+        Command("recording.preview", Text("RecordingPage", "Preview"), leads=True),
+        Command("recording.points", Text("RecordingPage", "Save as points")),
+        Command("recording.samples", Text("RecordingPage", "Save as recording")),
+    )
     saved = Signal(str)
     preview_wanted = Signal(object)
 
@@ -156,6 +167,16 @@ class RecordingPage(Page):
             self._show_recording(recording)
         self.retranslate_ui()
         self._record.setFocus()
+
+    def command_targets(self) -> Mapping[str, Target]:
+        """Return what carries out each command, by the command's name."""
+        record = "stop" if self._controller.recorder.recording else "record"
+        return {
+            f"recording.{record}": self._record,
+            "recording.preview": self._preview,
+            "recording.points": self._as_points,
+            "recording.samples": self._as_samples,
+        }
 
     def _make_widgets(self) -> None:
         self._record = push_button("record", on_enter=False)

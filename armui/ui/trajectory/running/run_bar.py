@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from typing import Final, NamedTuple
 
@@ -14,6 +14,8 @@ from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.control.arm_controller import ArmController
 from armui.control.operating_state import OperatingState, StopState
+from armui.control.operations.operation import operation_of
+from armui.control.run.player import Player
 from armui.control.run.progress import ENDLESS, Progress, sent_percent
 from armui.trajectory.files import Content
 from armui.trajectory.library.run_options import (
@@ -26,6 +28,7 @@ from armui.trajectory.library.store import IndexEntry
 from armui.trajectory.planning.timing import APPROACH_PERCENT
 from armui.trajectory.points.program import SpeedsFrom
 from armui.ui import words
+from armui.ui.actions.command import Command, Target, of_place
 from armui.ui.actions.keys import keys_of, listen_for
 from armui.ui.trajectory.running.run_request import Checks, RequestState, RunRequest
 from armui.ui.trajectory.running.runner import Runner, ended_early
@@ -33,6 +36,7 @@ from armui.ui.widgets.buttons import enable_or_explain, named, push_button, show
 from armui.ui.widgets.flow import in_flow, pair
 from armui.ui.widgets.text_label import text_label
 from armui.ui.widgets.translated import Translated
+from armui.ui.words.text import Text
 
 _ONCE, _TIMES, _LOOP = range(3)
 _SPIN_PX: Final = 34
@@ -106,6 +110,18 @@ class RunChoices(QObject):
             self._options.setdefault(entry.name, entry.ran_with or self.of(entry.name))
             if entry.ran_with is not None and entry.name not in self._ran:
                 self.note_run(entry.name)
+
+
+def run_commands(place: str) -> tuple[Command, ...]:
+    """Return the commands of the bar in a place."""
+    commands = (
+        Command("send", Text("RunBar", "Send"), operation_of(Player.start)),
+        Command("cycles", Text("RunBar", "How often")),
+        Command("speed", Text("Action", "Speed of the run")),
+        Command("first", Text("RunBar", "From row")),
+        Command("steps", Text("RunBar", "Step by step")),
+    )
+    return of_place(place, commands)
 
 
 class RunBar(Translated, QWidget):
@@ -192,6 +208,16 @@ class RunBar(Translated, QWidget):
         )
         for widget in (self._effective, self._state, self._call_off, self._resume, self._send):
             flow.push(widget)
+
+    def command_targets(self, place: str) -> Mapping[str, Target]:
+        """Return what carries out each command, by the command's name in a place."""
+        return {
+            f"{place}.send": self._send,
+            f"{place}.cycles": self._cycles,
+            f"{place}.speed": self._speed,
+            f"{place}.first": self._first,
+            f"{place}.steps": self._steps,
+        }
 
     # What the operator wants ------------------------------------------------------------------
 

@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QSize, Qt
 from PySide6.QtWidgets import QProgressBar, QToolButton, QWidget
 
+from armui.control.operations.operation import operation_of
+from armui.control.run.player import Player
 from armui.control.run.progress import ENDLESS, OVER, Progress, RunPhase
 from armui.ui import words
+from armui.ui.actions.command import Command, Target
 from armui.ui.theme import colors_of
 from armui.ui.trajectory.running.runner import Runner, can_go_on, can_pause
 from armui.ui.trajectory.text import duration
@@ -18,6 +22,7 @@ from armui.ui.widgets.hold_button import HoldButton
 from armui.ui.widgets.layouts import in_row
 from armui.ui.widgets.text_label import ElidedLabel
 from armui.ui.widgets.translated import Translated
+from armui.ui.words.text import Text
 
 if TYPE_CHECKING:
     from PySide6.QtGui import QHideEvent, QShowEvent
@@ -39,6 +44,12 @@ class RunStrip(Translated, QWidget):
     Args:
         controller: Runs it.
     """
+
+    commands = (
+        Command("run.pause", Text("RunStrip", "Pause"), operation_of(Player.pause)),
+        Command("run.go_on", operation=operation_of(Player.go_on)),
+        Command("run.stop", Text("RunStrip", "End run")),
+    )
 
     def __init__(self, controller: ArmController) -> None:
         super().__init__()
@@ -74,6 +85,14 @@ class RunStrip(Translated, QWidget):
         self.retranslate_ui()
         self._recolor()
         self.hide()
+
+    def command_targets(self) -> Mapping[str, Target]:
+        """Return what carries out each command, by the command's name."""
+        stop: dict[str, Target] = {"run.stop": self._stop}
+        if can_pause(self._runner.progress):
+            return {**stop, "run.pause": self._pause}
+        go_on = self.go_on_button  # a press of the palette never sets the arm moving
+        return stop if go_on is None else {**stop, "run.go_on": go_on}
 
     @property
     def go_on_button(self) -> QWidget | None:
