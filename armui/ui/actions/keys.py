@@ -29,11 +29,11 @@ class Shortcut(NamedTuple):
 
     @property
     def place(self) -> str:
-        """Where they count, a key of :data:`armui.ui.actions.places.PLACES`."""
+        """The key of the place where they count."""
         return self.name.partition(".")[0]
 
     def text(self) -> str:
-        """The keys as this system writes them."""
+        """Return the keys as this system writes them."""
         if not self.by_qt:
             return self.keys
         return QKeySequence(self.keys).toString(QKeySequence.SequenceFormat.NativeText)
@@ -135,11 +135,11 @@ SHORTCUTS: Final[Mapping[str, Shortcut]] = {
     **{name: Shortcut(name, keys, title) for name, keys, title in _ONE_PRESS},
     **{name: Shortcut(name, keys, title, by_qt=False) for name, keys, title in _TOLD},
 }
-"""By their names."""
+"""The shortcuts by their names."""
 
 
 def keys_of(name: str) -> str:
-    """The keys of an action, as Qt writes them on every system.
+    """Return the keys of an action, as Qt writes them on every system.
 
     Raises:
         KeyError: No shortcut has the name.
@@ -153,7 +153,7 @@ def listen_for(
     act: Callable[[], object],
     context: Qt.ShortcutContext = Qt.ShortcutContext.WidgetWithChildrenShortcut,
 ) -> QShortcut:
-    """Have the keys of an action do it.
+    """Have the keys of an action carry it out; return the shortcut.
 
     Args:
         name: Of the action.
@@ -168,6 +168,6 @@ def listen_for(
 
 
 def key_text(name: str) -> str:
-    """The keys of an action as they are written on this system; empty: it has none."""
+    """Return the keys of an action as this system writes them; empty: it has none."""
     shortcut = SHORTCUTS.get(name)
     return "" if shortcut is None else shortcut.text()

@@ -1,4 +1,4 @@
-"""What the main window does without a button: the palette, the guide, theme, language, stops."""
+"""The commands of the main window without a button: palette, guide, theme, language, stops."""
 
 from __future__ import annotations
 

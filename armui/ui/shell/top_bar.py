@@ -173,7 +173,7 @@ class EnableButton(Translated, QAbstractButton):
 
     @property
     def marks(self) -> tuple[bool | None, ...]:
-        """What the six marks show, joint 1 first."""
+        """The state of each mark, joint 1 first."""
         return self._enabled
 
     @property
@@ -407,7 +407,7 @@ _CONNECT: Final = also("open port device adapter can 设备 端口 打开")
 
 
 class TopBar(Translated, QWidget):
-    """What must be seen and reached whatever panel is open.
+    """Connection, speed, motors and stops: seen and reached whatever panel is open.
 
     Args:
         controller: Whom to tell.
