@@ -37,6 +37,7 @@ from armui.ui.trajectory.library.library_presence import (
 from armui.ui.trajectory.library.library_table import LibraryHint, LibraryTable
 from armui.ui.trajectory.library.library_work import LibraryWork
 from armui.ui.trajectory.recording.recording_page import RecordingPage
+from armui.ui.trajectory.recording.unsaved_line import UnsavedRecordingLine
 from armui.ui.trajectory.running.run_bar import RunBar, RunChoices, run_commands
 from armui.ui.trajectory.running.run_request import Checks, Preflight
 from armui.ui.widgets.buttons import named
@@ -94,6 +95,8 @@ class LibraryPage(Page):
         self.editors = LibraryEditors(
             controller, background, self._checks, self._work, choices=self._choices, parent=self
         )
+        self._unsaved = UnsavedRecordingLine(self._work)
+        self._unsaved.look()
         self._model = LibraryModel(self)
         self._shown = LibraryFilter(self._model, self)
         self._bar = LibraryBar()
@@ -135,7 +138,7 @@ class LibraryPage(Page):
             below.push(button)  # at the right, also while there is no message
         self._bar.add_button(self._bin_button)
         # what comes and goes takes its room from the list: 发送 stays where it is
-        fill(self.body, self._bar, self._company, (self._table, 1))
+        fill(self.body, self._bar, self._company, self._unsaved, (self._table, 1))
         fill(self.body, self._findings, below, self._run_bar)
 
     def _connect(self) -> None:
@@ -160,6 +163,9 @@ class LibraryPage(Page):
         self._actions.said.connect(self._say)
         self._actions.changed.connect(self._on_action)
         self._watch.changed.connect(self._on_folder)
+        self._unsaved.kept.connect(self._on_recording_kept)
+        self._unsaved.discarded.connect(self._on_recording_discarded)
+        self._unsaved.refused.connect(self._on_refused)
         FileDrop(self).dropped.connect(self._exchange.import_files)
         self._exchange.said.connect(self._say)
         self._exchange.imported.connect(self._on_imported)
@@ -258,6 +264,14 @@ class LibraryPage(Page):
         """The keys go on in the list: the button that was pressed may be disabled by now."""
         self.refresh(names)
         self._table.setFocus()
+
+    def _on_recording_kept(self, name: str) -> None:
+        self.refresh([name])
+        self._say(self.tr("Saved as “{name}”.").format(name=name), Level.DONE)
+
+    def _on_recording_discarded(self, name: str) -> None:
+        self.refresh()
+        self._say(self.tr("Deleted: {names}").format(names=name), Level.DONE)
 
     def _on_imported(self, names: Sequence[str]) -> None:
         self._actions.note_imported(names)
