@@ -131,6 +131,10 @@ def test_what_a_page_offers_is_found_while_it_is_not_seen(driver, place):
     seen = {name: each for name, each in to_be_told(driver.window).items() if name not in before}
     assert len(seen) >= 4
     assert untold(driver, seen) == set()
+    for source in driver.window.window_actions._sources():
+        if source.owner() is not None:
+            known = {command.name for command in source.commands}
+            assert source.owner().command_targets().keys() <= known
     of_page = {name for name in targets(driver) if name.startswith(f"{place}.")}
     go_away(driver)
     offered = {item.command.name for item in rows(open_palette(driver))}
