@@ -322,6 +322,7 @@ class JogBox(Translated, QFrame):
         why_not = words.why_not(self._controller.operating_state.cannot_move)
         for cell in self._cells:
             cell.allow_jog(why_not)
+        self.gripper.learn()
         self._show_measured()
 
     def _show_measured(self) -> None:
@@ -342,7 +343,6 @@ class JogBox(Translated, QFrame):
     def showEvent(self, event: QShowEvent) -> None:
         """Catch up."""
         super().showEvent(event)
-        self.gripper.learn()
         self._show_all()
 
     def hideEvent(self, event: QHideEvent) -> None:
