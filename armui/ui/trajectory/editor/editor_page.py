@@ -416,7 +416,7 @@ class EditorPage(Page):
         self._saving = False
         if self.document.stack.index() == place:
             self.document.mark_saved(trajectory)
-        self._drafts.write()
+        self._drafts.write_draft()
         if displaced:
             text = self.tr(
                 "Saved. Another program had changed “{name}” since it was opened here: what it "
@@ -434,7 +434,7 @@ class EditorPage(Page):
 
     def keep_draft(self) -> None:
         """The program ends: what is not saved is offered when it is started again."""
-        self._drafts.write()
+        self._drafts.write_draft()
 
     def leave(self) -> None:
         """Close; what is not saved asks first."""
@@ -452,7 +452,7 @@ class EditorPage(Page):
         self.save(self._leave)
 
     def _leave(self) -> None:
-        self._drafts.forget()
+        self._drafts.drop_draft()
         super().leave()
 
     def take_focus(self) -> None:

@@ -30,9 +30,9 @@ from armui.ui.trajectory.library.library_editors import LibraryEditors
 from armui.ui.trajectory.library.library_exchange import FileDrop, LibraryExchange
 from armui.ui.trajectory.library.library_model import ENTRY_ROLE, LibraryFilter, LibraryModel
 from armui.ui.trajectory.library.library_presence import (
-    LibraryCompany,
     LibraryPresence,
     LibraryWatch,
+    SharedUseBanner,
 )
 from armui.ui.trajectory.library.library_table import LibraryHint, LibraryTable
 from armui.ui.trajectory.library.library_work import LibraryWork
@@ -90,7 +90,7 @@ class LibraryPage(Page):
         self._work = LibraryWork(library, background, self)
         self._work.do(library.tidy)
         self._presence = LibraryPresence(library.folder)
-        self._company = LibraryCompany()
+        self._shared_use = SharedUseBanner()
         self._choices = RunChoices(self)
         self.editors = LibraryEditors(
             controller, background, self._checks, self._work, choices=self._choices, parent=self
@@ -138,7 +138,7 @@ class LibraryPage(Page):
             below.push(button)  # at the right, also while there is no message
         self._bar.add_button(self._bin_button)
         # what comes and goes takes its room from the list: 发送 stays where it is
-        fill(self.body, self._bar, self._company, self._unsaved, (self._table, 1))
+        fill(self.body, self._bar, self._shared_use, self._unsaved, (self._table, 1))
         fill(self.body, self._findings, below, self._run_bar)
 
     def _connect(self) -> None:
@@ -219,7 +219,7 @@ class LibraryPage(Page):
         self._choices.follow(listing.entries, self.editors.__contains__)
         changed = self._model.show(listing.entries, listing.drafts)
         self._watch.follow(exists=listing.exists)
-        self._company.show_others(others)
+        self._shared_use.show_others(others)
         self._bin_button.refresh()
         self._undo_button.show_step()
         if choose:
