@@ -1,11190 +1,11183 @@
 <?xml version="1.0" encoding="utf-8"?>
 <!DOCTYPE TS>
 <TS version="2.1" language="zh_CN" sourcelanguage="en_US">
-    <context>
-        <name>AboutArm</name>
-        <message>
-            <source>Model</source>
-            <translation>型号</translation>
-        </message>
-        <message>
-            <source>unknown: the arm does not tell it</source>
-            <translation>未知：机械臂不提供</translation>
-        </message>
-        <message>
-            <source>Firmware</source>
-            <translation>固件版本</translation>
-        </message>
-        <message>
-            <source>Protocol</source>
-            <translation>协议</translation>
-        </message>
-        <message>
-            <source>Adapter</source>
-            <translation>适配器</translation>
-        </message>
-        <message>
-            <source>Serial number of the adapter</source>
-            <translation>适配器序列号</translation>
-        </message>
-        <message>
-            <source>Bit rate</source>
-            <translation>波特率</translation>
-        </message>
-        <message>
-            <source>Identifiers of the feedback</source>
-            <translation>反馈指令 ID</translation>
-        </message>
-        <message>
-            <source>Identifiers of the commands</source>
-            <translation>控制指令 ID</translation>
-        </message>
-        <message>
-            <source>Frames received</source>
-            <translation>接收报文</translation>
-        </message>
-        <message>
-            <source>Heard without a break for</source>
-            <translation>持续在线时间</translation>
-        </message>
-        <message>
-            <source>Running time of the arm</source>
-            <translation>机械臂运行时间</translation>
-        </message>
-        <message>
-            <source>Joint {joint}</source>
-            <translation>关节 {joint}</translation>
-        </message>
-        <message>
-            <source>End</source>
-            <translation>末端</translation>
-        </message>
-        <message>
-            <source>Program</source>
-            <translation>程序</translation>
-        </message>
-        <message>
-            <source>unknown: generation 1 does not tell it</source>
-            <translation>未知：第 1 代协议不提供</translation>
-        </message>
-        <message>
-            <source>Generation {generation}</source>
-            <translation>第 {generation} 代</translation>
-        </message>
-        <message>
-            <source>none connected</source>
-            <translation>未连接</translation>
-        </message>
-        <message>
-            <source>none: it is simulated</source>
-            <translation>无：仿真机械臂</translation>
-        </message>
-        <message>
-            <source>none: it is no CAN bus</source>
-            <translation>无：不是 CAN 总线</translation>
-        </message>
-        <message>
-            <source>{bitrate} bit/s, set by the operating system</source>
-            <translation>{bitrate} bit/s，由操作系统设置</translation>
-        </message>
-        <message>
-            <source>{bitrate} bit/s, set by this program</source>
-            <translation>{bitrate} bit/s，由本程序设置</translation>
-        </message>
-        <message>
-            <source>{ids}, not proven: the arm cannot be asked</source>
-            <translation>{ids}，未证实：无法向机械臂查询</translation>
-        </message>
-        <message>
-            <source>0x{first} to 0x{last} (offset 0x{offset})</source>
-            <translation>0x{first} 至 0x{last}（偏移 0x{offset}）</translation>
-        </message>
-        <message>
-            <source>{rate} a second</source>
-            <translation>每秒 {rate} 帧</translation>
-        </message>
-        <message>
-            <source>not heard</source>
-            <translation>未收到</translation>
-        </message>
-        <message>
-            <source>unknown: not read from the arm</source>
-            <translation>未知：未从机械臂读取</translation>
-        </message>
-        <message>
-            <source>{minimum}° to {maximum}°, at most {speed}°/s</source>
-            <translation>{minimum}° 至 {maximum}°，最大 {speed}°/s</translation>
-        </message>
-        <message>
-            <source>{limits} and {acceleration}°/s²</source>
-            <translation>{limits}、{acceleration}°/s²</translation>
-        </message>
-        <message>
-            <source>at most {linear} m/s and {angular} rad/s</source>
-            <translation>最大 {linear} m/s、{angular} rad/s</translation>
-        </message>
-        <message>
-            <source>unknown</source>
-            <translation>未知</translation>
-        </message>
-        <message>
-            <source>{model}, as chosen; not compared yet</source>
-            <translation>{model}（操作者选择，尚未核对）</translation>
-        </message>
-        <message>
-            <source>{model}, confirmed by the pose it reports</source>
-            <translation>{model}（与反馈位姿一致，已确认）</translation>
-        </message>
-        <message>
-            <source>{model}, as chosen; other models fit its pose as well</source>
-            <translation>{model}（操作者选择；其它型号也符合当前位姿）</translation>
-        </message>
-        <message>
-            <source>{model}, as chosen; its pose is that of a {other}</source>
-            <translation>{model}（操作者选择；但反馈位姿属于 {other}）</translation>
-        </message>
-        <message>
-            <source>{model}, as chosen; its pose fits none of the models</source>
-            <translation>{model}（操作者选择；反馈位姿不符合任何型号）</translation>
-        </message>
-        <message>
-            <source>Date of the firmware</source>
-            <translation>固件日期</translation>
-        </message>
-        <message>
-            <source>Hardware</source>
-            <translation>硬件</translation>
-        </message>
-        <message>
-            <source>Node on the bus</source>
-            <translation>总线节点</translation>
-        </message>
-        <message>
-            <source>{type}, number {number}</source>
-            <translation>{type}，编号 {number}</translation>
-        </message>
-        <message>
-            <source>; joints 2 and 3 count from the zeros before S-V1.6-3</source>
-            <translation>；关节 2、3 采用 S-V1.6-3 之前的零点</translation>
-        </message>
-    </context>
-    <context>
-        <name>AboutArmDialog</name>
-        <message>
-            <source>About this arm</source>
-            <translation>关于本机械臂</translation>
-        </message>
-        <message>
-            <source>Copy as text</source>
-            <translation>复制为文本</translation>
-        </message>
-        <message>
-            <source>Copied: paste it into a mail.</source>
-            <translation>已复制，可粘贴到邮件中。</translation>
-        </message>
-    </context>
-    <context>
-        <name>ActButtons</name>
-        <message>
-            <source>Gives the motor power: it holds its position.</source>
-            <translation>给电机上电，电机保持当前位置。</translation>
-        </message>
-        <message>
-            <source>Takes the motor's power: the arm drops. Asks first.</source>
-            <translation>切断电机动力，机械臂会下落。执行前会询问。</translation>
-        </message>
-        <message>
-            <source>Makes the present position the joint's zero. Asks first.</source>
-            <translation>将关节当前位置设为零点。执行前会询问。</translation>
-        </message>
-        <message>
-            <source>Clears the error of the joint's driver; nothing moves.</source>
-            <translation>清除关节驱动器的错误，机械臂不会运动。</translation>
-        </message>
-        <message>
-            <source>Enable</source>
-            <translation>使能</translation>
-        </message>
-        <message>
-            <source>Disable</source>
-            <translation>失能</translation>
-        </message>
-        <message>
-            <source>Set zero</source>
-            <translation>零点设置</translation>
-        </message>
-        <message>
-            <source>Clear error</source>
-            <translation>清除错误</translation>
-        </message>
-        <message>
-            <source>all joints</source>
-            <translation>全部关节</translation>
-        </message>
-        <message>
-            <source>joint {joint}</source>
-            <translation>关节 {joint}</translation>
-        </message>
-    </context>
-    <context>
-        <name>Action</name>
-        <message>
-            <source>Enable or disable all motors</source>
-            <translation>全部电机使能或失能</translation>
-        </message>
-        <message>
-            <source>Joint status</source>
-            <translation>关节状态</translation>
-        </message>
-        <message>
-            <source>Replay a recording</source>
-            <translation>回放会话记录</translation>
-        </message>
-        <message>
-            <source>Export a recording</source>
-            <translation>导出会话记录</translation>
-        </message>
-        <message>
-            <source>Back up, compare, restore parameters</source>
-            <translation>参数备份、比较、恢复</translation>
-        </message>
-        <message>
-            <source>Language: Chinese or English</source>
-            <translation>语言：中文或英文</translation>
-        </message>
-        <message>
-            <source>Theme: light or dark</source>
-            <translation>主题：浅色或深色</translation>
-        </message>
-        <message>
-            <source>User guide</source>
-            <translation>使用指南</translation>
-        </message>
-        <message>
-            <source>Keyboard shortcuts</source>
-            <translation>快捷键</translation>
-        </message>
-        <message>
-            <source>Close the program</source>
-            <translation>退出程序</translation>
-        </message>
-        <message>
-            <source>MOVE P: to the pose</source>
-            <translation>MOVE P 运动到位姿</translation>
-        </message>
-        <message>
-            <source>MOVE L: on a straight line to the pose</source>
-            <translation>MOVE L 直线运动到位姿</translation>
-        </message>
-        <message>
-            <source>MOVE C: along the arc</source>
-            <translation>MOVE C 沿圆弧运动</translation>
-        </message>
-        <message>
-            <source>Master arm (teaching input arm)</source>
-            <translation>主臂（示教输入臂）</translation>
-        </message>
-        <message>
-            <source>Slave arm (motion output arm)</source>
-            <translation>从臂（运动输出臂）</translation>
-        </message>
-        <message>
-            <source>Pause the planned motion</source>
-            <translation>暂停规划轨迹</translation>
-        </message>
-        <message>
-            <source>Continue the held motion</source>
-            <translation>继续被保持的运动</translation>
-        </message>
-        <message>
-            <source>Terminate the planned motion</source>
-            <translation>终止规划轨迹</translation>
-        </message>
-        <message>
-            <source>Target of</source>
-            <translation>目标</translation>
-        </message>
-        <message>
-            <source>Lamps of</source>
-            <translation>灯光</translation>
-        </message>
-        <message>
-            <source>Press Edit in the panel first.</source>
-            <translation>请先在该面板中按“编辑”。</translation>
-        </message>
-        <message>
-            <source>There is nothing for it to do now.</source>
-            <translation>现在没有可执行的内容。</translation>
-        </message>
-        <message>
-            <source>Folder of the recordings</source>
-            <translation>会话记录的文件夹</translation>
-        </message>
-        <message>
-            <source>Model of the arm</source>
-            <translation>机械臂型号</translation>
-        </message>
-        <message>
-            <source>Way of the tool: off</source>
-            <translation>末端轨迹：关闭</translation>
-        </message>
-        <message>
-            <source>Way of the tool: last 5 s of motion</source>
-            <translation>末端轨迹：最近 5 秒运动</translation>
-        </message>
-        <message>
-            <source>Way of the tool: last 15 s of motion</source>
-            <translation>末端轨迹：最近 15 秒运动</translation>
-        </message>
-        <message>
-            <source>Way of the tool: last 60 s of motion</source>
-            <translation>末端轨迹：最近 60 秒运动</translation>
-        </message>
-        <message>
-            <source>Handles at the tool, along the axes of the base</source>
-            <translation>末端手柄：沿基座坐标轴</translation>
-        </message>
-        <message>
-            <source>Handles at the tool, along its own axes</source>
-            <translation>末端手柄：沿工具坐标轴</translation>
-        </message>
-        <message>
-            <source>Handles at the joints</source>
-            <translation>关节手柄</translation>
-        </message>
-        <message>
-            <source>Speed of the run</source>
-            <translation>运行速度</translation>
-        </message>
-    </context>
-    <context>
-        <name>AdapterTrouble</name>
-        <message>
-            <source>en</source>
-            <translation>zh</translation>
-        </message>
-    </context>
-    <context>
-        <name>ArcBox</name>
-        <message>
-            <source>start</source>
-            <translation>起点</translation>
-        </message>
-        <message>
-            <source>middle</source>
-            <translation>中点</translation>
-        </message>
-        <message>
-            <source>end</source>
-            <translation>终点</translation>
-        </message>
-        <message>
-            <source>Takes the pose the arm has now; nothing moves.</source>
-            <translation>记录机械臂当前位姿，不会运动。</translation>
-        </message>
-        <message>
-            <source>Moves to the captured start with MOVE P.</source>
-            <translation>用 MOVE P 移到记录的起点。</translation>
-        </message>
-        <message>
-            <source>Moves from the start over the middle to the end. Some firmware has no arc.</source>
-            <translation>从起点经中点运动到终点。部分固件不支持圆弧。</translation>
-        </message>
-        <message>
-            <source>Capture start</source>
-            <translation>记录起点</translation>
-        </message>
-        <message>
-            <source>Capture middle</source>
-            <translation>记录中点</translation>
-        </message>
-        <message>
-            <source>Capture end</source>
-            <translation>记录终点</translation>
-        </message>
-        <message>
-            <source>Go to start</source>
-            <translation>移到起点</translation>
-        </message>
-    </context>
-    <context>
-        <name>ArmKind</name>
-        <message>
-            <source>{model} (zeros before S-V1.6-3)</source>
-            <translation>{model}（S-V1.6-3 之前的零点）</translation>
-        </message>
-    </context>
-    <context>
-        <name>ArmPart</name>
-        <message>
-            <source>the base</source>
-            <translation>底座</translation>
-        </message>
-        <message>
-            <source>the upper arm</source>
-            <translation>大臂</translation>
-        </message>
-        <message>
-            <source>the forearm</source>
-            <translation>小臂</translation>
-        </message>
-        <message>
-            <source>the wrist</source>
-            <translation>手腕</translation>
-        </message>
-        <message>
-            <source>the gripper</source>
-            <translation>夹爪</translation>
-        </message>
-    </context>
-    <context>
-        <name>ArmStatus</name>
-        <message>
-            <source>Normal</source>
-            <translation>正常</translation>
-        </message>
-        <message>
-            <source>Emergency stop</source>
-            <translation>急停</translation>
-        </message>
-        <message>
-            <source>No solution</source>
-            <translation>无解</translation>
-        </message>
-        <message>
-            <source>Singularity</source>
-            <translation>奇异点</translation>
-        </message>
-        <message>
-            <source>Target angle beyond limit</source>
-            <translation>目标角度超过限</translation>
-        </message>
-        <message>
-            <source>Joint communication fault</source>
-            <translation>关节通信异常</translation>
-        </message>
-        <message>
-            <source>Joint brake not released</source>
-            <translation>关节抱闸未打开</translation>
-        </message>
-        <message>
-            <source>Collision</source>
-            <translation>机械臂发生碰撞</translation>
-        </message>
-        <message>
-            <source>Overspeed in drag teaching</source>
-            <translation>拖动示教时超速</translation>
-        </message>
-        <message>
-            <source>Joint status fault</source>
-            <translation>关节状态异常</translation>
-        </message>
-        <message>
-            <source>Other fault</source>
-            <translation>其它异常</translation>
-        </message>
-        <message>
-            <source>Teaching: recording</source>
-            <translation>示教记录</translation>
-        </message>
-        <message>
-            <source>Teaching: replaying</source>
-            <translation>示教执行</translation>
-        </message>
-        <message>
-            <source>Teaching: paused</source>
-            <translation>示教暂停</translation>
-        </message>
-        <message>
-            <source>Main controller too hot</source>
-            <translation>主控过温</translation>
-        </message>
-        <message>
-            <source>Brake resistor too hot</source>
-            <translation>释放电阻过温</translation>
-        </message>
-    </context>
-    <context>
-        <name>ArmView</name>
-        <message>
-            <source>Loading the 3D model …</source>
-            <translation>正在加载 3D 模型…</translation>
-        </message>
-        <message>
-            <source>Picture delayed</source>
-            <translation>画面滞后</translation>
-        </message>
-        <message>
-            <source>Start the 3D view again</source>
-            <translation>重新启动3D 视图</translation>
-        </message>
-        <message>
-            <source>The 3D view is not available: this computer offers no OpenGL. Install a graphics driver or Mesa (on Debian the packages libegl1 and libgl1-mesa-dri) and start the 3D view again.</source>
-            <translation>3D 视图不可用：这台电脑没有 OpenGL。请安装显卡驱动或 Mesa（Debian 上为软件包 libegl1 和 libgl1-mesa-dri），然后重新启动3D 视图。</translation>
-        </message>
-        <message>
-            <source>The 3D view did not answer any more.</source>
-            <translation>3D 视图没有响应。</translation>
-        </message>
-        <message>
-            <source>The 3D view has ended ({text}).</source>
-            <translation>3D 视图意外结束（{text}）。</translation>
-        </message>
-        <message>
-            <source>It is being started again; the arm is not affected.</source>
-            <translation>正在重新启动；机械臂不受影响。</translation>
-        </message>
-        <message>
-            <source>It ended three times in a minute; the arm is not affected.</source>
-            <translation>一分钟内结束了三次；机械臂不受影响。</translation>
-        </message>
-        <message>
-            <source>Tool centre point</source>
-            <translation>工具中心点</translation>
-        </message>
-        <message>
-            <source>Flange</source>
-            <translation>法兰</translation>
-        </message>
-    </context>
-    <context>
-        <name>Asker</name>
-        <message>
-            <source>Operator</source>
-            <translation>操作员</translation>
-        </message>
-        <message>
-            <source>Run</source>
-            <translation>运行</translation>
-        </message>
-        <message>
-            <source>Jogging</source>
-            <translation>点动</translation>
-        </message>
-        <message>
-            <source>Recovery</source>
-            <translation>恢复引导</translation>
-        </message>
-        <message>
-            <source>Arm</source>
-            <translation>机械臂</translation>
-        </message>
-        <message>
-            <source>Other host</source>
-            <translation>其他程序</translation>
-        </message>
-        <message>
-            <source>Program</source>
-            <translation>本程序</translation>
-        </message>
-    </context>
-    <context>
-        <name>AxisRows</name>
-        <message>
-            <source>Of the speed at the top; without the trigger a fifth</source>
-            <translation>顶部配速的百分比；不扣扳机时为五分之一</translation>
-        </message>
-    </context>
-    <context>
-        <name>BackupDialog</name>
-        <message>
-            <source>Parameter backup</source>
-            <translation>参数备份</translation>
-        </message>
-        <message>
-            <source>Parameters in the file and in the arm</source>
-            <translation>文件与机械臂中的参数</translation>
-        </message>
-        <message>
-            <source>Only differences</source>
-            <translation>只看不同</translation>
-        </message>
-        <message>
-            <source>Choose all</source>
-            <translation>全选</translation>
-        </message>
-        <message>
-            <source>Choose none</source>
-            <translation>全不选</translation>
-        </message>
-        <message>
-            <source>Save to a file…</source>
-            <translation>保存到文件…</translation>
-        </message>
-        <message>
-            <source>Open a file…</source>
-            <translation>打开文件…</translation>
-        </message>
-        <message>
-            <source>Restore</source>
-            <translation>恢复</translation>
-        </message>
-        <message>
-            <source>Reading was stopped; what was read is shown.</source>
-            <translation>已停止读取；显示的是已读到的参数。</translation>
-        </message>
-        <message>
-            <source>Save the parameters of the arm</source>
-            <translation>保存机械臂参数</translation>
-        </message>
-        <message>
-            <source>Saved {count} parameters to {path}.</source>
-            <translation>已将 {count} 个参数保存到 {path}。</translation>
-        </message>
-        <message>
-            <source>{missing} could not be read from the arm and are not in the file.</source>
-            <translation>有 {missing} 个参数未能从机械臂读出，文件中没有。</translation>
-        </message>
-        <message>
-            <source>Open a parameter backup</source>
-            <translation>打开参数备份</translation>
-        </message>
-        <message>
-            <source>The file is from an arm of protocol generation {filed}, this one speaks generation {here}. What both have can be restored; the steps of the values differ.</source>
-            <translation>文件来自第 {filed} 代协议的机械臂，当前机械臂为第 {here} 代。两者都有的参数可以恢复；数值的分辨率不同。</translation>
-        </message>
-        <message>
-            <source>The file is from firmware {filed}, this arm has {here}. Check the values before you restore them.</source>
-            <translation>文件来自固件 {filed}，当前机械臂的固件为 {here}。恢复前请核对数值。</translation>
-        </message>
-        <message>
-            <source>Restore parameters</source>
-            <translation>恢复参数</translation>
-        </message>
-        <message>
-            <source>{count} parameters of the arm are set to what the file says, limits and collision levels among them if they are chosen. Each is read back and compared.</source>
-            <translation>将把机械臂的 {count} 个参数设为文件中的值；如已选中，限位和碰撞等级也会改变。每个参数都会回读并比较。</translation>
-        </message>
-        <message>
-            <source>Restored {count} parameters: read back from the arm, and the same.</source>
-            <translation>已恢复 {count} 个参数：已从机械臂回读，数值一致。</translation>
-        </message>
-        <message>
-            <source>{failed} of {count} parameters were not restored.</source>
-            <translation>{count} 个参数中有 {failed} 个未恢复。</translation>
-        </message>
-        <message>
-            <source>No file is open; the arm's own values are shown.</source>
-            <translation>未打开文件；显示的是机械臂当前的值。</translation>
-        </message>
-        <message>
-            <source>Stop reading</source>
-            <translation>停止读取</translation>
-        </message>
-        <message>
-            <source>Read</source>
-            <translation>读取</translation>
-        </message>
-        <message>
-            <source>Open a file first.</source>
-            <translation>请先打开文件。</translation>
-        </message>
-        <message>
-            <source>Choose what differs in the table first.</source>
-            <translation>请先在表中勾选不同的参数。</translation>
-        </message>
-        <message>
-            <source>{name}: saved {time}, {model}, {device}, generation {generation}, {firmware}</source>
-            <translation>{name}：保存于 {time}，{model}，{device}，第 {generation} 代，{firmware}</translation>
-        </message>
-        <message>
-            <source>The file is from a {filed}, this arm is a {here}: the limits of one may be wrong for the other. Check the values before you restore them.</source>
-            <translation>该文件来自 {filed}，当前机械臂为 {here}：两种型号的限位可能不通用。恢复前请核对数值。</translation>
-        </message>
-    </context>
-    <context>
-        <name>BackupModel</name>
-        <message>
-            <source>Parameter</source>
-            <translation>参数</translation>
-        </message>
-        <message>
-            <source>In the file</source>
-            <translation>文件</translation>
-        </message>
-        <message>
-            <source>In the arm</source>
-            <translation>机械臂</translation>
-        </message>
-        <message>
-            <source>Comparison</source>
-            <translation>比较</translation>
-        </message>
-        <message>
-            <source>… reading</source>
-            <translation>… 读取中</translation>
-        </message>
-        <message>
-            <source>… restoring</source>
-            <translation>… 恢复中</translation>
-        </message>
-        <message>
-            <source>✓ restored</source>
-            <translation>✓ 已恢复</translation>
-        </message>
-        <message>
-            <source>✗ not restored</source>
-            <translation>✗ 未恢复</translation>
-        </message>
-        <message>
-            <source>≠ cannot be restored</source>
-            <translation>≠ 无法恢复</translation>
-        </message>
-    </context>
-    <context>
-        <name>BinButton</name>
-        <message>
-            <source>Recently deleted…</source>
-            <translation>最近删除…</translation>
-        </message>
-    </context>
-    <context>
-        <name>BinDialog</name>
-        <message>
-            <source>Choose what to bring back</source>
-            <translation>请选择要恢复的轨迹</translation>
-        </message>
-        <message>
-            <source>What is deleted can be brought back for {days} days. Where a name has been given anew meanwhile, a number is added.</source>
-            <translation>删除的轨迹在 {days} 天内可以恢复。如果名称已被占用，恢复后会加上编号。</translation>
-        </message>
-        <message>
-            <source>Nothing has been deleted in the last {days} days.</source>
-            <translation>最近 {days} 天内没有删除过轨迹。</translation>
-        </message>
-        <message>
-            <source>Recently deleted</source>
-            <translation>最近删除</translation>
-        </message>
-        <message>
-            <source>Name</source>
-            <translation>名称</translation>
-        </message>
-        <message>
-            <source>Deleted</source>
-            <translation>删除时间</translation>
-        </message>
-        <message>
-            <source>Kept until</source>
-            <translation>保留至</translation>
-        </message>
-        <message>
-            <source>Bring back</source>
-            <translation>恢复</translation>
-        </message>
-    </context>
-    <context>
-        <name>BusError</name>
-        <message>
-            <source>a frame could not be sent in time</source>
-            <translation>有一帧未能及时发出</translation>
-        </message>
-        <message>
-            <source>arbitration lost: a frame of higher rank came first, which is normal</source>
-            <translation>仲裁失败：优先级更高的帧先发出，属正常现象</translation>
-        </message>
-        <message>
-            <source>the adapter's CAN controller reports</source>
-            <translation>适配器的 CAN 控制器有报告</translation>
-        </message>
-        <message>
-            <source>the adapter has lost frames: too slow for this bus, or its USB port is</source>
-            <translation>适配器丢失了帧：适配器或其 USB 接口跟不上这条总线</translation>
-        </message>
-        <message>
-            <source>the adapter has lost frames to be sent</source>
-            <translation>适配器丢失了待发送的帧</translation>
-        </message>
-        <message>
-            <source>many errors: check the cable and both terminating resistors (120 Ω)</source>
-            <translation>错误较多：请检查线缆和两端 120 Ω 终端电阻</translation>
-        </message>
-        <message>
-            <source>error passive: check CAN_H and CAN_L, both terminating resistors and the bit rate</source>
-            <translation>错误被动：请检查 CAN_H、CAN_L、两端终端电阻和波特率</translation>
-        </message>
-        <message>
-            <source>the errors have become few again</source>
-            <translation>错误已减少</translation>
-        </message>
-        <message>
-            <source>disturbed frame: check the cable, its shield, and the bit rate</source>
-            <translation>帧受到干扰：请检查线缆、屏蔽层和波特率</translation>
-        </message>
-        <message>
-            <source>transceiver: check CAN_H and CAN_L for a short or an open line</source>
-            <translation>收发器：请检查 CAN_H、CAN_L 是否短路或断路</translation>
-        </message>
-        <message>
-            <source>nobody acknowledges: check the arm's power, the cable and the bit rate</source>
-            <translation>无人应答：请检查机械臂电源、线缆和波特率</translation>
-        </message>
-        <message>
-            <source>bus off: too many errors, the adapter takes no part. Check the cable, both terminating resistors (120 Ω) and the bit rate, then connect again</source>
-            <translation>总线关闭（bus off）：错误过多，适配器已退出总线。请检查线缆、两端 120 Ω 终端电阻和波特率，然后重新连接</translation>
-        </message>
-        <message>
-            <source>error on the bus: check the cable</source>
-            <translation>总线错误：请检查线缆</translation>
-        </message>
-        <message>
-            <source>the adapter takes part again</source>
-            <translation>适配器已重新加入总线</translation>
-        </message>
-        <message>
-            <source>the adapter tells no more</source>
-            <translation>适配器未给出更多信息</translation>
-        </message>
-    </context>
-    <context>
-        <name>BusMonitor</name>
-        <message>
-            <source>silent</source>
-            <translation>已静默</translation>
-        </message>
-        <message>
-            <source>Show as curve</source>
-            <translation>显示为曲线</translation>
-        </message>
-        <message>
-            <source>ID</source>
-            <translation>ID</translation>
-        </message>
-        <message>
-            <source>Message</source>
-            <translation>报文</translation>
-        </message>
-        <message>
-            <source>Sender</source>
-            <translation>发送方</translation>
-        </message>
-        <message>
-            <source>Data</source>
-            <translation>数据</translation>
-        </message>
-        <message>
-            <source>Rate, Hz</source>
-            <translation>频率 Hz</translation>
-        </message>
-        <message>
-            <source>Jitter, ms</source>
-            <translation>抖动 ms</translation>
-        </message>
-        <message>
-            <source>Count</source>
-            <translation>帧数</translation>
-        </message>
-        <message>
-            <source>Last</source>
-            <translation>最近一帧</translation>
-        </message>
-        <message>
-            <source>The identifier on the bus, offsets of 0x470 included</source>
-            <translation>总线上的 ID，包含 0x470 设置的偏移</translation>
-        </message>
-        <message>
-            <source>What the frame is; its signals are below it</source>
-            <translation>该帧的含义；下方是其中的信号</translation>
-        </message>
-        <message>
-            <source>By the identifier: what is not this program's and no arm sends is another host's</source>
-            <translation>按 ID 判断：既不是本程序发送、也不是机械臂会发送的帧，属于其他上位机</translation>
-        </message>
-        <message>
-            <source>Bytes that have changed within the last second are lit</source>
-            <translation>最近 1 秒内变化过的字节会点亮</translation>
-        </message>
-        <message>
-            <source>Over the last 3 s, and at least 8 cycles</source>
-            <translation>按最近 3 秒计算，至少 8 个周期</translation>
-        </message>
-        <message>
-            <source>How far the cycles of the last 3 s are from their mean on average / the longest cycle since the counting began</source>
-            <translation>最近 3 秒内周期与其平均值的平均偏差 / 开始统计以来最长的周期</translation>
-        </message>
-        <message>
-            <source>Since the counting began</source>
-            <translation>开始统计以来</translation>
-        </message>
-        <message>
-            <source>When the last one came</source>
-            <translation>最近一帧到达的时间</translation>
-        </message>
-        <message>
-            <source>Time</source>
-            <translation>时间</translation>
-        </message>
-        <message>
-            <source>Says</source>
-            <translation>内容</translation>
-        </message>
-    </context>
-    <context>
-        <name>BusPage</name>
-        <message>
-            <source>Counted since {time}, when opened or cleared: {count} frames</source>
-            <translation>自 {time}（打开或清空）起统计：{count} 帧</translation>
-        </message>
-        <message>
-            <source>Paused: the figures are those of {time}</source>
-            <translation>已暂停：显示的是 {time} 的数值</translation>
-        </message>
-        <message>
-            <source>Generation not known yet: read as generation 2</source>
-            <translation>协议代次未知：暂按第 2 代解读</translation>
-        </message>
-        <message>
-            <source>Show as curve</source>
-            <translation>显示为曲线</translation>
-        </message>
-        <message>
-            <source>Show this identifier alone</source>
-            <translation>只显示该 ID</translation>
-        </message>
-        <message>
-            <source>Copy {frame}</source>
-            <translation>复制 {frame}</translation>
-        </message>
-        <message>
-            <source>Into the fields for sending</source>
-            <translation>填入发送栏</translation>
-        </message>
-        <message>
-            <source>Bus monitor</source>
-            <translation>总线监视</translation>
-        </message>
-        <message>
-            <source>Frames by identifier</source>
-            <translation>按 ID 排列的帧</translation>
-        </message>
-        <message>
-            <source>Frames in order of time</source>
-            <translation>按时间排列的帧</translation>
-        </message>
-    </context>
-    <context>
-        <name>BusSummary</name>
-        <message>
-            <source>{count} frames were lost before the program could read them: the computer is too busy, or the adapter too slow. What is shown is not all that was on the bus.</source>
-            <translation>有 {count} 帧在程序读取前丢失：电脑过于繁忙，或适配器太慢。这里显示的不是总线上的全部帧。</translation>
-        </message>
-        <message>
-            <source>The bus is nearly full: frames of low rank come late. Have less sent.</source>
-            <translation>总线接近满载：优先级低的帧会延迟。请减少发送量。</translation>
-        </message>
-        <message>
-            <source>Not counted here: {late} frames that came while the window was held up, {more} of identifiers beyond the first {rows}.</source>
-            <translation>未计入：窗口受阻期间到达的 {late} 帧，以及超出前 {rows} 个 ID 的 {more} 帧。</translation>
-        </message>
-        <message>
-            <source>Bus load</source>
-            <translation>总线负载</translation>
-        </message>
-        <message>
-            <source>Frames</source>
-            <translation>帧</translation>
-        </message>
-        <message>
-            <source>Error frames</source>
-            <translation>错误帧</translation>
-        </message>
-        <message>
-            <source>Lost frames</source>
-            <translation>丢失帧</translation>
-        </message>
-        <message>
-            <source>Of the bit rate, stuff bits not counted; right button: show as curve</source>
-            <translation>占波特率的比例，不计填充位；右键可显示为曲线</translation>
-        </message>
-        <message>
-            <source>A second, those of this program included</source>
-            <translation>每秒帧数，包括本程序发送的帧</translation>
-        </message>
-        <message>
-            <source>Errors on the bus that the adapter has reported since the counting began</source>
-            <translation>开始统计以来适配器报告的总线错误</translation>
-        </message>
-        <message>
-            <source>Lost by the system's queue or by the adapter since the counting began</source>
-            <translation>开始统计以来被系统队列或适配器丢失的帧</translation>
-        </message>
-    </context>
-    <context>
-        <name>ButtonRows</name>
-        <message>
-            <source>Pressed: {buttons}</source>
-            <translation>按下：{buttons}</translation>
-        </message>
-        <message>
-            <source>No button</source>
-            <translation>不分配</translation>
-        </message>
-        <message>
-            <source>The buttons as they are at first</source>
-            <translation>恢复为初始的按键分配</translation>
-        </message>
-        <message>
-            <source>Restore</source>
-            <translation>恢复默认</translation>
-        </message>
-    </context>
-    <context>
-        <name>CancellableProgress</name>
-        <message>
-            <source>Cancel</source>
-            <translation>取消</translation>
-        </message>
-    </context>
-    <context>
-        <name>CartesianPanel</name>
-        <message>
-            <source>Fills the fields with the measured pose; nothing moves.</source>
-            <translation>把当前位姿填入输入框，不会运动。</translation>
-        </message>
-        <message>
-            <source>Moves to the pose, each joint on its own way.</source>
-            <translation>移到该位姿，各关节各自运动。</translation>
-        </message>
-        <message>
-            <source>Moves to the pose on a straight line.</source>
-            <translation>沿直线移到该位姿。</translation>
-        </message>
-        <message>
-            <source>Tool centre point</source>
-            <translation>工具中心点</translation>
-        </message>
-        <message>
-            <source>Flange (no tool set)</source>
-            <translation>法兰（未设置工具）</translation>
-        </message>
-        <message>
-            <source>Measured</source>
-            <translation>测量</translation>
-        </message>
-        <message>
-            <source>Tool control</source>
-            <translation>末端控制</translation>
-        </message>
-        <message>
-            <source>Load</source>
-            <translation>装载</translation>
-        </message>
-    </context>
-    <context>
-        <name>CloseButton</name>
-        <message>
-            <source>Close</source>
-            <translation>关闭</translation>
-        </message>
-    </context>
-    <context>
-        <name>CloseQuestion</name>
-        <message>
-            <source>The arm is moving</source>
-            <translation>机械臂正在运动</translation>
-        </message>
-        <message>
-            <source>If the motion is ended, the arm comes to rest where it is; its motors stay enabled. If it is let finish, it goes on to its target, and this program cannot stop it any more. Press the emergency stop if it must not move.</source>
-            <translation>结束运动：机械臂在当前位置停下，电机保持使能。任其完成：机械臂继续运动到目标位置，本程序将无法再停止它。如果机械臂不得运动，请按急停。</translation>
-        </message>
-        <message>
-            <source>End the motion and close</source>
-            <translation>结束运动并关闭</translation>
-        </message>
-        <message>
-            <source>Let it finish and close</source>
-            <translation>任其完成并关闭</translation>
-        </message>
-    </context>
-    <context>
-        <name>CollisionPanel</name>
-        <message>
-            <source>Collision level</source>
-            <translation>碰撞等级</translation>
-        </message>
-        <message>
-            <source>Levels 1 to 8 watch for collisions; level 0 does not watch at all. The maker has not published whether 1 or 8 is the more sensitive one.</source>
-            <translation>1–8 级检测碰撞，0 级不检测。厂家未公布 1 级与 8 级哪个更灵敏。</translation>
-        </message>
-        <message>
-            <source>Level 0 – no collision detection: {joints} will not stop when they hit something or someone.</source>
-            <translation>等级 0 – 不检测碰撞：{joints} 碰到物体或人时不会停止。</translation>
-        </message>
-        <message>
-            <source>This switches the collision detection of {joints} off: the arm will not stop when they hit something or someone. Keep everyone out of its reach.</source>
-            <translation>将关闭 {joints} 的碰撞检测：碰到物体或人时机械臂不会停止。请确保工作范围内无人。</translation>
-        </message>
-        <message>
-            <source>no detection</source>
-            <translation>不检测</translation>
-        </message>
-    </context>
-    <context>
-        <name>ColorDialog</name>
-        <message>
-            <source>Colour of the lamps</source>
-            <translation>灯光颜色</translation>
-        </message>
-    </context>
-    <context>
-        <name>ColumnPicker</name>
-        <message>
-            <source>Guessed: check it</source>
-            <translation>推测值，请核对</translation>
-        </message>
-        <message>
-            <source>Column {number}</source>
-            <translation>第 {number} 列</translation>
-        </message>
-        <message>
-            <source>Wait</source>
-            <translation>间隔时间</translation>
-        </message>
-        <message>
-            <source>Gripper</source>
-            <translation>夹爪</translation>
-        </message>
-        <message>
-            <source>Ignored</source>
-            <translation>忽略</translation>
-        </message>
-        <message>
-            <source>{column}: quantity</source>
-            <translation>{column}：含义</translation>
-        </message>
-        <message>
-            <source>{column}: unit</source>
-            <translation>{column}：单位</translation>
-        </message>
-    </context>
-    <context>
-        <name>ColumnsOffer</name>
-        <message>
-            <source>Import by columns…</source>
-            <translation>按列导入…</translation>
-        </message>
-    </context>
-    <context>
-        <name>ColumnsPage</name>
-        <message>
-            <source>Importing {count} rows…</source>
-            <translation>正在导入 {count} 行…</translation>
-        </message>
-        <message>
-            <source>Not imported. {reason}</source>
-            <translation>未导入。{reason}</translation>
-        </message>
-        <message>
-            <source>Giving up the import…</source>
-            <translation>正在取消导入…</translation>
-        </message>
-        <message>
-            <source>Import by columns</source>
-            <translation>按列导入</translation>
-        </message>
-        <message>
-            <source>Name</source>
-            <translation>名称</translation>
-        </message>
-        <message>
-            <source>Becomes</source>
-            <translation>导入为</translation>
-        </message>
-        <message>
-            <source>Recording</source>
-            <translation>录制轨迹</translation>
-        </message>
-        <message>
-            <source>Points, {move}</source>
-            <translation>轨迹点，{move}</translation>
-        </message>
-        <message>
-            <source>Speed</source>
-            <translation>速度</translation>
-        </message>
-        <message>
-            <source>Of points for which no column says it</source>
-            <translation>用于未由列给出速度的轨迹点</translation>
-        </message>
-        <message>
-            <source>Import</source>
-            <translation>导入</translation>
-        </message>
-        <message>
-            <source>Cancel</source>
-            <translation>取消</translation>
-        </message>
-        <message>
-            <source>{file}: {count} columns, {rows} rows; the first rows are shown</source>
-            <translation>{file}：{count} 列，{rows} 行；下面显示前几行</translation>
-        </message>
-        <message>
-            <source>; {count} further columns are left out</source>
-            <translation>；另有 {count} 列未显示</translation>
-        </message>
-        <message>
-            <source>Columns {columns} may be radians or degrees: say which.</source>
-            <translation>第 {columns} 列可能是弧度，也可能是度：请选择。</translation>
-        </message>
-        <message>
-            <source>Or choose “{choice}” under “{becomes}”: the columns suffice for that.</source>
-            <translation>或把“{becomes}”改为“{choice}”：现有的列已足够。</translation>
-        </message>
-        <message>
-            <source>What is needed depends on “{becomes}”.</source>
-            <translation>需要哪些列取决于“{becomes}”。</translation>
-        </message>
-        <message>
-            <source>The angles are in different units: {columns}. Check that this is meant.</source>
-            <translation>各角度的单位不同：{columns}。请确认无误。</translation>
-        </message>
-        <message>
-            <source>Radians</source>
-            <translation>弧度</translation>
-        </message>
-        <message>
-            <source>Degrees</source>
-            <translation>度</translation>
-        </message>
-    </context>
-    <context>
-        <name>CommandPalette</name>
-        <message>
-            <source>Nothing is called so. Chinese, English, pinyin and initials are found.</source>
-            <translation>没有这样的名称。可按中文、英文、拼音或拼音首字母查找。</translation>
-        </message>
-        <message>
-            <source>Commands</source>
-            <translation>命令</translation>
-        </message>
-        <message>
-            <source>Name, pinyin or initials, in Chinese or English</source>
-            <translation>名称、拼音或首字母，中英文均可</translation>
-        </message>
-        <message>
-            <source>Search for a command</source>
-            <translation>查找命令</translation>
-        </message>
-        <message>
-            <source>Commands found</source>
-            <translation>找到的命令</translation>
-        </message>
-    </context>
-    <context>
-        <name>CommandsButton</name>
-        <message>
-            <source>Commands</source>
-            <translation>命令</translation>
-        </message>
-    </context>
-    <context>
-        <name>CommunicationButton</name>
-        <message>
-            <source>Not connected</source>
-            <translation>未连接</translation>
-        </message>
-        <message>
-            <source>Connecting…</source>
-            <translation>连接中…</translation>
-        </message>
-        <message>
-            <source>Offline</source>
-            <translation>离线</translation>
-        </message>
-        <message>
-            <source>Online</source>
-            <translation>在线</translation>
-        </message>
-        <message>
-            <source>Connection lost</source>
-            <translation>连接断开</translation>
-        </message>
-        <message>
-            <source>No CAN device is connected. Press to choose one.</source>
-            <translation>没有连接 CAN 设备。点击选择设备。</translation>
-        </message>
-        <message>
-            <source>The CAN device is being opened.</source>
-            <translation>正在打开 CAN 设备。</translation>
-        </message>
-        <message>
-            <source>The CAN device is open, but no arm is heard on it. Check the arm's power, the cable and the bit rate.</source>
-            <translation>CAN 设备已打开，但没有收到机械臂的反馈。请检查机械臂电源、线缆和波特率。</translation>
-        </message>
-        <message>
-            <source>The arm is heard. Press to disconnect or choose another.</source>
-            <translation>正在接收机械臂的反馈。点击可断开或选择其它设备。</translation>
-        </message>
-        <message>
-            <source>The CAN device is gone. Plug it in again: it is reconnected by itself.</source>
-            <translation>CAN 设备已断开。重新插好后会自动连接。</translation>
-        </message>
-        <message>
-            <source>Its feedback comes from {feedback} on; see Linkage control.</source>
-            <translation>其反馈 ID 从 {feedback} 起，详见“联动控制”。</translation>
-        </message>
-        <message>
-            <source>Choose a device</source>
-            <translation>选择设备</translation>
-        </message>
-    </context>
-    <context>
-        <name>ConfirmDialog</name>
-        <message>
-            <source>Hold the button, or the space bar on it, for one second.</source>
-            <translation>请按住按钮（或在按钮上按住空格键）1 秒。</translation>
-        </message>
-        <message>
-            <source>Cancel</source>
-            <translation>取消</translation>
-        </message>
-    </context>
-    <context>
-        <name>ConnectDialog</name>
-        <message>
-            <source>Connect arm</source>
-            <translation>连接机械臂</translation>
-        </message>
-        <message>
-            <source>CAN devices</source>
-            <translation>CAN 设备</translation>
-        </message>
-        <message>
-            <source>Refresh</source>
-            <translation>刷新</translation>
-        </message>
-        <message>
-            <source>Connect</source>
-            <translation>连接</translation>
-        </message>
-        <message>
-            <source>Disconnect</source>
-            <translation>断开</translation>
-        </message>
-        <message>
-            <source>Diagnosis…</source>
-            <translation>诊断…</translation>
-        </message>
-        <message>
-            <source>Bit rate</source>
-            <translation>波特率</translation>
-        </message>
-        <message>
-            <source>Listen only</source>
-            <translation>只听</translation>
-        </message>
-        <message>
-            <source>Beside another program: nothing is sent but the emergency stop.</source>
-            <translation>与其他程序同时使用：除急停外不发送任何帧。</translation>
-        </message>
-        <message>
-            <source>{bitrate} (generation 1)</source>
-            <translation>{bitrate}（第 1 代）</translation>
-        </message>
-        <message>
-            <source>The device is not in the list? Name it:</source>
-            <translation>列表中没有设备？请手动输入：</translation>
-        </message>
-        <message>
-            <source>The arm is moving</source>
-            <translation>机械臂正在运动</translation>
-        </message>
-        <message>
-            <source>Without the connection the arm goes on to its target, and the emergency stop of this program cannot reach it.</source>
-            <translation>断开后机械臂会继续运动到目标点，本程序的急停也无法再使其停止。</translation>
-        </message>
-        <message>
-            <source>Choose a device in the list first.</source>
-            <translation>请先在列表中选择设备。</translation>
-        </message>
-        <message>
-            <source>This device is connected.</source>
-            <translation>该设备已连接。</translation>
-        </message>
-        <message>
-            <source>No device is connected.</source>
-            <translation>没有已连接的设备。</translation>
-        </message>
-        <message>
-            <source>The search is under way.</source>
-            <translation>正在搜索。</translation>
-        </message>
-        <message>
-            <source>Connecting to {device}…</source>
-            <translation>正在连接 {device}…</translation>
-        </message>
-        <message>
-            <source>Online: {device}</source>
-            <translation>在线：{device}</translation>
-        </message>
-        <message>
-            <source>Searching for devices…</source>
-            <translation>正在搜索设备…</translation>
-        </message>
-        <message>
-            <source>Choose a device and press Connect.</source>
-            <translation>请选择设备，然后按“连接”。</translation>
-        </message>
-        <message>
-            <source>The simulated arm has no bit rate.</source>
-            <translation>仿真机械臂没有波特率。</translation>
-        </message>
-        <message>
-            <source>Set by the operating system, not by this program.</source>
-            <translation>由操作系统设置，本程序不能更改。</translation>
-        </message>
-        <message>
-            <source>Disconnect to change it.</source>
-            <translation>断开后可更改。</translation>
-        </message>
-    </context>
-    <context>
-        <name>ControlMode</name>
-        <message>
-            <source>Standby mode</source>
-            <translation>待机模式</translation>
-        </message>
-        <message>
-            <source>CAN command control mode</source>
-            <translation>CAN 指令控制模式</translation>
-        </message>
-        <message>
-            <source>Teaching mode</source>
-            <translation>示教模式</translation>
-        </message>
-        <message>
-            <source>Ethernet control mode</source>
-            <translation>以太网控制模式</translation>
-        </message>
-        <message>
-            <source>Wi-Fi control mode</source>
-            <translation>wifi 控制模式</translation>
-        </message>
-        <message>
-            <source>Remote controller mode</source>
-            <translation>遥控器控制模式</translation>
-        </message>
-        <message>
-            <source>Linked teaching input mode</source>
-            <translation>联动示教输入模式</translation>
-        </message>
-        <message>
-            <source>Offline trajectory mode</source>
-            <translation>离线轨迹模式</translation>
-        </message>
-    </context>
-    <context>
-        <name>ControlModeShort</name>
-        <message>
-            <source>Standby</source>
-            <translation>待机</translation>
-        </message>
-        <message>
-            <source>CAN commands</source>
-            <translation>CAN 指令</translation>
-        </message>
-        <message>
-            <source>Teaching</source>
-            <translation>示教</translation>
-        </message>
-        <message>
-            <source>Ethernet</source>
-            <translation>以太网</translation>
-        </message>
-        <message>
-            <source>Wi-Fi</source>
-            <translation>wifi</translation>
-        </message>
-        <message>
-            <source>Remote controller</source>
-            <translation>遥控器</translation>
-        </message>
-        <message>
-            <source>Linked teaching input</source>
-            <translation>联动示教输入</translation>
-        </message>
-        <message>
-            <source>Offline trajectory</source>
-            <translation>离线轨迹</translation>
-        </message>
-    </context>
-    <context>
-        <name>CursorTable</name>
-        <message>
-            <source>Quantity</source>
-            <translation>物理量</translation>
-        </message>
-    </context>
-    <context>
-        <name>CurveMenu</name>
-        <message>
-            <source>Show as curve</source>
-            <translation>显示为曲线</translation>
-        </message>
-    </context>
-    <context>
-        <name>Device</name>
-        <message>
-            <source>Simulated arm, gen. {generation}</source>
-            <translation>仿真机械臂（第 {generation} 代）</translation>
-        </message>
-    </context>
-    <context>
-        <name>DeviceModel</name>
-        <message>
-            <source>State</source>
-            <translation>状态</translation>
-        </message>
-        <message>
-            <source>Kind</source>
-            <translation>类型</translation>
-        </message>
-        <message>
-            <source>Channel</source>
-            <translation>通道</translation>
-        </message>
-        <message>
-            <source>Serial number</source>
-            <translation>序列号</translation>
-        </message>
-        <message>
-            <source>Bit rate</source>
-            <translation>波特率</translation>
-        </message>
-        <message>
-            <source>Connecting…</source>
-            <translation>连接中…</translation>
-        </message>
-        <message>
-            <source>Offline</source>
-            <translation>离线</translation>
-        </message>
-        <message>
-            <source>Online</source>
-            <translation>在线</translation>
-        </message>
-        <message>
-            <source>Connection lost</source>
-            <translation>连接断开</translation>
-        </message>
-    </context>
-    <context>
-        <name>DialectBar</name>
-        <message>
-            <source>Encoding</source>
-            <translation>编码</translation>
-        </message>
-        <message>
-            <source>Delimiter</source>
-            <translation>分隔符</translation>
-        </message>
-        <message>
-            <source>Decimal sign</source>
-            <translation>小数点</translation>
-        </message>
-        <message>
-            <source>Figures from line</source>
-            <translation>数据起始行</translation>
-        </message>
-        <message>
-            <source>The line above it holds the titles, if it has as many cells as there are</source>
-            <translation>上一行的单元格数与列数相同时，作为列标题</translation>
-        </message>
-        <message>
-            <source>comma ,</source>
-            <translation>逗号 ,</translation>
-        </message>
-        <message>
-            <source>semicolon ;</source>
-            <translation>分号 ;</translation>
-        </message>
-        <message>
-            <source>tab</source>
-            <translation>制表符</translation>
-        </message>
-        <message>
-            <source>vertical bar |</source>
-            <translation>竖线 |</translation>
-        </message>
-        <message>
-            <source>blanks</source>
-            <translation>空格</translation>
-        </message>
-        <message>
-            <source>point .</source>
-            <translation>点 .</translation>
-        </message>
-    </context>
-    <context>
-        <name>DoctorDialog</name>
-        <message>
-            <source>Diagnosis</source>
-            <translation>诊断</translation>
-        </message>
-        <message>
-            <source>Copy report</source>
-            <translation>复制报告</translation>
-        </message>
-        <message>
-            <source>Examine again</source>
-            <translation>重新诊断</translation>
-        </message>
-        <message>
-            <source>Only looked and listened: nothing was sent. In a terminal: armui doctor</source>
-            <translation>仅查看和监听，没有发送任何报文。终端命令：armui doctor</translation>
-        </message>
-        <message>
-            <source>en</source>
-            <translation>zh</translation>
-        </message>
-        <message>
-            <source>The examination is under way.</source>
-            <translation>正在诊断。</translation>
-        </message>
-        <message>
-            <source>There is no report yet.</source>
-            <translation>还没有报告。</translation>
-        </message>
-        <message>
-            <source>Looking at this computer, its CAN devices and the bus…</source>
-            <translation>正在检查本机、CAN 设备和总线…</translation>
-        </message>
-        <message>
-            <source>The examination failed: {text}</source>
-            <translation>诊断失败：{text}</translation>
-        </message>
-        <message>
-            <source>Faults: {faults}, warnings: {warnings}</source>
-            <translation>故障 {faults} 项，注意 {warnings} 项</translation>
-        </message>
-        <message>
-            <source>No fault was found.</source>
-            <translation>没有发现故障。</translation>
-        </message>
-    </context>
-    <context>
-        <name>DragAssistancePanel</name>
-        <message>
-            <source>Drag assistance</source>
-            <translation>拖动助力</translation>
-        </message>
-        <message>
-            <source>From 0, the joint does not help the hand, to 10, it helps most. Read and set with the arm at rest; keep a hand on it when it is led for the first time afterwards.</source>
-            <translation>0 表示该关节不助力，10 表示助力最大。请在机械臂静止时读取和设置；更改后首次拖动时请始终用手扶住机械臂。</translation>
-        </message>
-    </context>
-    <context>
-        <name>Drawer</name>
-        <message>
-            <source>Takes this page out into a window of its own, for a second screen.</source>
-            <translation>把本页移到独立窗口，例如放到第二块屏幕上。</translation>
-        </message>
-        <message>
-            <source>Own window</source>
-            <translation>独立窗口</translation>
-        </message>
-        <message>
-            <source>Fold away</source>
-            <translation>收起</translation>
-        </message>
-        <message>
-            <source>Folds the drawer away (Esc)</source>
-            <translation>收起抽屉 (Esc)</translation>
-        </message>
-    </context>
-    <context>
-        <name>DropStrip</name>
-        <message>
-            <source>Drag a quantity into a plot, or here for a plot of its own</source>
-            <translation>将量拖入图中，或拖到此处新建一张图</translation>
-        </message>
-    </context>
-    <context>
-        <name>EditorAction</name>
-        <message>
-            <source>Insert before</source>
-            <translation>在上方插入</translation>
-        </message>
-        <message>
-            <source>Insert after</source>
-            <translation>在下方插入</translation>
-        </message>
-        <message>
-            <source>Insert current pose</source>
-            <translation>插入当前位姿</translation>
-        </message>
-        <message>
-            <source>Replace by current pose</source>
-            <translation>替换为当前位姿</translation>
-        </message>
-        <message>
-            <source>Duplicate</source>
-            <translation>复制一份</translation>
-        </message>
-        <message>
-            <source>Delete</source>
-            <translation>删除</translation>
-        </message>
-        <message>
-            <source>Cut</source>
-            <translation>剪切</translation>
-        </message>
-        <message>
-            <source>Copy</source>
-            <translation>复制</translation>
-        </message>
-        <message>
-            <source>Paste</source>
-            <translation>粘贴</translation>
-        </message>
-        <message>
-            <source>Move up</source>
-            <translation>上移</translation>
-        </message>
-        <message>
-            <source>Move down</source>
-            <translation>下移</translation>
-        </message>
-        <message>
-            <source>Convert joint angles ↔ pose</source>
-            <translation>关节角 ↔ 位姿互换</translation>
-        </message>
-        <message>
-            <source>Go to this point</source>
-            <translation>运动到该点</translation>
-        </message>
-        <message>
-            <source>Save</source>
-            <translation>保存</translation>
-        </message>
-        <message>
-            <source>Undo</source>
-            <translation>撤销</translation>
-        </message>
-        <message>
-            <source>Redo</source>
-            <translation>重做</translation>
-        </message>
-        <message>
-            <source>Find and replace</source>
-            <translation>查找与替换</translation>
-        </message>
-        <message>
-            <source>Check</source>
-            <translation>检查</translation>
-        </message>
-        <message>
-            <source>Jog</source>
-            <translation>点动</translation>
-        </message>
-    </context>
-    <context>
-        <name>EditorHint</name>
-        <message>
-            <source>Insert current pose</source>
-            <translation>插入当前位姿</translation>
-        </message>
-        <message>
-            <source>Enter a point</source>
-            <translation>手动输入一点</translation>
-        </message>
-        <message>
-            <source>No points yet</source>
-            <translation>还没有点</translation>
-        </message>
-        <message>
-            <source>Bring the arm to the first point, by the jog buttons or by hand, and insert where it is. Or enter a point as figures. Then the next one.</source>
-            <translation>用点动按钮或用手把机械臂带到第一个点，再插入当前位姿；也可以直接输入数值。</translation>
-        </message>
-    </context>
-    <context>
-        <name>EditorJog</name>
-        <message>
-            <source>Insert current pose</source>
-            <translation>插入当前位姿</translation>
-        </message>
-        <message>
-            <source>Makes a point of where the arm is now, after the chosen row.</source>
-            <translation>在所选行之后，把机械臂当前位姿插入为一个点。</translation>
-        </message>
-    </context>
-    <context>
-        <name>EditorPage</name>
-        <message>
-            <source>Note</source>
-            <translation>备注</translation>
-        </message>
-        <message>
-            <source>Unsaved changes</source>
-            <translation>未保存的修改</translation>
-        </message>
-        <message>
-            <source>These changes were not saved when the program ended. Save them, or undo them.</source>
-            <translation>程序结束时这些更改未保存。请保存，或撤销。</translation>
-        </message>
-        <message>
-            <source>Ended at row {row}. {reason}</source>
-            <translation>在第 {row} 行结束。{reason}</translation>
-        </message>
-        <message>
-            <source>Saved.</source>
-            <translation>已保存。</translation>
-        </message>
-        <message>
-            <source>Not pasted. {reason}</source>
-            <translation>未粘贴。{reason}</translation>
-        </message>
-        <message>
-            <source>What this trajectory is for</source>
-            <translation>该轨迹的用途</translation>
-        </message>
-        <message>
-            <source>Points</source>
-            <translation>轨迹点</translation>
-        </message>
-        <message>
-            <source>Saved. Another program had changed “{name}” since it was opened here: what it saved is in the library under “Recently deleted…”.</source>
-            <translation>已保存。“{name}”在此处打开后被另一个程序修改过：其保存的内容可在轨迹库的“最近删除…”中找到。</translation>
-        </message>
-        <message>
-            <source>“{name}” has been saved since these unsaved changes were kept: they are not put over it. They are in the library under “Recently deleted…”.</source>
-            <translation>“{name}”在这些未保存的更改之后又保存过：未用它们覆盖，可在轨迹库的“最近删除…”中找回。</translation>
-        </message>
-        <message>
-            <source>These points were taught on another arm: {pasted}. Those here were taught on {here}. The same joint angles may hold the tool elsewhere: check them, or undo.</source>
-            <translation>这些点在另一种机械臂上示教：{pasted}。此轨迹在 {here} 上示教。相同的关节角可能使工具处于别处：请检查，或撤销。</translation>
-        </message>
-        <message>
-            <source>The angles count from the zeros of {arm} now; poses stay as they are. Save it, or undo it.</source>
-            <translation>关节角现在以 {arm} 的零点计；位姿保持不变。请保存或撤销。</translation>
-        </message>
-    </context>
-    <context>
-        <name>EnableButton</name>
-        <message>
-            <source>Enabling…</source>
-            <translation>使能中…</translation>
-        </message>
-        <message>
-            <source>Disabling…</source>
-            <translation>失能中…</translation>
-        </message>
-        <message>
-            <source>Enabled</source>
-            <translation>使能</translation>
-        </message>
-        <message>
-            <source>Partly enabled</source>
-            <translation>部分使能</translation>
-        </message>
-        <message>
-            <source>Unknown</source>
-            <translation>未知</translation>
-        </message>
-        <message>
-            <source>Disabled</source>
-            <translation>失能</translation>
-        </message>
-    </context>
-    <context>
-        <name>EndLimitsPanel</name>
-        <message>
-            <source>End speed limits</source>
-            <translation>配速设置</translation>
-        </message>
-        <message>
-            <source>Factory limits for the end</source>
-            <translation>末端恢复出厂值</translation>
-        </message>
-        <message>
-            <source>The greatest speeds and accelerations of the end become what they were when the arm left the factory: straight lines and arcs may run faster than they do now.</source>
-            <translation>末端的最大速度和加速度将恢复为出厂值：直线和圆弧运动可能比现在更快。</translation>
-        </message>
-    </context>
-    <context>
-        <name>EndLoad</name>
-        <message>
-            <source>No load</source>
-            <translation>空载</translation>
-        </message>
-        <message>
-            <source>Half load</source>
-            <translation>半载</translation>
-        </message>
-        <message>
-            <source>Full load</source>
-            <translation>满载</translation>
-        </message>
-        <message>
-            <source>Not given</source>
-            <translation>未设置</translation>
-        </message>
-    </context>
-    <context>
-        <name>EndLoadPanel</name>
-        <message>
-            <source>The arm reports</source>
-            <translation>机械臂正在上报</translation>
-        </message>
-        <message>
-            <source>Not heard</source>
-            <translation>未收到</translation>
-        </message>
-        <message>
-            <source>Switch off</source>
-            <translation>关闭</translation>
-        </message>
-        <message>
-            <source>Switch on</source>
-            <translation>开启</translation>
-        </message>
-        <message>
-            <source>Tells the arm what it carries: it holds against that weight.</source>
-            <translation>告知机械臂末端负载，以便其补偿重量。</translation>
-        </message>
-        <message>
-            <source>Switches the periodic frames 0x481–0x486.</source>
-            <translation>开启或关闭 0x481–0x486 周期反馈。</translation>
-        </message>
-        <message>
-            <source>End load</source>
-            <translation>末端负载</translation>
-        </message>
-        <message>
-            <source>Confirm</source>
-            <translation>确认</translation>
-        </message>
-        <message>
-            <source>The arm answers this setting and cannot be asked for it afterwards.</source>
-            <translation>机械臂会应答此设置，但之后无法查询。</translation>
-        </message>
-        <message>
-            <source>Speed and acceleration of the end, by joint</source>
-            <translation>各关节末端速度/加速度</translation>
-        </message>
-        <message>
-            <source>Linear speed</source>
-            <translation>线速度</translation>
-        </message>
-        <message>
-            <source>Angular speed</source>
-            <translation>角速度</translation>
-        </message>
-        <message>
-            <source>Linear acceleration</source>
-            <translation>线加速度</translation>
-        </message>
-        <message>
-            <source>Angular acceleration</source>
-            <translation>角加速度</translation>
-        </message>
-    </context>
-    <context>
-        <name>EventBar</name>
-        <message>
-            <source>{shown} of {kept}</source>
-            <translation>{shown} / {kept}</translation>
-        </message>
-        <message>
-            <source>Search</source>
-            <translation>搜索</translation>
-        </message>
-        <message>
-            <source>Every level</source>
-            <translation>全部级别</translation>
-        </message>
-        <message>
-            <source>Warnings and faults</source>
-            <translation>警告和故障</translation>
-        </message>
-        <message>
-            <source>Faults</source>
-            <translation>故障</translation>
-        </message>
-        <message>
-            <source>Level</source>
-            <translation>级别</translation>
-        </message>
-        <message>
-            <source>Everybody</source>
-            <translation>全部来源</translation>
-        </message>
-        <message>
-            <source>Who asked, or says it</source>
-            <translation>发起方或来源</translation>
-        </message>
-        <message>
-            <source>Follow</source>
-            <translation>跟随最新</translation>
-        </message>
-        <message>
-            <source>Keep the newest event in sight</source>
-            <translation>始终显示最新的事件</translation>
-        </message>
-        <message>
-            <source>Save</source>
-            <translation>保存</translation>
-        </message>
-        <message>
-            <source>Shown events as CSV…</source>
-            <translation>所示事件存为 CSV…</translation>
-        </message>
-        <message>
-            <source>Shown events as JSON…</source>
-            <translation>所示事件存为 JSON…</translation>
-        </message>
-        <message>
-            <source>Shown events as text…</source>
-            <translation>所示事件存为文本…</translation>
-        </message>
-        <message>
-            <source>Copy shown events</source>
-            <translation>复制所示事件</translation>
-        </message>
-    </context>
-    <context>
-        <name>EventExport</name>
-        <message>
-            <source>Save the events</source>
-            <translation>保存事件</translation>
-        </message>
-        <message>
-            <source>Copied</source>
-            <translation>已复制</translation>
-        </message>
-    </context>
-    <context>
-        <name>EventKind</name>
-        <message>
-            <source>Command</source>
-            <translation>指令</translation>
-        </message>
-        <message>
-            <source>Result</source>
-            <translation>结果</translation>
-        </message>
-        <message>
-            <source>Status</source>
-            <translation>状态</translation>
-        </message>
-        <message>
-            <source>Fault</source>
-            <translation>故障</translation>
-        </message>
-        <message>
-            <source>Connection</source>
-            <translation>连接</translation>
-        </message>
-        <message>
-            <source>Other host</source>
-            <translation>其他程序</translation>
-        </message>
-        <message>
-            <source>Bus</source>
-            <translation>总线</translation>
-        </message>
-        <message>
-            <source>Program</source>
-            <translation>程序</translation>
-        </message>
-    </context>
-    <context>
-        <name>EventPage</name>
-        <message>
-            <source>Show in the curves</source>
-            <translation>在曲线中显示</translation>
-        </message>
-        <message>
-            <source>Show its end in the curves</source>
-            <translation>在曲线中显示其结束</translation>
-        </message>
-        <message>
-            <source>Copy</source>
-            <translation>复制</translation>
-        </message>
-        <message>
-            <source>Only this kind</source>
-            <translation>仅此类别</translation>
-        </message>
-        <message>
-            <source>Only from here</source>
-            <translation>仅此来源</translation>
-        </message>
-        <message>
-            <source>Show all</source>
-            <translation>显示全部</translation>
-        </message>
-        <message>
-            <source>Events</source>
-            <translation>事件</translation>
-        </message>
-        <message>
-            <source>Double-click: show the moment in the curves</source>
-            <translation>双击：在曲线中显示该时刻</translation>
-        </message>
-    </context>
-    <context>
-        <name>EventTable</name>
-        <message>
-            <source>Time</source>
-            <translation>时间</translation>
-        </message>
-        <message>
-            <source>Until</source>
-            <translation>结束</translation>
-        </message>
-        <message>
-            <source>Kind</source>
-            <translation>类别</translation>
-        </message>
-        <message>
-            <source>Who</source>
-            <translation>来源</translation>
-        </message>
-        <message>
-            <source>Event</source>
-            <translation>事件</translation>
-        </message>
-        <message>
-            <source>Answer</source>
-            <translation>应答</translation>
-        </message>
-        <message>
-            <source>Read back</source>
-            <translation>回读</translation>
-        </message>
-        <message>
-            <source>Count</source>
-            <translation>次数</translation>
-        </message>
-        <message>
-            <source>{begin} until {end} ({seconds} s)</source>
-            <translation>{begin} 至 {end}（{seconds} s）</translation>
-        </message>
-        <message>
-            <source>; its end was not heard</source>
-            <translation>；未收到其结束</translation>
-        </message>
-        <message>
-            <source>since {begin}</source>
-            <translation>自 {begin} 起</translation>
-        </message>
-        <message>
-            <source>{count} times, the last at {last}</source>
-            <translation>共 {count} 次，最近一次 {last}</translation>
-        </message>
-        <message>
-            <source>Answer after {seconds} s: {text}</source>
-            <translation>{seconds} s 后应答：{text}</translation>
-        </message>
-        <message>
-            <source>Read back after {seconds} s: {text}</source>
-            <translation>{seconds} s 后回读：{text}</translation>
-        </message>
-        <message>
-            <source>goes on</source>
-            <translation>持续中</translation>
-        </message>
-        <message>
-            <source>not heard</source>
-            <translation>未收到</translation>
-        </message>
-        <message>
-            <source>Level</source>
-            <translation>级别</translation>
-        </message>
-    </context>
-    <context>
-        <name>ExportDialog</name>
-        <message>
-            <source>Export a recording</source>
-            <translation>导出记录</translation>
-        </message>
-        <message>
-            <source>Export</source>
-            <translation>导出</translation>
-        </message>
-        <message>
-            <source>{target} is there already. It will be replaced when the export is whole.</source>
-            <translation>{target} 已存在。导出完整写好后才会替换它。</translation>
-        </message>
-        <message>
-            <source>Replace the file?</source>
-            <translation>替换文件？</translation>
-        </message>
-        <message>
-            <source>Replace</source>
-            <translation>替换</translation>
-        </message>
-        <message>
-            <source>An export is under way.</source>
-            <translation>正在导出。</translation>
-        </message>
-        <message>
-            <source>Cancel the export</source>
-            <translation>取消导出</translation>
-        </message>
-        <message>
-            <source>Close</source>
-            <translation>关闭</translation>
-        </message>
-        <message>
-            <source>The export was cancelled; nothing was written.</source>
-            <translation>导出已取消，没有写入任何文件。</translation>
-        </message>
-        <message>
-            <source>Exporting… {frames:,} frames read</source>
-            <translation>正在导出…… 已读取 {frames:,} 帧</translation>
-        </message>
-        <message>
-            <source>ROS 2 messages: joint states, targets, end pose, transforms of the links, diagnostics. For Foxglove, PlotJuggler, rerun and ROS 2 itself.</source>
-            <translation>ROS 2 消息：关节状态、目标、末端位姿、各连杆变换、诊断。可用 Foxglove、PlotJuggler、rerun、ROS 2 打开。</translation>
-        </message>
-        <message>
-            <source>A table as text: a row for each set of joint angles, all else as last heard then. For spreadsheets and scripts.</source>
-            <translation>文本表格：每收到一组关节角度为一行，其余各列为当时最近收到的值。适用于电子表格和脚本。</translation>
-        </message>
-        <message>
-            <source>The same table with types and units, small and quick to open. For pandas and the like; needs the package pyarrow.</source>
-            <translation>同一表格，带类型和单位，文件小、打开快。适用于 pandas 等工具；需要安装 pyarrow 包。</translation>
-        </message>
-        <message>
-            <source>The log cannot be read: {detail}</source>
-            <translation>无法读取该日志：{detail}</translation>
-        </message>
-        <message>
-            <source>The log has no such channel. It has: {detail}</source>
-            <translation>日志中没有此通道。现有通道：{detail}</translation>
-        </message>
-        <message>
-            <source>The log has no frames. No file was written.</source>
-            <translation>日志中没有任何帧。未写入文件。</translation>
-        </message>
-        <message>
-            <source>No frame of the log is an arm's. No file was written. Another channel?</source>
-            <translation>日志中没有机械臂的帧。未写入文件。是否应选择其他通道？</translation>
-        </message>
-        <message>
-            <source>A table has a row for each set of joint angles, and none was heard. No file was written. MCAP holds what else there is.</source>
-            <translation>表格中每组关节角度为一行，而日志中没有关节角度。未写入文件。其余内容可导出为 MCAP。</translation>
-        </message>
-        <message>
-            <source>Nothing was heard in this time. No file was written.</source>
-            <translation>此时间段内没有收到任何内容。未写入文件。</translation>
-        </message>
-        <message>
-            <source>{target} is there already.</source>
-            <translation>{target} 已存在。</translation>
-        </message>
-        <message>
-            <source>The target is the log itself. Choose another name.</source>
-            <translation>目标文件就是日志本身，请换一个名称。</translation>
-        </message>
-        <message>
-            <source>{target} cannot be written: {detail}</source>
-            <translation>无法写入 {target}：{detail}</translation>
-        </message>
-        <message>
-            <source>Parquet needs the package pyarrow: pip install 'armui[parquet]'. CSV has the same table without it.</source>
-            <translation>Parquet 需要 pyarrow 包：pip install 'armui[parquet]'。CSV 无需它，内容是同一表格。</translation>
-        </message>
-        <message>
-            <source>The export failed: {detail}</source>
-            <translation>导出失败：{detail}</translation>
-        </message>
-        <message>
-            <source>Saved: {target} ({items:,} rows)</source>
-            <translation>已保存：{target}（{items:,} 行）</translation>
-        </message>
-        <message>
-            <source>Saved: {target} ({items:,} messages)</source>
-            <translation>已保存：{target}（{items:,} 条消息）</translation>
-        </message>
-        <message>
-            <source>Only channel {channel} was exported; {count:,} frames of {others} were left out.</source>
-            <translation>只导出了通道 {channel}；{others} 的 {count:,} 帧未导出。</translation>
-        </message>
-        <message>
-            <source>A folder with a file for each message: every frame with its time, decoded into signals with their units.</source>
-            <translation>一个文件夹，每种报文一个文件：每一帧带时间，解码为带单位的信号。</translation>
-        </message>
-        <message>
-            <source>Unreadable places in the log: {count}; the first: {place} ({reason}). Everything else was exported.</source>
-            <translation>日志中有 {count} 处无法读取，第一处：{place}（{reason}）。其余内容均已导出。</translation>
-        </message>
-        <message>
-            <source>{count:,} of them do not belong to the arm.</source>
-            <translation>其中 {count:,} 帧不属于该机械臂。</translation>
-        </message>
-        <message>
-            <source>Exported as a {model}, but the end pose in the log fits a {fits}.</source>
-            <translation>已按 {model} 导出，但日志中的末端位姿与 {fits} 相符。</translation>
-        </message>
-        <message>
-            <source>{frames:,} frames read as generation {generation}, {model}.</source>
-            <translation>共 {frames:,} 帧，按第 {generation} 代协议读取，型号 {model}。</translation>
-        </message>
-    </context>
-    <context>
-        <name>ExportForm</name>
-        <message>
-            <source>Recording</source>
-            <translation>记录</translation>
-        </message>
-        <message>
-            <source>Format</source>
-            <translation>格式</translation>
-        </message>
-        <message>
-            <source>Time</source>
-            <translation>时间段</translation>
-        </message>
-        <message>
-            <source>Protocol</source>
-            <translation>协议</translation>
-        </message>
-        <message>
-            <source>Channel</source>
-            <translation>通道</translation>
-        </message>
-        <message>
-            <source>Target</source>
-            <translation>目标文件</translation>
-        </message>
-        <message>
-            <source>Choose…</source>
-            <translation>选择…</translation>
-        </message>
-        <message>
-            <source>Choose the recording</source>
-            <translation>选择记录</translation>
-        </message>
-        <message>
-            <source>Choose the target</source>
-            <translation>选择目标文件</translation>
-        </message>
-        <message>
-            <source>As the log tells</source>
-            <translation>按日志判断</translation>
-        </message>
-        <message>
-            <source>Generation 1</source>
-            <translation>第 1 代</translation>
-        </message>
-        <message>
-            <source>Generation 2</source>
-            <translation>第 2 代</translation>
-        </message>
-        <message>
-            <source>to</source>
-            <translation>至</translation>
-        </message>
-        <message>
-            <source>counted from the first frame</source>
-            <translation>从第一帧起计</translation>
-        </message>
-        <message>
-            <source>beginning</source>
-            <translation>开头</translation>
-        </message>
-        <message>
-            <source>end</source>
-            <translation>结尾</translation>
-        </message>
-        <message>
-            <source>From, in seconds from the first frame</source>
-            <translation>起点，从第一帧起的秒数</translation>
-        </message>
-        <message>
-            <source>Up to, in seconds from the first frame</source>
-            <translation>终点，从第一帧起的秒数</translation>
-        </message>
-        <message>
-            <source>the one on which an arm is heard</source>
-            <translation>有机械臂数据的通道</translation>
-        </message>
-        <message>
-            <source>Choose the recording first.</source>
-            <translation>请先选择记录。</translation>
-        </message>
-        <message>
-            <source>The time must begin at 0 s or later, and end after that.</source>
-            <translation>起点不得小于 0 秒，终点须大于起点。</translation>
-        </message>
-        <message>
-            <source>CAN log</source>
-            <translation>CAN 日志</translation>
-        </message>
-        <message>
-            <source>none chosen</source>
-            <translation>未选择</translation>
-        </message>
-        <message>
-            <source>beside the recording</source>
-            <translation>与记录同一文件夹</translation>
-        </message>
-        <message>
-            <source>CSV per message</source>
-            <translation>CSV（按报文）</translation>
-        </message>
-        <message>
-            <source>Choose where the folder of the export shall be</source>
-            <translation>选择导出文件夹的位置</translation>
-        </message>
-        <message>
-            <source>Model</source>
-            <translation>型号</translation>
-        </message>
-        <message>
-            <source>As the recording tells</source>
-            <translation>按录制内容</translation>
-        </message>
-        <message>
-            <source>Where the links and the tool are depends on it. A recording of this program says it; of other logs it is the one that fits the end pose in them.</source>
-            <translation>连杆与工具的位置取决于型号。本程序的录制文件中已注明；其他日志取与其中末端位姿相符的型号。</translation>
-        </message>
-    </context>
-    <context>
-        <name>FailureLine</name>
-        <message>
-            <source>It has happened {count} times.</source>
-            <translation>已出现 {count} 次。</translation>
-        </message>
-        <message>
-            <source>Copy details</source>
-            <translation>复制详细信息</translation>
-        </message>
-        <message>
-            <source>Close</source>
-            <translation>关闭</translation>
-        </message>
-        <message>
-            <source>An error in the program ({error}). The emergency stop works; every motion of this program has been ended. Copy the details for the developers.</source>
-            <translation>程序内部出错（{error}）。急停仍然有效；本程序的所有运动均已结束。请复制详细信息交给开发者。</translation>
-        </message>
-        <message>
-            <source>An error in the program ({error}). The emergency stop works; the part that failed can move nothing, and no motion was ended. Copy the details for the developers.</source>
-            <translation>程序内部出错（{error}）。急停仍然有效；出错部分不驱动任何运动，因此未结束运动。请复制详细信息交给开发者。</translation>
-        </message>
-    </context>
-    <context>
-        <name>FileDialog</name>
-        <message>
-            <source>Folder</source>
-            <translation>文件夹</translation>
-        </message>
-        <message>
-            <source>Kind</source>
-            <translation>类型</translation>
-        </message>
-    </context>
-    <context>
-        <name>FileExport</name>
-        <message>
-            <source>Not saved: {path}. {reason}</source>
-            <translation>未保存：{path}。{reason}</translation>
-        </message>
-        <message>
-            <source>Saved: {path}</source>
-            <translation>已保存：{path}</translation>
-        </message>
-    </context>
-    <context>
-        <name>FilePlace</name>
-        <message>
-            <source>{file}, line {line}, column {column}: {reason}</source>
-            <translation>{file}，第 {line} 行，第 {column} 列：{reason}</translation>
-        </message>
-        <message>
-            <source>{file}, line {line}: {reason}</source>
-            <translation>{file}，第 {line} 行：{reason}</translation>
-        </message>
-        <message>
-            <source>{file}: {reason}</source>
-            <translation>{file}：{reason}</translation>
-        </message>
-        <message>
-            <source>Line {line}, column {column}: {reason}</source>
-            <translation>第 {line} 行，第 {column} 列：{reason}</translation>
-        </message>
-        <message>
-            <source>Line {line}: {reason}</source>
-            <translation>第 {line} 行：{reason}</translation>
-        </message>
-    </context>
-    <context>
-        <name>FilterBar</name>
-        <message>
-            <source>Identifiers in hexadecimal: 2A1, 2A1-2A8, or value/mask as in 150/7F0</source>
-            <translation>十六进制 ID：2A1、2A1-2A8，或 值/掩码，例如 150/7F0</translation>
-        </message>
-        <message>
-            <source>“{value}” is no identifier; the filter stays as it was.</source>
-            <translation>“{value}”不是 ID；筛选保持不变。</translation>
-        </message>
-        <message>
-            <source>Pause</source>
-            <translation>暂停</translation>
-        </message>
-        <message>
-            <source>Go on</source>
-            <translation>继续</translation>
-        </message>
-        <message>
-            <source>By identifier</source>
-            <translation>按 ID</translation>
-        </message>
-        <message>
-            <source>In order of time</source>
-            <translation>按时间</translation>
-        </message>
-        <message>
-            <source>The figures stand as they are; what comes meanwhile is counted (Ctrl+P)</source>
-            <translation>数值停在当前；期间到达的帧仍会统计（Ctrl+P）</translation>
-        </message>
-        <message>
-            <source>Clear</source>
-            <translation>清空</translation>
-        </message>
-        <message>
-            <source>Counting begins anew, from nothing</source>
-            <translation>从零重新统计</translation>
-        </message>
-        <message>
-            <source>Name or identifier</source>
-            <translation>名称或 ID</translation>
-        </message>
-        <message>
-            <source>Identifiers</source>
-            <translation>ID</translation>
-        </message>
-        <message>
-            <source>Only changed</source>
-            <translation>仅变化的</translation>
-        </message>
-        <message>
-            <source>Frames of which a byte has changed since this was ticked</source>
-            <translation>勾选以后有字节变化的帧</translation>
-        </message>
-        <message>
-            <source>Only unknown or malformed</source>
-            <translation>仅未知或异常的</translation>
-        </message>
-        <message>
-            <source>From anybody</source>
-            <translation>所有发送方</translation>
-        </message>
-        <message>
-            <source>Sender</source>
-            <translation>发送方</translation>
-        </message>
-    </context>
-    <context>
-        <name>FindBar</name>
-        <message>
-            <source>Note</source>
-            <translation>备注</translation>
-        </message>
-        <message>
-            <source>Speed</source>
-            <translation>速度</translation>
-        </message>
-        <message>
-            <source>Dwell</source>
-            <translation>停留</translation>
-        </message>
-        <message>
-            <source>Where to look</source>
-            <translation>查找范围</translation>
-        </message>
-        <message>
-            <source>Find</source>
-            <translation>查找</translation>
-        </message>
-        <message>
-            <source>Replace by</source>
-            <translation>替换为</translation>
-        </message>
-        <message>
-            <source>Next</source>
-            <translation>下一个</translation>
-        </message>
-        <message>
-            <source>Previous</source>
-            <translation>上一个</translation>
-        </message>
-        <message>
-            <source>Replace</source>
-            <translation>替换</translation>
-        </message>
-        <message>
-            <source>Replace all</source>
-            <translation>全部替换</translation>
-        </message>
-        <message>
-            <source>Close</source>
-            <translation>关闭</translation>
-        </message>
-    </context>
-    <context>
-        <name>Finder</name>
-        <message>
-            <source>Not found</source>
-            <translation>未找到</translation>
-        </message>
-        <message>
-            <source>{place} of {count}</source>
-            <translation>第 {place} 处，共 {count} 处</translation>
-        </message>
-        <message>
-            <source>Replace</source>
-            <translation>替换</translation>
-        </message>
-        <message>
-            <source>{count} replaced</source>
-            <translation>已替换 {count} 处</translation>
-        </message>
-    </context>
-    <context>
-        <name>Finding</name>
-        <message>
-            <source>There is nothing to run. Add points, or record.</source>
-            <translation>没有可执行的内容。请添加轨迹点，或重新录制。</translation>
-        </message>
-        <message>
-            <source>Joint {joint} would be at {value}°, beyond its limits {minimum}° to {maximum}°. Change the point.</source>
-            <translation>关节 {joint} 将到 {value}°，超出限位 {minimum}° 至 {maximum}°。请修改该点。</translation>
-        </message>
-        <message>
-            <source>On the way joint {joint} would come to {value}°, beyond its limits {minimum}° to {maximum}°. Put another point between, or use MOVE J.</source>
-            <translation>途中关节 {joint} 将到 {value}°，超出限位 {minimum}° 至 {maximum}°。请在中间增加一点，或改用 MOVE J。</translation>
-        </message>
-        <message>
-            <source>After {gone} % of the way the tool would be out of reach. Put another point between, or use MOVE J.</source>
-            <translation>走完 {gone} % 后末端将超出工作范围。请在中间增加一点，或改用 MOVE J。</translation>
-        </message>
-        <message>
-            <source>After {gone} % of the way joint {joint} would have to leap: the arm is in a singular pose there. Put another point between, or use MOVE J.</source>
-            <translation>走完 {gone} % 后关节 {joint} 需要突变：该处为奇异点。请在中间增加一点，或改用 MOVE J。</translation>
-        </message>
-        <message>
-            <source>The point before, the middle and the end lie on a line or upon one another: that is no arc. Move the middle aside, or use MOVE L.</source>
-            <translation>上一点、中间点和终点共线或重合，不能构成圆弧。请移开中间点，或改用 MOVE L。</translation>
-        </message>
-        <message>
-            <source>This would begin where row {before} ends, and the arm does not come there. Change row {before} first.</source>
-            <translation>本点应从第 {before} 行的终点开始，但机械臂到不了那里。请先修改第 {before} 行。</translation>
-        </message>
-        <message>
-            <source>The arm would hit itself: {other} against {one}. Put another point between, or change the point.</source>
-            <translation>机械臂将碰到自身：{other}与{one}。请在中间增加一点，或修改该点。</translation>
-        </message>
-        <message>
-            <source>Joint {joint} would have to turn at {value}°/s; its limit is {maximum}°/s. Replay at {percent} % of this speed at most.</source>
-            <translation>关节 {joint} 需要以 {value}°/s 转动，上限为 {maximum}°/s。请以当前速度的 {percent} % 以下复现。</translation>
-        </message>
-        <message>
-            <source>The gripper would have to open {value} mm; it opens {maximum} mm at most. Enter less.</source>
-            <translation>夹爪需要张开 {value} mm，最大行程为 {maximum} mm。请改小。</translation>
-        </message>
-        <message>
-            <source>The way passes near a singular pose ({value}, should be {minimum} or more): joints turn fast there and the tool is slow. Use MOVE J, or turn the wrist.</source>
-            <translation>路径经过奇异点附近（{value}，应不小于 {minimum}）：该处关节转动快而末端缓慢。请改用 MOVE J，或改变手腕姿态。</translation>
-        </message>
-        <message>
-            <source>The first point is far from where the arm is: joint {joint} turns {value}°. Watch the way there in the preview, or bring the arm nearer first.</source>
-            <translation>第一点离机械臂当前位置较远：关节 {joint} 要转 {value}°。请在预览中查看这段路径，或先把机械臂移近。</translation>
-        </message>
-        <message>
-            <source>Joint {joint} turns {value}° to hold this pose. If that is not meant, give the point as joint angles.</source>
-            <translation>到达该位姿时关节 {joint} 要转 {value}°。如非本意，请改用关节角度表示该点。</translation>
-        </message>
-        <message>
-            <source>Joint {joint} jumps {value}° from the sample before. Trim the recording there, or record again.</source>
-            <translation>关节 {joint} 与上一采样相差 {value}°。请在此处裁剪，或重新录制。</translation>
-        </message>
-        <message>
-            <source>The tool would go at {value} mm/s; its limit is {maximum} mm/s, and the arm does not keep it here by itself. Lower the speed.</source>
-            <translation>末端速度将达 {value} mm/s，上限为 {maximum} mm/s，此处机械臂不会自行限速。请降低速度。</translation>
-        </message>
-        <message>
-            <source>The tool would be {value} mm below the plane the arm stands on. Accept this only if there is nothing.</source>
-            <translation>末端将低于机械臂安装平面 {value} mm。确认下方没有物体时才可接受。</translation>
-        </message>
-        <message>
-            <source>The flange cannot get there: the point is {missing} mm too far. Move it nearer.</source>
-            <translation>法兰无法到达该位置：还差 {missing} mm。请把该点移近。</translation>
-        </message>
-        <message>
-            <source>Where the arm stands now, it touches itself: {other} against {one}; after a stop it may have sunk. Jog it clear, or lift it by hand, then send again: nothing of the trajectory has to be changed.</source>
-            <translation>机械臂当前所在的位姿自身相碰：{other}与{one}；急停后它可能已下沉。请先点动或用手把它移开，再重新发送；轨迹本身无需修改。</translation>
-        </message>
-        <message>
-            <source>On the way there from where the arm stands now: {text} Bringing the arm nearer to this point first helps, too.</source>
-            <translation>从机械臂当前位置到该点的途中：{text}也可以先让机械臂靠近该点。</translation>
-        </message>
-        <message>
-            <source>Each of the first {cycles} cycles takes another way than those before, so that the next ones cannot be checked. Give one of the points as joint angles (MOVE J), or run fewer cycles.</source>
-            <translation>前 {cycles} 次循环的路径各不相同，之后的循环无法检查。请将其中一点改用关节角度（MOVE J），或减少循环次数。</translation>
-        </message>
-        <message>
-            <source>The arc begins with joint {joint} at its limit ({value}°): the arm may not find its way there again. End the point before a little further in, or use MOVE L.</source>
-            <translation>圆弧起点处关节 {joint} 位于限位（{value}°）：机械臂可能无法再求得该位姿的解。请让上一点离限位稍远，或改用 MOVE L。</translation>
-        </message>
-        <message>
-            <source>Two ways to hold this pose are about equally near: joint {joint} at {value}°, which was checked, or at {other}°. Give the point as joint angles, so that it is certain which.</source>
-            <translation>到达该位姿有两种远近相当的姿态：关节 {joint} 为 {value}°（已检查）或 {other}°。请改用关节角度表示该点，以确定采用哪一种。</translation>
-        </message>
-        <message>
-            <source>This was taught on another arm: {taught}; connected is {arm}. The same joint angles may hold the tool elsewhere. It was checked for {arm}, and nothing was converted. Watch the preview before you accept this.</source>
-            <translation>此轨迹在另一种机械臂上示教：{taught}；当前为 {arm}。同样的关节角可能使末端在别处。已按 {arm} 检查，未做任何换算。请先看预览再接受。</translation>
-        </message>
-    </context>
-    <context>
-        <name>FindingCycle</name>
-        <message>
-            <source>From cycle {cycle} on: {text}</source>
-            <translation>从第 {cycle} 次循环起：{text}</translation>
-        </message>
-    </context>
-    <context>
-        <name>FindingRow</name>
-        <message>
-            <source>Copy</source>
-            <translation>复制</translation>
-        </message>
-    </context>
-    <context>
-        <name>FindingsPane</name>
-        <message>
-            <source>Check: nothing found.</source>
-            <translation>检查：未发现问题。</translation>
-        </message>
-        <message>
-            <source>{count} more</source>
-            <translation>还有 {count} 条</translation>
-        </message>
-        <message>
-            <source>Run now</source>
-            <translation>立即运行</translation>
-        </message>
-        <message>
-            <source>Row {row}: {text}</source>
-            <translation>第 {row} 行：{text}</translation>
-        </message>
-        <message>
-            <source>✕ Error</source>
-            <translation>✕ 错误</translation>
-        </message>
-        <message>
-            <source>! Warning</source>
-            <translation>! 警告</translation>
-        </message>
-        <message>
-            <source>Accept the warnings and run</source>
-            <translation>接受警告并运行</translation>
-        </message>
-        <message>
-            <source>Close</source>
-            <translation>关闭</translation>
-        </message>
-        <message>
-            <source>The check found errors: {errors}, warnings: {warnings}</source>
-            <translation>检查：{errors} 个错误，{warnings} 个警告</translation>
-        </message>
-    </context>
-    <context>
-        <name>FrameChoice</name>
-        <message>
-            <source>− and + along</source>
-            <translation>− / + 方向</translation>
-        </message>
-        <message>
-            <source>Base frame</source>
-            <translation>基坐标系</translation>
-        </message>
-        <message>
-            <source>Tool frame</source>
-            <translation>工具坐标系</translation>
-        </message>
-    </context>
-    <context>
-        <name>FrameEffect</name>
-        <message>
-            <source>A question or a lamp: nothing moves. A press sends it.</source>
-            <translation>查询或灯光：不会产生运动。按一下即发送。</translation>
-        </message>
-        <message>
-            <source>The motion under way ends or pauses; the joints keep their power.</source>
-            <translation>正在进行的运动会终止或暂停；关节保持上电。</translation>
-        </message>
-        <message>
-            <source>An emergency stop: the motors go limp and the arm sinks. Hold the arm. The stop button above is faster, reaches every identifier and is repeated until the arm confirms.</source>
-            <translation>急停：电机失力，机械臂会下沉。请扶住机械臂。上方的急停按钮更快，会发往每个 ID，并重复发送直到机械臂确认。</translation>
-        </message>
-        <message>
-            <source>Motors lose their power and there are no brakes: the ARM DROPS. Hold the arm.</source>
-            <translation>电机断电且没有抱闸：机械臂会坠落。请扶住机械臂。</translation>
-        </message>
-        <message>
-            <source>The joints go limp until their next setpoint: the ARM FALLS unless setpoints follow at once. Support the arm. Only a reset leads back from there.</source>
-            <translation>在下一个设定值到来之前关节失力：若没有设定值立即跟上，机械臂会坠落。请托住机械臂。之后只能通过复位恢复。</translation>
-        </message>
-        <message>
-            <source>Drives one motor past the arm's own planning and limits. With gains of 0 its joint has no strength and falls. Support the arm, keep away from it.</source>
-            <translation>绕过机械臂自身的规划和限位直接驱动一个电机。增益为 0 时该关节无力并坠落。请托住机械臂，并与其保持距离。</translation>
-        </message>
-        <message>
-            <source>The arm may set out at once, without any check. Keep away from it.</source>
-            <translation>机械臂可能立即运动，不经任何检查。请远离机械臂。</translation>
-        </message>
-        <message>
-            <source>The gripper may close, open or lose its power and let go, without any check. Keep your fingers away.</source>
-            <translation>夹爪可能闭合、张开，或断电松开，不经任何检查。请勿将手指放入。</translation>
-        </message>
-        <message>
-            <source>The joints give way to a hand, and sink if the load is not set. Hold the arm.</source>
-            <translation>关节可被手拖动；若未设置负载会下沉。请扶住机械臂。</translation>
-        </message>
-        <message>
-            <source>Motors get their power: joints may jerk. Keep away from the arm.</source>
-            <translation>电机上电：关节可能抖动。请远离机械臂。</translation>
-        </message>
-        <message>
-            <source>Changes whether the arm leads or follows, or its identifiers. It is kept when the arm is switched off, and the arm may fall silent to this program.</source>
-            <translation>改变机械臂的主从角色或其 ID。断电后仍保留，本程序可能再也收不到该机械臂。</translation>
-        </message>
-        <message>
-            <source>Changes something the arm keeps, also when it is switched off: zeros, limits, levels or the load. Read it anew in its panel afterwards.</source>
-            <translation>改变机械臂断电后仍保留的内容：零点、限位、等级或负载。之后请在相应面板中重新读取。</translation>
-        </message>
-        <message>
-            <source>The arm is told to say nothing: nobody sees what it does until it is told to speak again or is switched off and on.</source>
-            <translation>令机械臂静默：在解除静默或重新上电之前，无人能看到它在做什么。</translation>
-        </message>
-        <message>
-            <source>No public text says what this frame does. Expect anything: support the arm, keep away from it.</source>
-            <translation>没有公开资料说明该帧的作用，什么都可能发生：请托住机械臂，并与其保持距离。</translation>
-        </message>
-    </context>
-    <context>
-        <name>FrameKind</name>
-        <message>
-            <source>unknown identifier</source>
-            <translation>未知 ID</translation>
-        </message>
-        <message>
-            <source>wrong length</source>
-            <translation>长度错误</translation>
-        </message>
-        <message>
-            <source>value outside its table</source>
-            <translation>数值不在表中</translation>
-        </message>
-        <message>
-            <source>Error frame of the adapter</source>
-            <translation>适配器的错误帧</translation>
-        </message>
-        <message>
-            <source>Remote frame: a question without data</source>
-            <translation>远程帧：不带数据的请求</translation>
-        </message>
-        <message>
-            <source>CAN FD frame: the arm speaks classic CAN</source>
-            <translation>CAN FD 帧：机械臂使用经典 CAN</translation>
-        </message>
-        <message>
-            <source>29-bit identifier: the arm knows none</source>
-            <translation>29 位 ID：机械臂不使用</translation>
-        </message>
-        <message>
-            <source>Firmware upgrade: not documented</source>
-            <translation>固件升级：无公开资料</translation>
-        </message>
-        <message>
-            <source>Of an arm with other identifiers (0x470)</source>
-            <translation>属于 ID 偏移不同的机械臂（0x470）</translation>
-        </message>
-        <message>
-            <source>Unknown: not in the tables of this arm</source>
-            <translation>未知：不在该机械臂的协议表中</translation>
-        </message>
-    </context>
-    <context>
-        <name>FrameName</name>
-        <message>
-            <source>Lamp of a joint</source>
-            <translation>关节灯光</translation>
-        </message>
-        <message>
-            <source>Stop, trajectory and teaching command</source>
-            <translation>急停、轨迹与示教指令</translation>
-        </message>
-        <message>
-            <source>Control mode, kind of motion, speed</source>
-            <translation>控制模式、运动模式、速度</translation>
-        </message>
-        <message>
-            <source>Target X, Y</source>
-            <translation>目标 X、Y</translation>
-        </message>
-        <message>
-            <source>Target Z, RX</source>
-            <translation>目标 Z、RX</translation>
-        </message>
-        <message>
-            <source>Target RY, RZ</source>
-            <translation>目标 RY、RZ</translation>
-        </message>
-        <message>
-            <source>Target angles J1, J2</source>
-            <translation>目标角度 J1、J2</translation>
-        </message>
-        <message>
-            <source>Target angles J3, J4</source>
-            <translation>目标角度 J3、J4</translation>
-        </message>
-        <message>
-            <source>Target angles J5, J6</source>
-            <translation>目标角度 J5、J6</translation>
-        </message>
-        <message>
-            <source>Point of the arc</source>
-            <translation>圆弧点序号</translation>
-        </message>
-        <message>
-            <source>Gripper command</source>
-            <translation>夹爪指令</translation>
-        </message>
-        <message>
-            <source>MIT setpoint of J{joint}</source>
-            <translation>J{joint} MIT 设定值</translation>
-        </message>
-        <message>
-            <source>Driver of J{joint}, fast values</source>
-            <translation>J{joint} 驱动器高速反馈</translation>
-        </message>
-        <message>
-            <source>Driver of J{joint}, slow values</source>
-            <translation>J{joint} 驱动器低速反馈</translation>
-        </message>
-        <message>
-            <source>Arm status</source>
-            <translation>机械臂状态</translation>
-        </message>
-        <message>
-            <source>End pose X, Y</source>
-            <translation>末端位姿 X、Y</translation>
-        </message>
-        <message>
-            <source>End pose Z, RX</source>
-            <translation>末端位姿 Z、RX</translation>
-        </message>
-        <message>
-            <source>End pose RY, RZ</source>
-            <translation>末端位姿 RY、RZ</translation>
-        </message>
-        <message>
-            <source>Angles of J1, J2</source>
-            <translation>J1、J2 角度</translation>
-        </message>
-        <message>
-            <source>Angles of J3, J4</source>
-            <translation>J3、J4 角度</translation>
-        </message>
-        <message>
-            <source>Angles of J5, J6</source>
-            <translation>J5、J6 角度</translation>
-        </message>
-        <message>
-            <source>Gripper</source>
-            <translation>夹爪反馈</translation>
-        </message>
-        <message>
-            <source>Bus silence</source>
-            <translation>总线静默</translation>
-        </message>
-        <message>
-            <source>Linkage setting</source>
-            <translation>联动设置</translation>
-        </message>
-        <message>
-            <source>Motors on and off</source>
-            <translation>电机使能与失能</translation>
-        </message>
-        <message>
-            <source>Question: limits of a joint</source>
-            <translation>查询：关节限制</translation>
-        </message>
-        <message>
-            <source>Answer: angle and speed limits</source>
-            <translation>应答：角度与速度限制</translation>
-        </message>
-        <message>
-            <source>Setting: angle and speed limits</source>
-            <translation>设置：角度与速度限制</translation>
-        </message>
-        <message>
-            <source>Setting of a joint</source>
-            <translation>关节设置</translation>
-        </message>
-        <message>
-            <source>Answer to a setting</source>
-            <translation>设置应答</translation>
-        </message>
-        <message>
-            <source>Parameter question and command</source>
-            <translation>参数查询与设置</translation>
-        </message>
-        <message>
-            <source>Answer: limits of the end</source>
-            <translation>应答：末端限制</translation>
-        </message>
-        <message>
-            <source>Setting: limits of the end</source>
-            <translation>设置：末端限制</translation>
-        </message>
-        <message>
-            <source>Setting: collision levels</source>
-            <translation>设置：碰撞防护等级</translation>
-        </message>
-        <message>
-            <source>Answer: collision levels</source>
-            <translation>应答：碰撞防护等级</translation>
-        </message>
-        <message>
-            <source>Answer: acceleration limit</source>
-            <translation>应答：加速度限制</translation>
-        </message>
-        <message>
-            <source>Setting: teaching handle, gripper</source>
-            <translation>设置：示教手柄与夹爪</translation>
-        </message>
-        <message>
-            <source>Answer: teaching handle, gripper</source>
-            <translation>应答：示教手柄与夹爪</translation>
-        </message>
-        <message>
-            <source>End motion, part of J{joint}</source>
-            <translation>末端运动，J{joint} 分量</translation>
-        </message>
-        <message>
-            <source>Firmware version</source>
-            <translation>固件版本</translation>
-        </message>
-        <message>
-            <source>CPV of J{joint}</source>
-            <translation>J{joint} 的 CPV 指令</translation>
-        </message>
-        <message>
-            <source>CPV of the gripper</source>
-            <translation>夹爪的 CPV 指令</translation>
-        </message>
-        <message>
-            <source>Leader arm to zero</source>
-            <translation>主臂回零</translation>
-        </message>
-        <message>
-            <source>Solution of the pose J1, J2</source>
-            <translation>位姿逆解 J1、J2</translation>
-        </message>
-        <message>
-            <source>Solution of the pose J3, J4</source>
-            <translation>位姿逆解 J3、J4</translation>
-        </message>
-        <message>
-            <source>Solution of the pose J5, J6</source>
-            <translation>位姿逆解 J5、J6</translation>
-        </message>
-        <message>
-            <source>Setting: drag assistance</source>
-            <translation>设置：拖动助力</translation>
-        </message>
-        <message>
-            <source>Answer: drag assistance</source>
-            <translation>应答：拖动助力</translation>
-        </message>
-    </context>
-    <context>
-        <name>GamepadAction</name>
-        <message>
-            <source>Dead man (hold to move)</source>
-            <translation>使能键（按住才能动）</translation>
-        </message>
-        <message>
-            <source>Emergency stop</source>
-            <translation>急停</translation>
-        </message>
-        <message>
-            <source>Halt</source>
-            <translation>停住</translation>
-        </message>
-        <message>
-            <source>Next mode</source>
-            <translation>切换模式</translation>
-        </message>
-    </context>
-    <context>
-        <name>GamepadAxis</name>
-        <message>
-            <source>Left stick ↔</source>
-            <translation>左摇杆 ↔</translation>
-        </message>
-        <message>
-            <source>Left stick ↕</source>
-            <translation>左摇杆 ↕</translation>
-        </message>
-        <message>
-            <source>Right stick ↔</source>
-            <translation>右摇杆 ↔</translation>
-        </message>
-        <message>
-            <source>Right stick ↕</source>
-            <translation>右摇杆 ↕</translation>
-        </message>
-        <message>
-            <source>Right trigger</source>
-            <translation>右扳机（速度）</translation>
-        </message>
-        <message>
-            <source>D-pad ↕</source>
-            <translation>方向键 ↕</translation>
-        </message>
-        <message>
-            <source>D-pad ↔</source>
-            <translation>方向键 ↔</translation>
-        </message>
-        <message>
-            <source>Push away / pull</source>
-            <translation>前推 / 后拉</translation>
-        </message>
-        <message>
-            <source>Push left / right</source>
-            <translation>左推 / 右推</translation>
-        </message>
-        <message>
-            <source>Lift / press</source>
-            <translation>上提 / 下压</translation>
-        </message>
-        <message>
-            <source>Tilt left / right</source>
-            <translation>左倾 / 右倾</translation>
-        </message>
-        <message>
-            <source>Tilt away / towards</source>
-            <translation>前倾 / 后倾</translation>
-        </message>
-        <message>
-            <source>Turn</source>
-            <translation>旋转</translation>
-        </message>
-    </context>
-    <context>
-        <name>GamepadButton</name>
-        <message>
-            <source>Button {number}</source>
-            <translation>按键 {number}</translation>
-        </message>
-    </context>
-    <context>
-        <name>GamepadDialog</name>
-        <message>
-            <source>Not installed: {packages}. In a terminal: {command}</source>
-            <translation>未安装：{packages}。请在终端中运行：{command}</translation>
-        </message>
-        <message>
-            <source>Found, but cannot be used (layout not known, or no permission): {names}</source>
-            <translation>已发现但无法使用（布局未知或没有权限）：{names}</translation>
-        </message>
-        <message>
-            <source>No device found. Plug one in, or switch it on and pair it.</source>
-            <translation>未发现设备。请插入设备，或打开设备电源并配对。</translation>
-        </message>
-        <message>
-            <source>Gamepad and SpaceMouse</source>
-            <translation>手柄与 SpaceMouse</translation>
-        </message>
-        <message>
-            <source>Jog by gamepad or SpaceMouse</source>
-            <translation>用手柄或 SpaceMouse 点动</translation>
-        </message>
-        <message>
-            <source>Only the axis that was pushed first moves, until all are at rest again</source>
-            <translation>只有最先推动的轴会动，直到所有轴都回中</translation>
-        </message>
-        <message>
-            <source>One axis at a time</source>
-            <translation>一次只动一个轴</translation>
-        </message>
-        <message>
-            <source>Device</source>
-            <translation>设备</translation>
-        </message>
-        <message>
-            <source>None found</source>
-            <translation>未发现</translation>
-        </message>
-        <message>
-            <source>Moves</source>
-            <translation>控制</translation>
-        </message>
-        <message>
-            <source>Axes</source>
-            <translation>摇杆与轴</translation>
-        </message>
-        <message>
-            <source>Buttons</source>
-            <translation>按键</translation>
-        </message>
-        <message>
-            <source>Nothing moves while this window is in front: try everything here. In the main window hold the dead-man button, then push an axis; letting go of either stops. The buttons for emergency stop and halt work at any time, in every window.</source>
-            <translation>本窗口在前时机械臂不会动，可以放心试按。在主窗口中先按住使能键，再推动摇杆；松开任何一个即停止。急停和停住按键在任何窗口中随时有效。</translation>
-        </message>
-        <message>
-            <source>Copy the command</source>
-            <translation>复制命令</translation>
-        </message>
-    </context>
-    <context>
-        <name>GamepadMode</name>
-        <message>
-            <source>Joints</source>
-            <translation>关节</translation>
-        </message>
-        <message>
-            <source>Base frame</source>
-            <translation>基坐标系</translation>
-        </message>
-        <message>
-            <source>Tool frame</source>
-            <translation>工具坐标系</translation>
-        </message>
-    </context>
-    <context>
-        <name>GamepadStrip</name>
-        <message>
-            <source>{device} · {mode} · hold {button} and push an axis to jog</source>
-            <translation>{device} · {mode} · 按住 {button} 并推动摇杆即可点动</translation>
-        </message>
-        <message>
-            <source>{device} · {mode} · dead man held, ready</source>
-            <translation>{device} · {mode} · 使能键已按住，可以推动摇杆</translation>
-        </message>
-        <message>
-            <source>{device} · {mode} · jogging {axes}</source>
-            <translation>{device} · {mode} · 正在点动 {axes}</translation>
-        </message>
-        <message>
-            <source>{device} · {mode} · let every axis back to its centre</source>
-            <translation>{device} · {mode} · 请先让所有摇杆回中</translation>
-        </message>
-        <message>
-            <source>{device} · let go of {button}, then press it anew</source>
-            <translation>{device} · 请松开 {button} 后重新按下</translation>
-        </message>
-        <message>
-            <source>Gamepad: {packages} not installed. Install with pip: armui[gamepad]</source>
-            <translation>手柄：未安装 {packages}，请用 pip 安装 armui[gamepad]</translation>
-        </message>
-        <message>
-            <source>Gamepad: {problem}</source>
-            <translation>手柄：{problem}</translation>
-        </message>
-        <message>
-            <source>Gamepad: none found. Plug one in or switch it on.</source>
-            <translation>手柄：未发现设备，请插入或打开设备电源。</translation>
-        </message>
-    </context>
-    <context>
-        <name>GripperAct</name>
-        <message>
-            <source>Enable</source>
-            <translation>使能</translation>
-        </message>
-        <message>
-            <source>Disable</source>
-            <translation>失能</translation>
-        </message>
-        <message>
-            <source>Clear error</source>
-            <translation>清除错误</translation>
-        </message>
-        <message>
-            <source>Set zero</source>
-            <translation>零点设置</translation>
-        </message>
-    </context>
-    <context>
-        <name>GripperEditor</name>
-        <message>
-            <source>Nothing</source>
-            <translation>无动作</translation>
-        </message>
-        <message>
-            <source>Opening</source>
-            <translation>张开</translation>
-        </message>
-        <message>
-            <source>Angle</source>
-            <translation>角度</translation>
-        </message>
-    </context>
-    <context>
-        <name>GripperFault</name>
-        <message>
-            <source>supply voltage too low</source>
-            <translation>电源电压过低</translation>
-        </message>
-        <message>
-            <source>motor too hot</source>
-            <translation>电机过温</translation>
-        </message>
-        <message>
-            <source>driver overcurrent</source>
-            <translation>驱动器过流</translation>
-        </message>
-        <message>
-            <source>driver too hot</source>
-            <translation>驱动器过温</translation>
-        </message>
-        <message>
-            <source>sensor abnormal</source>
-            <translation>传感器异常</translation>
-        </message>
-        <message>
-            <source>driver error</source>
-            <translation>驱动器错误</translation>
-        </message>
-    </context>
-    <context>
-        <name>GripperFigure</name>
-        <message>
-            <source>Opening</source>
-            <translation>开度</translation>
-        </message>
-        <message>
-            <source>Torque</source>
-            <translation>力矩</translation>
-        </message>
-        <message>
-            <source>Angle</source>
-            <translation>角度</translation>
-        </message>
-        <message>
-            <source>Speed</source>
-            <translation>速度</translation>
-        </message>
-    </context>
-    <context>
-        <name>GripperLine</name>
-        <message>
-            <source>Closes the gripper to 0.</source>
-            <translation>闭合夹爪，移动到 0。</translation>
-        </message>
-        <message>
-            <source>Opens the gripper to its stroke limit.</source>
-            <translation>张开夹爪，移动到行程限位。</translation>
-        </message>
-        <message>
-            <source>Gripper</source>
-            <translation>夹爪</translation>
-        </message>
-        <message>
-            <source>Measured: gripper</source>
-            <translation>测量值：夹爪</translation>
-        </message>
-        <message>
-            <source>Measured by the gripper</source>
-            <translation>夹爪测得的值</translation>
-        </message>
-        <message>
-            <source>Close fully</source>
-            <translation>全闭</translation>
-        </message>
-        <message>
-            <source>Open fully</source>
-            <translation>全开</translation>
-        </message>
-        <message>
-            <source>Insert with opening</source>
-            <translation>带开度插入</translation>
-        </message>
-        <message>
-            <source>A point that is inserted moves the gripper to what is measured now, with 1 N·m (generation 1: 1 rad/s). To grip, enter less than the workpiece is wide.</source>
-            <translation>插入的点会以 1 N·m（第 1 代：1 rad/s）把夹爪移动到当前测得的开度。要夹紧工件，请填比工件更小的开度。</translation>
-        </message>
-    </context>
-    <context>
-        <name>GripperPanel</name>
-        <message>
-            <source>Close the gripper</source>
-            <translation>闭合夹爪</translation>
-        </message>
-        <message>
-            <source>Open the gripper</source>
-            <translation>张开夹爪</translation>
-        </message>
-        <message>
-            <source>Disable the gripper</source>
-            <translation>失能夹爪</translation>
-        </message>
-        <message>
-            <source>The gripper loses its power and drops what it holds. Hold the workpiece.</source>
-            <translation>失能后夹爪会松开，所夹工件会掉落，请扶住工件。</translation>
-        </message>
-        <message>
-            <source>Set the zero of the gripper</source>
-            <translation>设置夹爪零点</translation>
-        </message>
-        <message>
-            <source>Where the gripper stands now becomes its 0 mm, and it loses its power: it drops what it holds.
+<context>
+    <name>AboutArm</name>
+    <message>
+        <source>Model</source>
+        <translation>型号</translation>
+    </message>
+    <message>
+        <source>unknown: the arm does not tell it</source>
+        <translation>未知：机械臂不提供</translation>
+    </message>
+    <message>
+        <source>Firmware</source>
+        <translation>固件版本</translation>
+    </message>
+    <message>
+        <source>Protocol</source>
+        <translation>协议</translation>
+    </message>
+    <message>
+        <source>Adapter</source>
+        <translation>适配器</translation>
+    </message>
+    <message>
+        <source>Serial number of the adapter</source>
+        <translation>适配器序列号</translation>
+    </message>
+    <message>
+        <source>Bit rate</source>
+        <translation>波特率</translation>
+    </message>
+    <message>
+        <source>Identifiers of the feedback</source>
+        <translation>反馈指令 ID</translation>
+    </message>
+    <message>
+        <source>Identifiers of the commands</source>
+        <translation>控制指令 ID</translation>
+    </message>
+    <message>
+        <source>Frames received</source>
+        <translation>接收报文</translation>
+    </message>
+    <message>
+        <source>Heard without a break for</source>
+        <translation>持续在线时间</translation>
+    </message>
+    <message>
+        <source>Running time of the arm</source>
+        <translation>机械臂运行时间</translation>
+    </message>
+    <message>
+        <source>Joint {joint}</source>
+        <translation>关节 {joint}</translation>
+    </message>
+    <message>
+        <source>End</source>
+        <translation>末端</translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation>程序</translation>
+    </message>
+    <message>
+        <source>unknown: generation 1 does not tell it</source>
+        <translation>未知：第 1 代协议不提供</translation>
+    </message>
+    <message>
+        <source>Generation {generation}</source>
+        <translation>第 {generation} 代</translation>
+    </message>
+    <message>
+        <source>none connected</source>
+        <translation>未连接</translation>
+    </message>
+    <message>
+        <source>none: it is simulated</source>
+        <translation>无：仿真机械臂</translation>
+    </message>
+    <message>
+        <source>none: it is no CAN bus</source>
+        <translation>无：不是 CAN 总线</translation>
+    </message>
+    <message>
+        <source>{bitrate} bit/s, set by the operating system</source>
+        <translation>{bitrate} bit/s，由操作系统设置</translation>
+    </message>
+    <message>
+        <source>{bitrate} bit/s, set by this program</source>
+        <translation>{bitrate} bit/s，由本程序设置</translation>
+    </message>
+    <message>
+        <source>{ids}, not proven: the arm cannot be asked</source>
+        <translation>{ids}，未证实：无法向机械臂查询</translation>
+    </message>
+    <message>
+        <source>0x{first} to 0x{last} (offset 0x{offset})</source>
+        <translation>0x{first} 至 0x{last}（偏移 0x{offset}）</translation>
+    </message>
+    <message>
+        <source>{rate} a second</source>
+        <translation>每秒 {rate} 帧</translation>
+    </message>
+    <message>
+        <source>not heard</source>
+        <translation>未收到</translation>
+    </message>
+    <message>
+        <source>unknown: not read from the arm</source>
+        <translation>未知：未从机械臂读取</translation>
+    </message>
+    <message>
+        <source>{minimum}° to {maximum}°, at most {speed}°/s</source>
+        <translation>{minimum}° 至 {maximum}°，最大 {speed}°/s</translation>
+    </message>
+    <message>
+        <source>{limits} and {acceleration}°/s²</source>
+        <translation>{limits}、{acceleration}°/s²</translation>
+    </message>
+    <message>
+        <source>at most {linear} m/s and {angular} rad/s</source>
+        <translation>最大 {linear} m/s、{angular} rad/s</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>未知</translation>
+    </message>
+    <message>
+        <source>{model}, as chosen; not compared yet</source>
+        <translation>{model}（操作者选择，尚未核对）</translation>
+    </message>
+    <message>
+        <source>{model}, confirmed by the pose it reports</source>
+        <translation>{model}（与反馈位姿一致，已确认）</translation>
+    </message>
+    <message>
+        <source>{model}, as chosen; other models fit its pose as well</source>
+        <translation>{model}（操作者选择；其它型号也符合当前位姿）</translation>
+    </message>
+    <message>
+        <source>{model}, as chosen; its pose is that of a {other}</source>
+        <translation>{model}（操作者选择；但反馈位姿属于 {other}）</translation>
+    </message>
+    <message>
+        <source>{model}, as chosen; its pose fits none of the models</source>
+        <translation>{model}（操作者选择；反馈位姿不符合任何型号）</translation>
+    </message>
+    <message>
+        <source>Date of the firmware</source>
+        <translation>固件日期</translation>
+    </message>
+    <message>
+        <source>Hardware</source>
+        <translation>硬件</translation>
+    </message>
+    <message>
+        <source>Node on the bus</source>
+        <translation>总线节点</translation>
+    </message>
+    <message>
+        <source>{type}, number {number}</source>
+        <translation>{type}，编号 {number}</translation>
+    </message>
+    <message>
+        <source>; joints 2 and 3 count from the zeros before S-V1.6-3</source>
+        <translation>；关节 2、3 采用 S-V1.6-3 之前的零点</translation>
+    </message>
+</context>
+<context>
+    <name>AboutArmDialog</name>
+    <message>
+        <source>About this arm</source>
+        <translation>关于本机械臂</translation>
+    </message>
+    <message>
+        <source>Copy as text</source>
+        <translation>复制为文本</translation>
+    </message>
+    <message>
+        <source>Copied: paste it into a mail.</source>
+        <translation>已复制，可粘贴到邮件中。</translation>
+    </message>
+</context>
+<context>
+    <name>ActButtons</name>
+    <message>
+        <source>Gives the motor power: it holds its position.</source>
+        <translation>给电机上电，电机保持当前位置。</translation>
+    </message>
+    <message>
+        <source>Takes the motor&apos;s power: the arm drops. Asks first.</source>
+        <translation>切断电机动力，机械臂会下落。执行前会询问。</translation>
+    </message>
+    <message>
+        <source>Makes the present position the joint&apos;s zero. Asks first.</source>
+        <translation>将关节当前位置设为零点。执行前会询问。</translation>
+    </message>
+    <message>
+        <source>Clears the error of the joint&apos;s driver; nothing moves.</source>
+        <translation>清除关节驱动器的错误，机械臂不会运动。</translation>
+    </message>
+    <message>
+        <source>Enable</source>
+        <translation>使能</translation>
+    </message>
+    <message>
+        <source>Disable</source>
+        <translation>失能</translation>
+    </message>
+    <message>
+        <source>Set zero</source>
+        <translation>零点设置</translation>
+    </message>
+    <message>
+        <source>Clear error</source>
+        <translation>清除错误</translation>
+    </message>
+    <message>
+        <source>all joints</source>
+        <translation>全部关节</translation>
+    </message>
+    <message>
+        <source>joint {joint}</source>
+        <translation>关节 {joint}</translation>
+    </message>
+</context>
+<context>
+    <name>Action</name>
+    <message>
+        <source>Enable or disable all motors</source>
+        <translation>全部电机使能或失能</translation>
+    </message>
+    <message>
+        <source>Joint status</source>
+        <translation>关节状态</translation>
+    </message>
+    <message>
+        <source>Replay a recording</source>
+        <translation>回放会话记录</translation>
+    </message>
+    <message>
+        <source>Export a recording</source>
+        <translation>导出会话记录</translation>
+    </message>
+    <message>
+        <source>Back up, compare, restore parameters</source>
+        <translation>参数备份、比较、恢复</translation>
+    </message>
+    <message>
+        <source>Language: Chinese or English</source>
+        <translation>语言：中文或英文</translation>
+    </message>
+    <message>
+        <source>Theme: light or dark</source>
+        <translation>主题：浅色或深色</translation>
+    </message>
+    <message>
+        <source>User guide</source>
+        <translation>使用指南</translation>
+    </message>
+    <message>
+        <source>Keyboard shortcuts</source>
+        <translation>快捷键</translation>
+    </message>
+    <message>
+        <source>Close the program</source>
+        <translation>退出程序</translation>
+    </message>
+    <message>
+        <source>MOVE P: to the pose</source>
+        <translation>MOVE P 运动到位姿</translation>
+    </message>
+    <message>
+        <source>MOVE L: on a straight line to the pose</source>
+        <translation>MOVE L 直线运动到位姿</translation>
+    </message>
+    <message>
+        <source>MOVE C: along the arc</source>
+        <translation>MOVE C 沿圆弧运动</translation>
+    </message>
+    <message>
+        <source>Master arm (teaching input arm)</source>
+        <translation>主臂（示教输入臂）</translation>
+    </message>
+    <message>
+        <source>Slave arm (motion output arm)</source>
+        <translation>从臂（运动输出臂）</translation>
+    </message>
+    <message>
+        <source>Pause the planned motion</source>
+        <translation>暂停规划轨迹</translation>
+    </message>
+    <message>
+        <source>Continue the held motion</source>
+        <translation>继续被保持的运动</translation>
+    </message>
+    <message>
+        <source>Terminate the planned motion</source>
+        <translation>终止规划轨迹</translation>
+    </message>
+    <message>
+        <source>Target of</source>
+        <translation>目标</translation>
+    </message>
+    <message>
+        <source>Lamps of</source>
+        <translation>灯光</translation>
+    </message>
+    <message>
+        <source>Press Edit in the panel first.</source>
+        <translation>请先在该面板中按“编辑”。</translation>
+    </message>
+    <message>
+        <source>There is nothing for it to do now.</source>
+        <translation>现在没有可执行的内容。</translation>
+    </message>
+    <message>
+        <source>Folder of the recordings</source>
+        <translation>会话记录的文件夹</translation>
+    </message>
+    <message>
+        <source>Model of the arm</source>
+        <translation>机械臂型号</translation>
+    </message>
+    <message>
+        <source>Way of the tool: off</source>
+        <translation>末端轨迹：关闭</translation>
+    </message>
+    <message>
+        <source>Way of the tool: last 5 s of motion</source>
+        <translation>末端轨迹：最近 5 秒运动</translation>
+    </message>
+    <message>
+        <source>Way of the tool: last 15 s of motion</source>
+        <translation>末端轨迹：最近 15 秒运动</translation>
+    </message>
+    <message>
+        <source>Way of the tool: last 60 s of motion</source>
+        <translation>末端轨迹：最近 60 秒运动</translation>
+    </message>
+    <message>
+        <source>Handles at the tool, along the axes of the base</source>
+        <translation>末端手柄：沿基座坐标轴</translation>
+    </message>
+    <message>
+        <source>Handles at the tool, along its own axes</source>
+        <translation>末端手柄：沿工具坐标轴</translation>
+    </message>
+    <message>
+        <source>Handles at the joints</source>
+        <translation>关节手柄</translation>
+    </message>
+    <message>
+        <source>Speed of the run</source>
+        <translation>运行速度</translation>
+    </message>
+</context>
+<context>
+    <name>AdapterTrouble</name>
+    <message>
+        <source>en</source>
+        <translation>zh</translation>
+    </message>
+</context>
+<context>
+    <name>ArcBox</name>
+    <message>
+        <source>start</source>
+        <translation>起点</translation>
+    </message>
+    <message>
+        <source>middle</source>
+        <translation>中点</translation>
+    </message>
+    <message>
+        <source>end</source>
+        <translation>终点</translation>
+    </message>
+    <message>
+        <source>Takes the pose the arm has now; nothing moves.</source>
+        <translation>记录机械臂当前位姿，不会运动。</translation>
+    </message>
+    <message>
+        <source>Moves to the captured start with MOVE P.</source>
+        <translation>用 MOVE P 移到记录的起点。</translation>
+    </message>
+    <message>
+        <source>Moves from the start over the middle to the end. Some firmware has no arc.</source>
+        <translation>从起点经中点运动到终点。部分固件不支持圆弧。</translation>
+    </message>
+    <message>
+        <source>Capture start</source>
+        <translation>记录起点</translation>
+    </message>
+    <message>
+        <source>Capture middle</source>
+        <translation>记录中点</translation>
+    </message>
+    <message>
+        <source>Capture end</source>
+        <translation>记录终点</translation>
+    </message>
+    <message>
+        <source>Go to start</source>
+        <translation>移到起点</translation>
+    </message>
+</context>
+<context>
+    <name>ArmKind</name>
+    <message>
+        <source>{model} (zeros before S-V1.6-3)</source>
+        <translation>{model}（S-V1.6-3 之前的零点）</translation>
+    </message>
+</context>
+<context>
+    <name>ArmPart</name>
+    <message>
+        <source>the base</source>
+        <translation>底座</translation>
+    </message>
+    <message>
+        <source>the upper arm</source>
+        <translation>大臂</translation>
+    </message>
+    <message>
+        <source>the forearm</source>
+        <translation>小臂</translation>
+    </message>
+    <message>
+        <source>the wrist</source>
+        <translation>手腕</translation>
+    </message>
+    <message>
+        <source>the gripper</source>
+        <translation>夹爪</translation>
+    </message>
+</context>
+<context>
+    <name>ArmStatus</name>
+    <message>
+        <source>Normal</source>
+        <translation>正常</translation>
+    </message>
+    <message>
+        <source>Emergency stop</source>
+        <translation>急停</translation>
+    </message>
+    <message>
+        <source>No solution</source>
+        <translation>无解</translation>
+    </message>
+    <message>
+        <source>Singularity</source>
+        <translation>奇异点</translation>
+    </message>
+    <message>
+        <source>Target angle beyond limit</source>
+        <translation>目标角度超过限</translation>
+    </message>
+    <message>
+        <source>Joint communication fault</source>
+        <translation>关节通信异常</translation>
+    </message>
+    <message>
+        <source>Joint brake not released</source>
+        <translation>关节抱闸未打开</translation>
+    </message>
+    <message>
+        <source>Collision</source>
+        <translation>机械臂发生碰撞</translation>
+    </message>
+    <message>
+        <source>Overspeed in drag teaching</source>
+        <translation>拖动示教时超速</translation>
+    </message>
+    <message>
+        <source>Joint status fault</source>
+        <translation>关节状态异常</translation>
+    </message>
+    <message>
+        <source>Other fault</source>
+        <translation>其它异常</translation>
+    </message>
+    <message>
+        <source>Teaching: recording</source>
+        <translation>示教记录</translation>
+    </message>
+    <message>
+        <source>Teaching: replaying</source>
+        <translation>示教执行</translation>
+    </message>
+    <message>
+        <source>Teaching: paused</source>
+        <translation>示教暂停</translation>
+    </message>
+    <message>
+        <source>Main controller too hot</source>
+        <translation>主控过温</translation>
+    </message>
+    <message>
+        <source>Brake resistor too hot</source>
+        <translation>释放电阻过温</translation>
+    </message>
+</context>
+<context>
+    <name>ArmView</name>
+    <message>
+        <source>Loading the 3D model …</source>
+        <translation>正在加载 3D 模型…</translation>
+    </message>
+    <message>
+        <source>Picture delayed</source>
+        <translation>画面滞后</translation>
+    </message>
+    <message>
+        <source>Start the 3D view again</source>
+        <translation>重新启动3D 视图</translation>
+    </message>
+    <message>
+        <source>The 3D view is not available: this computer offers no OpenGL. Install a graphics driver or Mesa (on Debian the packages libegl1 and libgl1-mesa-dri) and start the 3D view again.</source>
+        <translation>3D 视图不可用：这台电脑没有 OpenGL。请安装显卡驱动或 Mesa（Debian 上为软件包 libegl1 和 libgl1-mesa-dri），然后重新启动3D 视图。</translation>
+    </message>
+    <message>
+        <source>The 3D view did not answer any more.</source>
+        <translation>3D 视图没有响应。</translation>
+    </message>
+    <message>
+        <source>The 3D view has ended ({text}).</source>
+        <translation>3D 视图意外结束（{text}）。</translation>
+    </message>
+    <message>
+        <source>It is being started again; the arm is not affected.</source>
+        <translation>正在重新启动；机械臂不受影响。</translation>
+    </message>
+    <message>
+        <source>It ended three times in a minute; the arm is not affected.</source>
+        <translation>一分钟内结束了三次；机械臂不受影响。</translation>
+    </message>
+    <message>
+        <source>Tool centre point</source>
+        <translation>工具中心点</translation>
+    </message>
+    <message>
+        <source>Flange</source>
+        <translation>法兰</translation>
+    </message>
+</context>
+<context>
+    <name>Asker</name>
+    <message>
+        <source>Operator</source>
+        <translation>操作员</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>运行</translation>
+    </message>
+    <message>
+        <source>Jogging</source>
+        <translation>点动</translation>
+    </message>
+    <message>
+        <source>Recovery</source>
+        <translation>恢复引导</translation>
+    </message>
+    <message>
+        <source>Arm</source>
+        <translation>机械臂</translation>
+    </message>
+    <message>
+        <source>Other host</source>
+        <translation>其他程序</translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation>本程序</translation>
+    </message>
+</context>
+<context>
+    <name>AxisRows</name>
+    <message>
+        <source>Of the speed at the top; without the trigger a fifth</source>
+        <translation>顶部配速的百分比；不扣扳机时为五分之一</translation>
+    </message>
+</context>
+<context>
+    <name>BackupDialog</name>
+    <message>
+        <source>Parameter backup</source>
+        <translation>参数备份</translation>
+    </message>
+    <message>
+        <source>Parameters in the file and in the arm</source>
+        <translation>文件与机械臂中的参数</translation>
+    </message>
+    <message>
+        <source>Only differences</source>
+        <translation>只看不同</translation>
+    </message>
+    <message>
+        <source>Choose all</source>
+        <translation>全选</translation>
+    </message>
+    <message>
+        <source>Choose none</source>
+        <translation>全不选</translation>
+    </message>
+    <message>
+        <source>Save to a file…</source>
+        <translation>保存到文件…</translation>
+    </message>
+    <message>
+        <source>Open a file…</source>
+        <translation>打开文件…</translation>
+    </message>
+    <message>
+        <source>Restore</source>
+        <translation>恢复</translation>
+    </message>
+    <message>
+        <source>Reading was stopped; what was read is shown.</source>
+        <translation>已停止读取；显示的是已读到的参数。</translation>
+    </message>
+    <message>
+        <source>Save the parameters of the arm</source>
+        <translation>保存机械臂参数</translation>
+    </message>
+    <message>
+        <source>Saved {count} parameters to {path}.</source>
+        <translation>已将 {count} 个参数保存到 {path}。</translation>
+    </message>
+    <message>
+        <source>{missing} could not be read from the arm and are not in the file.</source>
+        <translation>有 {missing} 个参数未能从机械臂读出，文件中没有。</translation>
+    </message>
+    <message>
+        <source>Open a parameter backup</source>
+        <translation>打开参数备份</translation>
+    </message>
+    <message>
+        <source>The file is from an arm of protocol generation {filed}, this one speaks generation {here}. What both have can be restored; the steps of the values differ.</source>
+        <translation>文件来自第 {filed} 代协议的机械臂，当前机械臂为第 {here} 代。两者都有的参数可以恢复；数值的分辨率不同。</translation>
+    </message>
+    <message>
+        <source>The file is from firmware {filed}, this arm has {here}. Check the values before you restore them.</source>
+        <translation>文件来自固件 {filed}，当前机械臂的固件为 {here}。恢复前请核对数值。</translation>
+    </message>
+    <message>
+        <source>Restore parameters</source>
+        <translation>恢复参数</translation>
+    </message>
+    <message>
+        <source>{count} parameters of the arm are set to what the file says, limits and collision levels among them if they are chosen. Each is read back and compared.</source>
+        <translation>将把机械臂的 {count} 个参数设为文件中的值；如已选中，限位和碰撞等级也会改变。每个参数都会回读并比较。</translation>
+    </message>
+    <message>
+        <source>Restored {count} parameters: read back from the arm, and the same.</source>
+        <translation>已恢复 {count} 个参数：已从机械臂回读，数值一致。</translation>
+    </message>
+    <message>
+        <source>{failed} of {count} parameters were not restored.</source>
+        <translation>{count} 个参数中有 {failed} 个未恢复。</translation>
+    </message>
+    <message>
+        <source>No file is open; the arm&apos;s own values are shown.</source>
+        <translation>未打开文件；显示的是机械臂当前的值。</translation>
+    </message>
+    <message>
+        <source>Stop reading</source>
+        <translation>停止读取</translation>
+    </message>
+    <message>
+        <source>Read</source>
+        <translation>读取</translation>
+    </message>
+    <message>
+        <source>Open a file first.</source>
+        <translation>请先打开文件。</translation>
+    </message>
+    <message>
+        <source>Choose what differs in the table first.</source>
+        <translation>请先在表中勾选不同的参数。</translation>
+    </message>
+    <message>
+        <source>{name}: saved {time}, {model}, {device}, generation {generation}, {firmware}</source>
+        <translation>{name}：保存于 {time}，{model}，{device}，第 {generation} 代，{firmware}</translation>
+    </message>
+    <message>
+        <source>The file is from a {filed}, this arm is a {here}: the limits of one may be wrong for the other. Check the values before you restore them.</source>
+        <translation>该文件来自 {filed}，当前机械臂为 {here}：两种型号的限位可能不通用。恢复前请核对数值。</translation>
+    </message>
+</context>
+<context>
+    <name>BackupModel</name>
+    <message>
+        <source>Parameter</source>
+        <translation>参数</translation>
+    </message>
+    <message>
+        <source>In the file</source>
+        <translation>文件</translation>
+    </message>
+    <message>
+        <source>In the arm</source>
+        <translation>机械臂</translation>
+    </message>
+    <message>
+        <source>Comparison</source>
+        <translation>比较</translation>
+    </message>
+    <message>
+        <source>… reading</source>
+        <translation>… 读取中</translation>
+    </message>
+    <message>
+        <source>… restoring</source>
+        <translation>… 恢复中</translation>
+    </message>
+    <message>
+        <source>✓ restored</source>
+        <translation>✓ 已恢复</translation>
+    </message>
+    <message>
+        <source>✗ not restored</source>
+        <translation>✗ 未恢复</translation>
+    </message>
+    <message>
+        <source>≠ cannot be restored</source>
+        <translation>≠ 无法恢复</translation>
+    </message>
+</context>
+<context>
+    <name>BinButton</name>
+    <message>
+        <source>Recently deleted…</source>
+        <translation>最近删除…</translation>
+    </message>
+</context>
+<context>
+    <name>BinDialog</name>
+    <message>
+        <source>Choose what to bring back</source>
+        <translation>请选择要恢复的轨迹</translation>
+    </message>
+    <message>
+        <source>What is deleted can be brought back for {days} days. Where a name has been given anew meanwhile, a number is added.</source>
+        <translation>删除的轨迹在 {days} 天内可以恢复。如果名称已被占用，恢复后会加上编号。</translation>
+    </message>
+    <message>
+        <source>Nothing has been deleted in the last {days} days.</source>
+        <translation>最近 {days} 天内没有删除过轨迹。</translation>
+    </message>
+    <message>
+        <source>Recently deleted</source>
+        <translation>最近删除</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>名称</translation>
+    </message>
+    <message>
+        <source>Deleted</source>
+        <translation>删除时间</translation>
+    </message>
+    <message>
+        <source>Kept until</source>
+        <translation>保留至</translation>
+    </message>
+    <message>
+        <source>Bring back</source>
+        <translation>恢复</translation>
+    </message>
+</context>
+<context>
+    <name>BusError</name>
+    <message>
+        <source>a frame could not be sent in time</source>
+        <translation>有一帧未能及时发出</translation>
+    </message>
+    <message>
+        <source>arbitration lost: a frame of higher rank came first, which is normal</source>
+        <translation>仲裁失败：优先级更高的帧先发出，属正常现象</translation>
+    </message>
+    <message>
+        <source>the adapter&apos;s CAN controller reports</source>
+        <translation>适配器的 CAN 控制器有报告</translation>
+    </message>
+    <message>
+        <source>the adapter has lost frames: too slow for this bus, or its USB port is</source>
+        <translation>适配器丢失了帧：适配器或其 USB 接口跟不上这条总线</translation>
+    </message>
+    <message>
+        <source>the adapter has lost frames to be sent</source>
+        <translation>适配器丢失了待发送的帧</translation>
+    </message>
+    <message>
+        <source>many errors: check the cable and both terminating resistors (120 Ω)</source>
+        <translation>错误较多：请检查线缆和两端 120 Ω 终端电阻</translation>
+    </message>
+    <message>
+        <source>error passive: check CAN_H and CAN_L, both terminating resistors and the bit rate</source>
+        <translation>错误被动：请检查 CAN_H、CAN_L、两端终端电阻和波特率</translation>
+    </message>
+    <message>
+        <source>the errors have become few again</source>
+        <translation>错误已减少</translation>
+    </message>
+    <message>
+        <source>disturbed frame: check the cable, its shield, and the bit rate</source>
+        <translation>帧受到干扰：请检查线缆、屏蔽层和波特率</translation>
+    </message>
+    <message>
+        <source>transceiver: check CAN_H and CAN_L for a short or an open line</source>
+        <translation>收发器：请检查 CAN_H、CAN_L 是否短路或断路</translation>
+    </message>
+    <message>
+        <source>nobody acknowledges: check the arm&apos;s power, the cable and the bit rate</source>
+        <translation>无人应答：请检查机械臂电源、线缆和波特率</translation>
+    </message>
+    <message>
+        <source>bus off: too many errors, the adapter takes no part. Check the cable, both terminating resistors (120 Ω) and the bit rate, then connect again</source>
+        <translation>总线关闭（bus off）：错误过多，适配器已退出总线。请检查线缆、两端 120 Ω 终端电阻和波特率，然后重新连接</translation>
+    </message>
+    <message>
+        <source>error on the bus: check the cable</source>
+        <translation>总线错误：请检查线缆</translation>
+    </message>
+    <message>
+        <source>the adapter takes part again</source>
+        <translation>适配器已重新加入总线</translation>
+    </message>
+    <message>
+        <source>the adapter tells no more</source>
+        <translation>适配器未给出更多信息</translation>
+    </message>
+</context>
+<context>
+    <name>BusMonitor</name>
+    <message>
+        <source>silent</source>
+        <translation>已静默</translation>
+    </message>
+    <message>
+        <source>Show as curve</source>
+        <translation>显示为曲线</translation>
+    </message>
+    <message>
+        <source>ID</source>
+        <translation>ID</translation>
+    </message>
+    <message>
+        <source>Message</source>
+        <translation>报文</translation>
+    </message>
+    <message>
+        <source>Sender</source>
+        <translation>发送方</translation>
+    </message>
+    <message>
+        <source>Data</source>
+        <translation>数据</translation>
+    </message>
+    <message>
+        <source>Rate, Hz</source>
+        <translation>频率 Hz</translation>
+    </message>
+    <message>
+        <source>Jitter, ms</source>
+        <translation>抖动 ms</translation>
+    </message>
+    <message>
+        <source>Count</source>
+        <translation>帧数</translation>
+    </message>
+    <message>
+        <source>Last</source>
+        <translation>最近一帧</translation>
+    </message>
+    <message>
+        <source>The identifier on the bus, offsets of 0x470 included</source>
+        <translation>总线上的 ID，包含 0x470 设置的偏移</translation>
+    </message>
+    <message>
+        <source>What the frame is; its signals are below it</source>
+        <translation>该帧的含义；下方是其中的信号</translation>
+    </message>
+    <message>
+        <source>By the identifier: what is not this program&apos;s and no arm sends is another host&apos;s</source>
+        <translation>按 ID 判断：既不是本程序发送、也不是机械臂会发送的帧，属于其他上位机</translation>
+    </message>
+    <message>
+        <source>Bytes that have changed within the last second are lit</source>
+        <translation>最近 1 秒内变化过的字节会点亮</translation>
+    </message>
+    <message>
+        <source>Over the last 3 s, and at least 8 cycles</source>
+        <translation>按最近 3 秒计算，至少 8 个周期</translation>
+    </message>
+    <message>
+        <source>How far the cycles of the last 3 s are from their mean on average / the longest cycle since the counting began</source>
+        <translation>最近 3 秒内周期与其平均值的平均偏差 / 开始统计以来最长的周期</translation>
+    </message>
+    <message>
+        <source>Since the counting began</source>
+        <translation>开始统计以来</translation>
+    </message>
+    <message>
+        <source>When the last one came</source>
+        <translation>最近一帧到达的时间</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>时间</translation>
+    </message>
+    <message>
+        <source>Says</source>
+        <translation>内容</translation>
+    </message>
+</context>
+<context>
+    <name>BusPage</name>
+    <message>
+        <source>Counted since {time}, when opened or cleared: {count} frames</source>
+        <translation>自 {time}（打开或清空）起统计：{count} 帧</translation>
+    </message>
+    <message>
+        <source>Paused: the figures are those of {time}</source>
+        <translation>已暂停：显示的是 {time} 的数值</translation>
+    </message>
+    <message>
+        <source>Generation not known yet: read as generation 2</source>
+        <translation>协议代次未知：暂按第 2 代解读</translation>
+    </message>
+    <message>
+        <source>Show as curve</source>
+        <translation>显示为曲线</translation>
+    </message>
+    <message>
+        <source>Show this identifier alone</source>
+        <translation>只显示该 ID</translation>
+    </message>
+    <message>
+        <source>Copy {frame}</source>
+        <translation>复制 {frame}</translation>
+    </message>
+    <message>
+        <source>Into the fields for sending</source>
+        <translation>填入发送栏</translation>
+    </message>
+    <message>
+        <source>Bus monitor</source>
+        <translation>总线监视</translation>
+    </message>
+    <message>
+        <source>Frames by identifier</source>
+        <translation>按 ID 排列的帧</translation>
+    </message>
+    <message>
+        <source>Frames in order of time</source>
+        <translation>按时间排列的帧</translation>
+    </message>
+</context>
+<context>
+    <name>BusSummary</name>
+    <message>
+        <source>{count} frames were lost before the program could read them: the computer is too busy, or the adapter too slow. What is shown is not all that was on the bus.</source>
+        <translation>有 {count} 帧在程序读取前丢失：电脑过于繁忙，或适配器太慢。这里显示的不是总线上的全部帧。</translation>
+    </message>
+    <message>
+        <source>The bus is nearly full: frames of low rank come late. Have less sent.</source>
+        <translation>总线接近满载：优先级低的帧会延迟。请减少发送量。</translation>
+    </message>
+    <message>
+        <source>Not counted here: {late} frames that came while the window was held up, {more} of identifiers beyond the first {rows}.</source>
+        <translation>未计入：窗口受阻期间到达的 {late} 帧，以及超出前 {rows} 个 ID 的 {more} 帧。</translation>
+    </message>
+    <message>
+        <source>Bus load</source>
+        <translation>总线负载</translation>
+    </message>
+    <message>
+        <source>Frames</source>
+        <translation>帧</translation>
+    </message>
+    <message>
+        <source>Error frames</source>
+        <translation>错误帧</translation>
+    </message>
+    <message>
+        <source>Lost frames</source>
+        <translation>丢失帧</translation>
+    </message>
+    <message>
+        <source>Of the bit rate, stuff bits not counted; right button: show as curve</source>
+        <translation>占波特率的比例，不计填充位；右键可显示为曲线</translation>
+    </message>
+    <message>
+        <source>A second, those of this program included</source>
+        <translation>每秒帧数，包括本程序发送的帧</translation>
+    </message>
+    <message>
+        <source>Errors on the bus that the adapter has reported since the counting began</source>
+        <translation>开始统计以来适配器报告的总线错误</translation>
+    </message>
+    <message>
+        <source>Lost by the system&apos;s queue or by the adapter since the counting began</source>
+        <translation>开始统计以来被系统队列或适配器丢失的帧</translation>
+    </message>
+</context>
+<context>
+    <name>ButtonRows</name>
+    <message>
+        <source>Pressed: {buttons}</source>
+        <translation>按下：{buttons}</translation>
+    </message>
+    <message>
+        <source>No button</source>
+        <translation>不分配</translation>
+    </message>
+    <message>
+        <source>The buttons as they are at first</source>
+        <translation>恢复为初始的按键分配</translation>
+    </message>
+    <message>
+        <source>Restore</source>
+        <translation>恢复默认</translation>
+    </message>
+</context>
+<context>
+    <name>CancellableProgress</name>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+</context>
+<context>
+    <name>CartesianPanel</name>
+    <message>
+        <source>Fills the fields with the measured pose; nothing moves.</source>
+        <translation>把当前位姿填入输入框，不会运动。</translation>
+    </message>
+    <message>
+        <source>Moves to the pose, each joint on its own way.</source>
+        <translation>移到该位姿，各关节各自运动。</translation>
+    </message>
+    <message>
+        <source>Moves to the pose on a straight line.</source>
+        <translation>沿直线移到该位姿。</translation>
+    </message>
+    <message>
+        <source>Tool centre point</source>
+        <translation>工具中心点</translation>
+    </message>
+    <message>
+        <source>Flange (no tool set)</source>
+        <translation>法兰（未设置工具）</translation>
+    </message>
+    <message>
+        <source>Measured</source>
+        <translation>测量</translation>
+    </message>
+    <message>
+        <source>Tool control</source>
+        <translation>末端控制</translation>
+    </message>
+    <message>
+        <source>Load</source>
+        <translation>装载</translation>
+    </message>
+</context>
+<context>
+    <name>CloseButton</name>
+    <message>
+        <source>Close</source>
+        <translation>关闭</translation>
+    </message>
+</context>
+<context>
+    <name>CloseQuestion</name>
+    <message>
+        <source>The arm is moving</source>
+        <translation>机械臂正在运动</translation>
+    </message>
+    <message>
+        <source>If the motion is ended, the arm comes to rest where it is; its motors stay enabled. If it is let finish, it goes on to its target, and this program cannot stop it any more. Press the emergency stop if it must not move.</source>
+        <translation>结束运动：机械臂在当前位置停下，电机保持使能。任其完成：机械臂继续运动到目标位置，本程序将无法再停止它。如果机械臂不得运动，请按急停。</translation>
+    </message>
+    <message>
+        <source>End the motion and close</source>
+        <translation>结束运动并关闭</translation>
+    </message>
+    <message>
+        <source>Let it finish and close</source>
+        <translation>任其完成并关闭</translation>
+    </message>
+</context>
+<context>
+    <name>CollisionPanel</name>
+    <message>
+        <source>Collision level</source>
+        <translation>碰撞等级</translation>
+    </message>
+    <message>
+        <source>Levels 1 to 8 watch for collisions; level 0 does not watch at all. The maker has not published whether 1 or 8 is the more sensitive one.</source>
+        <translation>1–8 级检测碰撞，0 级不检测。厂家未公布 1 级与 8 级哪个更灵敏。</translation>
+    </message>
+    <message>
+        <source>Level 0 – no collision detection: {joints} will not stop when they hit something or someone.</source>
+        <translation>等级 0 – 不检测碰撞：{joints} 碰到物体或人时不会停止。</translation>
+    </message>
+    <message>
+        <source>This switches the collision detection of {joints} off: the arm will not stop when they hit something or someone. Keep everyone out of its reach.</source>
+        <translation>将关闭 {joints} 的碰撞检测：碰到物体或人时机械臂不会停止。请确保工作范围内无人。</translation>
+    </message>
+    <message>
+        <source>no detection</source>
+        <translation>不检测</translation>
+    </message>
+</context>
+<context>
+    <name>ColorDialog</name>
+    <message>
+        <source>Colour of the lamps</source>
+        <translation>灯光颜色</translation>
+    </message>
+</context>
+<context>
+    <name>ColumnPicker</name>
+    <message>
+        <source>Guessed: check it</source>
+        <translation>推测值，请核对</translation>
+    </message>
+    <message>
+        <source>Column {number}</source>
+        <translation>第 {number} 列</translation>
+    </message>
+    <message>
+        <source>Wait</source>
+        <translation>间隔时间</translation>
+    </message>
+    <message>
+        <source>Gripper</source>
+        <translation>夹爪</translation>
+    </message>
+    <message>
+        <source>Ignored</source>
+        <translation>忽略</translation>
+    </message>
+    <message>
+        <source>{column}: quantity</source>
+        <translation>{column}：含义</translation>
+    </message>
+    <message>
+        <source>{column}: unit</source>
+        <translation>{column}：单位</translation>
+    </message>
+</context>
+<context>
+    <name>ColumnsOffer</name>
+    <message>
+        <source>Import by columns…</source>
+        <translation>按列导入…</translation>
+    </message>
+</context>
+<context>
+    <name>ColumnsPage</name>
+    <message>
+        <source>Importing {count} rows…</source>
+        <translation>正在导入 {count} 行…</translation>
+    </message>
+    <message>
+        <source>Not imported. {reason}</source>
+        <translation>未导入。{reason}</translation>
+    </message>
+    <message>
+        <source>Giving up the import…</source>
+        <translation>正在取消导入…</translation>
+    </message>
+    <message>
+        <source>Import by columns</source>
+        <translation>按列导入</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>名称</translation>
+    </message>
+    <message>
+        <source>Becomes</source>
+        <translation>导入为</translation>
+    </message>
+    <message>
+        <source>Recording</source>
+        <translation>录制轨迹</translation>
+    </message>
+    <message>
+        <source>Points, {move}</source>
+        <translation>轨迹点，{move}</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>速度</translation>
+    </message>
+    <message>
+        <source>Of points for which no column says it</source>
+        <translation>用于未由列给出速度的轨迹点</translation>
+    </message>
+    <message>
+        <source>Import</source>
+        <translation>导入</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>{file}: {count} columns, {rows} rows; the first rows are shown</source>
+        <translation>{file}：{count} 列，{rows} 行；下面显示前几行</translation>
+    </message>
+    <message>
+        <source>; {count} further columns are left out</source>
+        <translation>；另有 {count} 列未显示</translation>
+    </message>
+    <message>
+        <source>Columns {columns} may be radians or degrees: say which.</source>
+        <translation>第 {columns} 列可能是弧度，也可能是度：请选择。</translation>
+    </message>
+    <message>
+        <source>Or choose “{choice}” under “{becomes}”: the columns suffice for that.</source>
+        <translation>或把“{becomes}”改为“{choice}”：现有的列已足够。</translation>
+    </message>
+    <message>
+        <source>What is needed depends on “{becomes}”.</source>
+        <translation>需要哪些列取决于“{becomes}”。</translation>
+    </message>
+    <message>
+        <source>The angles are in different units: {columns}. Check that this is meant.</source>
+        <translation>各角度的单位不同：{columns}。请确认无误。</translation>
+    </message>
+    <message>
+        <source>Radians</source>
+        <translation>弧度</translation>
+    </message>
+    <message>
+        <source>Degrees</source>
+        <translation>度</translation>
+    </message>
+</context>
+<context>
+    <name>CommandPalette</name>
+    <message>
+        <source>Nothing is called so. Chinese, English, pinyin and initials are found.</source>
+        <translation>没有这样的名称。可按中文、英文、拼音或拼音首字母查找。</translation>
+    </message>
+    <message>
+        <source>Commands</source>
+        <translation>命令</translation>
+    </message>
+    <message>
+        <source>Name, pinyin or initials, in Chinese or English</source>
+        <translation>名称、拼音或首字母，中英文均可</translation>
+    </message>
+    <message>
+        <source>Search for a command</source>
+        <translation>查找命令</translation>
+    </message>
+    <message>
+        <source>Commands found</source>
+        <translation>找到的命令</translation>
+    </message>
+</context>
+<context>
+    <name>CommandsButton</name>
+    <message>
+        <source>Commands</source>
+        <translation>命令</translation>
+    </message>
+</context>
+<context>
+    <name>CommunicationButton</name>
+    <message>
+        <source>Not connected</source>
+        <translation>未连接</translation>
+    </message>
+    <message>
+        <source>Connecting…</source>
+        <translation>连接中…</translation>
+    </message>
+    <message>
+        <source>Offline</source>
+        <translation>离线</translation>
+    </message>
+    <message>
+        <source>Online</source>
+        <translation>在线</translation>
+    </message>
+    <message>
+        <source>Connection lost</source>
+        <translation>连接断开</translation>
+    </message>
+    <message>
+        <source>No CAN device is connected. Press to choose one.</source>
+        <translation>没有连接 CAN 设备。点击选择设备。</translation>
+    </message>
+    <message>
+        <source>The CAN device is being opened.</source>
+        <translation>正在打开 CAN 设备。</translation>
+    </message>
+    <message>
+        <source>The CAN device is open, but no arm is heard on it. Check the arm&apos;s power, the cable and the bit rate.</source>
+        <translation>CAN 设备已打开，但没有收到机械臂的反馈。请检查机械臂电源、线缆和波特率。</translation>
+    </message>
+    <message>
+        <source>The arm is heard. Press to disconnect or choose another.</source>
+        <translation>正在接收机械臂的反馈。点击可断开或选择其它设备。</translation>
+    </message>
+    <message>
+        <source>The CAN device is gone. Plug it in again: it is reconnected by itself.</source>
+        <translation>CAN 设备已断开。重新插好后会自动连接。</translation>
+    </message>
+    <message>
+        <source>Its feedback comes from {feedback} on; see Linkage control.</source>
+        <translation>其反馈 ID 从 {feedback} 起，详见“联动控制”。</translation>
+    </message>
+    <message>
+        <source>Choose a device</source>
+        <translation>选择设备</translation>
+    </message>
+</context>
+<context>
+    <name>ConfirmDialog</name>
+    <message>
+        <source>Hold the button, or the space bar on it, for one second.</source>
+        <translation>请按住按钮（或在按钮上按住空格键）1 秒。</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+</context>
+<context>
+    <name>ConnectDialog</name>
+    <message>
+        <source>Connect arm</source>
+        <translation>连接机械臂</translation>
+    </message>
+    <message>
+        <source>CAN devices</source>
+        <translation>CAN 设备</translation>
+    </message>
+    <message>
+        <source>Refresh</source>
+        <translation>刷新</translation>
+    </message>
+    <message>
+        <source>Connect</source>
+        <translation>连接</translation>
+    </message>
+    <message>
+        <source>Disconnect</source>
+        <translation>断开</translation>
+    </message>
+    <message>
+        <source>Diagnosis…</source>
+        <translation>诊断…</translation>
+    </message>
+    <message>
+        <source>Bit rate</source>
+        <translation>波特率</translation>
+    </message>
+    <message>
+        <source>Listen only</source>
+        <translation>只听</translation>
+    </message>
+    <message>
+        <source>Beside another program: nothing is sent but the emergency stop.</source>
+        <translation>与其他程序同时使用：除急停外不发送任何帧。</translation>
+    </message>
+    <message>
+        <source>{bitrate} (generation 1)</source>
+        <translation>{bitrate}（第 1 代）</translation>
+    </message>
+    <message>
+        <source>The device is not in the list? Name it:</source>
+        <translation>列表中没有设备？请手动输入：</translation>
+    </message>
+    <message>
+        <source>The arm is moving</source>
+        <translation>机械臂正在运动</translation>
+    </message>
+    <message>
+        <source>Without the connection the arm goes on to its target, and the emergency stop of this program cannot reach it.</source>
+        <translation>断开后机械臂会继续运动到目标点，本程序的急停也无法再使其停止。</translation>
+    </message>
+    <message>
+        <source>Choose a device in the list first.</source>
+        <translation>请先在列表中选择设备。</translation>
+    </message>
+    <message>
+        <source>This device is connected.</source>
+        <translation>该设备已连接。</translation>
+    </message>
+    <message>
+        <source>No device is connected.</source>
+        <translation>没有已连接的设备。</translation>
+    </message>
+    <message>
+        <source>The search is under way.</source>
+        <translation>正在搜索。</translation>
+    </message>
+    <message>
+        <source>Connecting to {device}…</source>
+        <translation>正在连接 {device}…</translation>
+    </message>
+    <message>
+        <source>Online: {device}</source>
+        <translation>在线：{device}</translation>
+    </message>
+    <message>
+        <source>Searching for devices…</source>
+        <translation>正在搜索设备…</translation>
+    </message>
+    <message>
+        <source>Choose a device and press Connect.</source>
+        <translation>请选择设备，然后按“连接”。</translation>
+    </message>
+    <message>
+        <source>The simulated arm has no bit rate.</source>
+        <translation>仿真机械臂没有波特率。</translation>
+    </message>
+    <message>
+        <source>Set by the operating system, not by this program.</source>
+        <translation>由操作系统设置，本程序不能更改。</translation>
+    </message>
+    <message>
+        <source>Disconnect to change it.</source>
+        <translation>断开后可更改。</translation>
+    </message>
+</context>
+<context>
+    <name>ControlMode</name>
+    <message>
+        <source>Standby mode</source>
+        <translation>待机模式</translation>
+    </message>
+    <message>
+        <source>CAN command control mode</source>
+        <translation>CAN 指令控制模式</translation>
+    </message>
+    <message>
+        <source>Teaching mode</source>
+        <translation>示教模式</translation>
+    </message>
+    <message>
+        <source>Ethernet control mode</source>
+        <translation>以太网控制模式</translation>
+    </message>
+    <message>
+        <source>Wi-Fi control mode</source>
+        <translation>wifi 控制模式</translation>
+    </message>
+    <message>
+        <source>Remote controller mode</source>
+        <translation>遥控器控制模式</translation>
+    </message>
+    <message>
+        <source>Linked teaching input mode</source>
+        <translation>联动示教输入模式</translation>
+    </message>
+    <message>
+        <source>Offline trajectory mode</source>
+        <translation>离线轨迹模式</translation>
+    </message>
+</context>
+<context>
+    <name>ControlModeShort</name>
+    <message>
+        <source>Standby</source>
+        <translation>待机</translation>
+    </message>
+    <message>
+        <source>CAN commands</source>
+        <translation>CAN 指令</translation>
+    </message>
+    <message>
+        <source>Teaching</source>
+        <translation>示教</translation>
+    </message>
+    <message>
+        <source>Ethernet</source>
+        <translation>以太网</translation>
+    </message>
+    <message>
+        <source>Wi-Fi</source>
+        <translation>wifi</translation>
+    </message>
+    <message>
+        <source>Remote controller</source>
+        <translation>遥控器</translation>
+    </message>
+    <message>
+        <source>Linked teaching input</source>
+        <translation>联动示教输入</translation>
+    </message>
+    <message>
+        <source>Offline trajectory</source>
+        <translation>离线轨迹</translation>
+    </message>
+</context>
+<context>
+    <name>CursorTable</name>
+    <message>
+        <source>Quantity</source>
+        <translation>物理量</translation>
+    </message>
+</context>
+<context>
+    <name>CurveMenu</name>
+    <message>
+        <source>Show as curve</source>
+        <translation>显示为曲线</translation>
+    </message>
+</context>
+<context>
+    <name>Device</name>
+    <message>
+        <source>Simulated arm, gen. {generation}</source>
+        <translation>仿真机械臂（第 {generation} 代）</translation>
+    </message>
+</context>
+<context>
+    <name>DeviceModel</name>
+    <message>
+        <source>State</source>
+        <translation>状态</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>类型</translation>
+    </message>
+    <message>
+        <source>Channel</source>
+        <translation>通道</translation>
+    </message>
+    <message>
+        <source>Serial number</source>
+        <translation>序列号</translation>
+    </message>
+    <message>
+        <source>Bit rate</source>
+        <translation>波特率</translation>
+    </message>
+    <message>
+        <source>Connecting…</source>
+        <translation>连接中…</translation>
+    </message>
+    <message>
+        <source>Offline</source>
+        <translation>离线</translation>
+    </message>
+    <message>
+        <source>Online</source>
+        <translation>在线</translation>
+    </message>
+    <message>
+        <source>Connection lost</source>
+        <translation>连接断开</translation>
+    </message>
+</context>
+<context>
+    <name>DialectBar</name>
+    <message>
+        <source>Encoding</source>
+        <translation>编码</translation>
+    </message>
+    <message>
+        <source>Delimiter</source>
+        <translation>分隔符</translation>
+    </message>
+    <message>
+        <source>Decimal sign</source>
+        <translation>小数点</translation>
+    </message>
+    <message>
+        <source>Figures from line</source>
+        <translation>数据起始行</translation>
+    </message>
+    <message>
+        <source>The line above it holds the titles, if it has as many cells as there are</source>
+        <translation>上一行的单元格数与列数相同时，作为列标题</translation>
+    </message>
+    <message>
+        <source>comma ,</source>
+        <translation>逗号 ,</translation>
+    </message>
+    <message>
+        <source>semicolon ;</source>
+        <translation>分号 ;</translation>
+    </message>
+    <message>
+        <source>tab</source>
+        <translation>制表符</translation>
+    </message>
+    <message>
+        <source>vertical bar |</source>
+        <translation>竖线 |</translation>
+    </message>
+    <message>
+        <source>blanks</source>
+        <translation>空格</translation>
+    </message>
+    <message>
+        <source>point .</source>
+        <translation>点 .</translation>
+    </message>
+</context>
+<context>
+    <name>DoctorDialog</name>
+    <message>
+        <source>Diagnosis</source>
+        <translation>诊断</translation>
+    </message>
+    <message>
+        <source>Copy report</source>
+        <translation>复制报告</translation>
+    </message>
+    <message>
+        <source>Examine again</source>
+        <translation>重新诊断</translation>
+    </message>
+    <message>
+        <source>Only looked and listened: nothing was sent. In a terminal: armui doctor</source>
+        <translation>仅查看和监听，没有发送任何报文。终端命令：armui doctor</translation>
+    </message>
+    <message>
+        <source>en</source>
+        <translation>zh</translation>
+    </message>
+    <message>
+        <source>The examination is under way.</source>
+        <translation>正在诊断。</translation>
+    </message>
+    <message>
+        <source>There is no report yet.</source>
+        <translation>还没有报告。</translation>
+    </message>
+    <message>
+        <source>Looking at this computer, its CAN devices and the bus…</source>
+        <translation>正在检查本机、CAN 设备和总线…</translation>
+    </message>
+    <message>
+        <source>The examination failed: {text}</source>
+        <translation>诊断失败：{text}</translation>
+    </message>
+    <message>
+        <source>Faults: {faults}, warnings: {warnings}</source>
+        <translation>故障 {faults} 项，注意 {warnings} 项</translation>
+    </message>
+    <message>
+        <source>No fault was found.</source>
+        <translation>没有发现故障。</translation>
+    </message>
+</context>
+<context>
+    <name>DragAssistancePanel</name>
+    <message>
+        <source>Drag assistance</source>
+        <translation>拖动助力</translation>
+    </message>
+    <message>
+        <source>From 0, the joint does not help the hand, to 10, it helps most. Read and set with the arm at rest; keep a hand on it when it is led for the first time afterwards.</source>
+        <translation>0 表示该关节不助力，10 表示助力最大。请在机械臂静止时读取和设置；更改后首次拖动时请始终用手扶住机械臂。</translation>
+    </message>
+</context>
+<context>
+    <name>Drawer</name>
+    <message>
+        <source>Takes this page out into a window of its own, for a second screen.</source>
+        <translation>把本页移到独立窗口，例如放到第二块屏幕上。</translation>
+    </message>
+    <message>
+        <source>Own window</source>
+        <translation>独立窗口</translation>
+    </message>
+    <message>
+        <source>Fold away</source>
+        <translation>收起</translation>
+    </message>
+    <message>
+        <source>Folds the drawer away (Esc)</source>
+        <translation>收起抽屉 (Esc)</translation>
+    </message>
+</context>
+<context>
+    <name>DropStrip</name>
+    <message>
+        <source>Drag a quantity into a plot, or here for a plot of its own</source>
+        <translation>将量拖入图中，或拖到此处新建一张图</translation>
+    </message>
+</context>
+<context>
+    <name>EditorAction</name>
+    <message>
+        <source>Insert before</source>
+        <translation>在上方插入</translation>
+    </message>
+    <message>
+        <source>Insert after</source>
+        <translation>在下方插入</translation>
+    </message>
+    <message>
+        <source>Insert current pose</source>
+        <translation>插入当前位姿</translation>
+    </message>
+    <message>
+        <source>Replace by current pose</source>
+        <translation>替换为当前位姿</translation>
+    </message>
+    <message>
+        <source>Duplicate</source>
+        <translation>复制一份</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>删除</translation>
+    </message>
+    <message>
+        <source>Cut</source>
+        <translation>剪切</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>复制</translation>
+    </message>
+    <message>
+        <source>Paste</source>
+        <translation>粘贴</translation>
+    </message>
+    <message>
+        <source>Move up</source>
+        <translation>上移</translation>
+    </message>
+    <message>
+        <source>Move down</source>
+        <translation>下移</translation>
+    </message>
+    <message>
+        <source>Convert joint angles ↔ pose</source>
+        <translation>关节角 ↔ 位姿互换</translation>
+    </message>
+    <message>
+        <source>Go to this point</source>
+        <translation>运动到该点</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>保存</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>撤销</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>重做</translation>
+    </message>
+    <message>
+        <source>Find and replace</source>
+        <translation>查找与替换</translation>
+    </message>
+    <message>
+        <source>Check</source>
+        <translation>检查</translation>
+    </message>
+    <message>
+        <source>Jog</source>
+        <translation>点动</translation>
+    </message>
+</context>
+<context>
+    <name>EditorHint</name>
+    <message>
+        <source>Insert current pose</source>
+        <translation>插入当前位姿</translation>
+    </message>
+    <message>
+        <source>Enter a point</source>
+        <translation>手动输入一点</translation>
+    </message>
+    <message>
+        <source>No points yet</source>
+        <translation>还没有点</translation>
+    </message>
+    <message>
+        <source>Bring the arm to the first point, by the jog buttons or by hand, and insert where it is. Or enter a point as figures. Then the next one.</source>
+        <translation>用点动按钮或用手把机械臂带到第一个点，再插入当前位姿；也可以直接输入数值。</translation>
+    </message>
+</context>
+<context>
+    <name>EditorJog</name>
+    <message>
+        <source>Insert current pose</source>
+        <translation>插入当前位姿</translation>
+    </message>
+    <message>
+        <source>Makes a point of where the arm is now, after the chosen row.</source>
+        <translation>在所选行之后，把机械臂当前位姿插入为一个点。</translation>
+    </message>
+</context>
+<context>
+    <name>EditorPage</name>
+    <message>
+        <source>Note</source>
+        <translation>备注</translation>
+    </message>
+    <message>
+        <source>Unsaved changes</source>
+        <translation>未保存的修改</translation>
+    </message>
+    <message>
+        <source>These changes were not saved when the program ended. Save them, or undo them.</source>
+        <translation>程序结束时这些更改未保存。请保存，或撤销。</translation>
+    </message>
+    <message>
+        <source>Ended at row {row}. {reason}</source>
+        <translation>在第 {row} 行结束。{reason}</translation>
+    </message>
+    <message>
+        <source>Saved.</source>
+        <translation>已保存。</translation>
+    </message>
+    <message>
+        <source>Not pasted. {reason}</source>
+        <translation>未粘贴。{reason}</translation>
+    </message>
+    <message>
+        <source>What this trajectory is for</source>
+        <translation>该轨迹的用途</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>轨迹点</translation>
+    </message>
+    <message>
+        <source>Saved. Another program had changed “{name}” since it was opened here: what it saved is in the library under “Recently deleted…”.</source>
+        <translation>已保存。“{name}”在此处打开后被另一个程序修改过：其保存的内容可在轨迹库的“最近删除…”中找到。</translation>
+    </message>
+    <message>
+        <source>“{name}” has been saved since these unsaved changes were kept: they are not put over it. They are in the library under “Recently deleted…”.</source>
+        <translation>“{name}”在这些未保存的更改之后又保存过：未用它们覆盖，可在轨迹库的“最近删除…”中找回。</translation>
+    </message>
+    <message>
+        <source>These points were taught on another arm: {pasted}. Those here were taught on {here}. The same joint angles may hold the tool elsewhere: check them, or undo.</source>
+        <translation>这些点在另一种机械臂上示教：{pasted}。此轨迹在 {here} 上示教。相同的关节角可能使工具处于别处：请检查，或撤销。</translation>
+    </message>
+    <message>
+        <source>The angles count from the zeros of {arm} now; poses stay as they are. Save it, or undo it.</source>
+        <translation>关节角现在以 {arm} 的零点计；位姿保持不变。请保存或撤销。</translation>
+    </message>
+</context>
+<context>
+    <name>EnableButton</name>
+    <message>
+        <source>Enabling…</source>
+        <translation>使能中…</translation>
+    </message>
+    <message>
+        <source>Disabling…</source>
+        <translation>失能中…</translation>
+    </message>
+    <message>
+        <source>Enabled</source>
+        <translation>使能</translation>
+    </message>
+    <message>
+        <source>Partly enabled</source>
+        <translation>部分使能</translation>
+    </message>
+    <message>
+        <source>Unknown</source>
+        <translation>未知</translation>
+    </message>
+    <message>
+        <source>Disabled</source>
+        <translation>失能</translation>
+    </message>
+</context>
+<context>
+    <name>EndLimitsPanel</name>
+    <message>
+        <source>End speed limits</source>
+        <translation>配速设置</translation>
+    </message>
+    <message>
+        <source>Factory limits for the end</source>
+        <translation>末端恢复出厂值</translation>
+    </message>
+    <message>
+        <source>The greatest speeds and accelerations of the end become what they were when the arm left the factory: straight lines and arcs may run faster than they do now.</source>
+        <translation>末端的最大速度和加速度将恢复为出厂值：直线和圆弧运动可能比现在更快。</translation>
+    </message>
+</context>
+<context>
+    <name>EndLoad</name>
+    <message>
+        <source>No load</source>
+        <translation>空载</translation>
+    </message>
+    <message>
+        <source>Half load</source>
+        <translation>半载</translation>
+    </message>
+    <message>
+        <source>Full load</source>
+        <translation>满载</translation>
+    </message>
+    <message>
+        <source>Not given</source>
+        <translation>未设置</translation>
+    </message>
+</context>
+<context>
+    <name>EndLoadPanel</name>
+    <message>
+        <source>The arm reports</source>
+        <translation>机械臂正在上报</translation>
+    </message>
+    <message>
+        <source>Not heard</source>
+        <translation>未收到</translation>
+    </message>
+    <message>
+        <source>Switch off</source>
+        <translation>关闭</translation>
+    </message>
+    <message>
+        <source>Switch on</source>
+        <translation>开启</translation>
+    </message>
+    <message>
+        <source>Tells the arm what it carries: it holds against that weight.</source>
+        <translation>告知机械臂末端负载，以便其补偿重量。</translation>
+    </message>
+    <message>
+        <source>Switches the periodic frames 0x481–0x486.</source>
+        <translation>开启或关闭 0x481–0x486 周期反馈。</translation>
+    </message>
+    <message>
+        <source>End load</source>
+        <translation>末端负载</translation>
+    </message>
+    <message>
+        <source>Confirm</source>
+        <translation>确认</translation>
+    </message>
+    <message>
+        <source>The arm answers this setting and cannot be asked for it afterwards.</source>
+        <translation>机械臂会应答此设置，但之后无法查询。</translation>
+    </message>
+    <message>
+        <source>Speed and acceleration of the end, by joint</source>
+        <translation>各关节末端速度/加速度</translation>
+    </message>
+    <message>
+        <source>Linear speed</source>
+        <translation>线速度</translation>
+    </message>
+    <message>
+        <source>Angular speed</source>
+        <translation>角速度</translation>
+    </message>
+    <message>
+        <source>Linear acceleration</source>
+        <translation>线加速度</translation>
+    </message>
+    <message>
+        <source>Angular acceleration</source>
+        <translation>角加速度</translation>
+    </message>
+</context>
+<context>
+    <name>EventBar</name>
+    <message>
+        <source>{shown} of {kept}</source>
+        <translation>{shown} / {kept}</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>搜索</translation>
+    </message>
+    <message>
+        <source>Every level</source>
+        <translation>全部级别</translation>
+    </message>
+    <message>
+        <source>Warnings and faults</source>
+        <translation>警告和故障</translation>
+    </message>
+    <message>
+        <source>Faults</source>
+        <translation>故障</translation>
+    </message>
+    <message>
+        <source>Level</source>
+        <translation>级别</translation>
+    </message>
+    <message>
+        <source>Everybody</source>
+        <translation>全部来源</translation>
+    </message>
+    <message>
+        <source>Who asked, or says it</source>
+        <translation>发起方或来源</translation>
+    </message>
+    <message>
+        <source>Follow</source>
+        <translation>跟随最新</translation>
+    </message>
+    <message>
+        <source>Keep the newest event in sight</source>
+        <translation>始终显示最新的事件</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>保存</translation>
+    </message>
+    <message>
+        <source>Shown events as CSV…</source>
+        <translation>所示事件存为 CSV…</translation>
+    </message>
+    <message>
+        <source>Shown events as JSON…</source>
+        <translation>所示事件存为 JSON…</translation>
+    </message>
+    <message>
+        <source>Shown events as text…</source>
+        <translation>所示事件存为文本…</translation>
+    </message>
+    <message>
+        <source>Copy shown events</source>
+        <translation>复制所示事件</translation>
+    </message>
+</context>
+<context>
+    <name>EventExport</name>
+    <message>
+        <source>Save the events</source>
+        <translation>保存事件</translation>
+    </message>
+    <message>
+        <source>Copied</source>
+        <translation>已复制</translation>
+    </message>
+</context>
+<context>
+    <name>EventKind</name>
+    <message>
+        <source>Command</source>
+        <translation>指令</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>结果</translation>
+    </message>
+    <message>
+        <source>Status</source>
+        <translation>状态</translation>
+    </message>
+    <message>
+        <source>Fault</source>
+        <translation>故障</translation>
+    </message>
+    <message>
+        <source>Connection</source>
+        <translation>连接</translation>
+    </message>
+    <message>
+        <source>Other host</source>
+        <translation>其他程序</translation>
+    </message>
+    <message>
+        <source>Bus</source>
+        <translation>总线</translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation>程序</translation>
+    </message>
+</context>
+<context>
+    <name>EventPage</name>
+    <message>
+        <source>Show in the curves</source>
+        <translation>在曲线中显示</translation>
+    </message>
+    <message>
+        <source>Show its end in the curves</source>
+        <translation>在曲线中显示其结束</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>复制</translation>
+    </message>
+    <message>
+        <source>Only this kind</source>
+        <translation>仅此类别</translation>
+    </message>
+    <message>
+        <source>Only from here</source>
+        <translation>仅此来源</translation>
+    </message>
+    <message>
+        <source>Show all</source>
+        <translation>显示全部</translation>
+    </message>
+    <message>
+        <source>Events</source>
+        <translation>事件</translation>
+    </message>
+    <message>
+        <source>Double-click: show the moment in the curves</source>
+        <translation>双击：在曲线中显示该时刻</translation>
+    </message>
+</context>
+<context>
+    <name>EventTable</name>
+    <message>
+        <source>Time</source>
+        <translation>时间</translation>
+    </message>
+    <message>
+        <source>Until</source>
+        <translation>结束</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>类别</translation>
+    </message>
+    <message>
+        <source>Who</source>
+        <translation>来源</translation>
+    </message>
+    <message>
+        <source>Event</source>
+        <translation>事件</translation>
+    </message>
+    <message>
+        <source>Answer</source>
+        <translation>应答</translation>
+    </message>
+    <message>
+        <source>Read back</source>
+        <translation>回读</translation>
+    </message>
+    <message>
+        <source>Count</source>
+        <translation>次数</translation>
+    </message>
+    <message>
+        <source>{begin} until {end} ({seconds} s)</source>
+        <translation>{begin} 至 {end}（{seconds} s）</translation>
+    </message>
+    <message>
+        <source>; its end was not heard</source>
+        <translation>；未收到其结束</translation>
+    </message>
+    <message>
+        <source>since {begin}</source>
+        <translation>自 {begin} 起</translation>
+    </message>
+    <message>
+        <source>{count} times, the last at {last}</source>
+        <translation>共 {count} 次，最近一次 {last}</translation>
+    </message>
+    <message>
+        <source>Answer after {seconds} s: {text}</source>
+        <translation>{seconds} s 后应答：{text}</translation>
+    </message>
+    <message>
+        <source>Read back after {seconds} s: {text}</source>
+        <translation>{seconds} s 后回读：{text}</translation>
+    </message>
+    <message>
+        <source>goes on</source>
+        <translation>持续中</translation>
+    </message>
+    <message>
+        <source>not heard</source>
+        <translation>未收到</translation>
+    </message>
+    <message>
+        <source>Level</source>
+        <translation>级别</translation>
+    </message>
+</context>
+<context>
+    <name>ExportDialog</name>
+    <message>
+        <source>Export a recording</source>
+        <translation>导出记录</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>导出</translation>
+    </message>
+    <message>
+        <source>{target} is there already. It will be replaced when the export is whole.</source>
+        <translation>{target} 已存在。导出完整写好后才会替换它。</translation>
+    </message>
+    <message>
+        <source>Replace the file?</source>
+        <translation>替换文件？</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>替换</translation>
+    </message>
+    <message>
+        <source>An export is under way.</source>
+        <translation>正在导出。</translation>
+    </message>
+    <message>
+        <source>Cancel the export</source>
+        <translation>取消导出</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>关闭</translation>
+    </message>
+    <message>
+        <source>The export was cancelled; nothing was written.</source>
+        <translation>导出已取消，没有写入任何文件。</translation>
+    </message>
+    <message>
+        <source>Exporting… {frames:,} frames read</source>
+        <translation>正在导出…… 已读取 {frames:,} 帧</translation>
+    </message>
+    <message>
+        <source>ROS 2 messages: joint states, targets, end pose, transforms of the links, diagnostics. For Foxglove, PlotJuggler, rerun and ROS 2 itself.</source>
+        <translation>ROS 2 消息：关节状态、目标、末端位姿、各连杆变换、诊断。可用 Foxglove、PlotJuggler、rerun、ROS 2 打开。</translation>
+    </message>
+    <message>
+        <source>A table as text: a row for each set of joint angles, all else as last heard then. For spreadsheets and scripts.</source>
+        <translation>文本表格：每收到一组关节角度为一行，其余各列为当时最近收到的值。适用于电子表格和脚本。</translation>
+    </message>
+    <message>
+        <source>The same table with types and units, small and quick to open. For pandas and the like; needs the package pyarrow.</source>
+        <translation>同一表格，带类型和单位，文件小、打开快。适用于 pandas 等工具；需要安装 pyarrow 包。</translation>
+    </message>
+    <message>
+        <source>The log cannot be read: {detail}</source>
+        <translation>无法读取该日志：{detail}</translation>
+    </message>
+    <message>
+        <source>The log has no such channel. It has: {detail}</source>
+        <translation>日志中没有此通道。现有通道：{detail}</translation>
+    </message>
+    <message>
+        <source>The log has no frames. No file was written.</source>
+        <translation>日志中没有任何帧。未写入文件。</translation>
+    </message>
+    <message>
+        <source>No frame of the log is an arm&apos;s. No file was written. Another channel?</source>
+        <translation>日志中没有机械臂的帧。未写入文件。是否应选择其他通道？</translation>
+    </message>
+    <message>
+        <source>A table has a row for each set of joint angles, and none was heard. No file was written. MCAP holds what else there is.</source>
+        <translation>表格中每组关节角度为一行，而日志中没有关节角度。未写入文件。其余内容可导出为 MCAP。</translation>
+    </message>
+    <message>
+        <source>Nothing was heard in this time. No file was written.</source>
+        <translation>此时间段内没有收到任何内容。未写入文件。</translation>
+    </message>
+    <message>
+        <source>{target} is there already.</source>
+        <translation>{target} 已存在。</translation>
+    </message>
+    <message>
+        <source>The target is the log itself. Choose another name.</source>
+        <translation>目标文件就是日志本身，请换一个名称。</translation>
+    </message>
+    <message>
+        <source>{target} cannot be written: {detail}</source>
+        <translation>无法写入 {target}：{detail}</translation>
+    </message>
+    <message>
+        <source>Parquet needs the package pyarrow: pip install &apos;armui[parquet]&apos;. CSV has the same table without it.</source>
+        <translation>Parquet 需要 pyarrow 包：pip install &apos;armui[parquet]&apos;。CSV 无需它，内容是同一表格。</translation>
+    </message>
+    <message>
+        <source>The export failed: {detail}</source>
+        <translation>导出失败：{detail}</translation>
+    </message>
+    <message>
+        <source>Saved: {target} ({items:,} rows)</source>
+        <translation>已保存：{target}（{items:,} 行）</translation>
+    </message>
+    <message>
+        <source>Saved: {target} ({items:,} messages)</source>
+        <translation>已保存：{target}（{items:,} 条消息）</translation>
+    </message>
+    <message>
+        <source>Only channel {channel} was exported; {count:,} frames of {others} were left out.</source>
+        <translation>只导出了通道 {channel}；{others} 的 {count:,} 帧未导出。</translation>
+    </message>
+    <message>
+        <source>A folder with a file for each message: every frame with its time, decoded into signals with their units.</source>
+        <translation>一个文件夹，每种报文一个文件：每一帧带时间，解码为带单位的信号。</translation>
+    </message>
+    <message>
+        <source>Unreadable places in the log: {count}; the first: {place} ({reason}). Everything else was exported.</source>
+        <translation>日志中有 {count} 处无法读取，第一处：{place}（{reason}）。其余内容均已导出。</translation>
+    </message>
+    <message>
+        <source>{count:,} of them do not belong to the arm.</source>
+        <translation>其中 {count:,} 帧不属于该机械臂。</translation>
+    </message>
+    <message>
+        <source>Exported as a {model}, but the end pose in the log fits a {fits}.</source>
+        <translation>已按 {model} 导出，但日志中的末端位姿与 {fits} 相符。</translation>
+    </message>
+    <message>
+        <source>{frames:,} frames read as generation {generation}, {model}.</source>
+        <translation>共 {frames:,} 帧，按第 {generation} 代协议读取，型号 {model}。</translation>
+    </message>
+</context>
+<context>
+    <name>ExportForm</name>
+    <message>
+        <source>Recording</source>
+        <translation>记录</translation>
+    </message>
+    <message>
+        <source>Format</source>
+        <translation>格式</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>时间段</translation>
+    </message>
+    <message>
+        <source>Protocol</source>
+        <translation>协议</translation>
+    </message>
+    <message>
+        <source>Channel</source>
+        <translation>通道</translation>
+    </message>
+    <message>
+        <source>Target</source>
+        <translation>目标文件</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>选择…</translation>
+    </message>
+    <message>
+        <source>Choose the recording</source>
+        <translation>选择记录</translation>
+    </message>
+    <message>
+        <source>Choose the target</source>
+        <translation>选择目标文件</translation>
+    </message>
+    <message>
+        <source>As the log tells</source>
+        <translation>按日志判断</translation>
+    </message>
+    <message>
+        <source>Generation 1</source>
+        <translation>第 1 代</translation>
+    </message>
+    <message>
+        <source>Generation 2</source>
+        <translation>第 2 代</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation>至</translation>
+    </message>
+    <message>
+        <source>counted from the first frame</source>
+        <translation>从第一帧起计</translation>
+    </message>
+    <message>
+        <source>beginning</source>
+        <translation>开头</translation>
+    </message>
+    <message>
+        <source>end</source>
+        <translation>结尾</translation>
+    </message>
+    <message>
+        <source>From, in seconds from the first frame</source>
+        <translation>起点，从第一帧起的秒数</translation>
+    </message>
+    <message>
+        <source>Up to, in seconds from the first frame</source>
+        <translation>终点，从第一帧起的秒数</translation>
+    </message>
+    <message>
+        <source>the one on which an arm is heard</source>
+        <translation>有机械臂数据的通道</translation>
+    </message>
+    <message>
+        <source>Choose the recording first.</source>
+        <translation>请先选择记录。</translation>
+    </message>
+    <message>
+        <source>The time must begin at 0 s or later, and end after that.</source>
+        <translation>起点不得小于 0 秒，终点须大于起点。</translation>
+    </message>
+    <message>
+        <source>CAN log</source>
+        <translation>CAN 日志</translation>
+    </message>
+    <message>
+        <source>none chosen</source>
+        <translation>未选择</translation>
+    </message>
+    <message>
+        <source>beside the recording</source>
+        <translation>与记录同一文件夹</translation>
+    </message>
+    <message>
+        <source>CSV per message</source>
+        <translation>CSV（按报文）</translation>
+    </message>
+    <message>
+        <source>Choose where the folder of the export shall be</source>
+        <translation>选择导出文件夹的位置</translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <translation>型号</translation>
+    </message>
+    <message>
+        <source>As the recording tells</source>
+        <translation>按录制内容</translation>
+    </message>
+    <message>
+        <source>Where the links and the tool are depends on it. A recording of this program says it; of other logs it is the one that fits the end pose in them.</source>
+        <translation>连杆与工具的位置取决于型号。本程序的录制文件中已注明；其他日志取与其中末端位姿相符的型号。</translation>
+    </message>
+</context>
+<context>
+    <name>FailureLine</name>
+    <message>
+        <source>It has happened {count} times.</source>
+        <translation>已出现 {count} 次。</translation>
+    </message>
+    <message>
+        <source>Copy details</source>
+        <translation>复制详细信息</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>关闭</translation>
+    </message>
+    <message>
+        <source>An error in the program ({error}). The emergency stop works; every motion of this program has been ended. Copy the details for the developers.</source>
+        <translation>程序内部出错（{error}）。急停仍然有效；本程序的所有运动均已结束。请复制详细信息交给开发者。</translation>
+    </message>
+    <message>
+        <source>An error in the program ({error}). The emergency stop works; the part that failed can move nothing, and no motion was ended. Copy the details for the developers.</source>
+        <translation>程序内部出错（{error}）。急停仍然有效；出错部分不驱动任何运动，因此未结束运动。请复制详细信息交给开发者。</translation>
+    </message>
+</context>
+<context>
+    <name>FileDialog</name>
+    <message>
+        <source>Folder</source>
+        <translation>文件夹</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>类型</translation>
+    </message>
+</context>
+<context>
+    <name>FileExport</name>
+    <message>
+        <source>Not saved: {path}. {reason}</source>
+        <translation>未保存：{path}。{reason}</translation>
+    </message>
+    <message>
+        <source>Saved: {path}</source>
+        <translation>已保存：{path}</translation>
+    </message>
+</context>
+<context>
+    <name>FilePlace</name>
+    <message>
+        <source>{file}, line {line}, column {column}: {reason}</source>
+        <translation>{file}，第 {line} 行，第 {column} 列：{reason}</translation>
+    </message>
+    <message>
+        <source>{file}, line {line}: {reason}</source>
+        <translation>{file}，第 {line} 行：{reason}</translation>
+    </message>
+    <message>
+        <source>{file}: {reason}</source>
+        <translation>{file}：{reason}</translation>
+    </message>
+    <message>
+        <source>Line {line}, column {column}: {reason}</source>
+        <translation>第 {line} 行，第 {column} 列：{reason}</translation>
+    </message>
+    <message>
+        <source>Line {line}: {reason}</source>
+        <translation>第 {line} 行：{reason}</translation>
+    </message>
+</context>
+<context>
+    <name>FilterBar</name>
+    <message>
+        <source>Identifiers in hexadecimal: 2A1, 2A1-2A8, or value/mask as in 150/7F0</source>
+        <translation>十六进制 ID：2A1、2A1-2A8，或 值/掩码，例如 150/7F0</translation>
+    </message>
+    <message>
+        <source>“{value}” is no identifier; the filter stays as it was.</source>
+        <translation>“{value}”不是 ID；筛选保持不变。</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>暂停</translation>
+    </message>
+    <message>
+        <source>Go on</source>
+        <translation>继续</translation>
+    </message>
+    <message>
+        <source>By identifier</source>
+        <translation>按 ID</translation>
+    </message>
+    <message>
+        <source>In order of time</source>
+        <translation>按时间</translation>
+    </message>
+    <message>
+        <source>The figures stand as they are; what comes meanwhile is counted (Ctrl+P)</source>
+        <translation>数值停在当前；期间到达的帧仍会统计（Ctrl+P）</translation>
+    </message>
+    <message>
+        <source>Clear</source>
+        <translation>清空</translation>
+    </message>
+    <message>
+        <source>Counting begins anew, from nothing</source>
+        <translation>从零重新统计</translation>
+    </message>
+    <message>
+        <source>Name or identifier</source>
+        <translation>名称或 ID</translation>
+    </message>
+    <message>
+        <source>Identifiers</source>
+        <translation>ID</translation>
+    </message>
+    <message>
+        <source>Only changed</source>
+        <translation>仅变化的</translation>
+    </message>
+    <message>
+        <source>Frames of which a byte has changed since this was ticked</source>
+        <translation>勾选以后有字节变化的帧</translation>
+    </message>
+    <message>
+        <source>Only unknown or malformed</source>
+        <translation>仅未知或异常的</translation>
+    </message>
+    <message>
+        <source>From anybody</source>
+        <translation>所有发送方</translation>
+    </message>
+    <message>
+        <source>Sender</source>
+        <translation>发送方</translation>
+    </message>
+</context>
+<context>
+    <name>FindBar</name>
+    <message>
+        <source>Note</source>
+        <translation>备注</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>速度</translation>
+    </message>
+    <message>
+        <source>Dwell</source>
+        <translation>停留</translation>
+    </message>
+    <message>
+        <source>Where to look</source>
+        <translation>查找范围</translation>
+    </message>
+    <message>
+        <source>Find</source>
+        <translation>查找</translation>
+    </message>
+    <message>
+        <source>Replace by</source>
+        <translation>替换为</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>下一个</translation>
+    </message>
+    <message>
+        <source>Previous</source>
+        <translation>上一个</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>替换</translation>
+    </message>
+    <message>
+        <source>Replace all</source>
+        <translation>全部替换</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>关闭</translation>
+    </message>
+</context>
+<context>
+    <name>Finder</name>
+    <message>
+        <source>Not found</source>
+        <translation>未找到</translation>
+    </message>
+    <message>
+        <source>{place} of {count}</source>
+        <translation>第 {place} 处，共 {count} 处</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>替换</translation>
+    </message>
+    <message>
+        <source>{count} replaced</source>
+        <translation>已替换 {count} 处</translation>
+    </message>
+</context>
+<context>
+    <name>Finding</name>
+    <message>
+        <source>There is nothing to run. Add points, or record.</source>
+        <translation>没有可执行的内容。请添加轨迹点，或重新录制。</translation>
+    </message>
+    <message>
+        <source>Joint {joint} would be at {value}°, beyond its limits {minimum}° to {maximum}°. Change the point.</source>
+        <translation>关节 {joint} 将到 {value}°，超出限位 {minimum}° 至 {maximum}°。请修改该点。</translation>
+    </message>
+    <message>
+        <source>On the way joint {joint} would come to {value}°, beyond its limits {minimum}° to {maximum}°. Put another point between, or use MOVE J.</source>
+        <translation>途中关节 {joint} 将到 {value}°，超出限位 {minimum}° 至 {maximum}°。请在中间增加一点，或改用 MOVE J。</translation>
+    </message>
+    <message>
+        <source>After {gone} % of the way the tool would be out of reach. Put another point between, or use MOVE J.</source>
+        <translation>走完 {gone} % 后末端将超出工作范围。请在中间增加一点，或改用 MOVE J。</translation>
+    </message>
+    <message>
+        <source>After {gone} % of the way joint {joint} would have to leap: the arm is in a singular pose there. Put another point between, or use MOVE J.</source>
+        <translation>走完 {gone} % 后关节 {joint} 需要突变：该处为奇异点。请在中间增加一点，或改用 MOVE J。</translation>
+    </message>
+    <message>
+        <source>The point before, the middle and the end lie on a line or upon one another: that is no arc. Move the middle aside, or use MOVE L.</source>
+        <translation>上一点、中间点和终点共线或重合，不能构成圆弧。请移开中间点，或改用 MOVE L。</translation>
+    </message>
+    <message>
+        <source>This would begin where row {before} ends, and the arm does not come there. Change row {before} first.</source>
+        <translation>本点应从第 {before} 行的终点开始，但机械臂到不了那里。请先修改第 {before} 行。</translation>
+    </message>
+    <message>
+        <source>The arm would hit itself: {other} against {one}. Put another point between, or change the point.</source>
+        <translation>机械臂将碰到自身：{other}与{one}。请在中间增加一点，或修改该点。</translation>
+    </message>
+    <message>
+        <source>Joint {joint} would have to turn at {value}°/s; its limit is {maximum}°/s. Replay at {percent} % of this speed at most.</source>
+        <translation>关节 {joint} 需要以 {value}°/s 转动，上限为 {maximum}°/s。请以当前速度的 {percent} % 以下复现。</translation>
+    </message>
+    <message>
+        <source>The gripper would have to open {value} mm; it opens {maximum} mm at most. Enter less.</source>
+        <translation>夹爪需要张开 {value} mm，最大行程为 {maximum} mm。请改小。</translation>
+    </message>
+    <message>
+        <source>The way passes near a singular pose ({value}, should be {minimum} or more): joints turn fast there and the tool is slow. Use MOVE J, or turn the wrist.</source>
+        <translation>路径经过奇异点附近（{value}，应不小于 {minimum}）：该处关节转动快而末端缓慢。请改用 MOVE J，或改变手腕姿态。</translation>
+    </message>
+    <message>
+        <source>The first point is far from where the arm is: joint {joint} turns {value}°. Watch the way there in the preview, or bring the arm nearer first.</source>
+        <translation>第一点离机械臂当前位置较远：关节 {joint} 要转 {value}°。请在预览中查看这段路径，或先把机械臂移近。</translation>
+    </message>
+    <message>
+        <source>Joint {joint} turns {value}° to hold this pose. If that is not meant, give the point as joint angles.</source>
+        <translation>到达该位姿时关节 {joint} 要转 {value}°。如非本意，请改用关节角度表示该点。</translation>
+    </message>
+    <message>
+        <source>Joint {joint} jumps {value}° from the sample before. Trim the recording there, or record again.</source>
+        <translation>关节 {joint} 与上一采样相差 {value}°。请在此处裁剪，或重新录制。</translation>
+    </message>
+    <message>
+        <source>The tool would go at {value} mm/s; its limit is {maximum} mm/s, and the arm does not keep it here by itself. Lower the speed.</source>
+        <translation>末端速度将达 {value} mm/s，上限为 {maximum} mm/s，此处机械臂不会自行限速。请降低速度。</translation>
+    </message>
+    <message>
+        <source>The tool would be {value} mm below the plane the arm stands on. Accept this only if there is nothing.</source>
+        <translation>末端将低于机械臂安装平面 {value} mm。确认下方没有物体时才可接受。</translation>
+    </message>
+    <message>
+        <source>The flange cannot get there: the point is {missing} mm too far. Move it nearer.</source>
+        <translation>法兰无法到达该位置：还差 {missing} mm。请把该点移近。</translation>
+    </message>
+    <message>
+        <source>Where the arm stands now, it touches itself: {other} against {one}; after a stop it may have sunk. Jog it clear, or lift it by hand, then send again: nothing of the trajectory has to be changed.</source>
+        <translation>机械臂当前所在的位姿自身相碰：{other}与{one}；急停后它可能已下沉。请先点动或用手把它移开，再重新发送；轨迹本身无需修改。</translation>
+    </message>
+    <message>
+        <source>On the way there from where the arm stands now: {text} Bringing the arm nearer to this point first helps, too.</source>
+        <translation>从机械臂当前位置到该点的途中：{text}也可以先让机械臂靠近该点。</translation>
+    </message>
+    <message>
+        <source>Each of the first {cycles} cycles takes another way than those before, so that the next ones cannot be checked. Give one of the points as joint angles (MOVE J), or run fewer cycles.</source>
+        <translation>前 {cycles} 次循环的路径各不相同，之后的循环无法检查。请将其中一点改用关节角度（MOVE J），或减少循环次数。</translation>
+    </message>
+    <message>
+        <source>The arc begins with joint {joint} at its limit ({value}°): the arm may not find its way there again. End the point before a little further in, or use MOVE L.</source>
+        <translation>圆弧起点处关节 {joint} 位于限位（{value}°）：机械臂可能无法再求得该位姿的解。请让上一点离限位稍远，或改用 MOVE L。</translation>
+    </message>
+    <message>
+        <source>Two ways to hold this pose are about equally near: joint {joint} at {value}°, which was checked, or at {other}°. Give the point as joint angles, so that it is certain which.</source>
+        <translation>到达该位姿有两种远近相当的姿态：关节 {joint} 为 {value}°（已检查）或 {other}°。请改用关节角度表示该点，以确定采用哪一种。</translation>
+    </message>
+    <message>
+        <source>This was taught on another arm: {taught}; connected is {arm}. The same joint angles may hold the tool elsewhere. It was checked for {arm}, and nothing was converted. Watch the preview before you accept this.</source>
+        <translation>此轨迹在另一种机械臂上示教：{taught}；当前为 {arm}。同样的关节角可能使末端在别处。已按 {arm} 检查，未做任何换算。请先看预览再接受。</translation>
+    </message>
+</context>
+<context>
+    <name>FindingCycle</name>
+    <message>
+        <source>From cycle {cycle} on: {text}</source>
+        <translation>从第 {cycle} 次循环起：{text}</translation>
+    </message>
+</context>
+<context>
+    <name>FindingRow</name>
+    <message>
+        <source>Copy</source>
+        <translation>复制</translation>
+    </message>
+</context>
+<context>
+    <name>FindingsPane</name>
+    <message>
+        <source>Check: nothing found.</source>
+        <translation>检查：未发现问题。</translation>
+    </message>
+    <message>
+        <source>{count} more</source>
+        <translation>还有 {count} 条</translation>
+    </message>
+    <message>
+        <source>Run now</source>
+        <translation>立即运行</translation>
+    </message>
+    <message>
+        <source>Row {row}: {text}</source>
+        <translation>第 {row} 行：{text}</translation>
+    </message>
+    <message>
+        <source>✕ Error</source>
+        <translation>✕ 错误</translation>
+    </message>
+    <message>
+        <source>! Warning</source>
+        <translation>! 警告</translation>
+    </message>
+    <message>
+        <source>Accept the warnings and run</source>
+        <translation>接受警告并运行</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>关闭</translation>
+    </message>
+    <message>
+        <source>The check found errors: {errors}, warnings: {warnings}</source>
+        <translation>检查：{errors} 个错误，{warnings} 个警告</translation>
+    </message>
+</context>
+<context>
+    <name>FrameChoice</name>
+    <message>
+        <source>− and + along</source>
+        <translation>− / + 方向</translation>
+    </message>
+    <message>
+        <source>Base frame</source>
+        <translation>基坐标系</translation>
+    </message>
+    <message>
+        <source>Tool frame</source>
+        <translation>工具坐标系</translation>
+    </message>
+</context>
+<context>
+    <name>FrameEffect</name>
+    <message>
+        <source>A question or a lamp: nothing moves. A press sends it.</source>
+        <translation>查询或灯光：不会产生运动。按一下即发送。</translation>
+    </message>
+    <message>
+        <source>The motion under way ends or pauses; the joints keep their power.</source>
+        <translation>正在进行的运动会终止或暂停；关节保持上电。</translation>
+    </message>
+    <message>
+        <source>An emergency stop: the motors go limp and the arm sinks. Hold the arm. The stop button above is faster, reaches every identifier and is repeated until the arm confirms.</source>
+        <translation>急停：电机失力，机械臂会下沉。请扶住机械臂。上方的急停按钮更快，会发往每个 ID，并重复发送直到机械臂确认。</translation>
+    </message>
+    <message>
+        <source>Motors lose their power and there are no brakes: the ARM DROPS. Hold the arm.</source>
+        <translation>电机断电且没有抱闸：机械臂会坠落。请扶住机械臂。</translation>
+    </message>
+    <message>
+        <source>The joints go limp until their next setpoint: the ARM FALLS unless setpoints follow at once. Support the arm. Only a reset leads back from there.</source>
+        <translation>在下一个设定值到来之前关节失力：若没有设定值立即跟上，机械臂会坠落。请托住机械臂。之后只能通过复位恢复。</translation>
+    </message>
+    <message>
+        <source>Drives one motor past the arm&apos;s own planning and limits. With gains of 0 its joint has no strength and falls. Support the arm, keep away from it.</source>
+        <translation>绕过机械臂自身的规划和限位直接驱动一个电机。增益为 0 时该关节无力并坠落。请托住机械臂，并与其保持距离。</translation>
+    </message>
+    <message>
+        <source>The arm may set out at once, without any check. Keep away from it.</source>
+        <translation>机械臂可能立即运动，不经任何检查。请远离机械臂。</translation>
+    </message>
+    <message>
+        <source>The gripper may close, open or lose its power and let go, without any check. Keep your fingers away.</source>
+        <translation>夹爪可能闭合、张开，或断电松开，不经任何检查。请勿将手指放入。</translation>
+    </message>
+    <message>
+        <source>The joints give way to a hand, and sink if the load is not set. Hold the arm.</source>
+        <translation>关节可被手拖动；若未设置负载会下沉。请扶住机械臂。</translation>
+    </message>
+    <message>
+        <source>Motors get their power: joints may jerk. Keep away from the arm.</source>
+        <translation>电机上电：关节可能抖动。请远离机械臂。</translation>
+    </message>
+    <message>
+        <source>Changes whether the arm leads or follows, or its identifiers. It is kept when the arm is switched off, and the arm may fall silent to this program.</source>
+        <translation>改变机械臂的主从角色或其 ID。断电后仍保留，本程序可能再也收不到该机械臂。</translation>
+    </message>
+    <message>
+        <source>Changes something the arm keeps, also when it is switched off: zeros, limits, levels or the load. Read it anew in its panel afterwards.</source>
+        <translation>改变机械臂断电后仍保留的内容：零点、限位、等级或负载。之后请在相应面板中重新读取。</translation>
+    </message>
+    <message>
+        <source>The arm is told to say nothing: nobody sees what it does until it is told to speak again or is switched off and on.</source>
+        <translation>令机械臂静默：在解除静默或重新上电之前，无人能看到它在做什么。</translation>
+    </message>
+    <message>
+        <source>No public text says what this frame does. Expect anything: support the arm, keep away from it.</source>
+        <translation>没有公开资料说明该帧的作用，什么都可能发生：请托住机械臂，并与其保持距离。</translation>
+    </message>
+</context>
+<context>
+    <name>FrameKind</name>
+    <message>
+        <source>unknown identifier</source>
+        <translation>未知 ID</translation>
+    </message>
+    <message>
+        <source>wrong length</source>
+        <translation>长度错误</translation>
+    </message>
+    <message>
+        <source>value outside its table</source>
+        <translation>数值不在表中</translation>
+    </message>
+    <message>
+        <source>Error frame of the adapter</source>
+        <translation>适配器的错误帧</translation>
+    </message>
+    <message>
+        <source>Remote frame: a question without data</source>
+        <translation>远程帧：不带数据的请求</translation>
+    </message>
+    <message>
+        <source>CAN FD frame: the arm speaks classic CAN</source>
+        <translation>CAN FD 帧：机械臂使用经典 CAN</translation>
+    </message>
+    <message>
+        <source>29-bit identifier: the arm knows none</source>
+        <translation>29 位 ID：机械臂不使用</translation>
+    </message>
+    <message>
+        <source>Firmware upgrade: not documented</source>
+        <translation>固件升级：无公开资料</translation>
+    </message>
+    <message>
+        <source>Of an arm with other identifiers (0x470)</source>
+        <translation>属于 ID 偏移不同的机械臂（0x470）</translation>
+    </message>
+    <message>
+        <source>Unknown: not in the tables of this arm</source>
+        <translation>未知：不在该机械臂的协议表中</translation>
+    </message>
+</context>
+<context>
+    <name>FrameName</name>
+    <message>
+        <source>Lamp of a joint</source>
+        <translation>关节灯光</translation>
+    </message>
+    <message>
+        <source>Stop, trajectory and teaching command</source>
+        <translation>急停、轨迹与示教指令</translation>
+    </message>
+    <message>
+        <source>Control mode, kind of motion, speed</source>
+        <translation>控制模式、运动模式、速度</translation>
+    </message>
+    <message>
+        <source>Target X, Y</source>
+        <translation>目标 X、Y</translation>
+    </message>
+    <message>
+        <source>Target Z, RX</source>
+        <translation>目标 Z、RX</translation>
+    </message>
+    <message>
+        <source>Target RY, RZ</source>
+        <translation>目标 RY、RZ</translation>
+    </message>
+    <message>
+        <source>Target angles J1, J2</source>
+        <translation>目标角度 J1、J2</translation>
+    </message>
+    <message>
+        <source>Target angles J3, J4</source>
+        <translation>目标角度 J3、J4</translation>
+    </message>
+    <message>
+        <source>Target angles J5, J6</source>
+        <translation>目标角度 J5、J6</translation>
+    </message>
+    <message>
+        <source>Point of the arc</source>
+        <translation>圆弧点序号</translation>
+    </message>
+    <message>
+        <source>Gripper command</source>
+        <translation>夹爪指令</translation>
+    </message>
+    <message>
+        <source>MIT setpoint of J{joint}</source>
+        <translation>J{joint} MIT 设定值</translation>
+    </message>
+    <message>
+        <source>Driver of J{joint}, fast values</source>
+        <translation>J{joint} 驱动器高速反馈</translation>
+    </message>
+    <message>
+        <source>Driver of J{joint}, slow values</source>
+        <translation>J{joint} 驱动器低速反馈</translation>
+    </message>
+    <message>
+        <source>Arm status</source>
+        <translation>机械臂状态</translation>
+    </message>
+    <message>
+        <source>End pose X, Y</source>
+        <translation>末端位姿 X、Y</translation>
+    </message>
+    <message>
+        <source>End pose Z, RX</source>
+        <translation>末端位姿 Z、RX</translation>
+    </message>
+    <message>
+        <source>End pose RY, RZ</source>
+        <translation>末端位姿 RY、RZ</translation>
+    </message>
+    <message>
+        <source>Angles of J1, J2</source>
+        <translation>J1、J2 角度</translation>
+    </message>
+    <message>
+        <source>Angles of J3, J4</source>
+        <translation>J3、J4 角度</translation>
+    </message>
+    <message>
+        <source>Angles of J5, J6</source>
+        <translation>J5、J6 角度</translation>
+    </message>
+    <message>
+        <source>Gripper</source>
+        <translation>夹爪反馈</translation>
+    </message>
+    <message>
+        <source>Bus silence</source>
+        <translation>总线静默</translation>
+    </message>
+    <message>
+        <source>Linkage setting</source>
+        <translation>联动设置</translation>
+    </message>
+    <message>
+        <source>Motors on and off</source>
+        <translation>电机使能与失能</translation>
+    </message>
+    <message>
+        <source>Question: limits of a joint</source>
+        <translation>查询：关节限制</translation>
+    </message>
+    <message>
+        <source>Answer: angle and speed limits</source>
+        <translation>应答：角度与速度限制</translation>
+    </message>
+    <message>
+        <source>Setting: angle and speed limits</source>
+        <translation>设置：角度与速度限制</translation>
+    </message>
+    <message>
+        <source>Setting of a joint</source>
+        <translation>关节设置</translation>
+    </message>
+    <message>
+        <source>Answer to a setting</source>
+        <translation>设置应答</translation>
+    </message>
+    <message>
+        <source>Parameter question and command</source>
+        <translation>参数查询与设置</translation>
+    </message>
+    <message>
+        <source>Answer: limits of the end</source>
+        <translation>应答：末端限制</translation>
+    </message>
+    <message>
+        <source>Setting: limits of the end</source>
+        <translation>设置：末端限制</translation>
+    </message>
+    <message>
+        <source>Setting: collision levels</source>
+        <translation>设置：碰撞防护等级</translation>
+    </message>
+    <message>
+        <source>Answer: collision levels</source>
+        <translation>应答：碰撞防护等级</translation>
+    </message>
+    <message>
+        <source>Answer: acceleration limit</source>
+        <translation>应答：加速度限制</translation>
+    </message>
+    <message>
+        <source>Setting: teaching handle, gripper</source>
+        <translation>设置：示教手柄与夹爪</translation>
+    </message>
+    <message>
+        <source>Answer: teaching handle, gripper</source>
+        <translation>应答：示教手柄与夹爪</translation>
+    </message>
+    <message>
+        <source>End motion, part of J{joint}</source>
+        <translation>末端运动，J{joint} 分量</translation>
+    </message>
+    <message>
+        <source>Firmware version</source>
+        <translation>固件版本</translation>
+    </message>
+    <message>
+        <source>CPV of J{joint}</source>
+        <translation>J{joint} 的 CPV 指令</translation>
+    </message>
+    <message>
+        <source>CPV of the gripper</source>
+        <translation>夹爪的 CPV 指令</translation>
+    </message>
+    <message>
+        <source>Leader arm to zero</source>
+        <translation>主臂回零</translation>
+    </message>
+    <message>
+        <source>Solution of the pose J1, J2</source>
+        <translation>位姿逆解 J1、J2</translation>
+    </message>
+    <message>
+        <source>Solution of the pose J3, J4</source>
+        <translation>位姿逆解 J3、J4</translation>
+    </message>
+    <message>
+        <source>Solution of the pose J5, J6</source>
+        <translation>位姿逆解 J5、J6</translation>
+    </message>
+    <message>
+        <source>Setting: drag assistance</source>
+        <translation>设置：拖动助力</translation>
+    </message>
+    <message>
+        <source>Answer: drag assistance</source>
+        <translation>应答：拖动助力</translation>
+    </message>
+</context>
+<context>
+    <name>GamepadAction</name>
+    <message>
+        <source>Dead man (hold to move)</source>
+        <translation>使能键（按住才能动）</translation>
+    </message>
+    <message>
+        <source>Emergency stop</source>
+        <translation>急停</translation>
+    </message>
+    <message>
+        <source>Halt</source>
+        <translation>停住</translation>
+    </message>
+    <message>
+        <source>Next mode</source>
+        <translation>切换模式</translation>
+    </message>
+</context>
+<context>
+    <name>GamepadAxis</name>
+    <message>
+        <source>Left stick ↔</source>
+        <translation>左摇杆 ↔</translation>
+    </message>
+    <message>
+        <source>Left stick ↕</source>
+        <translation>左摇杆 ↕</translation>
+    </message>
+    <message>
+        <source>Right stick ↔</source>
+        <translation>右摇杆 ↔</translation>
+    </message>
+    <message>
+        <source>Right stick ↕</source>
+        <translation>右摇杆 ↕</translation>
+    </message>
+    <message>
+        <source>Right trigger</source>
+        <translation>右扳机（速度）</translation>
+    </message>
+    <message>
+        <source>D-pad ↕</source>
+        <translation>方向键 ↕</translation>
+    </message>
+    <message>
+        <source>D-pad ↔</source>
+        <translation>方向键 ↔</translation>
+    </message>
+    <message>
+        <source>Push away / pull</source>
+        <translation>前推 / 后拉</translation>
+    </message>
+    <message>
+        <source>Push left / right</source>
+        <translation>左推 / 右推</translation>
+    </message>
+    <message>
+        <source>Lift / press</source>
+        <translation>上提 / 下压</translation>
+    </message>
+    <message>
+        <source>Tilt left / right</source>
+        <translation>左倾 / 右倾</translation>
+    </message>
+    <message>
+        <source>Tilt away / towards</source>
+        <translation>前倾 / 后倾</translation>
+    </message>
+    <message>
+        <source>Turn</source>
+        <translation>旋转</translation>
+    </message>
+</context>
+<context>
+    <name>GamepadButton</name>
+    <message>
+        <source>Button {number}</source>
+        <translation>按键 {number}</translation>
+    </message>
+</context>
+<context>
+    <name>GamepadDialog</name>
+    <message>
+        <source>Not installed: {packages}. In a terminal: {command}</source>
+        <translation>未安装：{packages}。请在终端中运行：{command}</translation>
+    </message>
+    <message>
+        <source>Found, but cannot be used (layout not known, or no permission): {names}</source>
+        <translation>已发现但无法使用（布局未知或没有权限）：{names}</translation>
+    </message>
+    <message>
+        <source>No device found. Plug one in, or switch it on and pair it.</source>
+        <translation>未发现设备。请插入设备，或打开设备电源并配对。</translation>
+    </message>
+    <message>
+        <source>Gamepad and SpaceMouse</source>
+        <translation>手柄与 SpaceMouse</translation>
+    </message>
+    <message>
+        <source>Jog by gamepad or SpaceMouse</source>
+        <translation>用手柄或 SpaceMouse 点动</translation>
+    </message>
+    <message>
+        <source>Only the axis that was pushed first moves, until all are at rest again</source>
+        <translation>只有最先推动的轴会动，直到所有轴都回中</translation>
+    </message>
+    <message>
+        <source>One axis at a time</source>
+        <translation>一次只动一个轴</translation>
+    </message>
+    <message>
+        <source>Device</source>
+        <translation>设备</translation>
+    </message>
+    <message>
+        <source>None found</source>
+        <translation>未发现</translation>
+    </message>
+    <message>
+        <source>Moves</source>
+        <translation>控制</translation>
+    </message>
+    <message>
+        <source>Axes</source>
+        <translation>摇杆与轴</translation>
+    </message>
+    <message>
+        <source>Buttons</source>
+        <translation>按键</translation>
+    </message>
+    <message>
+        <source>Nothing moves while this window is in front: try everything here. In the main window hold the dead-man button, then push an axis; letting go of either stops. The buttons for emergency stop and halt work at any time, in every window.</source>
+        <translation>本窗口在前时机械臂不会动，可以放心试按。在主窗口中先按住使能键，再推动摇杆；松开任何一个即停止。急停和停住按键在任何窗口中随时有效。</translation>
+    </message>
+    <message>
+        <source>Copy the command</source>
+        <translation>复制命令</translation>
+    </message>
+</context>
+<context>
+    <name>GamepadMode</name>
+    <message>
+        <source>Joints</source>
+        <translation>关节</translation>
+    </message>
+    <message>
+        <source>Base frame</source>
+        <translation>基坐标系</translation>
+    </message>
+    <message>
+        <source>Tool frame</source>
+        <translation>工具坐标系</translation>
+    </message>
+</context>
+<context>
+    <name>GamepadStrip</name>
+    <message>
+        <source>{device} · {mode} · hold {button} and push an axis to jog</source>
+        <translation>{device} · {mode} · 按住 {button} 并推动摇杆即可点动</translation>
+    </message>
+    <message>
+        <source>{device} · {mode} · dead man held, ready</source>
+        <translation>{device} · {mode} · 使能键已按住，可以推动摇杆</translation>
+    </message>
+    <message>
+        <source>{device} · {mode} · jogging {axes}</source>
+        <translation>{device} · {mode} · 正在点动 {axes}</translation>
+    </message>
+    <message>
+        <source>{device} · {mode} · let every axis back to its centre</source>
+        <translation>{device} · {mode} · 请先让所有摇杆回中</translation>
+    </message>
+    <message>
+        <source>{device} · let go of {button}, then press it anew</source>
+        <translation>{device} · 请松开 {button} 后重新按下</translation>
+    </message>
+    <message>
+        <source>Gamepad: {packages} not installed. Install with pip: armui[gamepad]</source>
+        <translation>手柄：未安装 {packages}，请用 pip 安装 armui[gamepad]</translation>
+    </message>
+    <message>
+        <source>Gamepad: {problem}</source>
+        <translation>手柄：{problem}</translation>
+    </message>
+    <message>
+        <source>Gamepad: none found. Plug one in or switch it on.</source>
+        <translation>手柄：未发现设备，请插入或打开设备电源。</translation>
+    </message>
+</context>
+<context>
+    <name>GripperAct</name>
+    <message>
+        <source>Enable</source>
+        <translation>使能</translation>
+    </message>
+    <message>
+        <source>Disable</source>
+        <translation>失能</translation>
+    </message>
+    <message>
+        <source>Clear error</source>
+        <translation>清除错误</translation>
+    </message>
+    <message>
+        <source>Set zero</source>
+        <translation>零点设置</translation>
+    </message>
+</context>
+<context>
+    <name>GripperEditor</name>
+    <message>
+        <source>Nothing</source>
+        <translation>无动作</translation>
+    </message>
+    <message>
+        <source>Opening</source>
+        <translation>张开</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>角度</translation>
+    </message>
+</context>
+<context>
+    <name>GripperFault</name>
+    <message>
+        <source>supply voltage too low</source>
+        <translation>电源电压过低</translation>
+    </message>
+    <message>
+        <source>motor too hot</source>
+        <translation>电机过温</translation>
+    </message>
+    <message>
+        <source>driver overcurrent</source>
+        <translation>驱动器过流</translation>
+    </message>
+    <message>
+        <source>driver too hot</source>
+        <translation>驱动器过温</translation>
+    </message>
+    <message>
+        <source>sensor abnormal</source>
+        <translation>传感器异常</translation>
+    </message>
+    <message>
+        <source>driver error</source>
+        <translation>驱动器错误</translation>
+    </message>
+</context>
+<context>
+    <name>GripperFigure</name>
+    <message>
+        <source>Opening</source>
+        <translation>开度</translation>
+    </message>
+    <message>
+        <source>Torque</source>
+        <translation>力矩</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>角度</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>速度</translation>
+    </message>
+</context>
+<context>
+    <name>GripperLine</name>
+    <message>
+        <source>Closes the gripper to 0.</source>
+        <translation>闭合夹爪，移动到 0。</translation>
+    </message>
+    <message>
+        <source>Opens the gripper to its stroke limit.</source>
+        <translation>张开夹爪，移动到行程限位。</translation>
+    </message>
+    <message>
+        <source>Gripper</source>
+        <translation>夹爪</translation>
+    </message>
+    <message>
+        <source>Measured: gripper</source>
+        <translation>测量值：夹爪</translation>
+    </message>
+    <message>
+        <source>Measured by the gripper</source>
+        <translation>夹爪测得的值</translation>
+    </message>
+    <message>
+        <source>Close fully</source>
+        <translation>全闭</translation>
+    </message>
+    <message>
+        <source>Open fully</source>
+        <translation>全开</translation>
+    </message>
+    <message>
+        <source>Insert with opening</source>
+        <translation>带开度插入</translation>
+    </message>
+    <message>
+        <source>A point that is inserted moves the gripper to what is measured now, with 1 N·m (generation 1: 1 rad/s). To grip, enter less than the workpiece is wide.</source>
+        <translation>插入的点会以 1 N·m（第 1 代：1 rad/s）把夹爪移动到当前测得的开度。要夹紧工件，请填比工件更小的开度。</translation>
+    </message>
+</context>
+<context>
+    <name>GripperPanel</name>
+    <message>
+        <source>Close the gripper</source>
+        <translation>闭合夹爪</translation>
+    </message>
+    <message>
+        <source>Open the gripper</source>
+        <translation>张开夹爪</translation>
+    </message>
+    <message>
+        <source>Disable the gripper</source>
+        <translation>失能夹爪</translation>
+    </message>
+    <message>
+        <source>The gripper loses its power and drops what it holds. Hold the workpiece.</source>
+        <translation>失能后夹爪会松开，所夹工件会掉落，请扶住工件。</translation>
+    </message>
+    <message>
+        <source>Set the zero of the gripper</source>
+        <translation>设置夹爪零点</translation>
+    </message>
+    <message>
+        <source>Where the gripper stands now becomes its 0 mm, and it loses its power: it drops what it holds.
 Close it by hand before. With a wrong zero it presses against its stop, or does not close.</source>
-            <translation>夹爪的当前位置将成为 0 mm，同时夹爪断电，所夹工件会掉落。
+        <translation>夹爪的当前位置将成为 0 mm，同时夹爪断电，所夹工件会掉落。
 请先用手将夹爪闭合。零点设错，夹爪会顶住机械限位或无法闭合。</translation>
-        </message>
-        <message>
-            <source>No gripper heard</source>
-            <translation>未收到夹爪反馈</translation>
-        </message>
-        <message>
-            <source>Fault</source>
-            <translation>故障</translation>
-        </message>
-        <message>
-            <source>Enabled</source>
-            <translation>使能</translation>
-        </message>
-        <message>
-            <source>Disabled</source>
-            <translation>失能</translation>
-        </message>
-        <message>
-            <source>Closes the gripper to 0.</source>
-            <translation>闭合夹爪，移动到 0。</translation>
-        </message>
-        <message>
-            <source>Opens the gripper to its stroke limit.</source>
-            <translation>张开夹爪，移动到行程限位。</translation>
-        </message>
-        <message>
-            <source>Moves the gripper to the target, and gives it power.</source>
-            <translation>使能夹爪并运动到目标。</translation>
-        </message>
-        <message>
-            <source>Gives the gripper power where it is.</source>
-            <translation>使能夹爪，保持在当前位置。</translation>
-        </message>
-        <message>
-            <source>Takes its power: it drops what it holds. Asks first.</source>
-            <translation>切断夹爪动力，所夹工件会掉落。执行前会询问。</translation>
-        </message>
-        <message>
-            <source>Clears its error; it has no power until enabled again.</source>
-            <translation>清除夹爪错误；再次使能前夹爪无动力。</translation>
-        </message>
-        <message>
-            <source>Makes the present opening its zero. Asks first.</source>
-            <translation>将当前开度设为零点。执行前会询问。</translation>
-        </message>
-        <message>
-            <source>How far this gripper turns is not published: watch where it ends.</source>
-            <translation>该夹爪的最大角度未公布，请留意其行程终点。</translation>
-        </message>
-        <message>
-            <source>The stroke limit has not been read: up to 100 mm may be asked for.</source>
-            <translation>尚未读到行程限制，最大可设 100 mm。</translation>
-        </message>
-        <message>
-            <source>Gripper control</source>
-            <translation>夹爪控制</translation>
-        </message>
-        <message>
-            <source>Close fully</source>
-            <translation>全闭</translation>
-        </message>
-        <message>
-            <source>Open fully</source>
-            <translation>全开</translation>
-        </message>
-        <message>
-            <source>Send</source>
-            <translation>发送</translation>
-        </message>
-    </context>
-    <context>
-        <name>GripperRow</name>
-        <message>
-            <source>Closes the gripper by {step} at once. Hold to go on.</source>
-            <translation>立即闭合 {step}，按住可连续动作。</translation>
-        </message>
-        <message>
-            <source>Opens the gripper by {step} at once. Hold to go on.</source>
-            <translation>立即张开 {step}，按住可连续动作。</translation>
-        </message>
-        <message>
-            <source>Measured: {figure}</source>
-            <translation>实测：{figure}</translation>
-        </message>
-        <message>
-            <source>Measured by the gripper</source>
-            <translation>夹爪反馈值</translation>
-        </message>
-        <message>
-            <source>{figure} minus</source>
-            <translation>{figure} 减</translation>
-        </message>
-        <message>
-            <source>{figure} plus</source>
-            <translation>{figure} 加</translation>
-        </message>
-    </context>
-    <context>
-        <name>GripperSettingsPanel</name>
-        <message>
-            <source>Gripper settings</source>
-            <translation>夹爪设置</translation>
-        </message>
-    </context>
-    <context>
-        <name>GuideWindow</name>
-        <message>
-            <source>User guide</source>
-            <translation>使用指南</translation>
-        </message>
-        <message>
-            <source>Search the guide</source>
-            <translation>在指南中查找</translation>
-        </message>
-        <message>
-            <source>Contents</source>
-            <translation>目录</translation>
-        </message>
-        <message>
-            <source>Text of the guide</source>
-            <translation>指南正文</translation>
-        </message>
-        <message>
-            <source>en</source>
-            <translation>zh</translation>
-        </message>
-    </context>
-    <context>
-        <name>HaltButton</name>
-        <message>
-            <source>Halt</source>
-            <translation>停住</translation>
-        </message>
-        <message>
-            <source>Ends any motion; the motors keep their power and the arm holds where it comes to rest. Key: {key}</source>
-            <translation>结束一切运动；电机保持上电，机械臂停在哪里就保持在哪里。按键：{key}</translation>
-        </message>
-    </context>
-    <context>
-        <name>HeldTarget</name>
-        <message>
-            <source>a target this program does not know</source>
-            <translation>本程序不知道的位置</translation>
-        </message>
-    </context>
-    <context>
-        <name>Help</name>
-        <message>
-            <source>Mouse</source>
-            <translation>鼠标</translation>
-        </message>
-        <message>
-            <source>Left drag</source>
-            <translation>左键拖动</translation>
-        </message>
-        <message>
-            <source>Turn the view around the arm</source>
-            <translation>绕机械臂旋转视角</translation>
-        </message>
-        <message>
-            <source>Middle drag, Shift + left drag</source>
-            <translation>中键拖动，Shift + 左键拖动</translation>
-        </message>
-        <message>
-            <source>Move the view</source>
-            <translation>平移视角</translation>
-        </message>
-        <message>
-            <source>Wheel</source>
-            <translation>滚轮</translation>
-        </message>
-        <message>
-            <source>Zoom in and out</source>
-            <translation>放大、缩小</translation>
-        </message>
-        <message>
-            <source>Double click on a link</source>
-            <translation>双击连杆</translation>
-        </message>
-        <message>
-            <source>Mark the joint that moves it and go to its field</source>
-            <translation>标出带动该连杆的关节，并转到它的编辑栏</translation>
-        </message>
-        <message>
-            <source>Keyboard</source>
-            <translation>键盘</translation>
-        </message>
-        <message>
-            <source>← → ↑ ↓</source>
-            <translation>← → ↑ ↓</translation>
-        </message>
-        <message>
-            <source>Turn the view</source>
-            <translation>旋转视角</translation>
-        </message>
-        <message>
-            <source>+  −</source>
-            <translation>+  −</translation>
-        </message>
-        <message>
-            <source>Home</source>
-            <translation>Home</translation>
-        </message>
-        <message>
-            <source>The first view again</source>
-            <translation>还原最初的视角</translation>
-        </message>
-        <message>
-            <source>F12, Pause</source>
-            <translation>F12、Pause</translation>
-        </message>
-        <message>
-            <source>Emergency stop, from every window of the program</source>
-            <translation>急停，在本程序的任何窗口中都有效</translation>
-        </message>
-        <message>
-            <source>Figures at the top left</source>
-            <translation>左上方的数值</translation>
-        </message>
-        <message>
-            <source>X  Y  Z</source>
-            <translation>X  Y  Z</translation>
-        </message>
-        <message>
-            <source>Measured place of the flange, in mm</source>
-            <translation>法兰的实测位置，单位 mm</translation>
-        </message>
-        <message>
-            <source>RX  RY  RZ</source>
-            <translation>RX  RY  RZ</translation>
-        </message>
-        <message>
-            <source>Its measured rotation: roll, pitch, yaw, in degrees</source>
-            <translation>法兰的实测姿态：横滚、俯仰、偏航，单位 °</translation>
-        </message>
-        <message>
-            <source>J1 … J6</source>
-            <translation>J1 … J6</translation>
-        </message>
-        <message>
-            <source>Measured joint angles in degrees, J1 the lowest joint</source>
-            <translation>各关节的实测角度，单位 °，由下到上为 J1～J6</translation>
-        </message>
-        <message>
-            <source>What the picture says</source>
-            <translation>画面的含义</translation>
-        </message>
-        <message>
-            <source>—</source>
-            <translation>—</translation>
-        </message>
-        <message>
-            <source>Not heard from the arm yet: no figure is made up</source>
-            <translation>尚未收到机械臂的反馈，不显示虚构的数值</translation>
-        </message>
-        <message>
-            <source>Muted figures, faded arm</source>
-            <translation>数值变灰，模型变淡</translation>
-        </message>
-        <message>
-            <source>Older than half a second: where the arm was, not where it is</source>
-            <translation>反馈已超过 0.5 秒：这是机械臂之前的位置，不一定是现在的位置</translation>
-        </message>
-        <message>
-            <source>Red, green, blue axis</source>
-            <translation>红、绿、蓝轴</translation>
-        </message>
-        <message>
-            <source>X, Y and Z of the base, from the middle of its foot</source>
-            <translation>基座坐标系的 X、Y、Z 轴，原点在底座中心</translation>
-        </message>
-        <message>
-            <source>Ctrl+1 … Ctrl+4</source>
-            <translation>Ctrl+1 … Ctrl+4</translation>
-        </message>
-        <message>
-            <source>Front, side, top and oblique view</source>
-            <translation>前视、侧视、俯视、轴测视图</translation>
-        </message>
-        <message>
-            <source>Ctrl+5, Ctrl+9</source>
-            <translation>Ctrl+5、Ctrl+9</translation>
-        </message>
-        <message>
-            <source>Follow the tool; show all of the arm</source>
-            <translation>跟随末端；显示整个机械臂</translation>
-        </message>
-        <message>
-            <source>Ctrl+Shift+D</source>
-            <translation>Ctrl+Shift+D</translation>
-        </message>
-        <message>
-            <source>Handles: drag the target, or the chosen point; Ctrl and Shift snap, Esc gives up</source>
-            <translation>手柄：拖动目标或所选点；按住 Ctrl、Shift 按步进，Esc 放弃</translation>
-        </message>
-        <message>
-            <source>Band along the way</source>
-            <translation>沿途的色带</translation>
-        </message>
-        <message>
-            <source>Where the tool has been; thin violet: the setpoints sent one after another</source>
-            <translation>末端走过的路径；紫色细线：依次发送的目标点</translation>
-        </message>
-        <message>
-            <source>Octagon, triangle</source>
-            <translation>八角形、三角形</translation>
-        </message>
-        <message>
-            <source>An error or a warning of the check, where it would happen: click for its row</source>
-            <translation>检查发现的错误或警告及其位置：点击转到对应行</translation>
-        </message>
-    </context>
-    <context>
-        <name>HelpDialog</name>
-        <message>
-            <source>Help: 3D view</source>
-            <translation>使用帮助</translation>
-        </message>
-    </context>
-    <context>
-        <name>HoldButton</name>
-        <message>
-            <source>Hold it for {seconds} s, with the mouse or the space bar.</source>
-            <translation>请按住 {seconds} 秒（鼠标左键或空格键）。</translation>
-        </message>
-    </context>
-    <context>
-        <name>ImportReport</name>
-        <message>
-            <source>What became of the files</source>
-            <translation>导入结果</translation>
-        </message>
-        <message>
-            <source>{taken} imported, {left} not imported.</source>
-            <translation>已导入 {taken} 个，未导入 {left} 个。</translation>
-        </message>
-        <message>
-            <source>File</source>
-            <translation>文件</translation>
-        </message>
-        <message>
-            <source>Result</source>
-            <translation>结果</translation>
-        </message>
-        <message>
-            <source>✓ As “{name}”: the name “{requested}” was taken</source>
-            <translation>✓ 已导入为“{name}”：名称“{requested}”已被占用</translation>
-        </message>
-        <message>
-            <source>✓ As “{name}”</source>
-            <translation>✓ 已导入为“{name}”</translation>
-        </message>
-    </context>
-    <context>
-        <name>InvalidFrame</name>
-        <message>
-            <source>{count} bytes instead of {wanted}</source>
-            <translation>{count} 字节，应为 {wanted} 字节</translation>
-        </message>
-        <message>
-            <source>it names a joint that no arm has</source>
-            <translation>所指的关节不存在（1–6 之外）</translation>
-        </message>
-        <message>
-            <source>outside its table: {signals}</source>
-            <translation>超出取值表：{signals}</translation>
-        </message>
-    </context>
-    <context>
-        <name>JogBox</name>
-        <message>
-            <source>Joints</source>
-            <translation>关节</translation>
-        </message>
-        <message>
-            <source>Base axes</source>
-            <translation>基坐标系</translation>
-        </message>
-        <message>
-            <source>Tool axes</source>
-            <translation>工具坐标系</translation>
-        </message>
-        <message>
-            <source>Step of − and +</source>
-            <translation>− 和 + 的步长</translation>
-        </message>
-        <message>
-            <source>How far one press of − or + moves</source>
-            <translation>每按一次 − 或 + 移动多少</translation>
-        </message>
-    </context>
-    <context>
-        <name>JogCell</name>
-        <message>
-            <source>{name} minus</source>
-            <translation>{name} 减</translation>
-        </message>
-        <message>
-            <source>{name} plus</source>
-            <translation>{name} 加</translation>
-        </message>
-        <message>
-            <source>Measured {name}</source>
-            <translation>测得的 {name}</translation>
-        </message>
-    </context>
-    <context>
-        <name>JogPanel</name>
-        <message>
-            <source>Step</source>
-            <translation>步长</translation>
-        </message>
-        <message>
-            <source>Step of − and +</source>
-            <translation>− 与 + 的步长</translation>
-        </message>
-        <message>
-            <source>Keys</source>
-            <translation>键盘</translation>
-        </message>
-        <message>
-            <source>Keyboard jogging</source>
-            <translation>键盘点动</translation>
-        </message>
-        <message>
-            <source>Jog by keys, with the space bar held as dead-man key</source>
-            <translation>用键盘点动，须按住空格键（使能键）</translation>
-        </message>
-    </context>
-    <context>
-        <name>JointItem</name>
-        <message>
-            <source>Status code:</source>
-            <translation>状态码:</translation>
-        </message>
-        <message>
-            <source>Supply voltage:</source>
-            <translation>电源电压:</translation>
-        </message>
-        <message>
-            <source>Motor temperature:</source>
-            <translation>电机温度:</translation>
-        </message>
-        <message>
-            <source>Driver current:</source>
-            <translation>驱动器电流:</translation>
-        </message>
-        <message>
-            <source>Driver temperature:</source>
-            <translation>驱动器温度:</translation>
-        </message>
-        <message>
-            <source>Sensor:</source>
-            <translation>传感器状态:</translation>
-        </message>
-        <message>
-            <source>Collision protection:</source>
-            <translation>碰撞保护:</translation>
-        </message>
-        <message>
-            <source>Driver error:</source>
-            <translation>驱动器错误状态:</translation>
-        </message>
-        <message>
-            <source>Driver enabled:</source>
-            <translation>驱动器使能状态:</translation>
-        </message>
-        <message>
-            <source>Homing:</source>
-            <translation>回零状态:</translation>
-        </message>
-        <message>
-            <source>Stall protection:</source>
-            <translation>堵转保护:</translation>
-        </message>
-        <message>
-            <source>Joint communication:</source>
-            <translation>关节通讯:</translation>
-        </message>
-    </context>
-    <context>
-        <name>JointRow</name>
-        <message>
-            <source>Moves joint {joint} while it is held; let go to stop.</source>
-            <translation>按住时关节 {joint} 运动，松开即停止。</translation>
-        </message>
-        <message>
-            <source>Moves joint {joint} by −{step} at once. Hold to go on.</source>
-            <translation>关节 {joint} 立即转动 −{step}。按住可连续运动。</translation>
-        </message>
-        <message>
-            <source>Moves joint {joint} by +{step} at once. Hold to go on.</source>
-            <translation>关节 {joint} 立即转动 +{step}。按住可连续运动。</translation>
-        </message>
-        <message>
-            <source>Joint {joint} minus</source>
-            <translation>关节 {joint} 减</translation>
-        </message>
-        <message>
-            <source>Joint {joint} plus</source>
-            <translation>关节 {joint} 加</translation>
-        </message>
-        <message>
-            <source>Target angle of joint {joint}</source>
-            <translation>关节 {joint} 目标角度</translation>
-        </message>
-        <message>
-            <source>Target slider of joint {joint}</source>
-            <translation>关节 {joint} 目标滑块</translation>
-        </message>
-        <message>
-            <source>Measured angle of joint {joint}</source>
-            <translation>关节 {joint} 测量角度</translation>
-        </message>
-        <message>
-            <source>Measured by the arm</source>
-            <translation>机械臂的测量值</translation>
-        </message>
-        <message>
-            <source>Target of joint {joint}: {minimum} to {maximum}. Not sent before you press Send.</source>
-            <translation>关节 {joint} 的目标：{minimum} 至 {maximum}。按“发送”后才会发出。</translation>
-        </message>
-        <message>
-            <source>Limit read from the arm</source>
-            <translation>从机械臂读取的限位</translation>
-        </message>
-        <message>
-            <source>Factory limit: not read from the arm yet</source>
-            <translation>出厂限位：尚未从机械臂读取</translation>
-        </message>
-    </context>
-    <context>
-        <name>JointSettingsPanel</name>
-        <message>
-            <source>Joint settings</source>
-            <translation>关节设置</translation>
-        </message>
-        <message>
-            <source>Factory limits for all joints</source>
-            <translation>全部关节恢复出厂值</translation>
-        </message>
-        <message>
-            <source>The angle limits, speeds and accelerations of all six joints become what they were when the arm left the factory. Limits set for this place, narrower ones too, are lost: save a backup first if you may need them again.</source>
-            <translation>6 个关节的角度限位、速度和加速度都将恢复为出厂值。为现场设置的限位（包括更窄的限位）会丢失：如以后还需要，请先保存参数备份。</translation>
-        </message>
-        <message>
-            <source>This arm's protocol (generation 1) has no command for it. Enter the values, or restore a backup.</source>
-            <translation>该机械臂的协议（第 1 代）没有此指令。请手动输入数值，或从备份恢复。</translation>
-        </message>
-    </context>
-    <context>
-        <name>JointStatusButton</name>
-        <message>
-            <source>Joint status</source>
-            <translation>关节状态</translation>
-        </message>
-        <message>
-            <source>The worst of the six joints. Press to see all of them.</source>
-            <translation>六个关节中最差的状态。点击查看全部关节。</translation>
-        </message>
-    </context>
-    <context>
-        <name>JointStatusDialog</name>
-        <message>
-            <source>Joint status</source>
-            <translation>关节状态</translation>
-        </message>
-        <message>
-            <source>Joint</source>
-            <translation>关节序号</translation>
-        </message>
-        <message>
-            <source>Clear error</source>
-            <translation>清除错误</translation>
-        </message>
-        <message>
-            <source>Ask the driver of joint {joint} to clear its error</source>
-            <translation>让关节 {joint} 的驱动器清除错误</translation>
-        </message>
-        <message>
-            <source>A time beside a fault says since when. Choose a cell to read it in full.</source>
-            <translation>故障旁的时间表示故障从何时开始。选中单元格可查看详情。</translation>
-        </message>
-    </context>
-    <context>
-        <name>JointStatusModel</name>
-        <message>
-            <source>since {time}</source>
-            <translation>自 {time} 起</translation>
-        </message>
-        <message>
-            <source>not heard of late</source>
-            <translation>最近没有收到</translation>
-        </message>
-    </context>
-    <context>
-        <name>JointTable</name>
-        <message>
-            <source>Joint status in the recording</source>
-            <translation>记录中的关节状态</translation>
-        </message>
-    </context>
-    <context>
-        <name>JointVerdict</name>
-        <message>
-            <source>Normal</source>
-            <translation>正常</translation>
-        </message>
-        <message>
-            <source>Disabled</source>
-            <translation>失能</translation>
-        </message>
-        <message>
-            <source>Unknown</source>
-            <translation>未知</translation>
-        </message>
-        <message>
-            <source>Fault</source>
-            <translation>有故障</translation>
-        </message>
-        <message>
-            <source>Offline</source>
-            <translation>离线</translation>
-        </message>
-    </context>
-    <context>
-        <name>JointWord</name>
-        <message>
-            <source>Normal</source>
-            <translation>正常</translation>
-        </message>
-        <message>
-            <source>Too low</source>
-            <translation>过低</translation>
-        </message>
-        <message>
-            <source>Too hot</source>
-            <translation>过温</translation>
-        </message>
-        <message>
-            <source>Overcurrent</source>
-            <translation>过流</translation>
-        </message>
-        <message>
-            <source>Abnormal</source>
-            <translation>异常</translation>
-        </message>
-        <message>
-            <source>Error</source>
-            <translation>错误</translation>
-        </message>
-        <message>
-            <source>Triggered</source>
-            <translation>触发保护</translation>
-        </message>
-        <message>
-            <source>Enabled</source>
-            <translation>使能</translation>
-        </message>
-        <message>
-            <source>Disabled</source>
-            <translation>失能</translation>
-        </message>
-        <message>
-            <source>Not homed</source>
-            <translation>没有回零</translation>
-        </message>
-        <message>
-            <source>Homed</source>
-            <translation>已经回零</translation>
-        </message>
-    </context>
-    <context>
-        <name>KeyPad</name>
-        <message>
-            <source>Keyboard jogging</source>
-            <translation>键盘点动</translation>
-        </message>
-        <message>
-            <source>Hold the space bar; each press of a key is one step.</source>
-            <translation>按住空格键，每按一次方向键走一步。</translation>
-        </message>
-        <message>
-            <source>Hold the space bar and press a key; release either and the arm stops.</source>
-            <translation>按住空格键再按方向键即运动；松开任一键即停止。</translation>
-        </message>
-        <message>
-            <source>Click here to jog by keys.</source>
-            <translation>点击此处后可用键盘点动。</translation>
-        </message>
-        <message>
-            <source>Jogging is not possible now.</source>
-            <translation>现在不能点动。</translation>
-        </message>
-    </context>
-    <context>
-        <name>LeaveQuestion</name>
-        <message>
-            <source>What you changed in “{name}” has not been saved.</source>
-            <translation>“{name}”中的修改尚未保存。</translation>
-        </message>
-    </context>
-    <context>
-        <name>Leaving</name>
-        <message>
-            <source>The stop is not confirmed</source>
-            <translation>急停尚未确认</translation>
-        </message>
-        <message>
-            <source>The arm has not said that it has stopped. The emergency stop is repeated only as long as the program is connected. Watch the arm.</source>
-            <translation>机械臂尚未确认已停止。只有保持连接，程序才会重复发送急停。请注意机械臂。</translation>
-        </message>
-        <message>
-            <source>Leave anyway</source>
-            <translation>仍要离开</translation>
-        </message>
-        <message>
-            <source>End it and go on</source>
-            <translation>结束并继续</translation>
-        </message>
-        <message>
-            <source>A run is under way</source>
-            <translation>正在运行</translation>
-        </message>
-        <message>
-            <source>A trajectory or recording is being run, or is paused. If you go on, the arm is told to end its motion where it is; its motors stay enabled. The rest of the run is not done.</source>
-            <translation>轨迹或录制正在运行或已暂停。继续的话，机械臂将就地结束运动，电机保持使能，其余部分不再执行。</translation>
-        </message>
-        <message>
-            <source>A motion is held back</source>
-            <translation>有运动被保留</translation>
-        </message>
-        <message>
-            <source>The arm holds back a motion. If you go on, the arm is told to drop it and stays where it is; its motors stay enabled.</source>
-            <translation>机械臂保留着一个未完成的运动。继续操作时，将命令机械臂放弃该运动并停在原处；电机保持使能。</translation>
-        </message>
-    </context>
-    <context>
-        <name>Level</name>
-        <message>
-            <source>Information</source>
-            <translation>信息</translation>
-        </message>
-        <message>
-            <source>Done</source>
-            <translation>完成</translation>
-        </message>
-        <message>
-            <source>Warning</source>
-            <translation>警告</translation>
-        </message>
-        <message>
-            <source>Fault</source>
-            <translation>故障</translation>
-        </message>
-    </context>
-    <context>
-        <name>LevelsPanel</name>
-        <message>
-            <source>All</source>
-            <translation>全部</translation>
-        </message>
-        <message>
-            <source>All joints: level</source>
-            <translation>全部关节：等级</translation>
-        </message>
-    </context>
-    <context>
-        <name>LibraryActions</name>
-        <message>
-            <source>Trajectory</source>
-            <translation>轨迹</translation>
-        </message>
-        <message>
-            <source>Deleted: {names}</source>
-            <translation>已删除：{names}</translation>
-        </message>
-        <message>
-            <source>“{name}” is open. Close its window first.</source>
-            <translation>“{name}”正打开着，请先关闭其窗口。</translation>
-        </message>
-        <message>
-            <source>“{new}” is called “{old}” again.</source>
-            <translation>“{new}”已改回原名“{old}”。</translation>
-        </message>
-        <message>
-            <source>Brought back: {names}</source>
-            <translation>已恢复：{names}</translation>
-        </message>
-        <message>
-            <source>Undo deleting “{names}”</source>
-            <translation>撤销删除“{names}”</translation>
-        </message>
-        <message>
-            <source>Brings it back.</source>
-            <translation>将其恢复。</translation>
-        </message>
-        <message>
-            <source>Undo renaming to “{names}”</source>
-            <translation>撤销重命名为“{names}”</translation>
-        </message>
-        <message>
-            <source>It is called “{names}” again.</source>
-            <translation>名称改回“{names}”。</translation>
-        </message>
-        <message>
-            <source>Undo creating “{names}”</source>
-            <translation>撤销创建“{names}”</translation>
-        </message>
-        <message>
-            <source>Undo copying to “{names}”</source>
-            <translation>撤销复制为“{names}”</translation>
-        </message>
-        <message>
-            <source>Undo importing “{names}”</source>
-            <translation>撤销导入“{names}”</translation>
-        </message>
-        <message>
-            <source>Deletes it; for 30 days it can be brought back.</source>
-            <translation>将其删除；30 天内可恢复。</translation>
-        </message>
-    </context>
-    <context>
-        <name>LibraryBar</name>
-        <message>
-            <source>Import files</source>
-            <translation>导入文件</translation>
-        </message>
-        <message>
-            <source>Create</source>
-            <translation>创建</translation>
-        </message>
-        <message>
-            <source>Record</source>
-            <translation>录制</translation>
-        </message>
-        <message>
-            <source>Delete</source>
-            <translation>删除</translation>
-        </message>
-        <message>
-            <source>Duplicate</source>
-            <translation>复制</translation>
-        </message>
-        <message>
-            <source>Rename</source>
-            <translation>重命名</translation>
-        </message>
-        <message>
-            <source>Export files</source>
-            <translation>导出文件</translation>
-        </message>
-        <message>
-            <source>Search</source>
-            <translation>搜索</translation>
-        </message>
-        <message>
-            <source>Not saved yet. Open it and save it first</source>
-            <translation>尚未保存，请先打开并保存</translation>
-        </message>
-        <message>
-            <source>Choose one trajectory alone</source>
-            <translation>请只选择一条轨迹</translation>
-        </message>
-        <message>
-            <source>Choose a trajectory in the list first</source>
-            <translation>请先在列表中选择轨迹</translation>
-        </message>
-    </context>
-    <context>
-        <name>LibraryButton</name>
-        <message>
-            <source>Trajectory library</source>
-            <translation>轨迹库</translation>
-        </message>
-        <message>
-            <source>Make, check, run and record trajectories</source>
-            <translation>编辑、检查、运行和录制轨迹</translation>
-        </message>
-    </context>
-    <context>
-        <name>LibraryCompany</name>
-        <message>
-            <source>Another program has this library open, too ({names}). What it saves appears in this list. Do not edit the same trajectory in both.</source>
-            <translation>另一个程序也打开了此轨迹库（{names}）。它保存的内容会出现在此列表中。请勿在两个程序中编辑同一条轨迹。</translation>
-        </message>
-    </context>
-    <context>
-        <name>LibraryExchange</name>
-        <message>
-            <source>Reading {names}…</source>
-            <translation>正在读取 {names}…</translation>
-        </message>
-        <message>
-            <source>Imported: {names}</source>
-            <translation>已导入：{names}</translation>
-        </message>
-        <message>
-            <source>Their names were taken, so they got others: {names}</source>
-            <translation>名称已被占用，已改名：{names}</translation>
-        </message>
-        <message>
-            <source>Not imported. {reason}</source>
-            <translation>未导入。{reason}</translation>
-        </message>
-        <message>
-            <source>Not imported either: {count} more. See the results.</source>
-            <translation>另有 {count} 个文件未导入，详见导入结果。</translation>
-        </message>
-        <message>
-            <source>Not imported yet: {names}</source>
-            <translation>尚未导入：{names}</translation>
-        </message>
-        <message>
-            <source>Not exported. {reason}</source>
-            <translation>未导出：{reason}</translation>
-        </message>
-        <message>
-            <source>Not exported either: {count} more.</source>
-            <translation>另有 {count} 条轨迹未导出。</translation>
-        </message>
-        <message>
-            <source>Exported: {names}</source>
-            <translation>已导出：{names}</translation>
-        </message>
-    </context>
-    <context>
-        <name>LibraryFiles</name>
-        <message>
-            <source>Trajectories</source>
-            <translation>轨迹文件</translation>
-        </message>
-        <message>
-            <source>All files</source>
-            <translation>所有文件</translation>
-        </message>
-        <message>
-            <source>Import files</source>
-            <translation>导入文件</translation>
-        </message>
-        <message>
-            <source>Export file</source>
-            <translation>导出文件</translation>
-        </message>
-        <message>
-            <source>Export files into a folder</source>
-            <translation>导出文件到文件夹</translation>
-        </message>
-    </context>
-    <context>
-        <name>LibraryHint</name>
-        <message>
-            <source>Show all</source>
-            <translation>显示全部</translation>
-        </message>
-        <message>
-            <source>Nothing is found for “{text}”</source>
-            <translation>未找到“{text}”</translation>
-        </message>
-        <message>
-            <source>Neither a name nor a note holds this text.</source>
-            <translation>名称和备注中都没有这段文字。</translation>
-        </message>
-        <message>
-            <source>No trajectories yet</source>
-            <translation>还没有轨迹</translation>
-        </message>
-        <message>
-            <source>Create one and enter its points, record a motion of the arm, or import files. Files can also be dropped here.</source>
-            <translation>可以创建轨迹并输入点位，录制机械臂的运动，或导入文件，也可以把文件拖放到这里。</translation>
-        </message>
-    </context>
-    <context>
-        <name>LibraryModel</name>
-        <message>
-            <source>{count} samples</source>
-            <translation>{count} 个采样</translation>
-        </message>
-        <message>
-            <source>Unsaved changes of a trajectory that was never saved, or whose file is gone. Open it to save it, or delete it.</source>
-            <translation>该轨迹从未保存过，或其文件已不存在，这里是未保存的更改。请打开后保存，或将其删除。</translation>
-        </message>
-        <message>
-            <source>✓ checked</source>
-            <translation>✓ 通过</translation>
-        </message>
-        <message>
-            <source>! warnings</source>
-            <translation>! 有警告</translation>
-        </message>
-        <message>
-            <source>✕ errors</source>
-            <translation>✕ 有错误</translation>
-        </message>
-        <message>
-            <source>✕ damaged</source>
-            <translation>✕ 已损坏</translation>
-        </message>
-        <message>
-            <source>! not saved</source>
-            <translation>! 未保存</translation>
-        </message>
-        <message>
-            <source>Name</source>
-            <translation>名称</translation>
-        </message>
-        <message>
-            <source>Points</source>
-            <translation>点数</translation>
-        </message>
-        <message>
-            <source>Length</source>
-            <translation>时长</translation>
-        </message>
-        <message>
-            <source>Last change</source>
-            <translation>修改时间</translation>
-        </message>
-        <message>
-            <source>Check</source>
-            <translation>检查</translation>
-        </message>
-        <message>
-            <source>Note</source>
-            <translation>备注</translation>
-        </message>
-        <message>
-            <source>This was taught on another arm: {taught}. Chosen is {arm}.</source>
-            <translation>此轨迹在另一种机械臂上示教：{taught}。当前选择的是 {arm}。</translation>
-        </message>
-        <message>
-            <source>! other arm</source>
-            <translation>! 其他机械臂</translation>
-        </message>
-    </context>
-    <context>
-        <name>LibraryPage</name>
-        <message>
-            <source>“{name}” is not saved yet. Open it and save it first.</source>
-            <translation>“{name}”尚未保存，请先打开并保存。</translation>
-        </message>
-        <message>
-            <source>“{name}” ended at row {row}. {reason}</source>
-            <translation>“{name}”在第 {row} 行结束。{reason}</translation>
-        </message>
-        <message>
-            <source>Trajectory library</source>
-            <translation>轨迹库</translation>
-        </message>
-        <message>
-            <source>Saved as “{name}”.</source>
-            <translation>已保存为“{name}”。</translation>
-        </message>
-        <message>
-            <source>Deleted: {names}</source>
-            <translation>已删除：{names}</translation>
-        </message>
-    </context>
-    <context>
-        <name>LightEditor</name>
-        <message>
-            <source>Nothing</source>
-            <translation>无动作</translation>
-        </message>
-        <message>
-            <source>Lamp: 0 to 254, or all</source>
-            <translation>灯编号：0 至 254，或 all（全部）</translation>
-        </message>
-        <message>
-            <source>Grey values of red, green and blue, 0 to 255: 255,128,0</source>
-            <translation>红、绿、蓝灰度值，0 至 255，例如 255,128,0</translation>
-        </message>
-    </context>
-    <context>
-        <name>LightFigure</name>
-        <message>
-            <source>Joint number</source>
-            <translation>关节序号</translation>
-        </message>
-        <message>
-            <source>Lamp number</source>
-            <translation>灯珠序号</translation>
-        </message>
-        <message>
-            <source>R channel</source>
-            <translation>R 通道</translation>
-        </message>
-        <message>
-            <source>G channel</source>
-            <translation>G 通道</translation>
-        </message>
-        <message>
-            <source>B channel</source>
-            <translation>B 通道</translation>
-        </message>
-    </context>
-    <context>
-        <name>LightPanel</name>
-        <message>
-            <source>Every lamp is chosen. Take the tick away to choose one.</source>
-            <translation>已选择全部灯珠。取消勾选后可选择单个灯珠。</translation>
-        </message>
-        <message>
-            <source>Sends the colour to the lamps; nothing moves.</source>
-            <translation>把颜色发送到灯珠，机械臂不会运动。</translation>
-        </message>
-        <message>
-            <source>Light control</source>
-            <translation>灯光控制</translation>
-        </message>
-        <message>
-            <source>Lamps of joint {joint}</source>
-            <translation>关节 {joint} 的灯珠</translation>
-        </message>
-        <message>
-            <source>All</source>
-            <translation>全部</translation>
-        </message>
-        <message>
-            <source>Opens a window to pick a colour in; nothing is sent.</source>
-            <translation>打开选取颜色的窗口，不发送任何指令。</translation>
-        </message>
-        <message>
-            <source>Pick a colour…</source>
-            <translation>选取颜色…</translation>
-        </message>
-        <message>
-            <source>All lamps of the joint</source>
-            <translation>该关节的全部灯珠</translation>
-        </message>
-        <message>
-            <source>Colour of the lamps</source>
-            <translation>灯光颜色</translation>
-        </message>
-        <message>
-            <source>Effect</source>
-            <translation>效果</translation>
-        </message>
-        <message>
-            <source>The colour that Confirm sends</source>
-            <translation>点击“确认”后发送的颜色</translation>
-        </message>
-        <message>
-            <source>Confirm</source>
-            <translation>确认</translation>
-        </message>
-        <message>
-            <source>Works on joints that have a lamp board.
+    </message>
+    <message>
+        <source>No gripper heard</source>
+        <translation>未收到夹爪反馈</translation>
+    </message>
+    <message>
+        <source>Fault</source>
+        <translation>故障</translation>
+    </message>
+    <message>
+        <source>Enabled</source>
+        <translation>使能</translation>
+    </message>
+    <message>
+        <source>Disabled</source>
+        <translation>失能</translation>
+    </message>
+    <message>
+        <source>Closes the gripper to 0.</source>
+        <translation>闭合夹爪，移动到 0。</translation>
+    </message>
+    <message>
+        <source>Opens the gripper to its stroke limit.</source>
+        <translation>张开夹爪，移动到行程限位。</translation>
+    </message>
+    <message>
+        <source>Moves the gripper to the target, and gives it power.</source>
+        <translation>使能夹爪并运动到目标。</translation>
+    </message>
+    <message>
+        <source>Gives the gripper power where it is.</source>
+        <translation>使能夹爪，保持在当前位置。</translation>
+    </message>
+    <message>
+        <source>Takes its power: it drops what it holds. Asks first.</source>
+        <translation>切断夹爪动力，所夹工件会掉落。执行前会询问。</translation>
+    </message>
+    <message>
+        <source>Clears its error; it has no power until enabled again.</source>
+        <translation>清除夹爪错误；再次使能前夹爪无动力。</translation>
+    </message>
+    <message>
+        <source>Makes the present opening its zero. Asks first.</source>
+        <translation>将当前开度设为零点。执行前会询问。</translation>
+    </message>
+    <message>
+        <source>How far this gripper turns is not published: watch where it ends.</source>
+        <translation>该夹爪的最大角度未公布，请留意其行程终点。</translation>
+    </message>
+    <message>
+        <source>The stroke limit has not been read: up to 100 mm may be asked for.</source>
+        <translation>尚未读到行程限制，最大可设 100 mm。</translation>
+    </message>
+    <message>
+        <source>Gripper control</source>
+        <translation>夹爪控制</translation>
+    </message>
+    <message>
+        <source>Close fully</source>
+        <translation>全闭</translation>
+    </message>
+    <message>
+        <source>Open fully</source>
+        <translation>全开</translation>
+    </message>
+    <message>
+        <source>Send</source>
+        <translation>发送</translation>
+    </message>
+</context>
+<context>
+    <name>GripperRow</name>
+    <message>
+        <source>Closes the gripper by {step} at once. Hold to go on.</source>
+        <translation>立即闭合 {step}，按住可连续动作。</translation>
+    </message>
+    <message>
+        <source>Opens the gripper by {step} at once. Hold to go on.</source>
+        <translation>立即张开 {step}，按住可连续动作。</translation>
+    </message>
+    <message>
+        <source>Measured: {figure}</source>
+        <translation>实测：{figure}</translation>
+    </message>
+    <message>
+        <source>Measured by the gripper</source>
+        <translation>夹爪反馈值</translation>
+    </message>
+    <message>
+        <source>{figure} minus</source>
+        <translation>{figure} 减</translation>
+    </message>
+    <message>
+        <source>{figure} plus</source>
+        <translation>{figure} 加</translation>
+    </message>
+</context>
+<context>
+    <name>GripperSettingsPanel</name>
+    <message>
+        <source>Gripper settings</source>
+        <translation>夹爪设置</translation>
+    </message>
+</context>
+<context>
+    <name>GuideWindow</name>
+    <message>
+        <source>User guide</source>
+        <translation>使用指南</translation>
+    </message>
+    <message>
+        <source>Search the guide</source>
+        <translation>在指南中查找</translation>
+    </message>
+    <message>
+        <source>Contents</source>
+        <translation>目录</translation>
+    </message>
+    <message>
+        <source>Text of the guide</source>
+        <translation>指南正文</translation>
+    </message>
+    <message>
+        <source>en</source>
+        <translation>zh</translation>
+    </message>
+</context>
+<context>
+    <name>HaltButton</name>
+    <message>
+        <source>Halt</source>
+        <translation>停住</translation>
+    </message>
+    <message>
+        <source>Ends any motion; the motors keep their power and the arm holds where it comes to rest. Key: {key}</source>
+        <translation>结束一切运动；电机保持上电，机械臂停在哪里就保持在哪里。按键：{key}</translation>
+    </message>
+</context>
+<context>
+    <name>HeldTarget</name>
+    <message>
+        <source>a target this program does not know</source>
+        <translation>本程序不知道的位置</translation>
+    </message>
+</context>
+<context>
+    <name>Help</name>
+    <message>
+        <source>Mouse</source>
+        <translation>鼠标</translation>
+    </message>
+    <message>
+        <source>Left drag</source>
+        <translation>左键拖动</translation>
+    </message>
+    <message>
+        <source>Turn the view around the arm</source>
+        <translation>绕机械臂旋转视角</translation>
+    </message>
+    <message>
+        <source>Middle drag, Shift + left drag</source>
+        <translation>中键拖动，Shift + 左键拖动</translation>
+    </message>
+    <message>
+        <source>Move the view</source>
+        <translation>平移视角</translation>
+    </message>
+    <message>
+        <source>Wheel</source>
+        <translation>滚轮</translation>
+    </message>
+    <message>
+        <source>Zoom in and out</source>
+        <translation>放大、缩小</translation>
+    </message>
+    <message>
+        <source>Double click on a link</source>
+        <translation>双击连杆</translation>
+    </message>
+    <message>
+        <source>Mark the joint that moves it and go to its field</source>
+        <translation>标出带动该连杆的关节，并转到它的编辑栏</translation>
+    </message>
+    <message>
+        <source>Keyboard</source>
+        <translation>键盘</translation>
+    </message>
+    <message>
+        <source>← → ↑ ↓</source>
+        <translation>← → ↑ ↓</translation>
+    </message>
+    <message>
+        <source>Turn the view</source>
+        <translation>旋转视角</translation>
+    </message>
+    <message>
+        <source>+  −</source>
+        <translation>+  −</translation>
+    </message>
+    <message>
+        <source>Home</source>
+        <translation>Home</translation>
+    </message>
+    <message>
+        <source>The first view again</source>
+        <translation>还原最初的视角</translation>
+    </message>
+    <message>
+        <source>F12, Pause</source>
+        <translation>F12、Pause</translation>
+    </message>
+    <message>
+        <source>Emergency stop, from every window of the program</source>
+        <translation>急停，在本程序的任何窗口中都有效</translation>
+    </message>
+    <message>
+        <source>Figures at the top left</source>
+        <translation>左上方的数值</translation>
+    </message>
+    <message>
+        <source>X  Y  Z</source>
+        <translation>X  Y  Z</translation>
+    </message>
+    <message>
+        <source>Measured place of the flange, in mm</source>
+        <translation>法兰的实测位置，单位 mm</translation>
+    </message>
+    <message>
+        <source>RX  RY  RZ</source>
+        <translation>RX  RY  RZ</translation>
+    </message>
+    <message>
+        <source>Its measured rotation: roll, pitch, yaw, in degrees</source>
+        <translation>法兰的实测姿态：横滚、俯仰、偏航，单位 °</translation>
+    </message>
+    <message>
+        <source>J1 … J6</source>
+        <translation>J1 … J6</translation>
+    </message>
+    <message>
+        <source>Measured joint angles in degrees, J1 the lowest joint</source>
+        <translation>各关节的实测角度，单位 °，由下到上为 J1～J6</translation>
+    </message>
+    <message>
+        <source>What the picture says</source>
+        <translation>画面的含义</translation>
+    </message>
+    <message>
+        <source>—</source>
+        <translation>—</translation>
+    </message>
+    <message>
+        <source>Not heard from the arm yet: no figure is made up</source>
+        <translation>尚未收到机械臂的反馈，不显示虚构的数值</translation>
+    </message>
+    <message>
+        <source>Muted figures, faded arm</source>
+        <translation>数值变灰，模型变淡</translation>
+    </message>
+    <message>
+        <source>Older than half a second: where the arm was, not where it is</source>
+        <translation>反馈已超过 0.5 秒：这是机械臂之前的位置，不一定是现在的位置</translation>
+    </message>
+    <message>
+        <source>Red, green, blue axis</source>
+        <translation>红、绿、蓝轴</translation>
+    </message>
+    <message>
+        <source>X, Y and Z of the base, from the middle of its foot</source>
+        <translation>基座坐标系的 X、Y、Z 轴，原点在底座中心</translation>
+    </message>
+    <message>
+        <source>Ctrl+1 … Ctrl+4</source>
+        <translation>Ctrl+1 … Ctrl+4</translation>
+    </message>
+    <message>
+        <source>Front, side, top and oblique view</source>
+        <translation>前视、侧视、俯视、轴测视图</translation>
+    </message>
+    <message>
+        <source>Ctrl+5, Ctrl+9</source>
+        <translation>Ctrl+5、Ctrl+9</translation>
+    </message>
+    <message>
+        <source>Follow the tool; show all of the arm</source>
+        <translation>跟随末端；显示整个机械臂</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+D</source>
+        <translation>Ctrl+Shift+D</translation>
+    </message>
+    <message>
+        <source>Handles: drag the target, or the chosen point; Ctrl and Shift snap, Esc gives up</source>
+        <translation>手柄：拖动目标或所选点；按住 Ctrl、Shift 按步进，Esc 放弃</translation>
+    </message>
+    <message>
+        <source>Band along the way</source>
+        <translation>沿途的色带</translation>
+    </message>
+    <message>
+        <source>Where the tool has been; thin violet: the setpoints sent one after another</source>
+        <translation>末端走过的路径；紫色细线：依次发送的目标点</translation>
+    </message>
+    <message>
+        <source>Octagon, triangle</source>
+        <translation>八角形、三角形</translation>
+    </message>
+    <message>
+        <source>An error or a warning of the check, where it would happen: click for its row</source>
+        <translation>检查发现的错误或警告及其位置：点击转到对应行</translation>
+    </message>
+</context>
+<context>
+    <name>HelpDialog</name>
+    <message>
+        <source>Help: 3D view</source>
+        <translation>使用帮助</translation>
+    </message>
+</context>
+<context>
+    <name>HoldButton</name>
+    <message>
+        <source>Hold it for {seconds} s, with the mouse or the space bar.</source>
+        <translation>请按住 {seconds} 秒（鼠标左键或空格键）。</translation>
+    </message>
+</context>
+<context>
+    <name>ImportReport</name>
+    <message>
+        <source>What became of the files</source>
+        <translation>导入结果</translation>
+    </message>
+    <message>
+        <source>{taken} imported, {left} not imported.</source>
+        <translation>已导入 {taken} 个，未导入 {left} 个。</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>文件</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>结果</translation>
+    </message>
+    <message>
+        <source>✓ As “{name}”: the name “{requested}” was taken</source>
+        <translation>✓ 已导入为“{name}”：名称“{requested}”已被占用</translation>
+    </message>
+    <message>
+        <source>✓ As “{name}”</source>
+        <translation>✓ 已导入为“{name}”</translation>
+    </message>
+</context>
+<context>
+    <name>InvalidFrame</name>
+    <message>
+        <source>{count} bytes instead of {wanted}</source>
+        <translation>{count} 字节，应为 {wanted} 字节</translation>
+    </message>
+    <message>
+        <source>it names a joint that no arm has</source>
+        <translation>所指的关节不存在（1–6 之外）</translation>
+    </message>
+    <message>
+        <source>outside its table: {signals}</source>
+        <translation>超出取值表：{signals}</translation>
+    </message>
+</context>
+<context>
+    <name>JogBox</name>
+    <message>
+        <source>Joints</source>
+        <translation>关节</translation>
+    </message>
+    <message>
+        <source>Base axes</source>
+        <translation>基坐标系</translation>
+    </message>
+    <message>
+        <source>Tool axes</source>
+        <translation>工具坐标系</translation>
+    </message>
+    <message>
+        <source>Step of − and +</source>
+        <translation>− 和 + 的步长</translation>
+    </message>
+    <message>
+        <source>How far one press of − or + moves</source>
+        <translation>每按一次 − 或 + 移动多少</translation>
+    </message>
+</context>
+<context>
+    <name>JogCell</name>
+    <message>
+        <source>{name} minus</source>
+        <translation>{name} 减</translation>
+    </message>
+    <message>
+        <source>{name} plus</source>
+        <translation>{name} 加</translation>
+    </message>
+    <message>
+        <source>Measured {name}</source>
+        <translation>测得的 {name}</translation>
+    </message>
+</context>
+<context>
+    <name>JogPanel</name>
+    <message>
+        <source>Step</source>
+        <translation>步长</translation>
+    </message>
+    <message>
+        <source>Step of − and +</source>
+        <translation>− 与 + 的步长</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>键盘</translation>
+    </message>
+    <message>
+        <source>Keyboard jogging</source>
+        <translation>键盘点动</translation>
+    </message>
+    <message>
+        <source>Jog by keys, with the space bar held as dead-man key</source>
+        <translation>用键盘点动，须按住空格键（使能键）</translation>
+    </message>
+</context>
+<context>
+    <name>JointItem</name>
+    <message>
+        <source>Status code:</source>
+        <translation>状态码:</translation>
+    </message>
+    <message>
+        <source>Supply voltage:</source>
+        <translation>电源电压:</translation>
+    </message>
+    <message>
+        <source>Motor temperature:</source>
+        <translation>电机温度:</translation>
+    </message>
+    <message>
+        <source>Driver current:</source>
+        <translation>驱动器电流:</translation>
+    </message>
+    <message>
+        <source>Driver temperature:</source>
+        <translation>驱动器温度:</translation>
+    </message>
+    <message>
+        <source>Sensor:</source>
+        <translation>传感器状态:</translation>
+    </message>
+    <message>
+        <source>Collision protection:</source>
+        <translation>碰撞保护:</translation>
+    </message>
+    <message>
+        <source>Driver error:</source>
+        <translation>驱动器错误状态:</translation>
+    </message>
+    <message>
+        <source>Driver enabled:</source>
+        <translation>驱动器使能状态:</translation>
+    </message>
+    <message>
+        <source>Homing:</source>
+        <translation>回零状态:</translation>
+    </message>
+    <message>
+        <source>Stall protection:</source>
+        <translation>堵转保护:</translation>
+    </message>
+    <message>
+        <source>Joint communication:</source>
+        <translation>关节通讯:</translation>
+    </message>
+</context>
+<context>
+    <name>JointRow</name>
+    <message>
+        <source>Moves joint {joint} while it is held; let go to stop.</source>
+        <translation>按住时关节 {joint} 运动，松开即停止。</translation>
+    </message>
+    <message>
+        <source>Moves joint {joint} by −{step} at once. Hold to go on.</source>
+        <translation>关节 {joint} 立即转动 −{step}。按住可连续运动。</translation>
+    </message>
+    <message>
+        <source>Moves joint {joint} by +{step} at once. Hold to go on.</source>
+        <translation>关节 {joint} 立即转动 +{step}。按住可连续运动。</translation>
+    </message>
+    <message>
+        <source>Joint {joint} minus</source>
+        <translation>关节 {joint} 减</translation>
+    </message>
+    <message>
+        <source>Joint {joint} plus</source>
+        <translation>关节 {joint} 加</translation>
+    </message>
+    <message>
+        <source>Target angle of joint {joint}</source>
+        <translation>关节 {joint} 目标角度</translation>
+    </message>
+    <message>
+        <source>Target slider of joint {joint}</source>
+        <translation>关节 {joint} 目标滑块</translation>
+    </message>
+    <message>
+        <source>Measured angle of joint {joint}</source>
+        <translation>关节 {joint} 测量角度</translation>
+    </message>
+    <message>
+        <source>Measured by the arm</source>
+        <translation>机械臂的测量值</translation>
+    </message>
+    <message>
+        <source>Target of joint {joint}: {minimum} to {maximum}. Not sent before you press Send.</source>
+        <translation>关节 {joint} 的目标：{minimum} 至 {maximum}。按“发送”后才会发出。</translation>
+    </message>
+    <message>
+        <source>Limit read from the arm</source>
+        <translation>从机械臂读取的限位</translation>
+    </message>
+    <message>
+        <source>Factory limit: not read from the arm yet</source>
+        <translation>出厂限位：尚未从机械臂读取</translation>
+    </message>
+</context>
+<context>
+    <name>JointSettingsPanel</name>
+    <message>
+        <source>Joint settings</source>
+        <translation>关节设置</translation>
+    </message>
+    <message>
+        <source>Factory limits for all joints</source>
+        <translation>全部关节恢复出厂值</translation>
+    </message>
+    <message>
+        <source>The angle limits, speeds and accelerations of all six joints become what they were when the arm left the factory. Limits set for this place, narrower ones too, are lost: save a backup first if you may need them again.</source>
+        <translation>6 个关节的角度限位、速度和加速度都将恢复为出厂值。为现场设置的限位（包括更窄的限位）会丢失：如以后还需要，请先保存参数备份。</translation>
+    </message>
+    <message>
+        <source>This arm&apos;s protocol (generation 1) has no command for it. Enter the values, or restore a backup.</source>
+        <translation>该机械臂的协议（第 1 代）没有此指令。请手动输入数值，或从备份恢复。</translation>
+    </message>
+</context>
+<context>
+    <name>JointStatusButton</name>
+    <message>
+        <source>Joint status</source>
+        <translation>关节状态</translation>
+    </message>
+    <message>
+        <source>The worst of the six joints. Press to see all of them.</source>
+        <translation>六个关节中最差的状态。点击查看全部关节。</translation>
+    </message>
+</context>
+<context>
+    <name>JointStatusDialog</name>
+    <message>
+        <source>Joint status</source>
+        <translation>关节状态</translation>
+    </message>
+    <message>
+        <source>Joint</source>
+        <translation>关节序号</translation>
+    </message>
+    <message>
+        <source>Clear error</source>
+        <translation>清除错误</translation>
+    </message>
+    <message>
+        <source>Ask the driver of joint {joint} to clear its error</source>
+        <translation>让关节 {joint} 的驱动器清除错误</translation>
+    </message>
+    <message>
+        <source>A time beside a fault says since when. Choose a cell to read it in full.</source>
+        <translation>故障旁的时间表示故障从何时开始。选中单元格可查看详情。</translation>
+    </message>
+</context>
+<context>
+    <name>JointStatusModel</name>
+    <message>
+        <source>since {time}</source>
+        <translation>自 {time} 起</translation>
+    </message>
+    <message>
+        <source>not heard of late</source>
+        <translation>最近没有收到</translation>
+    </message>
+</context>
+<context>
+    <name>JointTable</name>
+    <message>
+        <source>Joint status in the recording</source>
+        <translation>记录中的关节状态</translation>
+    </message>
+</context>
+<context>
+    <name>JointVerdict</name>
+    <message>
+        <source>Normal</source>
+        <translation>正常</translation>
+    </message>
+    <message>
+        <source>Disabled</source>
+        <translation>失能</translation>
+    </message>
+    <message>
+        <source>Unknown</source>
+        <translation>未知</translation>
+    </message>
+    <message>
+        <source>Fault</source>
+        <translation>有故障</translation>
+    </message>
+    <message>
+        <source>Offline</source>
+        <translation>离线</translation>
+    </message>
+</context>
+<context>
+    <name>JointWord</name>
+    <message>
+        <source>Normal</source>
+        <translation>正常</translation>
+    </message>
+    <message>
+        <source>Too low</source>
+        <translation>过低</translation>
+    </message>
+    <message>
+        <source>Too hot</source>
+        <translation>过温</translation>
+    </message>
+    <message>
+        <source>Overcurrent</source>
+        <translation>过流</translation>
+    </message>
+    <message>
+        <source>Abnormal</source>
+        <translation>异常</translation>
+    </message>
+    <message>
+        <source>Error</source>
+        <translation>错误</translation>
+    </message>
+    <message>
+        <source>Triggered</source>
+        <translation>触发保护</translation>
+    </message>
+    <message>
+        <source>Enabled</source>
+        <translation>使能</translation>
+    </message>
+    <message>
+        <source>Disabled</source>
+        <translation>失能</translation>
+    </message>
+    <message>
+        <source>Not homed</source>
+        <translation>没有回零</translation>
+    </message>
+    <message>
+        <source>Homed</source>
+        <translation>已经回零</translation>
+    </message>
+</context>
+<context>
+    <name>KeyPad</name>
+    <message>
+        <source>Keyboard jogging</source>
+        <translation>键盘点动</translation>
+    </message>
+    <message>
+        <source>Hold the space bar; each press of a key is one step.</source>
+        <translation>按住空格键，每按一次方向键走一步。</translation>
+    </message>
+    <message>
+        <source>Hold the space bar and press a key; release either and the arm stops.</source>
+        <translation>按住空格键再按方向键即运动；松开任一键即停止。</translation>
+    </message>
+    <message>
+        <source>Click here to jog by keys.</source>
+        <translation>点击此处后可用键盘点动。</translation>
+    </message>
+    <message>
+        <source>Jogging is not possible now.</source>
+        <translation>现在不能点动。</translation>
+    </message>
+</context>
+<context>
+    <name>LeaveQuestion</name>
+    <message>
+        <source>What you changed in “{name}” has not been saved.</source>
+        <translation>“{name}”中的修改尚未保存。</translation>
+    </message>
+</context>
+<context>
+    <name>Leaving</name>
+    <message>
+        <source>The stop is not confirmed</source>
+        <translation>急停尚未确认</translation>
+    </message>
+    <message>
+        <source>The arm has not said that it has stopped. The emergency stop is repeated only as long as the program is connected. Watch the arm.</source>
+        <translation>机械臂尚未确认已停止。只有保持连接，程序才会重复发送急停。请注意机械臂。</translation>
+    </message>
+    <message>
+        <source>Leave anyway</source>
+        <translation>仍要离开</translation>
+    </message>
+    <message>
+        <source>End it and go on</source>
+        <translation>结束并继续</translation>
+    </message>
+    <message>
+        <source>A run is under way</source>
+        <translation>正在运行</translation>
+    </message>
+    <message>
+        <source>A trajectory or recording is being run, or is paused. If you go on, the arm is told to end its motion where it is; its motors stay enabled. The rest of the run is not done.</source>
+        <translation>轨迹或录制正在运行或已暂停。继续的话，机械臂将就地结束运动，电机保持使能，其余部分不再执行。</translation>
+    </message>
+    <message>
+        <source>A motion is held back</source>
+        <translation>有运动被保留</translation>
+    </message>
+    <message>
+        <source>The arm holds back a motion. If you go on, the arm is told to drop it and stays where it is; its motors stay enabled.</source>
+        <translation>机械臂保留着一个未完成的运动。继续操作时，将命令机械臂放弃该运动并停在原处；电机保持使能。</translation>
+    </message>
+</context>
+<context>
+    <name>Level</name>
+    <message>
+        <source>Information</source>
+        <translation>信息</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>完成</translation>
+    </message>
+    <message>
+        <source>Warning</source>
+        <translation>警告</translation>
+    </message>
+    <message>
+        <source>Fault</source>
+        <translation>故障</translation>
+    </message>
+</context>
+<context>
+    <name>LevelsPanel</name>
+    <message>
+        <source>All</source>
+        <translation>全部</translation>
+    </message>
+    <message>
+        <source>All joints: level</source>
+        <translation>全部关节：等级</translation>
+    </message>
+</context>
+<context>
+    <name>LibraryActions</name>
+    <message>
+        <source>Trajectory</source>
+        <translation>轨迹</translation>
+    </message>
+    <message>
+        <source>Deleted: {names}</source>
+        <translation>已删除：{names}</translation>
+    </message>
+    <message>
+        <source>“{name}” is open. Close its window first.</source>
+        <translation>“{name}”正打开着，请先关闭其窗口。</translation>
+    </message>
+    <message>
+        <source>“{new}” is called “{old}” again.</source>
+        <translation>“{new}”已改回原名“{old}”。</translation>
+    </message>
+    <message>
+        <source>Brought back: {names}</source>
+        <translation>已恢复：{names}</translation>
+    </message>
+    <message>
+        <source>Undo deleting “{names}”</source>
+        <translation>撤销删除“{names}”</translation>
+    </message>
+    <message>
+        <source>Brings it back.</source>
+        <translation>将其恢复。</translation>
+    </message>
+    <message>
+        <source>Undo renaming to “{names}”</source>
+        <translation>撤销重命名为“{names}”</translation>
+    </message>
+    <message>
+        <source>It is called “{names}” again.</source>
+        <translation>名称改回“{names}”。</translation>
+    </message>
+    <message>
+        <source>Undo creating “{names}”</source>
+        <translation>撤销创建“{names}”</translation>
+    </message>
+    <message>
+        <source>Undo copying to “{names}”</source>
+        <translation>撤销复制为“{names}”</translation>
+    </message>
+    <message>
+        <source>Undo importing “{names}”</source>
+        <translation>撤销导入“{names}”</translation>
+    </message>
+    <message>
+        <source>Deletes it; for 30 days it can be brought back.</source>
+        <translation>将其删除；30 天内可恢复。</translation>
+    </message>
+</context>
+<context>
+    <name>LibraryBar</name>
+    <message>
+        <source>Import files</source>
+        <translation>导入文件</translation>
+    </message>
+    <message>
+        <source>Create</source>
+        <translation>创建</translation>
+    </message>
+    <message>
+        <source>Record</source>
+        <translation>录制</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>删除</translation>
+    </message>
+    <message>
+        <source>Duplicate</source>
+        <translation>复制</translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation>重命名</translation>
+    </message>
+    <message>
+        <source>Export files</source>
+        <translation>导出文件</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>搜索</translation>
+    </message>
+    <message>
+        <source>Not saved yet. Open it and save it first</source>
+        <translation>尚未保存，请先打开并保存</translation>
+    </message>
+    <message>
+        <source>Choose one trajectory alone</source>
+        <translation>请只选择一条轨迹</translation>
+    </message>
+    <message>
+        <source>Choose a trajectory in the list first</source>
+        <translation>请先在列表中选择轨迹</translation>
+    </message>
+</context>
+<context>
+    <name>LibraryButton</name>
+    <message>
+        <source>Trajectory library</source>
+        <translation>轨迹库</translation>
+    </message>
+    <message>
+        <source>Make, check, run and record trajectories</source>
+        <translation>编辑、检查、运行和录制轨迹</translation>
+    </message>
+</context>
+<context>
+    <name>LibraryExchange</name>
+    <message>
+        <source>Reading {names}…</source>
+        <translation>正在读取 {names}…</translation>
+    </message>
+    <message>
+        <source>Imported: {names}</source>
+        <translation>已导入：{names}</translation>
+    </message>
+    <message>
+        <source>Their names were taken, so they got others: {names}</source>
+        <translation>名称已被占用，已改名：{names}</translation>
+    </message>
+    <message>
+        <source>Not imported. {reason}</source>
+        <translation>未导入。{reason}</translation>
+    </message>
+    <message>
+        <source>Not imported either: {count} more. See the results.</source>
+        <translation>另有 {count} 个文件未导入，详见导入结果。</translation>
+    </message>
+    <message>
+        <source>Not imported yet: {names}</source>
+        <translation>尚未导入：{names}</translation>
+    </message>
+    <message>
+        <source>Not exported. {reason}</source>
+        <translation>未导出：{reason}</translation>
+    </message>
+    <message>
+        <source>Not exported either: {count} more.</source>
+        <translation>另有 {count} 条轨迹未导出。</translation>
+    </message>
+    <message>
+        <source>Exported: {names}</source>
+        <translation>已导出：{names}</translation>
+    </message>
+</context>
+<context>
+    <name>LibraryFiles</name>
+    <message>
+        <source>Trajectories</source>
+        <translation>轨迹文件</translation>
+    </message>
+    <message>
+        <source>All files</source>
+        <translation>所有文件</translation>
+    </message>
+    <message>
+        <source>Import files</source>
+        <translation>导入文件</translation>
+    </message>
+    <message>
+        <source>Export file</source>
+        <translation>导出文件</translation>
+    </message>
+    <message>
+        <source>Export files into a folder</source>
+        <translation>导出文件到文件夹</translation>
+    </message>
+</context>
+<context>
+    <name>LibraryHint</name>
+    <message>
+        <source>Show all</source>
+        <translation>显示全部</translation>
+    </message>
+    <message>
+        <source>Nothing is found for “{text}”</source>
+        <translation>未找到“{text}”</translation>
+    </message>
+    <message>
+        <source>Neither a name nor a note holds this text.</source>
+        <translation>名称和备注中都没有这段文字。</translation>
+    </message>
+    <message>
+        <source>No trajectories yet</source>
+        <translation>还没有轨迹</translation>
+    </message>
+    <message>
+        <source>Create one and enter its points, record a motion of the arm, or import files. Files can also be dropped here.</source>
+        <translation>可以创建轨迹并输入点位，录制机械臂的运动，或导入文件，也可以把文件拖放到这里。</translation>
+    </message>
+</context>
+<context>
+    <name>LibraryModel</name>
+    <message>
+        <source>{count} samples</source>
+        <translation>{count} 个采样</translation>
+    </message>
+    <message>
+        <source>Unsaved changes of a trajectory that was never saved, or whose file is gone. Open it to save it, or delete it.</source>
+        <translation>该轨迹从未保存过，或其文件已不存在，这里是未保存的更改。请打开后保存，或将其删除。</translation>
+    </message>
+    <message>
+        <source>✓ checked</source>
+        <translation>✓ 通过</translation>
+    </message>
+    <message>
+        <source>! warnings</source>
+        <translation>! 有警告</translation>
+    </message>
+    <message>
+        <source>✕ errors</source>
+        <translation>✕ 有错误</translation>
+    </message>
+    <message>
+        <source>✕ damaged</source>
+        <translation>✕ 已损坏</translation>
+    </message>
+    <message>
+        <source>! not saved</source>
+        <translation>! 未保存</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>名称</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>点数</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>时长</translation>
+    </message>
+    <message>
+        <source>Last change</source>
+        <translation>修改时间</translation>
+    </message>
+    <message>
+        <source>Check</source>
+        <translation>检查</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>备注</translation>
+    </message>
+    <message>
+        <source>This was taught on another arm: {taught}. Chosen is {arm}.</source>
+        <translation>此轨迹在另一种机械臂上示教：{taught}。当前选择的是 {arm}。</translation>
+    </message>
+    <message>
+        <source>! other arm</source>
+        <translation>! 其他机械臂</translation>
+    </message>
+</context>
+<context>
+    <name>LibraryPage</name>
+    <message>
+        <source>“{name}” is not saved yet. Open it and save it first.</source>
+        <translation>“{name}”尚未保存，请先打开并保存。</translation>
+    </message>
+    <message>
+        <source>“{name}” ended at row {row}. {reason}</source>
+        <translation>“{name}”在第 {row} 行结束。{reason}</translation>
+    </message>
+    <message>
+        <source>Trajectory library</source>
+        <translation>轨迹库</translation>
+    </message>
+    <message>
+        <source>Saved as “{name}”.</source>
+        <translation>已保存为“{name}”。</translation>
+    </message>
+    <message>
+        <source>Deleted: {names}</source>
+        <translation>已删除：{names}</translation>
+    </message>
+</context>
+<context>
+    <name>LightEditor</name>
+    <message>
+        <source>Nothing</source>
+        <translation>无动作</translation>
+    </message>
+    <message>
+        <source>Lamp: 0 to 254, or all</source>
+        <translation>灯编号：0 至 254，或 all（全部）</translation>
+    </message>
+    <message>
+        <source>Grey values of red, green and blue, 0 to 255: 255,128,0</source>
+        <translation>红、绿、蓝灰度值，0 至 255，例如 255,128,0</translation>
+    </message>
+</context>
+<context>
+    <name>LightFigure</name>
+    <message>
+        <source>Joint number</source>
+        <translation>关节序号</translation>
+    </message>
+    <message>
+        <source>Lamp number</source>
+        <translation>灯珠序号</translation>
+    </message>
+    <message>
+        <source>R channel</source>
+        <translation>R 通道</translation>
+    </message>
+    <message>
+        <source>G channel</source>
+        <translation>G 通道</translation>
+    </message>
+    <message>
+        <source>B channel</source>
+        <translation>B 通道</translation>
+    </message>
+</context>
+<context>
+    <name>LightPanel</name>
+    <message>
+        <source>Every lamp is chosen. Take the tick away to choose one.</source>
+        <translation>已选择全部灯珠。取消勾选后可选择单个灯珠。</translation>
+    </message>
+    <message>
+        <source>Sends the colour to the lamps; nothing moves.</source>
+        <translation>把颜色发送到灯珠，机械臂不会运动。</translation>
+    </message>
+    <message>
+        <source>Light control</source>
+        <translation>灯光控制</translation>
+    </message>
+    <message>
+        <source>Lamps of joint {joint}</source>
+        <translation>关节 {joint} 的灯珠</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>全部</translation>
+    </message>
+    <message>
+        <source>Opens a window to pick a colour in; nothing is sent.</source>
+        <translation>打开选取颜色的窗口，不发送任何指令。</translation>
+    </message>
+    <message>
+        <source>Pick a colour…</source>
+        <translation>选取颜色…</translation>
+    </message>
+    <message>
+        <source>All lamps of the joint</source>
+        <translation>该关节的全部灯珠</translation>
+    </message>
+    <message>
+        <source>Colour of the lamps</source>
+        <translation>灯光颜色</translation>
+    </message>
+    <message>
+        <source>Effect</source>
+        <translation>效果</translation>
+    </message>
+    <message>
+        <source>The colour that Confirm sends</source>
+        <translation>点击“确认”后发送的颜色</translation>
+    </message>
+    <message>
+        <source>Confirm</source>
+        <translation>确认</translation>
+    </message>
+    <message>
+        <source>Works on joints that have a lamp board.
 Lamps give no feedback: this is only what will be sent.</source>
-            <translation>若已安装关节灯板，即可控制其灯光。
+        <translation>若已安装关节灯板，即可控制其灯光。
 灯光没有反馈：此处仅显示要发送的颜色。</translation>
-        </message>
-    </context>
-    <context>
-        <name>LinkagePanel</name>
-        <message>
-            <source>The arm becomes a teaching input: its feedback ends, it can be led by hand, obeys no command and sends its own to the following arm.</source>
-            <translation>机械臂将成为示教输入臂：停止上报反馈，可用手拖动，不响应控制指令，并向从臂发送指令。</translation>
-        </message>
-        <message>
-            <source>The arm becomes, or stays, a motion output arm. The program listens and talks on the identifiers that the offsets lead to.</source>
-            <translation>机械臂将成为（或保持为）运动输出臂。程序将按偏移后的 ID 收发报文。</translation>
-        </message>
-        <message>
-            <source>Every arm on this bus obeys this setting: leave only the one meant connected. The arm keeps it when switched off. It holds in standby, or after the arm was switched off and on.</source>
-            <translation>总线上的所有机械臂都会响应此设置，请只连接要设置的机械臂。该设置断电保存，在待机模式下或重新上电后生效。</translation>
-        </message>
-        <message>
-            <source>Set the linkage</source>
-            <translation>设置联动</translation>
-        </message>
-        <message>
-            <source>Confirm</source>
-            <translation>确认</translation>
-        </message>
-        <message>
-            <source>Says what will change, and asks first.</source>
-            <translation>执行前会说明改变的内容并询问。</translation>
-        </message>
-        <message>
-            <source>In use: —</source>
-            <translation>当前使用：—</translation>
-        </message>
-        <message>
-            <source>not known</source>
-            <translation>未知</translation>
-        </message>
-        <message>
-            <source>In use: feedback {feedback}, commands {control}</source>
-            <translation>当前使用：反馈 {feedback}，控制 {control}</translation>
-        </message>
-        <message>
-            <source>Linkage control</source>
-            <translation>联动控制</translation>
-        </message>
-        <message>
-            <source>Linkage setting</source>
-            <translation>联动设置指令</translation>
-        </message>
-        <message>
-            <source>Master arm (teaching input arm)</source>
-            <translation>主臂（示教输入臂）</translation>
-        </message>
-        <message>
-            <source>Slave arm (motion output arm)</source>
-            <translation>从臂（运动输出臂）</translation>
-        </message>
-        <message>
-            <source>Feedback offset</source>
-            <translation>反馈指令偏移值</translation>
-        </message>
-        <message>
-            <source>Control offset</source>
-            <translation>控制指令偏移值</translation>
-        </message>
-        <message>
-            <source>Address offset</source>
-            <translation>地址偏移值</translation>
-        </message>
-        <message>
-            <source>Where a teaching input sends its commands: the control offset of its follower</source>
-            <translation>示教输入臂发送指令的目标地址，即从臂的控制指令偏移值</translation>
-        </message>
-        <message>
-            <source>The arm on this bus is a teaching input: it sends commands for a following arm and no feedback. It obeys nothing but this:</source>
-            <translation>总线上的机械臂是示教输入臂：只向从臂发送指令，不上报反馈，仅响应以下操作：</translation>
-        </message>
-        <message>
-            <source>Back to a motion output arm without offsets</source>
-            <translation>恢复为运动输出臂（不偏移）</translation>
-        </message>
-        <message>
-            <source>The arm cannot be asked for this setting: what counts is where its feedback is heard.</source>
-            <translation>此设置无法从机械臂查询，以实际收到反馈的 ID 为准。</translation>
-        </message>
-    </context>
-    <context>
-        <name>List</name>
-        <message>
-            <source>, </source>
-            <translation>、</translation>
-        </message>
-    </context>
-    <context>
-        <name>LiveStrip</name>
-        <message>
-            <source>The arm that is connected now:</source>
-            <translation>当前连接的机械臂：</translation>
-        </message>
-    </context>
-    <context>
-        <name>MainWindow</name>
-        <message>
-            <source>armui – PiPER arm</source>
-            <translation>armui – PiPER 机械臂</translation>
-        </message>
-        <message>
-            <source>3D view of the arm</source>
-            <translation>机械臂 3D 视图</translation>
-        </message>
-        <message>
-            <source>The arm is moving</source>
-            <translation>机械臂正在运动</translation>
-        </message>
-        <message>
-            <source>Closing the program does not stop the arm: it goes on to its target. Press the emergency stop if it must not.</source>
-            <translation>关闭程序不会使机械臂停止，它会继续运动到目标点。若不允许，请按急停。</translation>
-        </message>
-        <message>
-            <source>Close anyway</source>
-            <translation>仍然关闭</translation>
-        </message>
-    </context>
-    <context>
-        <name>ManualEntry</name>
-        <message>
-            <source>Interface</source>
-            <translation>接口</translation>
-        </message>
-        <message>
-            <source>Channel</source>
-            <translation>通道</translation>
-        </message>
-        <message>
-            <source>e.g. COM5, /dev/ttyACM0, 239.0.0.1</source>
-            <translation>例如 COM5、/dev/ttyACM0、239.0.0.1</translation>
-        </message>
-        <message>
-            <source>Add to the list</source>
-            <translation>添加到列表</translation>
-        </message>
-        <message>
-            <source>Enter the interface and its channel first.</source>
-            <translation>请先输入接口和通道。</translation>
-        </message>
-    </context>
-    <context>
-        <name>MeasureChoice</name>
-        <message>
-            <source>Tells the gripper an angle.</source>
-            <translation>按角度控制夹爪。</translation>
-        </message>
-        <message>
-            <source>Target as</source>
-            <translation>目标按</translation>
-        </message>
-        <message>
-            <source>Opening (mm)</source>
-            <translation>开度（mm）</translation>
-        </message>
-        <message>
-            <source>Angle (°)</source>
-            <translation>角度（°）</translation>
-        </message>
-    </context>
-    <context>
-        <name>ModelChoice</name>
-        <message>
-            <source>The simulated arm is this model.</source>
-            <translation>仿真机械臂即为所选型号。</translation>
-        </message>
-        <message>
-            <source>No frame names the model: it is compared afterwards.</source>
-            <translation>总线上没有型号信息：连接后会自动核对。</translation>
-        </message>
-        <message>
-            <source>The pose this arm reports is that of a {fits}: choose it and press Connect.</source>
-            <translation>该机械臂反馈的位姿属于 {fits}：请选择该型号并点击“连接”。</translation>
-        </message>
-        <message>
-            <source>The pose this arm reports fits none of the models.</source>
-            <translation>该机械臂反馈的位姿不符合任何型号。</translation>
-        </message>
-        <message>
-            <source>Confirmed by the pose the arm reports.</source>
-            <translation>与机械臂反馈的位姿一致，已确认。</translation>
-        </message>
-        <message>
-            <source>Fits the pose the arm reports; so do others. Move a joint to decide.</source>
-            <translation>符合机械臂反馈的位姿，但其它型号也符合。移动一个关节即可判定。</translation>
-        </message>
-        <message>
-            <source>Not compared yet: the arm must stand still.</source>
-            <translation>尚未核对：需要机械臂静止。</translation>
-        </message>
-        <message>
-            <source>Model of the arm</source>
-            <translation>机械臂型号</translation>
-        </message>
-        <message>
-            <source>Its lengths decide where the tool is. The limits of the joints are always read from the arm.</source>
-            <translation>型号决定各连杆长度，从而决定末端位置。关节限位始终从机械臂读取。</translation>
-        </message>
-        <message>
-            <source>This very arm was a {before} the last time: choose that and press Connect, or wait until the arm stands still and is compared.</source>
-            <translation>此机械臂上次为 {before}：请选择该型号并点击连接，或等待机械臂静止后自动核对。</translation>
-        </message>
-    </context>
-    <context>
-        <name>ModelMark</name>
-        <message>
-            <source>{model}? The pose is that of a {other}</source>
-            <translation>{model}？位姿属于 {other}</translation>
-        </message>
-        <message>
-            <source>Click to connect it as a {other}.</source>
-            <translation>点击以 {other} 重新连接。</translation>
-        </message>
-        <message>
-            <source>{model}? The pose fits none</source>
-            <translation>{model}？位姿不符合任何型号</translation>
-        </message>
-        <message>
-            <source>The pose the arm reports fits none of the models.</source>
-            <translation>机械臂反馈的位姿不符合任何型号。</translation>
-        </message>
-        <message>
-            <source>Model of the arm, confirmed by the pose it reports.</source>
-            <translation>机械臂型号，与反馈的位姿一致，已确认。</translation>
-        </message>
-        <message>
-            <source>Model of the arm, as chosen; not compared yet.</source>
-            <translation>机械臂型号（操作者选择），尚未核对。</translation>
-        </message>
-        <message>
-            <source>Model of the arm: {text}</source>
-            <translation>机械臂型号：{text}</translation>
-        </message>
-        <message>
-            <source>{model}? It was a {before}</source>
-            <translation>{model}？上次为 {before}</translation>
-        </message>
-        <message>
-            <source>This very arm was a {before} the last time. Click to choose.</source>
-            <translation>此机械臂上次为 {before}。点击选择型号。</translation>
-        </message>
-        <message>
-            <source>Joints 2 and 3 count from the zeros before S-V1.6-3.</source>
-            <translation>关节 2、3 采用 S-V1.6-3 之前的零点。</translation>
-        </message>
-    </context>
-    <context>
-        <name>MotionEnd</name>
-        <message>
-            <source>the arm stands before its target</source>
-            <translation>机械臂未到目标即停下</translation>
-        </message>
-        <message>
-            <source>a newer command took its place</source>
-            <translation>被新的指令取代</translation>
-        </message>
-        <message>
-            <source>cancelled</source>
-            <translation>已终止</translation>
-        </message>
-        <message>
-            <source>emergency stop</source>
-            <translation>急停</translation>
-        </message>
-        <message>
-            <source>motors without power</source>
-            <translation>电机失能</translation>
-        </message>
-        <message>
-            <source>another host moved the arm</source>
-            <translation>其他程序移动了机械臂</translation>
-        </message>
-        <message>
-            <source>drag teaching began</source>
-            <translation>开始拖动示教</translation>
-        </message>
-        <message>
-            <source>the arm left CAN control</source>
-            <translation>机械臂退出 CAN 指令控制</translation>
-        </message>
-        <message>
-            <source>the arm fell silent</source>
-            <translation>收不到机械臂反馈</translation>
-        </message>
-        <message>
-            <source>the joint limits changed</source>
-            <translation>关节限位已改变</translation>
-        </message>
-        <message>
-            <source>a zero was set</source>
-            <translation>零点已重设</translation>
-        </message>
-        <message>
-            <source>the arm stands elsewhere</source>
-            <translation>机械臂停在别处</translation>
-        </message>
-        <message>
-            <source>its frames did not get out</source>
-            <translation>报文未发出</translation>
-        </message>
-        <message>
-            <source>disconnected</source>
-            <translation>已断开连接</translation>
-        </message>
-    </context>
-    <context>
-        <name>MotionPanel</name>
-        <message>
-            <source>Moves all joints to 0°.</source>
-            <translation>各关节运动到 0°。</translation>
-        </message>
-        <message>
-            <source>Fills the fields with the measured angles; nothing moves.</source>
-            <translation>将当前测量角度填入编辑栏，机械臂不动。</translation>
-        </message>
-        <message>
-            <source>Moves the arm to the angles in the fields.</source>
-            <translation>使机械臂运动到编辑栏中的角度。</translation>
-        </message>
-        <message>
-            <source>Motion control</source>
-            <translation>运动控制</translation>
-        </message>
-        <message>
-            <source>How far one press of − or + moves a joint</source>
-            <translation>每按一次 − 或 + 关节转动的角度</translation>
-        </message>
-        <message>
-            <source>Target</source>
-            <translation>目标</translation>
-        </message>
-        <message>
-            <source>Measured</source>
-            <translation>测量</translation>
-        </message>
-        <message>
-            <source>Home</source>
-            <translation>回零</translation>
-        </message>
-        <message>
-            <source>Load</source>
-            <translation>装载</translation>
-        </message>
-        <message>
-            <source>Send</source>
-            <translation>发送</translation>
-        </message>
-    </context>
-    <context>
-        <name>MotorPanel</name>
-        <message>
-            <source>The arm will drop when it loses its power. Hold the arm.</source>
-            <translation>失能后机械臂会下落，请扶住机械臂。</translation>
-        </message>
-        <message>
-            <source>Disable all six motors</source>
-            <translation>失能全部 6 个电机</translation>
-        </message>
-        <message>
-            <source>Disable the motor of joint {joint}</source>
-            <translation>失能关节 {joint} 电机</translation>
-        </message>
-        <message>
-            <source>Joint {joint} and what hangs on it gives way.</source>
-            <translation>关节 {joint} 及其后各部分将失去支撑。</translation>
-        </message>
-        <message>
-            <source>Disable</source>
-            <translation>失能</translation>
-        </message>
-        <message>
-            <source>Set the zero of all six joints</source>
-            <translation>设置全部 6 个关节的零点</translation>
-        </message>
-        <message>
-            <source>Where all six joints stand now becomes their 0°.</source>
-            <translation>6 个关节的当前位置将成为各自的 0°。</translation>
-        </message>
-        <message>
-            <source>Set the zero of joint {joint}</source>
-            <translation>设置关节 {joint} 的零点</translation>
-        </message>
-        <message>
-            <source>Where joint {joint} stands now becomes its 0°.</source>
-            <translation>关节 {joint} 的当前位置将成为其 0°。</translation>
-        </message>
-        <message>
-            <source>The limits move with the zero, and so does every stored trajectory. With a wrong zero the arm runs into its stops.
-Set it only at the mark of the joint's zero, with the arm standing still. The arm keeps it; there is no way back but to set it again.</source>
-            <translation>限位和已存轨迹会随零点一起改变；零点设错，机械臂会撞上机械限位。
+    </message>
+</context>
+<context>
+    <name>LinkagePanel</name>
+    <message>
+        <source>The arm becomes a teaching input: its feedback ends, it can be led by hand, obeys no command and sends its own to the following arm.</source>
+        <translation>机械臂将成为示教输入臂：停止上报反馈，可用手拖动，不响应控制指令，并向从臂发送指令。</translation>
+    </message>
+    <message>
+        <source>The arm becomes, or stays, a motion output arm. The program listens and talks on the identifiers that the offsets lead to.</source>
+        <translation>机械臂将成为（或保持为）运动输出臂。程序将按偏移后的 ID 收发报文。</translation>
+    </message>
+    <message>
+        <source>Every arm on this bus obeys this setting: leave only the one meant connected. The arm keeps it when switched off. It holds in standby, or after the arm was switched off and on.</source>
+        <translation>总线上的所有机械臂都会响应此设置，请只连接要设置的机械臂。该设置断电保存，在待机模式下或重新上电后生效。</translation>
+    </message>
+    <message>
+        <source>Set the linkage</source>
+        <translation>设置联动</translation>
+    </message>
+    <message>
+        <source>Confirm</source>
+        <translation>确认</translation>
+    </message>
+    <message>
+        <source>Says what will change, and asks first.</source>
+        <translation>执行前会说明改变的内容并询问。</translation>
+    </message>
+    <message>
+        <source>In use: —</source>
+        <translation>当前使用：—</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>未知</translation>
+    </message>
+    <message>
+        <source>In use: feedback {feedback}, commands {control}</source>
+        <translation>当前使用：反馈 {feedback}，控制 {control}</translation>
+    </message>
+    <message>
+        <source>Linkage control</source>
+        <translation>联动控制</translation>
+    </message>
+    <message>
+        <source>Linkage setting</source>
+        <translation>联动设置指令</translation>
+    </message>
+    <message>
+        <source>Master arm (teaching input arm)</source>
+        <translation>主臂（示教输入臂）</translation>
+    </message>
+    <message>
+        <source>Slave arm (motion output arm)</source>
+        <translation>从臂（运动输出臂）</translation>
+    </message>
+    <message>
+        <source>Feedback offset</source>
+        <translation>反馈指令偏移值</translation>
+    </message>
+    <message>
+        <source>Control offset</source>
+        <translation>控制指令偏移值</translation>
+    </message>
+    <message>
+        <source>Address offset</source>
+        <translation>地址偏移值</translation>
+    </message>
+    <message>
+        <source>Where a teaching input sends its commands: the control offset of its follower</source>
+        <translation>示教输入臂发送指令的目标地址，即从臂的控制指令偏移值</translation>
+    </message>
+    <message>
+        <source>The arm on this bus is a teaching input: it sends commands for a following arm and no feedback. It obeys nothing but this:</source>
+        <translation>总线上的机械臂是示教输入臂：只向从臂发送指令，不上报反馈，仅响应以下操作：</translation>
+    </message>
+    <message>
+        <source>Back to a motion output arm without offsets</source>
+        <translation>恢复为运动输出臂（不偏移）</translation>
+    </message>
+    <message>
+        <source>The arm cannot be asked for this setting: what counts is where its feedback is heard.</source>
+        <translation>此设置无法从机械臂查询，以实际收到反馈的 ID 为准。</translation>
+    </message>
+</context>
+<context>
+    <name>List</name>
+    <message>
+        <source>, </source>
+        <translation>、</translation>
+    </message>
+</context>
+<context>
+    <name>LiveStrip</name>
+    <message>
+        <source>The arm that is connected now:</source>
+        <translation>当前连接的机械臂：</translation>
+    </message>
+</context>
+<context>
+    <name>MainWindow</name>
+    <message>
+        <source>armui – PiPER arm</source>
+        <translation>armui – PiPER 机械臂</translation>
+    </message>
+    <message>
+        <source>3D view of the arm</source>
+        <translation>机械臂 3D 视图</translation>
+    </message>
+    <message>
+        <source>The arm is moving</source>
+        <translation>机械臂正在运动</translation>
+    </message>
+    <message>
+        <source>Closing the program does not stop the arm: it goes on to its target. Press the emergency stop if it must not.</source>
+        <translation>关闭程序不会使机械臂停止，它会继续运动到目标点。若不允许，请按急停。</translation>
+    </message>
+    <message>
+        <source>Close anyway</source>
+        <translation>仍然关闭</translation>
+    </message>
+</context>
+<context>
+    <name>ManualEntry</name>
+    <message>
+        <source>Interface</source>
+        <translation>接口</translation>
+    </message>
+    <message>
+        <source>Channel</source>
+        <translation>通道</translation>
+    </message>
+    <message>
+        <source>e.g. COM5, /dev/ttyACM0, 239.0.0.1</source>
+        <translation>例如 COM5、/dev/ttyACM0、239.0.0.1</translation>
+    </message>
+    <message>
+        <source>Add to the list</source>
+        <translation>添加到列表</translation>
+    </message>
+    <message>
+        <source>Enter the interface and its channel first.</source>
+        <translation>请先输入接口和通道。</translation>
+    </message>
+</context>
+<context>
+    <name>MeasureChoice</name>
+    <message>
+        <source>Tells the gripper an angle.</source>
+        <translation>按角度控制夹爪。</translation>
+    </message>
+    <message>
+        <source>Target as</source>
+        <translation>目标按</translation>
+    </message>
+    <message>
+        <source>Opening (mm)</source>
+        <translation>开度（mm）</translation>
+    </message>
+    <message>
+        <source>Angle (°)</source>
+        <translation>角度（°）</translation>
+    </message>
+</context>
+<context>
+    <name>ModelChoice</name>
+    <message>
+        <source>The simulated arm is this model.</source>
+        <translation>仿真机械臂即为所选型号。</translation>
+    </message>
+    <message>
+        <source>No frame names the model: it is compared afterwards.</source>
+        <translation>总线上没有型号信息：连接后会自动核对。</translation>
+    </message>
+    <message>
+        <source>The pose this arm reports is that of a {fits}: choose it and press Connect.</source>
+        <translation>该机械臂反馈的位姿属于 {fits}：请选择该型号并点击“连接”。</translation>
+    </message>
+    <message>
+        <source>The pose this arm reports fits none of the models.</source>
+        <translation>该机械臂反馈的位姿不符合任何型号。</translation>
+    </message>
+    <message>
+        <source>Confirmed by the pose the arm reports.</source>
+        <translation>与机械臂反馈的位姿一致，已确认。</translation>
+    </message>
+    <message>
+        <source>Fits the pose the arm reports; so do others. Move a joint to decide.</source>
+        <translation>符合机械臂反馈的位姿，但其它型号也符合。移动一个关节即可判定。</translation>
+    </message>
+    <message>
+        <source>Not compared yet: the arm must stand still.</source>
+        <translation>尚未核对：需要机械臂静止。</translation>
+    </message>
+    <message>
+        <source>Model of the arm</source>
+        <translation>机械臂型号</translation>
+    </message>
+    <message>
+        <source>Its lengths decide where the tool is. The limits of the joints are always read from the arm.</source>
+        <translation>型号决定各连杆长度，从而决定末端位置。关节限位始终从机械臂读取。</translation>
+    </message>
+    <message>
+        <source>This very arm was a {before} the last time: choose that and press Connect, or wait until the arm stands still and is compared.</source>
+        <translation>此机械臂上次为 {before}：请选择该型号并点击连接，或等待机械臂静止后自动核对。</translation>
+    </message>
+</context>
+<context>
+    <name>ModelMark</name>
+    <message>
+        <source>{model}? The pose is that of a {other}</source>
+        <translation>{model}？位姿属于 {other}</translation>
+    </message>
+    <message>
+        <source>Click to connect it as a {other}.</source>
+        <translation>点击以 {other} 重新连接。</translation>
+    </message>
+    <message>
+        <source>{model}? The pose fits none</source>
+        <translation>{model}？位姿不符合任何型号</translation>
+    </message>
+    <message>
+        <source>The pose the arm reports fits none of the models.</source>
+        <translation>机械臂反馈的位姿不符合任何型号。</translation>
+    </message>
+    <message>
+        <source>Model of the arm, confirmed by the pose it reports.</source>
+        <translation>机械臂型号，与反馈的位姿一致，已确认。</translation>
+    </message>
+    <message>
+        <source>Model of the arm, as chosen; not compared yet.</source>
+        <translation>机械臂型号（操作者选择），尚未核对。</translation>
+    </message>
+    <message>
+        <source>Model of the arm: {text}</source>
+        <translation>机械臂型号：{text}</translation>
+    </message>
+    <message>
+        <source>{model}? It was a {before}</source>
+        <translation>{model}？上次为 {before}</translation>
+    </message>
+    <message>
+        <source>This very arm was a {before} the last time. Click to choose.</source>
+        <translation>此机械臂上次为 {before}。点击选择型号。</translation>
+    </message>
+    <message>
+        <source>Joints 2 and 3 count from the zeros before S-V1.6-3.</source>
+        <translation>关节 2、3 采用 S-V1.6-3 之前的零点。</translation>
+    </message>
+</context>
+<context>
+    <name>MotionEnd</name>
+    <message>
+        <source>the arm stands before its target</source>
+        <translation>机械臂未到目标即停下</translation>
+    </message>
+    <message>
+        <source>a newer command took its place</source>
+        <translation>被新的指令取代</translation>
+    </message>
+    <message>
+        <source>cancelled</source>
+        <translation>已终止</translation>
+    </message>
+    <message>
+        <source>emergency stop</source>
+        <translation>急停</translation>
+    </message>
+    <message>
+        <source>motors without power</source>
+        <translation>电机失能</translation>
+    </message>
+    <message>
+        <source>another host moved the arm</source>
+        <translation>其他程序移动了机械臂</translation>
+    </message>
+    <message>
+        <source>drag teaching began</source>
+        <translation>开始拖动示教</translation>
+    </message>
+    <message>
+        <source>the arm left CAN control</source>
+        <translation>机械臂退出 CAN 指令控制</translation>
+    </message>
+    <message>
+        <source>the arm fell silent</source>
+        <translation>收不到机械臂反馈</translation>
+    </message>
+    <message>
+        <source>the joint limits changed</source>
+        <translation>关节限位已改变</translation>
+    </message>
+    <message>
+        <source>a zero was set</source>
+        <translation>零点已重设</translation>
+    </message>
+    <message>
+        <source>the arm stands elsewhere</source>
+        <translation>机械臂停在别处</translation>
+    </message>
+    <message>
+        <source>its frames did not get out</source>
+        <translation>报文未发出</translation>
+    </message>
+    <message>
+        <source>disconnected</source>
+        <translation>已断开连接</translation>
+    </message>
+</context>
+<context>
+    <name>MotionPanel</name>
+    <message>
+        <source>Moves all joints to 0°.</source>
+        <translation>各关节运动到 0°。</translation>
+    </message>
+    <message>
+        <source>Fills the fields with the measured angles; nothing moves.</source>
+        <translation>将当前测量角度填入编辑栏，机械臂不动。</translation>
+    </message>
+    <message>
+        <source>Moves the arm to the angles in the fields.</source>
+        <translation>使机械臂运动到编辑栏中的角度。</translation>
+    </message>
+    <message>
+        <source>Motion control</source>
+        <translation>运动控制</translation>
+    </message>
+    <message>
+        <source>How far one press of − or + moves a joint</source>
+        <translation>每按一次 − 或 + 关节转动的角度</translation>
+    </message>
+    <message>
+        <source>Target</source>
+        <translation>目标</translation>
+    </message>
+    <message>
+        <source>Measured</source>
+        <translation>测量</translation>
+    </message>
+    <message>
+        <source>Home</source>
+        <translation>回零</translation>
+    </message>
+    <message>
+        <source>Load</source>
+        <translation>装载</translation>
+    </message>
+    <message>
+        <source>Send</source>
+        <translation>发送</translation>
+    </message>
+</context>
+<context>
+    <name>MotorPanel</name>
+    <message>
+        <source>The arm will drop when it loses its power. Hold the arm.</source>
+        <translation>失能后机械臂会下落，请扶住机械臂。</translation>
+    </message>
+    <message>
+        <source>Disable all six motors</source>
+        <translation>失能全部 6 个电机</translation>
+    </message>
+    <message>
+        <source>Disable the motor of joint {joint}</source>
+        <translation>失能关节 {joint} 电机</translation>
+    </message>
+    <message>
+        <source>Joint {joint} and what hangs on it gives way.</source>
+        <translation>关节 {joint} 及其后各部分将失去支撑。</translation>
+    </message>
+    <message>
+        <source>Disable</source>
+        <translation>失能</translation>
+    </message>
+    <message>
+        <source>Set the zero of all six joints</source>
+        <translation>设置全部 6 个关节的零点</translation>
+    </message>
+    <message>
+        <source>Where all six joints stand now becomes their 0°.</source>
+        <translation>6 个关节的当前位置将成为各自的 0°。</translation>
+    </message>
+    <message>
+        <source>Set the zero of joint {joint}</source>
+        <translation>设置关节 {joint} 的零点</translation>
+    </message>
+    <message>
+        <source>Where joint {joint} stands now becomes its 0°.</source>
+        <translation>关节 {joint} 的当前位置将成为其 0°。</translation>
+    </message>
+    <message>
+        <source>The limits move with the zero, and so does every stored trajectory. With a wrong zero the arm runs into its stops.
+Set it only at the mark of the joint&apos;s zero, with the arm standing still. The arm keeps it; there is no way back but to set it again.</source>
+        <translation>限位和已存轨迹会随零点一起改变；零点设错，机械臂会撞上机械限位。
 请仅在关节对准零位标记且机械臂静止时设置。机械臂会保存该零点，只能通过重新设置更改。</translation>
-        </message>
-        <message>
-            <source>Set zero</source>
-            <translation>零点设置</translation>
-        </message>
-        <message>
-            <source>Motor settings</source>
-            <translation>电机设置</translation>
-        </message>
-        <message>
-            <source>All joints</source>
-            <translation>全部关节</translation>
-        </message>
-        <message>
-            <source>Motor</source>
-            <translation>电机</translation>
-        </message>
-        <message>
-            <source>Driver</source>
-            <translation>驱动器</translation>
-        </message>
-        <message>
-            <source>Current</source>
-            <translation>电流</translation>
-        </message>
-        <message>
-            <source>Voltage</source>
-            <translation>电压</translation>
-        </message>
-    </context>
-    <context>
-        <name>MotorRow</name>
-        <message>
-            <source>Enabled</source>
-            <translation>使能</translation>
-        </message>
-        <message>
-            <source>Disabled</source>
-            <translation>失能</translation>
-        </message>
-        <message>
-            <source>Motor temperature of joint {joint}</source>
-            <translation>关节 {joint} 电机温度</translation>
-        </message>
-        <message>
-            <source>Driver temperature of joint {joint}</source>
-            <translation>关节 {joint} 驱动器温度</translation>
-        </message>
-        <message>
-            <source>Motor current of joint {joint}</source>
-            <translation>关节 {joint} 电机电流</translation>
-        </message>
-        <message>
-            <source>Supply voltage of joint {joint}</source>
-            <translation>关节 {joint} 电源电压</translation>
-        </message>
-        <message>
-            <source>State of motor {joint}</source>
-            <translation>电机 {joint} 状态</translation>
-        </message>
-    </context>
-    <context>
-        <name>Mounting</name>
-        <message>
-            <source>Unchanged</source>
-            <translation>不变</translation>
-        </message>
-        <message>
-            <source>Level</source>
-            <translation>水平</translation>
-        </message>
-        <message>
-            <source>Left side</source>
-            <translation>左侧</translation>
-        </message>
-        <message>
-            <source>Right side</source>
-            <translation>右侧</translation>
-        </message>
-        <message>
-            <source>Upside down</source>
-            <translation>水平倒装</translation>
-        </message>
-    </context>
-    <context>
-        <name>MountingCard</name>
-        <message>
-            <source>Tell the arm its mounting: {mounting}</source>
-            <translation>告知机械臂安装方式：{mounting}</translation>
-        </message>
-        <message>
-            <source>The arm carries its own weight by what it believes of its mounting. If that is wrong it may sink or rise when it is led by hand, hold badly, and stop for collisions that are none.
+    </message>
+    <message>
+        <source>Set zero</source>
+        <translation>零点设置</translation>
+    </message>
+    <message>
+        <source>Motor settings</source>
+        <translation>电机设置</translation>
+    </message>
+    <message>
+        <source>All joints</source>
+        <translation>全部关节</translation>
+    </message>
+    <message>
+        <source>Motor</source>
+        <translation>电机</translation>
+    </message>
+    <message>
+        <source>Driver</source>
+        <translation>驱动器</translation>
+    </message>
+    <message>
+        <source>Current</source>
+        <translation>电流</translation>
+    </message>
+    <message>
+        <source>Voltage</source>
+        <translation>电压</translation>
+    </message>
+</context>
+<context>
+    <name>MotorRow</name>
+    <message>
+        <source>Enabled</source>
+        <translation>使能</translation>
+    </message>
+    <message>
+        <source>Disabled</source>
+        <translation>失能</translation>
+    </message>
+    <message>
+        <source>Motor temperature of joint {joint}</source>
+        <translation>关节 {joint} 电机温度</translation>
+    </message>
+    <message>
+        <source>Driver temperature of joint {joint}</source>
+        <translation>关节 {joint} 驱动器温度</translation>
+    </message>
+    <message>
+        <source>Motor current of joint {joint}</source>
+        <translation>关节 {joint} 电机电流</translation>
+    </message>
+    <message>
+        <source>Supply voltage of joint {joint}</source>
+        <translation>关节 {joint} 电源电压</translation>
+    </message>
+    <message>
+        <source>State of motor {joint}</source>
+        <translation>电机 {joint} 状态</translation>
+    </message>
+</context>
+<context>
+    <name>Mounting</name>
+    <message>
+        <source>Unchanged</source>
+        <translation>不变</translation>
+    </message>
+    <message>
+        <source>Level</source>
+        <translation>水平</translation>
+    </message>
+    <message>
+        <source>Left side</source>
+        <translation>左侧</translation>
+    </message>
+    <message>
+        <source>Right side</source>
+        <translation>右侧</translation>
+    </message>
+    <message>
+        <source>Upside down</source>
+        <translation>水平倒装</translation>
+    </message>
+</context>
+<context>
+    <name>MountingCard</name>
+    <message>
+        <source>Tell the arm its mounting: {mounting}</source>
+        <translation>告知机械臂安装方式：{mounting}</translation>
+    </message>
+    <message>
+        <source>The arm carries its own weight by what it believes of its mounting. If that is wrong it may sink or rise when it is led by hand, hold badly, and stop for collisions that are none.
 It takes this over at once. Compare with how the arm really stands, and keep clear.</source>
-            <translation>机械臂按所设的安装方式补偿自重。若设置错误，拖动时可能下沉或上浮，保持不稳，并可能误报碰撞而停止。
+        <translation>机械臂按所设的安装方式补偿自重。若设置错误，拖动时可能下沉或上浮，保持不稳，并可能误报碰撞而停止。
 设置立即生效。请核对机械臂的实际安装方式，并远离机械臂。</translation>
-        </message>
-        <message>
-            <source>Tells the arm how it is mounted. Asks first.</source>
-            <translation>告知机械臂其安装方式。会先询问。</translation>
-        </message>
-        <message>
-            <source>Choose how the arm is mounted first.</source>
-            <translation>请先选择机械臂的安装方式。</translation>
-        </message>
-        <message>
-            <source>nothing yet</source>
-            <translation>尚未发送</translation>
-        </message>
-        <message>
-            <source>Mounting of the arm</source>
-            <translation>机械臂安装方式</translation>
-        </message>
-        <message>
-            <source>Confirm</source>
-            <translation>确认</translation>
-        </message>
-        <message>
-            <source>The arm does not answer this and cannot be asked for it: another program, or the arm itself after a power cut, may have another one.</source>
-            <translation>机械臂对此不应答，也无法查询：其他程序或断电后的机械臂可能采用不同的设置。</translation>
-        </message>
-        <message>
-            <source>Told this arm last by this program: {mounting}</source>
-            <translation>本程序上次告知此机械臂的安装方式：{mounting}</translation>
-        </message>
-    </context>
-    <context>
-        <name>MoveMode</name>
-        <message>
-            <source>Point mode</source>
-            <translation>点位模式</translation>
-        </message>
-        <message>
-            <source>Joint mode</source>
-            <translation>关节模式</translation>
-        </message>
-        <message>
-            <source>Linear mode</source>
-            <translation>直线模式</translation>
-        </message>
-        <message>
-            <source>Arc mode</source>
-            <translation>圆弧模式</translation>
-        </message>
-        <message>
-            <source>MIT mode</source>
-            <translation>MIT 模式</translation>
-        </message>
-        <message>
-            <source>CPV mode</source>
-            <translation>CPV 模式</translation>
-        </message>
-    </context>
-    <context>
-        <name>Notice</name>
-        <message>
-            <source>Sent J1 {j1}°  J2 {j2}°  J3 {j3}°  J4 {j4}°  J5 {j5}°  J6 {j6}°</source>
-            <translation>已发送 J1 {j1}°  J2 {j2}°  J3 {j3}°  J4 {j4}°  J5 {j5}°  J6 {j6}°</translation>
-        </message>
-        <message>
-            <source>Sent J{joint} {target}°</source>
-            <translation>已发送 J{joint} {target}°</translation>
-        </message>
-        <message>
-            <source>Home sent: all joints to 0°</source>
-            <translation>已发送回零：各关节运动到 0°</translation>
-        </message>
-        <message>
-            <source>Sent speed {percent} %</source>
-            <translation>已发送速度 {percent} %</translation>
-        </message>
-        <message>
-            <source>Emergency stop sent. The motors go limp and the arm sinks: hold the arm.</source>
-            <translation>急停已发送。电机失去力矩，机械臂会缓慢下沉，请扶住机械臂。</translation>
-        </message>
-        <message>
-            <source>The arm has confirmed the emergency stop.</source>
-            <translation>机械臂已确认急停。</translation>
-        </message>
-        <message>
-            <source>The arm has NOT confirmed the emergency stop; it is sent again and again. Cut the arm's power if it moves.</source>
-            <translation>机械臂尚未确认急停，正在反复发送。若机械臂仍在运动，请切断其电源。</translation>
-        </message>
-        <message>
-            <source>The emergency stop is over. Enable the motors to go on.</source>
-            <translation>急停已恢复。使能电机后可继续使用。</translation>
-        </message>
-        <message>
-            <source>Resume sent. The motors lose power and the arm drops: hold the arm.</source>
-            <translation>恢复已发送。电机断电，机械臂会下落，请扶住机械臂。</translation>
-        </message>
-        <message>
-            <source>Jogging J{joint} {sign}</source>
-            <translation>点动 J{joint} {sign}</translation>
-        </message>
-        <message>
-            <source>Jogging {axis} {sign}</source>
-            <translation>点动 {axis} {sign}</translation>
-        </message>
-        <message>
-            <source>Jogging ended. {reason}</source>
-            <translation>点动已结束。{reason}</translation>
-        </message>
-        <message>
-            <source>Sent MOVE P to X {x}  Y {y}  Z {z} mm  RX {rx}°  RY {ry}°  RZ {rz}°</source>
-            <translation>已发送 MOVE P：X {x}  Y {y}  Z {z} mm  RX {rx}°  RY {ry}°  RZ {rz}°</translation>
-        </message>
-        <message>
-            <source>Sent MOVE L to X {x}  Y {y}  Z {z} mm  RX {rx}°  RY {ry}°  RZ {rz}°</source>
-            <translation>已发送 MOVE L：X {x}  Y {y}  Z {z} mm  RX {rx}°  RY {ry}°  RZ {rz}°</translation>
-        </message>
-        <message>
-            <source>Sent MOVE C through the three captured poses</source>
-            <translation>已发送 MOVE C：经过记录的三个位姿</translation>
-        </message>
-        <message>
-            <source>Sent a step of {step} along {axis}</source>
-            <translation>已发送 {axis} 步进 {step}</translation>
-        </message>
-        <message>
-            <source>{percent} % is kept: the arm gets it when the motion held back goes on</source>
-            <translation>{percent} % 已记下：被保留的运动继续时才发送给机械臂</translation>
-        </message>
-        <message>
-            <source>Another program controls the arm ({frames}).</source>
-            <translation>另一个程序正在控制机械臂（{frames}）。</translation>
-        </message>
-        <message>
-            <source>A leader arm moves this arm ({frames}).</source>
-            <translation>主臂正在带动本机械臂（{frames}）。</translation>
-        </message>
-        <message>
-            <source>Nobody else controls the arm any more.</source>
-            <translation>已没有其他程序控制机械臂。</translation>
-        </message>
-        <message>
-            <source>Connected as a {chosen}, but the pose it reports is that of a {fits}. Connect it as a {fits}.</source>
-            <translation>连接时选择的型号是 {chosen}，但其反馈的位姿属于 {fits}。请按 {fits} 重新连接。</translation>
-        </message>
-        <message>
-            <source>The pose the arm reports fits its angles in no model of the family, {chosen} included.</source>
-            <translation>机械臂反馈的位姿与关节角度不符合任何型号（包括 {chosen}）。</translation>
-        </message>
-        <message>
-            <source>Taken over: this program may move the arm.</source>
-            <translation>已接管：本程序可以移动机械臂。</translation>
-        </message>
-        <message>
-            <source>Speed override {percent} %</source>
-            <translation>运行倍率 {percent} %</translation>
-        </message>
-        <message>
-            <source>The arm was told to end its motion and still moves. Stop it, or cut its power.</source>
-            <translation>已命令机械臂终止运动，但它仍在动。请急停，或切断其电源。</translation>
-        </message>
-        <message>
-            <source>Motion ended: too fast. {reason}</source>
-            <translation>运动已终止：速度过快。{reason}</translation>
-        </message>
-        <message>
-            <source>Sent to lamp {lamp} of joint {joint}: {color}</source>
-            <translation>已发送关节 {joint} 灯珠 {lamp}：{color}</translation>
-        </message>
-        <message>
-            <source>Sent to all lamps of joint {joint}: {color}</source>
-            <translation>已发送关节 {joint} 全部灯珠：{color}</translation>
-        </message>
-        <message>
-            <source>The arm stays in emergency stop. Check it, then press Resume again.</source>
-            <translation>机械臂仍处于急停状态。请检查机械臂，然后再按“恢复”。</translation>
-        </message>
-        <message>
-            <source>Enable sent to all six motors</source>
-            <translation>已向 6 个电机发送使能</translation>
-        </message>
-        <message>
-            <source>All six motors are enabled.</source>
-            <translation>6 个电机均已使能。</translation>
-        </message>
-        <message>
-            <source>These joints did not enable: {joints}. Press Enable again; if that fails, check their drivers and the arm's power.</source>
-            <translation>以下关节未能使能：{joints}。请再按一次“使能”；若仍失败，请检查其驱动器和机械臂电源。</translation>
-        </message>
-        <message>
-            <source>Enable sent to joint {joint}</source>
-            <translation>已发送关节 {joint} 使能</translation>
-        </message>
-        <message>
-            <source>Joint {joint} is enabled.</source>
-            <translation>关节 {joint} 已使能。</translation>
-        </message>
-        <message>
-            <source>Disable sent to joint {joint}</source>
-            <translation>已发送关节 {joint} 失能</translation>
-        </message>
-        <message>
-            <source>Joint {joint} is disabled.</source>
-            <translation>关节 {joint} 已失能。</translation>
-        </message>
-        <message>
-            <source>Disable sent to all six motors. The arm drops: hold the arm.</source>
-            <translation>已向 6 个电机发送失能。机械臂会下落，请扶住机械臂。</translation>
-        </message>
-        <message>
-            <source>All six motors are disabled.</source>
-            <translation>6 个电机均已失能。</translation>
-        </message>
-        <message>
-            <source>These joints did not disable: {joints}. Press Disable again, or use the emergency stop.</source>
-            <translation>以下关节未能失能：{joints}。请再按一次“失能”，或使用急停。</translation>
-        </message>
-        <message>
-            <source>Clear error sent to joint {joint}</source>
-            <translation>已向关节 {joint} 发送清除错误</translation>
-        </message>
-        <message>
-            <source>Joint {joint}: the arm has confirmed the command to clear the error. Where a fault is still shown, remove its cause, then clear it again.</source>
-            <translation>关节 {joint}：机械臂已应答清除错误指令。若仍显示故障，请先排除原因，再次清除。</translation>
-        </message>
-        <message>
-            <source>Joint {joint}: the arm did not confirm within a second the command to clear the error. Try again; if it stays silent, check the CAN cable.</source>
-            <translation>关节 {joint}：机械臂在 1 秒内没有应答清除错误指令。请重试；若仍无应答，请检查 CAN 线缆。</translation>
-        </message>
-        <message>
-            <source>End load sent: {load}</source>
-            <translation>已发送末端负载：{load}</translation>
-        </message>
-        <message>
-            <source>The arm has answered the end load: {load}. It cannot be asked for it.</source>
-            <translation>机械臂已应答末端负载：{load}（无法查询核对）。</translation>
-        </message>
-        <message>
-            <source>End load not confirmed. {reason}</source>
-            <translation>末端负载未得到确认。{reason}</translation>
-        </message>
-        <message>
-            <source>Switching the feedback of the end's motion</source>
-            <translation>正在切换末端速度/加速度反馈</translation>
-        </message>
-        <message>
-            <source>The arm reports the motion of its end.</source>
-            <translation>机械臂正在上报末端速度/加速度。</translation>
-        </message>
-        <message>
-            <source>The arm no longer reports the motion of its end.</source>
-            <translation>机械臂已停止上报末端速度/加速度。</translation>
-        </message>
-        <message>
-            <source>The feedback of the end's motion is not switched. {reason}</source>
-            <translation>末端速度/加速度反馈未切换成功。{reason}</translation>
-        </message>
-        <message>
-            <source>Linkage setting sent</source>
-            <translation>已发送联动设置</translation>
-        </message>
-        <message>
-            <source>The arm has answered the linkage setting. It holds in standby, or after the arm was switched off and on.</source>
-            <translation>机械臂已应答联动设置，在待机模式下或重新上电后生效。</translation>
-        </message>
-        <message>
-            <source>The arm has answered: it becomes a teaching input. Its feedback ends and it can be led by hand.</source>
-            <translation>机械臂已应答：将成为示教输入臂，反馈停止，可用手拖动。</translation>
-        </message>
-        <message>
-            <source>Linkage setting not confirmed. {reason}</source>
-            <translation>联动设置未得到确认。{reason}</translation>
-        </message>
-        <message>
-            <source>Identifiers in use: feedback from {feedback}, commands from {control}.</source>
-            <translation>当前使用的 ID：反馈从 {feedback} 起，控制从 {control} 起。</translation>
-        </message>
-        <message>
-            <source>An arm is heard with its feedback from {feedback}. On which identifiers it takes commands is not known: set them under Linkage control.</source>
-            <translation>收到机械臂的反馈，ID 从 {feedback} 起。其控制指令 ID 未知，请在“联动控制”中设置。</translation>
-        </message>
-        <message>
-            <source>Gripper: sent to {value} {unit}</source>
-            <translation>夹爪：已发送 {value} {unit}</translation>
-        </message>
-        <message>
-            <source>The gripper is at {value} {unit}.</source>
-            <translation>夹爪已到 {value} {unit}。</translation>
-        </message>
-        <message>
-            <source>The gripper holds something at {value} {unit}, with {torque} N·m.</source>
-            <translation>夹爪在 {value} {unit} 处夹住物体，力矩 {torque} N·m。</translation>
-        </message>
-        <message>
-            <source>The gripper stands at {value} {unit} instead of {target} {unit}. Look for what blocks it, for its errors and its power.</source>
-            <translation>夹爪停在 {value} {unit}，未到 {target} {unit}。请检查是否受阻、有无错误以及供电。</translation>
-        </message>
-        <message>
-            <source>Gripper: {act} sent</source>
-            <translation>夹爪：已发送{act}</translation>
-        </message>
-        <message>
-            <source>Gripper: {act} done, by its own feedback.</source>
-            <translation>夹爪：{act}已完成（以其反馈为准）。</translation>
-        </message>
-        <message>
-            <source>Gripper: {act} has no effect. Look at its errors, its power and its cable, then try again.</source>
-            <translation>夹爪：{act}没有生效。请检查其错误、供电和线缆后重试。</translation>
-        </message>
-        <message>
-            <source>Zero setting sent to all six joints</source>
-            <translation>已发送全部 6 个关节的零点设置</translation>
-        </message>
-        <message>
-            <source>Zero setting sent to joint {joint}</source>
-            <translation>已发送关节 {joint} 的零点设置</translation>
-        </message>
-        <message>
-            <source>The arm has set the zeros of all six joints; their angles now read 0.</source>
-            <translation>机械臂已设置全部 6 个关节的零点，角度现读为 0。</translation>
-        </message>
-        <message>
-            <source>The arm has set the zero of joint {joint}; its angle now reads 0.</source>
-            <translation>机械臂已设置关节 {joint} 的零点，角度现读为 0。</translation>
-        </message>
-        <message>
-            <source>Zero setting failed. {reason}</source>
-            <translation>零点设置失败。{reason}</translation>
-        </message>
-        <message>
-            <source>Settings sent to the arm: {count}</source>
-            <translation>已向机械臂发送 {count} 项参数</translation>
-        </message>
-        <message>
-            <source>Settings saved, read back from the arm and the same: {count}</source>
-            <translation>{count} 项参数已保存，回读一致</translation>
-        </message>
-        <message>
-            <source>{count} of {total} settings are not in the arm. {reason}</source>
-            <translation>{total} 项参数中有 {count} 项未生效。{reason}</translation>
-        </message>
-        <message>
-            <source>Asked the arm for its factory values</source>
-            <translation>已发送初始化指令</translation>
-        </message>
-        <message>
-            <source>The arm has answered that its factory values are back; they are read again.</source>
-            <translation>机械臂已应答恢复出厂值，正在重新读取。</translation>
-        </message>
-        <message>
-            <source>Running “{name}”</source>
-            <translation>开始执行“{name}”</translation>
-        </message>
-        <message>
-            <source>Run paused in row {row}: the arm holds</source>
-            <translation>已在第 {row} 行暂停，机械臂保持位置</translation>
-        </message>
-        <message>
-            <source>Run goes on in row {row}</source>
-            <translation>从第 {row} 行继续执行</translation>
-        </message>
-        <message>
-            <source>“{name}” has been run to its end.</source>
-            <translation>“{name}”执行完毕。</translation>
-        </message>
-        <message>
-            <source>Run ended in row {row}; the arm stands.</source>
-            <translation>已在第 {row} 行结束执行，机械臂已停稳。</translation>
-        </message>
-        <message>
-            <source>Run ended in row {row}. {reason}</source>
-            <translation>在第 {row} 行中止执行。{reason}</translation>
-        </message>
-        <message>
-            <source>Sent: {command}</source>
-            <translation>已发送：{command}</translation>
-        </message>
-        <message>
-            <source>The arm has confirmed: {command}</source>
-            <translation>机械臂已确认：{command}</translation>
-        </message>
-        <message>
-            <source>The arm did not follow within 1.5 s: {command}. Look at its status; if it has no recording, record first.</source>
-            <translation>机械臂 1.5 秒内未执行：{command}。请查看状态；若没有示教轨迹，请先记录。</translation>
-        </message>
-        <message>
-            <source>Sent: {plan}. The arm does not report this; watch it.</source>
-            <translation>已发送：{plan}。机械臂不反馈此指令，请观察机械臂。</translation>
-        </message>
-        <message>
-            <source>Standby sent</source>
-            <translation>已发送：待机模式</translation>
-        </message>
-        <message>
-            <source>Sent: motion output (0xFC)</source>
-            <translation>已发送：设置为运动输出臂（0xFC）</translation>
-        </message>
-        <message>
-            <source>The arm did not react. Look at the step above the panel.</source>
-            <translation>机械臂无响应。请查看面板上方的提示。</translation>
-        </message>
-        <message>
-            <source>Replay paused: the arm holds</source>
-            <translation>回放已暂停，机械臂保持位置</translation>
-        </message>
-        <message>
-            <source>Replay goes on</source>
-            <translation>继续回放</translation>
-        </message>
-        <message>
-            <source>Replay of “{name}” ended; the arm stands.</source>
-            <translation>“{name}”回放已结束，机械臂已停稳。</translation>
-        </message>
-        <message>
-            <source>Replay ended. {reason}</source>
-            <translation>回放中止。{reason}</translation>
-        </message>
-        <message>
-            <source>Recording the arm's motion</source>
-            <translation>开始录制机械臂运动</translation>
-        </message>
-        <message>
-            <source>Recorded: {count} samples over {seconds} s</source>
-            <translation>录制完成：{count} 个采样，{seconds} 秒</translation>
-        </message>
-        <message>
-            <source>Also saved as MF4: {name}.mf4</source>
-            <translation>已另存为 MF4：{name}.mf4</translation>
-        </message>
-        <message>
-            <source>No .mf4 file of {name}: {reason} The recording is whole as .blf.</source>
-            <translation>{name} 未生成 .mf4 文件：{reason} .blf 记录完整无缺。</translation>
-        </message>
-        <message>
-            <source>Device open: {device}</source>
-            <translation>设备已打开：{device}</translation>
-        </message>
-        <message>
-            <source>Not connected. {reason}</source>
-            <translation>未能连接。{reason}</translation>
-        </message>
-        <message>
-            <source>Disconnected from {device}</source>
-            <translation>已断开 {device}</translation>
-        </message>
-        <message>
-            <source>Connection to {device} lost; the program keeps trying to reconnect. {reason}</source>
-            <translation>与 {device} 的连接已断开，程序正在尝试重新连接。{reason}</translation>
-        </message>
-        <message>
-            <source>Connected to {device} again</source>
-            <translation>已重新连接 {device}</translation>
-        </message>
-        <message>
-            <source>The arm is online.</source>
-            <translation>机械臂在线。</translation>
-        </message>
-        <message>
-            <source>The arm is offline: nothing is heard from it. Check its power, the CAN cable and the bit rate.</source>
-            <translation>机械臂离线：没有收到反馈。请检查机械臂电源、CAN 线和波特率。</translation>
-        </message>
-        <message>
-            <source>The arm speaks protocol generation {generation}. Firmware: {firmware}</source>
-            <translation>机械臂使用第 {generation} 代协议，固件版本：{firmware}</translation>
-        </message>
-        <message>
-            <source>Joint limits read from the arm</source>
-            <translation>已读取机械臂的关节限位</translation>
-        </message>
-        <message>
-            <source>The arm did not tell the limits of these joints: {joints}. The factory limits hold; connect again to ask once more.</source>
-            <translation>未读到以下关节的限位：{joints}。现按出厂限位检查；重新连接可再次读取。</translation>
-        </message>
-        <message>
-            <source>Joint {joint}: the limits stored in the arm cannot be true. The factory limits hold; set the joint's limits anew.</source>
-            <translation>关节 {joint}：机械臂中保存的限位不合理。现按出厂限位检查；请重新设置该关节的限位。</translation>
-        </message>
-        <message>
-            <source>Not sent. {reason}</source>
-            <translation>未发送。{reason}</translation>
-        </message>
-        <message>
-            <source>Event: {code}</source>
-            <translation>事件：{code}</translation>
-        </message>
-        <message>
-            <source>The emergency stop is NOT on the bus: no CAN device is open, or it does not take the frame. Cut the arm's power if it moves.</source>
-            <translation>急停没有发到总线上：没有打开 CAN 设备，或设备不接收该帧。若机械臂在运动，请切断其电源。</translation>
-        </message>
-        <message>
-            <source>A second arm is heard on this bus (feedback at {feedback}): the stop reaches it, too.</source>
-            <translation>总线上还有第二台机械臂（反馈 {feedback}）：急停也会到达它。</translation>
-        </message>
-        <message>
-            <source>A stop is outstanding: the arm was away for more than 10 seconds and has not confirmed it. It is not sent by itself any more. Press the emergency stop if the arm must stop.</source>
-            <translation>有一次急停未完成：机械臂离线超过 10 秒，没有确认。程序不再自动发送。若机械臂必须停止，请按急停。</translation>
-        </message>
-        <message>
-            <source>The outstanding emergency stop was withdrawn; the arm has not stopped.</source>
-            <translation>未完成的急停已撤回；机械臂没有停止。</translation>
-        </message>
-        <message>
-            <source>The arm on {device} has never confirmed its emergency stop, and another device is connected now. Cut that arm's power if it moves.</source>
-            <translation>{device} 上的机械臂一直没有确认急停，而现在连接的是另一设备。若那台机械臂在运动，请切断其电源。</translation>
-        </message>
-        <message>
-            <source>The emergency stop was undone, and not by this program: another host has resumed the arm, or it was switched off and on. Press the emergency stop again if it must stay.</source>
-            <translation>急停被解除，但不是本程序所为：另一个程序恢复了机械臂，或机械臂断电后重新上电。若必须保持停止，请再按急停。</translation>
-        </message>
-        <message>
-            <source>Halt sent: the motion ends, the motors keep their power.</source>
-            <translation>已发送停住：运动结束，电机保持上电。</translation>
-        </message>
-        <message>
-            <source>The halt is NOT on the bus yet: the adapter does not take it. It goes out as soon as that is possible. Press the emergency stop if the arm moves.</source>
-            <translation>停住还没有发到总线上：适配器不接收。一旦可能就会发出。若机械臂在运动，请按急停。</translation>
-        </message>
-        <message>
-            <source>The arm stands still and holds.</source>
-            <translation>机械臂已静止并保持。</translation>
-        </message>
-        <message>
-            <source>{device} sends nothing. {reason}</source>
-            <translation>{device} 发不出任何帧。{reason}</translation>
-        </message>
-        <message>
-            <source>{device} sends again. What had waited was dropped, but for a stop.</source>
-            <translation>{device} 又能发送了。此前等待的帧已丢弃，急停除外。</translation>
-        </message>
-        <message>
-            <source>Another armui on this computer uses the same settings file. What is changed here is kept; changes made there appear at the next start.</source>
-            <translation>本机另一个 armui 正在使用同一设置文件。此处的更改会保留；那边的更改在下次启动时生效。</translation>
-        </message>
-        <message>
-            <source>Another armui on this computer is connected to {device}, too. Both can move the arm: close one of them.</source>
-            <translation>本机另一个 armui 也已连接 {device}。两者都能移动机械臂：请关闭其中一个。</translation>
-        </message>
-        <message>
-            <source>{count} frames were lost before the program could read them ({total} since connecting): the computer is too busy, or the adapter too slow.</source>
-            <translation>有 {count} 帧在程序读取之前丢失（连接以来共 {total} 帧）：电脑太忙，或适配器太慢。</translation>
-        </message>
-        <message>
-            <source>The arm has not taken the last motion: it is heard, and does not move. It may listen under another control offset (Linkage control), or a frame was lost.</source>
-            <translation>机械臂未执行刚才的运动：有反馈，但没有动。它可能在另一个控制偏移下接收指令（见联动控制），或有帧丢失。</translation>
-        </message>
-        <message>
-            <source>The arm has not confirmed that its factory values are back. {reason}</source>
-            <translation>机械臂未确认恢复出厂值。{reason}</translation>
-        </message>
-        <message>
-            <source>Sent by hand: {frame}. It counts as another program's command.</source>
-            <translation>手动发送：{frame}。按其他程序的指令处理。</translation>
-        </message>
-        <message>
-            <source>Recording the session: {name}</source>
-            <translation>正在记录会话：{name}</translation>
-        </message>
-        <message>
-            <source>Session recorded: {name}, {frames} frames, {size} MB</source>
-            <translation>会话已记录：{name}，{frames} 帧，{size} MB</translation>
-        </message>
-        <message>
-            <source>Recording the session has ended: {reason}</source>
-            <translation>会话记录已中断：{reason}</translation>
-        </message>
-        <message>
-            <source>{count} frames are missing in the recording: the disk is too slow</source>
-            <translation>记录中缺少 {count} 帧：磁盘太慢</translation>
-        </message>
-        <message>
-            <source>What just happened is saved: {name}</source>
-            <translation>已保存刚才发生的事：{name}</translation>
-        </message>
-        <message>
-            <source>What just happened could not be saved: {reason}</source>
-            <translation>无法保存刚才发生的事：{reason}</translation>
-        </message>
-        <message>
-            <source>{device} jogs {axes} (joints)</source>
-            <translation>{device} 点动 {axes}（关节）</translation>
-        </message>
-        <message>
-            <source>{device} jogs {axes} (base frame)</source>
-            <translation>{device} 点动 {axes}（基坐标系）</translation>
-        </message>
-        <message>
-            <source>{device} jogs {axes} (tool frame)</source>
-            <translation>{device} 点动 {axes}（工具坐标系）</translation>
-        </message>
-        <message>
-            <source>Told the arm to leave the other program's mode and to hold where it stands.</source>
-            <translation>已通知机械臂退出另一程序的模式，并保持在当前位置。</translation>
-        </message>
-        <message>
-            <source>Mounting sent: {mounting}. The arm does not tell it back.</source>
-            <translation>已发送安装方式：{mounting}。机械臂不会回报。</translation>
-        </message>
-        <message>
-            <source>This arm (node {node}) was a {before} the last time: taken instead of {chosen}, which was only offered.</source>
-            <translation>此机械臂（节点 {node}）上次为 {before}：已采用该型号，代替默认给出的 {chosen}。</translation>
-        </message>
-        <message>
-            <source>Connected as a {chosen}, but this arm (node {node}) was a {before} the last time. If it is one, connect it as that.</source>
-            <translation>当前按 {chosen} 连接，但此机械臂（节点 {node}）上次为 {before}。如属实，请按该型号重新连接。</translation>
-        </message>
-        <message>
-            <source>Whether another armui runs on this computer cannot be found out: {path} cannot be used ({text}). Do not start the program twice for one arm.</source>
-            <translation>无法得知本机是否还有另一个 armui 在运行：{path} 不可用（{text}）。请勿对同一机械臂启动两个程序。</translation>
-        </message>
-        <message>
-            <source>The change holds, but is not saved. {reason}</source>
-            <translation>更改已生效，但未能保存。{reason}</translation>
-        </message>
-        <message>
-            <source>A disk or network folder has taken more than 10 s over a file. Other files wait for it no longer. If it does not end, look at the cable or network. (Under way: {count})</source>
-            <translation>有磁盘或网络文件夹处理一个文件已超过 10 s，其他文件不再等它。若一直不结束，请检查线缆或网络。（进行中：{count}）</translation>
-        </message>
-        <message>
-            <source>“{question}” was withdrawn. {reason}</source>
-            <translation>“{question}”已撤回。{reason}</translation>
-        </message>
-        <message>
-            <source>A part of the program has failed ({part}). The emergency stop still works; every motion of this program is ended. Start the program again.</source>
-            <translation>程序的一部分出错（{part}）。急停仍有效；本程序的所有运动均已结束。请重新启动程序。</translation>
-        </message>
-    </context>
-    <context>
-        <name>Observed</name>
-        <message>
-            <source>Control mode: {before} → {mode}</source>
-            <translation>控制模式：{before} → {mode}</translation>
-        </message>
-        <message>
-            <source>Motion mode: {before} → {mode}</source>
-            <translation>运动模式：{before} → {mode}</translation>
-        </message>
-        <message>
-            <source>Arm status: {status}</source>
-            <translation>机械臂状态：{status}</translation>
-        </message>
-        <message>
-            <source>Drag teaching: {before} → {state}</source>
-            <translation>拖动示教：{before} → {state}</translation>
-        </message>
-        <message>
-            <source>Target not reached</source>
-            <translation>未到达指定点</translation>
-        </message>
-        <message>
-            <source>Motors enabled: {joints}</source>
-            <translation>电机使能：{joints}</translation>
-        </message>
-        <message>
-            <source>Motors disabled: {joints}</source>
-            <translation>电机失能：{joints}</translation>
-        </message>
-        <message>
-            <source>J{joint} {item} {word}</source>
-            <translation>J{joint} {item}{word}</translation>
-        </message>
-        <message>
-            <source>J{joint} beyond its angle limit</source>
-            <translation>J{joint} 超出角度限位</translation>
-        </message>
-        <message>
-            <source>Gripper: {fault}</source>
-            <translation>夹爪：{fault}</translation>
-        </message>
-        <message>
-            <source>J{joint}: the limits stored in the arm cannot be true</source>
-            <translation>J{joint}：机械臂中存储的限位不可信</translation>
-        </message>
-        <message>
-            <source>Another host sends {id}</source>
-            <translation>其他程序发送 {id}</translation>
-        </message>
-        <message>
-            <source>Frames not understood: {kind} (last {id})</source>
-            <translation>无法识别的报文：{kind}（最近 {id}）</translation>
-        </message>
-        <message>
-            <source>The arm's status frames come more rarely: {share} % fewer than before</source>
-            <translation>机械臂状态报文变少：比之前少 {share} %</translation>
-        </message>
-        <message>
-            <source>Sent the point of row {row}</source>
-            <translation>已发送第 {row} 行的点</translation>
-        </message>
-        <message>
-            <source>Target reached, says the arm</source>
-            <translation>机械臂反馈：已达指定点</translation>
-        </message>
-        <message>
-            <source>Not driven to its end: {end}</source>
-            <translation>未运动到终点：{end}</translation>
-        </message>
-        <message>
-            <source>Answered with 0x476 (setting {index})</source>
-            <translation>已用 0x476 应答（设置 {index}）</translation>
-        </message>
-        <message>
-            <source>{reason}</source>
-            <translation>{reason}</translation>
-        </message>
-        <message>
-            <source>The events cannot be written to the disk; the newest are kept in memory. {text}</source>
-            <translation>事件无法写入磁盘，最新的保留在内存中。{text}</translation>
-        </message>
-        <message>
-            <source>Emergency stop sent</source>
-            <translation>已发送急停</translation>
-        </message>
-        <message>
-            <source>Resume sent</source>
-            <translation>已发送恢复</translation>
-        </message>
-        <message>
-            <source>Motors: enable sent</source>
-            <translation>已发送电机使能</translation>
-        </message>
-        <message>
-            <source>Motors: disable sent</source>
-            <translation>已发送电机失能</translation>
-        </message>
-        <message>
-            <source>Trajectory or drag teaching command sent</source>
-            <translation>已发送轨迹或拖动示教指令</translation>
-        </message>
-        <message>
-            <source>{message} begin</source>
-            <translation>开始发送{message}</translation>
-        </message>
-        <message>
-            <source>Unknown event: {code}</source>
-            <translation>未知事件：{code}</translation>
-        </message>
-    </context>
-    <context>
-        <name>Operation</name>
-        <message>
-            <source>Tell the load</source>
-            <translation>设置末端负载</translation>
-        </message>
-        <message>
-            <source>Switch the feedback of the end's motion</source>
-            <translation>开关末端速度与加速度反馈</translation>
-        </message>
-        <message>
-            <source>Move the gripper</source>
-            <translation>夹爪运动</translation>
-        </message>
-        <message>
-            <source>Enable the gripper</source>
-            <translation>夹爪使能</translation>
-        </message>
-        <message>
-            <source>Disable the gripper</source>
-            <translation>夹爪失能</translation>
-        </message>
-        <message>
-            <source>Clear the gripper's error</source>
-            <translation>清除夹爪错误</translation>
-        </message>
-        <message>
-            <source>Set the gripper's zero</source>
-            <translation>设置夹爪零点</translation>
-        </message>
-        <message>
-            <source>Clear errors of the drivers</source>
-            <translation>清除驱动器错误</translation>
-        </message>
-        <message>
-            <source>Set the lamps of a joint</source>
-            <translation>设置关节灯光</translation>
-        </message>
-        <message>
-            <source>Set role and identifiers</source>
-            <translation>设置联动角色与 ID 偏移</translation>
-        </message>
-        <message>
-            <source>Enable motors</source>
-            <translation>使能电机</translation>
-        </message>
-        <message>
-            <source>Disable motors</source>
-            <translation>失能电机</translation>
-        </message>
-        <message>
-            <source>Resume after the emergency stop</source>
-            <translation>急停后恢复</translation>
-        </message>
-        <message>
-            <source>Tell how the arm is mounted</source>
-            <translation>设置安装方式</translation>
-        </message>
-        <message>
-            <source>Command drag teaching</source>
-            <translation>拖动示教命令</translation>
-        </message>
-        <message>
-            <source>Set zeros</source>
-            <translation>设置零点</translation>
-        </message>
-        <message>
-            <source>Move the tool to a pose</source>
-            <translation>末端运动到位姿</translation>
-        </message>
-        <message>
-            <source>Move the tool by a step</source>
-            <translation>末端步进</translation>
-        </message>
-        <message>
-            <source>Move the tool along an arc</source>
-            <translation>末端沿圆弧运动</translation>
-        </message>
-        <message>
-            <source>Jog</source>
-            <translation>点动</translation>
-        </message>
-        <message>
-            <source>Set the speed of motions</source>
-            <translation>设置运动速度</translation>
-        </message>
-        <message>
-            <source>Move a joint by a step</source>
-            <translation>关节步进</translation>
-        </message>
-        <message>
-            <source>Move the joints to angles</source>
-            <translation>关节运动到角度</translation>
-        </message>
-        <message>
-            <source>Move to the factory zero angles</source>
-            <translation>回零</translation>
-        </message>
-        <message>
-            <source>Pause, continue, clear or end a planned motion</source>
-            <translation>暂停、继续、清除或终止规划运动</translation>
-        </message>
-        <message>
-            <source>Read parameters</source>
-            <translation>读取参数</translation>
-        </message>
-        <message>
-            <source>Set parameters</source>
-            <translation>设置参数</translation>
-        </message>
-        <message>
-            <source>Limits of the end as they left the factory</source>
-            <translation>末端限制恢复出厂值</translation>
-        </message>
-        <message>
-            <source>Limits of the joints as they left the factory</source>
-            <translation>关节限制恢复出厂值</translation>
-        </message>
-        <message>
-            <source>Run a trajectory</source>
-            <translation>执行轨迹</translation>
-        </message>
-        <message>
-            <source>Pause the run</source>
-            <translation>暂停执行</translation>
-        </message>
-        <message>
-            <source>Go on with the run</source>
-            <translation>继续执行</translation>
-        </message>
-        <message>
-            <source>Record where the arm goes</source>
-            <translation>录制机械臂运动</translation>
-        </message>
-        <message>
-            <source>Replay a recording</source>
-            <translation>回放录制</translation>
-        </message>
-        <message>
-            <source>Pause the replay</source>
-            <translation>暂停回放</translation>
-        </message>
-        <message>
-            <source>Go on with the replay</source>
-            <translation>继续回放</translation>
-        </message>
-        <message>
-            <source>Set the speed override of runs</source>
-            <translation>设置运行倍率</translation>
-        </message>
-    </context>
-    <context>
-        <name>OtherArmLine</name>
-        <message>
-            <source>This was taught on another arm: {taught}. Chosen is {arm}.</source>
-            <translation>此轨迹在另一种机械臂上示教：{taught}。当前选择的是 {arm}。</translation>
-        </message>
-        <message>
-            <source>Turns the joints of every point by {degrees}, so that the arm comes to the same place. Poses stay: they count from the base. It can be undone.</source>
-            <translation>每个点的关节转动 {degrees}，使机械臂到达同一位置。位姿保持不变：它们以基座计。可以撤销。</translation>
-        </message>
-        <message>
-            <source>Convert zeros</source>
-            <translation>换算零点</translation>
-        </message>
-    </context>
-    <context>
-        <name>OtherMode</name>
-        <message>
-            <source>MIT</source>
-            <translation>MIT（力位混合）</translation>
-        </message>
-        <message>
-            <source>CPV</source>
-            <translation>CPV（速度位置）</translation>
-        </message>
-        <message>
-            <source>high-follow</source>
-            <translation>高跟随</translation>
-        </message>
-    </context>
-    <context>
-        <name>OverrideControl</name>
-        <message>
-            <source>Override</source>
-            <translation>倍率</translation>
-        </message>
-        <message>
-            <source>Share of the run's own speed, changed while it runs; 0 % pauses it. Slower {slower}, faster {faster}.</source>
-            <translation>相对于本次运行自身速度的比例，运行中可随时调整；0 % 即暂停。减速 {slower}，加速 {faster}。</translation>
-        </message>
-        <message>
-            <source>Speed override of the run</source>
-            <translation>运行倍率</translation>
-        </message>
-    </context>
-    <context>
-        <name>PageActions</name>
-        <message>
-            <source>Open a trajectory of the library first.</source>
-            <translation>请先在轨迹库中打开一条轨迹。</translation>
-        </message>
-        <message>
-            <source>It stands in a window of its own.</source>
-            <translation>已在独立窗口中。</translation>
-        </message>
-        <message>
-            <source>It stands in no window of its own.</source>
-            <translation>不在独立窗口中。</translation>
-        </message>
-        <message>
-            <source>The drawer is folded away.</source>
-            <translation>抽屉已收起。</translation>
-        </message>
-    </context>
-    <context>
-        <name>PageBar</name>
-        <message>
-            <source>the panel</source>
-            <translation>面板</translation>
-        </message>
-        <message>
-            <source>Back</source>
-            <translation>返回</translation>
-        </message>
-        <message>
-            <source>Back to {where} (Esc)</source>
-            <translation>返回{where} (Esc)</translation>
-        </message>
-        <message>
-            <source>Own window</source>
-            <translation>独立窗口</translation>
-        </message>
-        <message>
-            <source>Takes this page out into a window of its own, for a second screen.</source>
-            <translation>把本页移到独立窗口，例如放到第二块屏幕上。</translation>
-        </message>
-    </context>
-    <context>
-        <name>PageWindow</name>
-        <message>
-            <source>Put back</source>
-            <translation>放回</translation>
-        </message>
-        <message>
-            <source>Puts this page back beside the 3D picture.</source>
-            <translation>把本页放回 3D 画面旁边。</translation>
-        </message>
-    </context>
-    <context>
-        <name>Parameter</name>
-        <message>
-            <source>Max. angle</source>
-            <translation>最大角度</translation>
-        </message>
-        <message>
-            <source>Min. angle</source>
-            <translation>最小角度</translation>
-        </message>
-        <message>
-            <source>Max. speed</source>
-            <translation>最大速度</translation>
-        </message>
-        <message>
-            <source>Max. acceleration</source>
-            <translation>最大加速度</translation>
-        </message>
-        <message>
-            <source>Max. linear speed of the end</source>
-            <translation>末端最大线速度</translation>
-        </message>
-        <message>
-            <source>Max. angular speed of the end</source>
-            <translation>末端最大角速度</translation>
-        </message>
-        <message>
-            <source>Max. linear acceleration of the end</source>
-            <translation>末端最大线加速度</translation>
-        </message>
-        <message>
-            <source>Max. angular acceleration of the end</source>
-            <translation>末端最大角加速度</translation>
-        </message>
-        <message>
-            <source>Collision level</source>
-            <translation>碰撞等级</translation>
-        </message>
-        <message>
-            <source>Teaching range</source>
-            <translation>示教范围</translation>
-        </message>
-        <message>
-            <source>Gripper stroke limit</source>
-            <translation>夹爪行程</translation>
-        </message>
-        <message>
-            <source>Teaching friction</source>
-            <translation>示教摩擦力</translation>
-        </message>
-        <message>
-            <source>not read</source>
-            <translation>未读取</translation>
-        </message>
-        <message>
-            <source>reading…</source>
-            <translation>读取中…</translation>
-        </message>
-        <message>
-            <source>corrupt</source>
-            <translation>已损坏</translation>
-        </message>
-        <message>
-            <source>saving…</source>
-            <translation>保存中…</translation>
-        </message>
-        <message>
-            <source>saved</source>
-            <translation>已保存</translation>
-        </message>
-        <message>
-            <source>not saved</source>
-            <translation>未保存</translation>
-        </message>
-        <message>
-            <source>not possible</source>
-            <translation>无效</translation>
-        </message>
-        <message>
-            <source>Not read from the arm.</source>
-            <translation>未从机械臂读取。</translation>
-        </message>
-        <message>
-            <source>Being read from the arm.</source>
-            <translation>正在从机械臂读取。</translation>
-        </message>
-        <message>
-            <source>What the arm holds here cannot be true: its memory is corrupt (0xFFFF). Enter a value and save it.</source>
-            <translation>机械臂中保存的值不可能成立：其存储已损坏 (0xFFFF)。请输入数值并保存。</translation>
-        </message>
-        <message>
-            <source>Changed and not saved; the arm holds {held}.</source>
-            <translation>已修改，未保存；机械臂中为 {held}。</translation>
-        </message>
-        <message>
-            <source>Sent to the arm; its answer is awaited.</source>
-            <translation>已发送，等待机械臂应答。</translation>
-        </message>
-        <message>
-            <source>Saved: the arm holds this value.</source>
-            <translation>已保存：机械臂中为此值。</translation>
-        </message>
-        <message>
-            <source>= the same</source>
-            <translation>= 相同</translation>
-        </message>
-        <message>
-            <source>≠ differs</source>
-            <translation>≠ 不同</translation>
-        </message>
-        <message>
-            <source>only in the file</source>
-            <translation>仅文件中有</translation>
-        </message>
-        <message>
-            <source>only in the arm</source>
-            <translation>仅机械臂中有</translation>
-        </message>
-        <message>
-            <source>not read from the arm</source>
-            <translation>未从机械臂读到</translation>
-        </message>
-        <message>
-            <source>Possible: {minimum} to {maximum}</source>
-            <translation>可设范围：{minimum} 至 {maximum}</translation>
-        </message>
-        <message>
-            <source>Drag assistance</source>
-            <translation>拖动助力</translation>
-        </message>
-        <message>
-            <source>factory {bound}</source>
-            <translation>出厂 {bound}</translation>
-        </message>
-        <message>
-            <source>{name}: {value} goes beyond the factory's {bound}.</source>
-            <translation>{name}：{value} 超出出厂值 {bound}。</translation>
-        </message>
-        <message>
-            <source>The arm may then be driven against its mechanical stops or beyond what its motors are made for, and no check here holds it back. Save this only if you know this arm can do it.</source>
-            <translation>之后机械臂可能撞到机械限位或超出电机的设计能力，本程序的检查也不再拦住它。只有确知这台机械臂做得到时才保存。</translation>
-        </message>
-    </context>
-    <context>
-        <name>ParameterButtons</name>
-        <message>
-            <source>Read</source>
-            <translation>读取</translation>
-        </message>
-        <message>
-            <source>Initialise</source>
-            <translation>初始化</translation>
-        </message>
-        <message>
-            <source>Edit</source>
-            <translation>编辑</translation>
-        </message>
-        <message>
-            <source>Cancel</source>
-            <translation>取消</translation>
-        </message>
-        <message>
-            <source>Save</source>
-            <translation>保存</translation>
-        </message>
-    </context>
-    <context>
-        <name>ParameterPanel</name>
-        <message>
-            <source>Saved: read back from the arm, and the same.</source>
-            <translation>已保存：已从机械臂回读，数值一致。</translation>
-        </message>
-        <message>
-            <source>Saved. The arm keeps coarser steps; it holds the nearest: {values}.</source>
-            <translation>已保存。机械臂的分辨率较粗，已取最接近的值：{values}。</translation>
-        </message>
-        <message>
-            <source>was {held}</source>
-            <translation>原值 {held}</translation>
-        </message>
-        <message>
-            <source>Nothing has been changed.</source>
-            <translation>没有修改任何值。</translation>
-        </message>
-        <message>
-            <source>Save or cancel your changes first.</source>
-            <translation>请先保存或取消修改。</translation>
-        </message>
-        <message>
-            <source>The arm is being asked; wait for its answer.</source>
-            <translation>正在与机械臂通信，请等待应答。</translation>
-        </message>
-        <message>
-            <source>Sends what was changed, reads it back and compares.</source>
-            <translation>发送修改过的值，回读并比较。</translation>
-        </message>
-        <message>
-            <source>Backup…</source>
-            <translation>参数备份…</translation>
-        </message>
-        <message>
-            <source>All parameters of the arm: save them to a file, compare, restore.</source>
-            <translation>机械臂的全部参数：保存到文件、比较、恢复。</translation>
-        </message>
-        <message>
-            <source>Reads the values from the arm.</source>
-            <translation>从机械臂读取数值。</translation>
-        </message>
-        <message>
-            <source>Lets you change the values; nothing is sent.</source>
-            <translation>可修改数值；不发送任何指令。</translation>
-        </message>
-        <message>
-            <source>Shows what the arm holds again.</source>
-            <translation>重新显示机械臂中的值。</translation>
-        </message>
-        <message>
-            <source>{names}: {reason}</source>
-            <translation>{names}：{reason}</translation>
-        </message>
-    </context>
-    <context>
-        <name>PictureExport</name>
-        <message>
-            <source>Picture copied</source>
-            <translation>画面已复制</translation>
-        </message>
-        <message>
-            <source>Save picture</source>
-            <translation>保存画面</translation>
-        </message>
-        <message>
-            <source>There is no picture of now to be taken: wait until it is drawn.</source>
-            <translation>当前画面尚未绘制完成，请稍候再试。</translation>
-        </message>
-    </context>
-    <context>
-        <name>Place</name>
-        <message>
-            <source>In every window</source>
-            <translation>所有窗口</translation>
-        </message>
-        <message>
-            <source>Main window</source>
-            <translation>主窗口</translation>
-        </message>
-        <message>
-            <source>3D view</source>
-            <translation>3D 视图</translation>
-        </message>
-        <message>
-            <source>Jogging by keys</source>
-            <translation>键盘点动</translation>
-        </message>
-        <message>
-            <source>Panels with parameters</source>
-            <translation>参数面板</translation>
-        </message>
-        <message>
-            <source>Trajectory editor</source>
-            <translation>轨迹编辑器</translation>
-        </message>
-        <message>
-            <source>Replay</source>
-            <translation>回放</translation>
-        </message>
-        <message>
-            <source>Drawer</source>
-            <translation>抽屉</translation>
-        </message>
-        <message>
-            <source>Run</source>
-            <translation>运行</translation>
-        </message>
-    </context>
-    <context>
-        <name>PlotBar</name>
-        <message>
-            <source>Did it follow?</source>
-            <translation>跟上了吗？</translation>
-        </message>
-        <message>
-            <source>What got hot?</source>
-            <translation>哪里发热了？</translation>
-        </message>
-        <message>
-            <source>Why did it stop?</source>
-            <translation>为什么停了？</translation>
-        </message>
-        <message>
-            <source>Where was the tool?</source>
-            <translation>末端在哪里？</translation>
-        </message>
-        <message>
-            <source>Is the bus well?</source>
-            <translation>总线正常吗？</translation>
-        </message>
-        <message>
-            <source>Own arrangement</source>
-            <translation>自定义布局</translation>
-        </message>
-        <message>
-            <source>Pause</source>
-            <translation>暂停</translation>
-        </message>
-        <message>
-            <source>Go on</source>
-            <translation>继续</translation>
-        </message>
-        <message>
-            <source>Plots that answer a question</source>
-            <translation>回答一个问题的一组图</translation>
-        </message>
-        <message>
-            <source>How long a time is shown; the mouse wheel changes it, too</source>
-            <translation>显示的时间长度；也可用鼠标滚轮改变</translation>
-        </message>
-        <message>
-            <source>Time shown</source>
-            <translation>显示时长</translation>
-        </message>
-        <message>
-            <source>Undo zoom</source>
-            <translation>撤销缩放</translation>
-        </message>
-        <message>
-            <source>Drag a frame in a plot to zoom in. Back to what was shown before: Ctrl+Z</source>
-            <translation>在图中拖出方框即可放大。返回之前的显示：Ctrl+Z</translation>
-        </message>
-        <message>
-            <source>Cursors</source>
-            <translation>游标</translation>
-        </message>
-        <message>
-            <source>Two upright lines to be dragged; the table below tells the values at them</source>
-            <translation>两条可拖动的竖线；下方表格显示该处的数值</translation>
-        </message>
-        <message>
-            <source>Save</source>
-            <translation>保存</translation>
-        </message>
-        <message>
-            <source>Values as CSV…</source>
-            <translation>数值存为 CSV…</translation>
-        </message>
-        <message>
-            <source>Picture as PNG…</source>
-            <translation>图片存为 PNG…</translation>
-        </message>
-        <message>
-            <source>Picture as SVG…</source>
-            <translation>图片存为 SVG…</translation>
-        </message>
-        <message>
-            <source>Copy picture</source>
-            <translation>复制图片</translation>
-        </message>
-        <message>
-            <source>Copy values at the cursors</source>
-            <translation>复制游标处的数值</translation>
-        </message>
-        <message>
-            <source>{count} min</source>
-            <translation>{count} 分钟</translation>
-        </message>
-        <message>
-            <source>{count} s</source>
-            <translation>{count} 秒</translation>
-        </message>
-    </context>
-    <context>
-        <name>PlotExport</name>
-        <message>
-            <source>Save the plots</source>
-            <translation>保存曲线</translation>
-        </message>
-        <message>
-            <source>Copied</source>
-            <translation>已复制</translation>
-        </message>
-    </context>
-    <context>
-        <name>PlotPage</name>
-        <message>
-            <source>The arrangement of the plots could not be kept: {text}</source>
-            <translation>无法保存曲线布局：{text}</translation>
-        </message>
-        <message>
-            <source>Curves</source>
-            <translation>曲线</translation>
-        </message>
-    </context>
-    <context>
-        <name>PlotsArea</name>
-        <message>
-            <source>Remove curve</source>
-            <translation>移除曲线</translation>
-        </message>
-        <message>
-            <source>Into a plot of its own</source>
-            <translation>移到单独的图</translation>
-        </message>
-        <message>
-            <source>Fit the height</source>
-            <translation>适应高度</translation>
-        </message>
-        <message>
-            <source>Undo zoom</source>
-            <translation>撤销缩放</translation>
-        </message>
-        <message>
-            <source>Remove plot</source>
-            <translation>移除此图</translation>
-        </message>
-        <message>
-            <source>There are {count} plots already: remove one first.</source>
-            <translation>已有 {count} 张图：请先移除一张。</translation>
-        </message>
-        <message>
-            <source>A plot takes {count} curves, so that they can be told apart.</source>
-            <translation>为便于区分，一张图最多 {count} 条曲线。</translation>
-        </message>
-    </context>
-    <context>
-        <name>PointEdits</name>
-        <message>
-            <source>Replace by current pose</source>
-            <translation>替换为当前位姿</translation>
-        </message>
-        <message>
-            <source>Insert</source>
-            <translation>插入</translation>
-        </message>
-        <message>
-            <source>Delete</source>
-            <translation>删除</translation>
-        </message>
-        <message>
-            <source>Move</source>
-            <translation>移动</translation>
-        </message>
-        <message>
-            <source>Convert</source>
-            <translation>转换</translation>
-        </message>
-        <message>
-            <source>Cut</source>
-            <translation>剪切</translation>
-        </message>
-        <message>
-            <source>Convert zeros</source>
-            <translation>换算零点</translation>
-        </message>
-    </context>
-    <context>
-        <name>PointFigure</name>
-        <message>
-            <source>Speed</source>
-            <translation>速度</translation>
-        </message>
-        <message>
-            <source>Dwell</source>
-            <translation>停留时间</translation>
-        </message>
-        <message>
-            <source>Gripper opening</source>
-            <translation>夹爪开口</translation>
-        </message>
-        <message>
-            <source>Gripper torque</source>
-            <translation>夹爪扭矩</translation>
-        </message>
-        <message>
-            <source>Gripper angle</source>
-            <translation>夹爪角度</translation>
-        </message>
-        <message>
-            <source>Gripper speed</source>
-            <translation>夹爪速度</translation>
-        </message>
-        <message>
-            <source>Light, joint</source>
-            <translation>灯光关节</translation>
-        </message>
-        <message>
-            <source>Light, lamp</source>
-            <translation>灯光灯号</translation>
-        </message>
-        <message>
-            <source>Light, R</source>
-            <translation>灯光 R</translation>
-        </message>
-        <message>
-            <source>Light, G</source>
-            <translation>灯光 G</translation>
-        </message>
-        <message>
-            <source>Light, B</source>
-            <translation>灯光 B</translation>
-        </message>
-        <message>
-            <source>Target</source>
-            <translation>目标</translation>
-        </message>
-        <message>
-            <source>Middle pose</source>
-            <translation>中间位姿</translation>
-        </message>
-        <message>
-            <source>Time</source>
-            <translation>时间</translation>
-        </message>
-        <message>
-            <source>Time since the row before</source>
-            <translation>距上一行的时间</translation>
-        </message>
-        <message>
-            <source>Note</source>
-            <translation>备注</translation>
-        </message>
-        <message>
-            <source>Name</source>
-            <translation>名称</translation>
-        </message>
-        <message>
-            <source>Comment</source>
-            <translation>注释</translation>
-        </message>
-        <message>
-            <source>Arm it was taught on</source>
-            <translation>示教所用机械臂</translation>
-        </message>
-    </context>
-    <context>
-        <name>PointTarget</name>
-        <message>
-            <source>Drag in the picture</source>
-            <translation>在画面中拖动</translation>
-        </message>
-    </context>
-    <context>
-        <name>PointsModel</name>
-        <message>
-            <source>J{joint} all</source>
-            <translation>J{joint} 全部</translation>
-        </message>
-        <message>
-            <source>Motion</source>
-            <translation>运动方式</translation>
-        </message>
-        <message>
-            <source>Middle pose</source>
-            <translation>中间位姿</translation>
-        </message>
-        <message>
-            <source>Speed</source>
-            <translation>速度</translation>
-        </message>
-        <message>
-            <source>Dwell</source>
-            <translation>停留</translation>
-        </message>
-        <message>
-            <source>Gripper</source>
-            <translation>夹爪</translation>
-        </message>
-        <message>
-            <source>Light</source>
-            <translation>灯光</translation>
-        </message>
-        <message>
-            <source>Note</source>
-            <translation>备注</translation>
-        </message>
-        <message>
-            <source>Edit</source>
-            <translation>编辑</translation>
-        </message>
-        <message>
-            <source>Move</source>
-            <translation>移动</translation>
-        </message>
-    </context>
-    <context>
-        <name>PoseExtras</name>
-        <message>
-            <source>Arc by three poses</source>
-            <translation>三点圆弧</translation>
-        </message>
-        <message>
-            <source>Tool centre point</source>
-            <translation>工具中心点</translation>
-        </message>
-    </context>
-    <context>
-        <name>PoseRow</name>
-        <message>
-            <source>Moves along {axis} while it is held; let go to stop.</source>
-            <translation>按住时沿 {axis} 运动，松开即停止。</translation>
-        </message>
-        <message>
-            <source>Moves along {axis} by {step} at once.</source>
-            <translation>立即沿 {axis} 移动 {step}。</translation>
-        </message>
-        <message>
-            <source>{axis} minus</source>
-            <translation>{axis} 减</translation>
-        </message>
-        <message>
-            <source>{axis} plus</source>
-            <translation>{axis} 加</translation>
-        </message>
-        <message>
-            <source>Target {axis}</source>
-            <translation>目标 {axis}</translation>
-        </message>
-        <message>
-            <source>Not sent before you press MOVE P or MOVE L.</source>
-            <translation>按下 MOVE P 或 MOVE L 之前不会发送。</translation>
-        </message>
-        <message>
-            <source>Measured by the arm</source>
-            <translation>机械臂测量值</translation>
-        </message>
-    </context>
-    <context>
-        <name>PreviewBar</name>
-        <message>
-            <source>Play</source>
-            <translation>播放</translation>
-        </message>
-        <message>
-            <source>Moves the ghost arm only; the real arm stays where it is.</source>
-            <translation>只移动虚影机械臂，真实机械臂不动。</translation>
-        </message>
-        <message>
-            <source>Preview</source>
-            <translation>预览</translation>
-        </message>
-        <message>
-            <source>Time of the preview</source>
-            <translation>预览时间</translation>
-        </message>
-        <message>
-            <source>Moves the ghost arm through the motion.</source>
-            <translation>拖动以查看虚影机械臂的运动过程。</translation>
-        </message>
-        <message>
-            <source>Close preview</source>
-            <translation>关闭预览</translation>
-        </message>
-        <message>
-            <source>Pause</source>
-            <translation>暂停</translation>
-        </message>
-    </context>
-    <context>
-        <name>QAbstractFileIconProvider</name>
-        <message>
-            <source>Folder</source>
-            <translation>文件夹</translation>
-        </message>
-    </context>
-    <context>
-        <name>QFileSystemModel</name>
-        <message>
-            <source>Size</source>
-            <translation>大小</translation>
-        </message>
-    </context>
-    <context>
-        <name>QShortcut</name>
-        <message>
-            <source>Up</source>
-            <translation>↑</translation>
-        </message>
-        <message>
-            <source>Down</source>
-            <translation>↓</translation>
-        </message>
-    </context>
-    <context>
-        <name>Quantity</name>
-        <message>
-            <source>angle</source>
-            <translation>角度</translation>
-        </message>
-        <message>
-            <source>End X</source>
-            <translation>末端 X</translation>
-        </message>
-        <message>
-            <source>End Y</source>
-            <translation>末端 Y</translation>
-        </message>
-        <message>
-            <source>End Z</source>
-            <translation>末端 Z</translation>
-        </message>
-        <message>
-            <source>End RX</source>
-            <translation>末端 RX</translation>
-        </message>
-        <message>
-            <source>End RY</source>
-            <translation>末端 RY</translation>
-        </message>
-        <message>
-            <source>End RZ</source>
-            <translation>末端 RZ</translation>
-        </message>
-        <message>
-            <source>Speed percentage</source>
-            <translation>速度百分比</translation>
-        </message>
-        <message>
-            <source>Trajectory point</source>
-            <translation>轨迹点</translation>
-        </message>
-        <message>
-            <source>Joints beyond limit</source>
-            <translation>超限关节</translation>
-        </message>
-        <message>
-            <source>Joints without communication</source>
-            <translation>通信异常关节</translation>
-        </message>
-        <message>
-            <source>Control mode</source>
-            <translation>控制模式</translation>
-        </message>
-        <message>
-            <source>Arm status</source>
-            <translation>机械臂状态</translation>
-        </message>
-        <message>
-            <source>Move mode</source>
-            <translation>运动模式</translation>
-        </message>
-        <message>
-            <source>Teaching state</source>
-            <translation>示教状态</translation>
-        </message>
-        <message>
-            <source>Target not reached</source>
-            <translation>未达指定点</translation>
-        </message>
-        <message>
-            <source>Gripper opening</source>
-            <translation>夹爪开口</translation>
-        </message>
-        <message>
-            <source>Gripper torque</source>
-            <translation>夹爪扭矩</translation>
-        </message>
-        <message>
-            <source>Gripper angle</source>
-            <translation>夹爪角度</translation>
-        </message>
-        <message>
-            <source>Gripper speed</source>
-            <translation>夹爪速度</translation>
-        </message>
-        <message>
-            <source>Gripper faults</source>
-            <translation>夹爪故障</translation>
-        </message>
-        <message>
-            <source>Gripper enabled</source>
-            <translation>夹爪使能</translation>
-        </message>
-        <message>
-            <source>motor speed</source>
-            <translation>电机转速</translation>
-        </message>
-        <message>
-            <source>motor current</source>
-            <translation>电机电流</translation>
-        </message>
-        <message>
-            <source>motor position</source>
-            <translation>电机位置</translation>
-        </message>
-        <message>
-            <source>supply voltage</source>
-            <translation>电源电压</translation>
-        </message>
-        <message>
-            <source>driver temperature</source>
-            <translation>驱动器温度</translation>
-        </message>
-        <message>
-            <source>motor temperature</source>
-            <translation>电机温度</translation>
-        </message>
-        <message>
-            <source>supply current</source>
-            <translation>母线电流</translation>
-        </message>
-        <message>
-            <source>driver faults</source>
-            <translation>驱动器故障</translation>
-        </message>
-        <message>
-            <source>enabled</source>
-            <translation>使能</translation>
-        </message>
-        <message>
-            <source>part in linear speed</source>
-            <translation>末端线速度分量</translation>
-        </message>
-        <message>
-            <source>part in angular speed</source>
-            <translation>末端角速度分量</translation>
-        </message>
-        <message>
-            <source>part in linear acceleration</source>
-            <translation>末端线加速度分量</translation>
-        </message>
-        <message>
-            <source>part in angular acceleration</source>
-            <translation>末端角加速度分量</translation>
-        </message>
-        <message>
-            <source>MIT position</source>
-            <translation>MIT 位置</translation>
-        </message>
-        <message>
-            <source>MIT speed</source>
-            <translation>MIT 速度</translation>
-        </message>
-        <message>
-            <source>MIT torque</source>
-            <translation>MIT 扭矩</translation>
-        </message>
-        <message>
-            <source>MIT kp</source>
-            <translation>MIT kp</translation>
-        </message>
-        <message>
-            <source>MIT kd</source>
-            <translation>MIT kd</translation>
-        </message>
-        <message>
-            <source>Frames on the bus</source>
-            <translation>总线帧数</translation>
-        </message>
-        <message>
-            <source>Bus load, without stuff bits</source>
-            <translation>总线负载（不含填充位）</translation>
-        </message>
-        <message>
-            <source>Error frames</source>
-            <translation>错误帧</translation>
-        </message>
-        <message>
-            <source>{name}, our command</source>
-            <translation>{name}（本程序指令）</translation>
-        </message>
-        <message>
-            <source>{name}, other host's command</source>
-            <translation>{name}（其他主机指令）</translation>
-        </message>
-        <message>
-            <source>measured</source>
-            <translation>测量</translation>
-        </message>
-        <message>
-            <source>our command</source>
-            <translation>本程序指令</translation>
-        </message>
-        <message>
-            <source>other host's command</source>
-            <translation>其他主机指令</translation>
-        </message>
-        <message>
-            <source>bus</source>
-            <translation>总线</translation>
-        </message>
-        <message>
-            <source>Measured</source>
-            <translation>测量</translation>
-        </message>
-        <message>
-            <source>Commanded by this program</source>
-            <translation>本程序的指令</translation>
-        </message>
-        <message>
-            <source>Commanded by other hosts</source>
-            <translation>其他主机的指令</translation>
-        </message>
-        <message>
-            <source>Bus</source>
-            <translation>总线</translation>
-        </message>
-        <message>
-            <source>voltage too low</source>
-            <translation>电压过低</translation>
-        </message>
-        <message>
-            <source>motor too hot</source>
-            <translation>电机过温</translation>
-        </message>
-        <message>
-            <source>overcurrent</source>
-            <translation>过流</translation>
-        </message>
-        <message>
-            <source>driver too hot</source>
-            <translation>驱动器过温</translation>
-        </message>
-        <message>
-            <source>sensor fault</source>
-            <translation>传感器异常</translation>
-        </message>
-        <message>
-            <source>driver error</source>
-            <translation>驱动器错误</translation>
-        </message>
-        <message>
-            <source>collision protection</source>
-            <translation>碰撞保护</translation>
-        </message>
-        <message>
-            <source>stall protection</source>
-            <translation>堵转保护</translation>
-        </message>
-        <message>
-            <source>none</source>
-            <translation>无</translation>
-        </message>
-        <message>
-            <source>yes</source>
-            <translation>是</translation>
-        </message>
-        <message>
-            <source>no</source>
-            <translation>否</translation>
-        </message>
-    </context>
-    <context>
-        <name>QuantityList</name>
-        <message>
-            <source>Search</source>
-            <translation>搜索</translation>
-        </message>
-        <message>
-            <source>Quantities</source>
-            <translation>可绘制的量</translation>
-        </message>
-        <message>
-            <source>Drag into a plot, or double-click to add to the chosen one</source>
-            <translation>拖入图中，或双击加入选中的图</translation>
-        </message>
-    </context>
-    <context>
-        <name>Reached</name>
-        <message>
-            <source>Target reached</source>
-            <translation>已达指定点</translation>
-        </message>
-        <message>
-            <source>Target not reached</source>
-            <translation>未达指定点</translation>
-        </message>
-    </context>
-    <context>
-        <name>RecordingCard</name>
-        <message>
-            <source>Record to the disk</source>
-            <translation>记录到磁盘</translation>
-        </message>
-        <message>
-            <source>Format</source>
-            <translation>格式</translation>
-        </message>
-        <message>
-            <source>New file at</source>
-            <translation>分卷大小</translation>
-        </message>
-        <message>
-            <source>Folder</source>
-            <translation>文件夹</translation>
-        </message>
-        <message>
-            <source>Choose…</source>
-            <translation>选择…</translation>
-        </message>
-        <message>
-            <source>A file that has grown to this size is followed by another.</source>
-            <translation>文件达到此大小后，另起一个新文件。</translation>
-        </message>
-        <message>
-            <source>Not recording</source>
-            <translation>未在记录</translation>
-        </message>
-        <message>
-            <source>The last minutes are kept in memory all the same.</source>
-            <translation>最近几分钟始终保留在内存中。</translation>
-        </message>
-        <message>
-            <source>Making the .mf4 file of {name}…</source>
-            <translation>正在生成 {name} 的 .mf4 文件…</translation>
-        </message>
-        <message>
-            <source>Opening the file…</source>
-            <translation>正在打开文件…</translation>
-        </message>
-        <message>
-            <source>Recorded as .blf; the .mf4 file is made of it at the end.</source>
-            <translation>先记录为 .blf，结束后由它生成 .mf4 文件。</translation>
-        </message>
-        <message>
-            <source>{length} · {frames} frames · {size} · {rate}/s</source>
-            <translation>{length} · {frames} 帧 · {size} · {rate}/秒</translation>
-        </message>
-        <message>
-            <source>{count} lost</source>
-            <translation>丢失 {count} 帧</translation>
-        </message>
-        <message>
-            <source>Stop recording</source>
-            <translation>停止记录</translation>
-        </message>
-        <message>
-            <source>Record</source>
-            <translation>开始记录</translation>
-        </message>
-        <message>
-            <source>Folder of the session recordings</source>
-            <translation>会话记录的文件夹</translation>
-        </message>
-    </context>
-    <context>
-        <name>RecordingMark</name>
-        <message>
-            <source>Recording of the session</source>
-            <translation>会话记录</translation>
-        </message>
-        <message>
-            <source>The session is being recorded. Click for the recordings.</source>
-            <translation>正在记录会话。单击查看会话记录。</translation>
-        </message>
-        <message>
-            <source>Recording, {length}</source>
-            <translation>正在记录，{length}</translation>
-        </message>
-    </context>
-    <context>
-        <name>RecordingPage</name>
-        <message>
-            <source>Recording</source>
-            <translation>录制</translation>
-        </message>
-        <message>
-            <source>Nothing was recorded: the arm told no angles.</source>
-            <translation>未录到数据：机械臂没有反馈关节角度。</translation>
-        </message>
-        <message>
-            <source>Working…</source>
-            <translation>正在处理…</translation>
-        </message>
-        <message>
-            <source>Nothing is left: correct the marked fields.</source>
-            <translation>没有剩余数据：请修正标记的输入框。</translation>
-        </message>
-        <message>
-            <source>The path is shown in the 3D view.</source>
-            <translation>路径已显示在三维视图中。</translation>
-        </message>
-        <message>
-            <source>Saved as “{name}”.</source>
-            <translation>已保存为“{name}”。</translation>
-        </message>
-        <message>
-            <source>Stop recording</source>
-            <translation>停止录制</translation>
-        </message>
-        <message>
-            <source>Record</source>
-            <translation>录制</translation>
-        </message>
-        <message>
-            <source>Recording: {time}, {count} samples</source>
-            <translation>正在录制：{time}，{count} 个采样</translation>
-        </message>
-        <message>
-            <source> ({count} lost)</source>
-            <translation>（丢失 {count} 个）</translation>
-        </message>
-        <message>
-            <source>Lead the arm by hand, or move it by anything, while it records.</source>
-            <translation>录制期间可拖动机械臂，或以任意方式使其运动。</translation>
-        </message>
-        <message>
-            <source>Recorded: {time}, {count} samples</source>
-            <translation>已录制：{time}，{count} 个采样</translation>
-        </message>
-        <message>
-            <source>Recording anew takes the place of what is not saved</source>
-            <translation>重新录制将覆盖未保存的内容</translation>
-        </message>
-        <message>
-            <source>Name</source>
-            <translation>名称</translation>
-        </message>
-        <message>
-            <source>From</source>
-            <translation>起始</translation>
-        </message>
-        <message>
-            <source>To</source>
-            <translation>结束</translation>
-        </message>
-        <message>
-            <source>Tolerance</source>
-            <translation>容差</translation>
-        </message>
-        <message>
-            <source>How far a joint may be off where samples are left out, in degrees</source>
-            <translation>省略采样处关节允许的偏差，单位为度</translation>
-        </message>
-        <message>
-            <source>Preview</source>
-            <translation>预览</translation>
-        </message>
-        <message>
-            <source>The path in the 3D view, and a ghost arm; the real arm stays where it is</source>
-            <translation>在三维视图中显示路径和虚影机械臂；真实机械臂不会运动</translation>
-        </message>
-        <message>
-            <source>Save as recording</source>
-            <translation>保存为录制</translation>
-        </message>
-        <message>
-            <source>Save as points</source>
-            <translation>保存为轨迹点</translation>
-        </message>
-        <message>
-            <source>The arm comes to rest in every point</source>
-            <translation>机械臂会在每个点停下</translation>
-        </message>
-        <message>
-            <source>Keeps {kept} of {count} samples, {time}</source>
-            <translation>保留 {kept}/{count} 个采样，{time}</translation>
-        </message>
-        <message>
-            <source>It is in memory alone until it is saved. {reason}</source>
-            <translation>保存前数据只在内存中。{reason}</translation>
-        </message>
-    </context>
-    <context>
-        <name>RecoveryAction</name>
-        <message>
-            <source>Connection…</source>
-            <translation>连接…</translation>
-        </message>
-        <message>
-            <source>Motion output</source>
-            <translation>运动输出臂</translation>
-        </message>
-        <message>
-            <source>Resume…</source>
-            <translation>恢复…</translation>
-        </message>
-        <message>
-            <source>Enable</source>
-            <translation>使能</translation>
-        </message>
-        <message>
-            <source>Clear error</source>
-            <translation>清除错误</translation>
-        </message>
-        <message>
-            <source>Reset…</source>
-            <translation>复位…</translation>
-        </message>
-        <message>
-            <source>Stop recording</source>
-            <translation>结束示教记录</translation>
-        </message>
-        <message>
-            <source>Terminate</source>
-            <translation>终止执行</translation>
-        </message>
-        <message>
-            <source>Lead by hand…</source>
-            <translation>拖动…</translation>
-        </message>
-        <message>
-            <source>Take command…</source>
-            <translation>待机…</translation>
-        </message>
-        <message>
-            <source>Emergency stop</source>
-            <translation>急停</translation>
-        </message>
-        <message>
-            <source>Continue</source>
-            <translation>继续</translation>
-        </message>
-        <message>
-            <source>Give up</source>
-            <translation>放弃</translation>
-        </message>
-        <message>
-            <source>Take over</source>
-            <translation>接管</translation>
-        </message>
-        <message>
-            <source>Withdraw…</source>
-            <translation>撤回…</translation>
-        </message>
-        <message>
-            <source>Take back…</source>
-            <translation>收回控制…</translation>
-        </message>
-    </context>
-    <context>
-        <name>RecoveryDanger</name>
-        <message>
-            <source>Resume after the emergency stop</source>
-            <translation>从急停恢复</translation>
-        </message>
-        <message>
-            <source>Reset the arm</source>
-            <translation>复位机械臂</translation>
-        </message>
-        <message>
-            <source>Lead the arm by hand</source>
-            <translation>用手拖动机械臂</translation>
-        </message>
-        <message>
-            <source>Take the command</source>
-            <translation>切换到待机模式</translation>
-        </message>
-        <message>
-            <source>Resuming cuts the power of the motors: the arm will drop. Hold the arm.
+    </message>
+    <message>
+        <source>Tells the arm how it is mounted. Asks first.</source>
+        <translation>告知机械臂其安装方式。会先询问。</translation>
+    </message>
+    <message>
+        <source>Choose how the arm is mounted first.</source>
+        <translation>请先选择机械臂的安装方式。</translation>
+    </message>
+    <message>
+        <source>nothing yet</source>
+        <translation>尚未发送</translation>
+    </message>
+    <message>
+        <source>Mounting of the arm</source>
+        <translation>机械臂安装方式</translation>
+    </message>
+    <message>
+        <source>Confirm</source>
+        <translation>确认</translation>
+    </message>
+    <message>
+        <source>The arm does not answer this and cannot be asked for it: another program, or the arm itself after a power cut, may have another one.</source>
+        <translation>机械臂对此不应答，也无法查询：其他程序或断电后的机械臂可能采用不同的设置。</translation>
+    </message>
+    <message>
+        <source>Told this arm last by this program: {mounting}</source>
+        <translation>本程序上次告知此机械臂的安装方式：{mounting}</translation>
+    </message>
+</context>
+<context>
+    <name>MoveMode</name>
+    <message>
+        <source>Point mode</source>
+        <translation>点位模式</translation>
+    </message>
+    <message>
+        <source>Joint mode</source>
+        <translation>关节模式</translation>
+    </message>
+    <message>
+        <source>Linear mode</source>
+        <translation>直线模式</translation>
+    </message>
+    <message>
+        <source>Arc mode</source>
+        <translation>圆弧模式</translation>
+    </message>
+    <message>
+        <source>MIT mode</source>
+        <translation>MIT 模式</translation>
+    </message>
+    <message>
+        <source>CPV mode</source>
+        <translation>CPV 模式</translation>
+    </message>
+</context>
+<context>
+    <name>Notice</name>
+    <message>
+        <source>Sent J1 {j1}°  J2 {j2}°  J3 {j3}°  J4 {j4}°  J5 {j5}°  J6 {j6}°</source>
+        <translation>已发送 J1 {j1}°  J2 {j2}°  J3 {j3}°  J4 {j4}°  J5 {j5}°  J6 {j6}°</translation>
+    </message>
+    <message>
+        <source>Sent J{joint} {target}°</source>
+        <translation>已发送 J{joint} {target}°</translation>
+    </message>
+    <message>
+        <source>Home sent: all joints to 0°</source>
+        <translation>已发送回零：各关节运动到 0°</translation>
+    </message>
+    <message>
+        <source>Sent speed {percent} %</source>
+        <translation>已发送速度 {percent} %</translation>
+    </message>
+    <message>
+        <source>Emergency stop sent. The motors go limp and the arm sinks: hold the arm.</source>
+        <translation>急停已发送。电机失去力矩，机械臂会缓慢下沉，请扶住机械臂。</translation>
+    </message>
+    <message>
+        <source>The arm has confirmed the emergency stop.</source>
+        <translation>机械臂已确认急停。</translation>
+    </message>
+    <message>
+        <source>The arm has NOT confirmed the emergency stop; it is sent again and again. Cut the arm&apos;s power if it moves.</source>
+        <translation>机械臂尚未确认急停，正在反复发送。若机械臂仍在运动，请切断其电源。</translation>
+    </message>
+    <message>
+        <source>The emergency stop is over. Enable the motors to go on.</source>
+        <translation>急停已恢复。使能电机后可继续使用。</translation>
+    </message>
+    <message>
+        <source>Resume sent. The motors lose power and the arm drops: hold the arm.</source>
+        <translation>恢复已发送。电机断电，机械臂会下落，请扶住机械臂。</translation>
+    </message>
+    <message>
+        <source>Jogging J{joint} {sign}</source>
+        <translation>点动 J{joint} {sign}</translation>
+    </message>
+    <message>
+        <source>Jogging {axis} {sign}</source>
+        <translation>点动 {axis} {sign}</translation>
+    </message>
+    <message>
+        <source>Jogging ended. {reason}</source>
+        <translation>点动已结束。{reason}</translation>
+    </message>
+    <message>
+        <source>Sent MOVE P to X {x}  Y {y}  Z {z} mm  RX {rx}°  RY {ry}°  RZ {rz}°</source>
+        <translation>已发送 MOVE P：X {x}  Y {y}  Z {z} mm  RX {rx}°  RY {ry}°  RZ {rz}°</translation>
+    </message>
+    <message>
+        <source>Sent MOVE L to X {x}  Y {y}  Z {z} mm  RX {rx}°  RY {ry}°  RZ {rz}°</source>
+        <translation>已发送 MOVE L：X {x}  Y {y}  Z {z} mm  RX {rx}°  RY {ry}°  RZ {rz}°</translation>
+    </message>
+    <message>
+        <source>Sent MOVE C through the three captured poses</source>
+        <translation>已发送 MOVE C：经过记录的三个位姿</translation>
+    </message>
+    <message>
+        <source>Sent a step of {step} along {axis}</source>
+        <translation>已发送 {axis} 步进 {step}</translation>
+    </message>
+    <message>
+        <source>{percent} % is kept: the arm gets it when the motion held back goes on</source>
+        <translation>{percent} % 已记下：被保留的运动继续时才发送给机械臂</translation>
+    </message>
+    <message>
+        <source>Another program controls the arm ({frames}).</source>
+        <translation>另一个程序正在控制机械臂（{frames}）。</translation>
+    </message>
+    <message>
+        <source>A leader arm moves this arm ({frames}).</source>
+        <translation>主臂正在带动本机械臂（{frames}）。</translation>
+    </message>
+    <message>
+        <source>Nobody else controls the arm any more.</source>
+        <translation>已没有其他程序控制机械臂。</translation>
+    </message>
+    <message>
+        <source>Connected as a {chosen}, but the pose it reports is that of a {fits}. Connect it as a {fits}.</source>
+        <translation>连接时选择的型号是 {chosen}，但其反馈的位姿属于 {fits}。请按 {fits} 重新连接。</translation>
+    </message>
+    <message>
+        <source>The pose the arm reports fits its angles in no model of the family, {chosen} included.</source>
+        <translation>机械臂反馈的位姿与关节角度不符合任何型号（包括 {chosen}）。</translation>
+    </message>
+    <message>
+        <source>Taken over: this program may move the arm.</source>
+        <translation>已接管：本程序可以移动机械臂。</translation>
+    </message>
+    <message>
+        <source>Speed override {percent} %</source>
+        <translation>运行倍率 {percent} %</translation>
+    </message>
+    <message>
+        <source>The arm was told to end its motion and still moves. Stop it, or cut its power.</source>
+        <translation>已命令机械臂终止运动，但它仍在动。请急停，或切断其电源。</translation>
+    </message>
+    <message>
+        <source>Motion ended: too fast. {reason}</source>
+        <translation>运动已终止：速度过快。{reason}</translation>
+    </message>
+    <message>
+        <source>Sent to lamp {lamp} of joint {joint}: {color}</source>
+        <translation>已发送关节 {joint} 灯珠 {lamp}：{color}</translation>
+    </message>
+    <message>
+        <source>Sent to all lamps of joint {joint}: {color}</source>
+        <translation>已发送关节 {joint} 全部灯珠：{color}</translation>
+    </message>
+    <message>
+        <source>The arm stays in emergency stop. Check it, then press Resume again.</source>
+        <translation>机械臂仍处于急停状态。请检查机械臂，然后再按“恢复”。</translation>
+    </message>
+    <message>
+        <source>Enable sent to all six motors</source>
+        <translation>已向 6 个电机发送使能</translation>
+    </message>
+    <message>
+        <source>All six motors are enabled.</source>
+        <translation>6 个电机均已使能。</translation>
+    </message>
+    <message>
+        <source>These joints did not enable: {joints}. Press Enable again; if that fails, check their drivers and the arm&apos;s power.</source>
+        <translation>以下关节未能使能：{joints}。请再按一次“使能”；若仍失败，请检查其驱动器和机械臂电源。</translation>
+    </message>
+    <message>
+        <source>Enable sent to joint {joint}</source>
+        <translation>已发送关节 {joint} 使能</translation>
+    </message>
+    <message>
+        <source>Joint {joint} is enabled.</source>
+        <translation>关节 {joint} 已使能。</translation>
+    </message>
+    <message>
+        <source>Disable sent to joint {joint}</source>
+        <translation>已发送关节 {joint} 失能</translation>
+    </message>
+    <message>
+        <source>Joint {joint} is disabled.</source>
+        <translation>关节 {joint} 已失能。</translation>
+    </message>
+    <message>
+        <source>Disable sent to all six motors. The arm drops: hold the arm.</source>
+        <translation>已向 6 个电机发送失能。机械臂会下落，请扶住机械臂。</translation>
+    </message>
+    <message>
+        <source>All six motors are disabled.</source>
+        <translation>6 个电机均已失能。</translation>
+    </message>
+    <message>
+        <source>These joints did not disable: {joints}. Press Disable again, or use the emergency stop.</source>
+        <translation>以下关节未能失能：{joints}。请再按一次“失能”，或使用急停。</translation>
+    </message>
+    <message>
+        <source>Clear error sent to joint {joint}</source>
+        <translation>已向关节 {joint} 发送清除错误</translation>
+    </message>
+    <message>
+        <source>Joint {joint}: the arm has confirmed the command to clear the error. Where a fault is still shown, remove its cause, then clear it again.</source>
+        <translation>关节 {joint}：机械臂已应答清除错误指令。若仍显示故障，请先排除原因，再次清除。</translation>
+    </message>
+    <message>
+        <source>Joint {joint}: the arm did not confirm within a second the command to clear the error. Try again; if it stays silent, check the CAN cable.</source>
+        <translation>关节 {joint}：机械臂在 1 秒内没有应答清除错误指令。请重试；若仍无应答，请检查 CAN 线缆。</translation>
+    </message>
+    <message>
+        <source>End load sent: {load}</source>
+        <translation>已发送末端负载：{load}</translation>
+    </message>
+    <message>
+        <source>The arm has answered the end load: {load}. It cannot be asked for it.</source>
+        <translation>机械臂已应答末端负载：{load}（无法查询核对）。</translation>
+    </message>
+    <message>
+        <source>End load not confirmed. {reason}</source>
+        <translation>末端负载未得到确认。{reason}</translation>
+    </message>
+    <message>
+        <source>Switching the feedback of the end&apos;s motion</source>
+        <translation>正在切换末端速度/加速度反馈</translation>
+    </message>
+    <message>
+        <source>The arm reports the motion of its end.</source>
+        <translation>机械臂正在上报末端速度/加速度。</translation>
+    </message>
+    <message>
+        <source>The arm no longer reports the motion of its end.</source>
+        <translation>机械臂已停止上报末端速度/加速度。</translation>
+    </message>
+    <message>
+        <source>The feedback of the end&apos;s motion is not switched. {reason}</source>
+        <translation>末端速度/加速度反馈未切换成功。{reason}</translation>
+    </message>
+    <message>
+        <source>Linkage setting sent</source>
+        <translation>已发送联动设置</translation>
+    </message>
+    <message>
+        <source>The arm has answered the linkage setting. It holds in standby, or after the arm was switched off and on.</source>
+        <translation>机械臂已应答联动设置，在待机模式下或重新上电后生效。</translation>
+    </message>
+    <message>
+        <source>The arm has answered: it becomes a teaching input. Its feedback ends and it can be led by hand.</source>
+        <translation>机械臂已应答：将成为示教输入臂，反馈停止，可用手拖动。</translation>
+    </message>
+    <message>
+        <source>Linkage setting not confirmed. {reason}</source>
+        <translation>联动设置未得到确认。{reason}</translation>
+    </message>
+    <message>
+        <source>Identifiers in use: feedback from {feedback}, commands from {control}.</source>
+        <translation>当前使用的 ID：反馈从 {feedback} 起，控制从 {control} 起。</translation>
+    </message>
+    <message>
+        <source>An arm is heard with its feedback from {feedback}. On which identifiers it takes commands is not known: set them under Linkage control.</source>
+        <translation>收到机械臂的反馈，ID 从 {feedback} 起。其控制指令 ID 未知，请在“联动控制”中设置。</translation>
+    </message>
+    <message>
+        <source>Gripper: sent to {value} {unit}</source>
+        <translation>夹爪：已发送 {value} {unit}</translation>
+    </message>
+    <message>
+        <source>The gripper is at {value} {unit}.</source>
+        <translation>夹爪已到 {value} {unit}。</translation>
+    </message>
+    <message>
+        <source>The gripper holds something at {value} {unit}, with {torque} N·m.</source>
+        <translation>夹爪在 {value} {unit} 处夹住物体，力矩 {torque} N·m。</translation>
+    </message>
+    <message>
+        <source>The gripper stands at {value} {unit} instead of {target} {unit}. Look for what blocks it, for its errors and its power.</source>
+        <translation>夹爪停在 {value} {unit}，未到 {target} {unit}。请检查是否受阻、有无错误以及供电。</translation>
+    </message>
+    <message>
+        <source>Gripper: {act} sent</source>
+        <translation>夹爪：已发送{act}</translation>
+    </message>
+    <message>
+        <source>Gripper: {act} done, by its own feedback.</source>
+        <translation>夹爪：{act}已完成（以其反馈为准）。</translation>
+    </message>
+    <message>
+        <source>Gripper: {act} has no effect. Look at its errors, its power and its cable, then try again.</source>
+        <translation>夹爪：{act}没有生效。请检查其错误、供电和线缆后重试。</translation>
+    </message>
+    <message>
+        <source>Zero setting sent to all six joints</source>
+        <translation>已发送全部 6 个关节的零点设置</translation>
+    </message>
+    <message>
+        <source>Zero setting sent to joint {joint}</source>
+        <translation>已发送关节 {joint} 的零点设置</translation>
+    </message>
+    <message>
+        <source>The arm has set the zeros of all six joints; their angles now read 0.</source>
+        <translation>机械臂已设置全部 6 个关节的零点，角度现读为 0。</translation>
+    </message>
+    <message>
+        <source>The arm has set the zero of joint {joint}; its angle now reads 0.</source>
+        <translation>机械臂已设置关节 {joint} 的零点，角度现读为 0。</translation>
+    </message>
+    <message>
+        <source>Zero setting failed. {reason}</source>
+        <translation>零点设置失败。{reason}</translation>
+    </message>
+    <message>
+        <source>Settings sent to the arm: {count}</source>
+        <translation>已向机械臂发送 {count} 项参数</translation>
+    </message>
+    <message>
+        <source>Settings saved, read back from the arm and the same: {count}</source>
+        <translation>{count} 项参数已保存，回读一致</translation>
+    </message>
+    <message>
+        <source>{count} of {total} settings are not in the arm. {reason}</source>
+        <translation>{total} 项参数中有 {count} 项未生效。{reason}</translation>
+    </message>
+    <message>
+        <source>Asked the arm for its factory values</source>
+        <translation>已发送初始化指令</translation>
+    </message>
+    <message>
+        <source>The arm has answered that its factory values are back; they are read again.</source>
+        <translation>机械臂已应答恢复出厂值，正在重新读取。</translation>
+    </message>
+    <message>
+        <source>Running “{name}”</source>
+        <translation>开始执行“{name}”</translation>
+    </message>
+    <message>
+        <source>Run paused in row {row}: the arm holds</source>
+        <translation>已在第 {row} 行暂停，机械臂保持位置</translation>
+    </message>
+    <message>
+        <source>Run goes on in row {row}</source>
+        <translation>从第 {row} 行继续执行</translation>
+    </message>
+    <message>
+        <source>“{name}” has been run to its end.</source>
+        <translation>“{name}”执行完毕。</translation>
+    </message>
+    <message>
+        <source>Run ended in row {row}; the arm stands.</source>
+        <translation>已在第 {row} 行结束执行，机械臂已停稳。</translation>
+    </message>
+    <message>
+        <source>Run ended in row {row}. {reason}</source>
+        <translation>在第 {row} 行中止执行。{reason}</translation>
+    </message>
+    <message>
+        <source>Sent: {command}</source>
+        <translation>已发送：{command}</translation>
+    </message>
+    <message>
+        <source>The arm has confirmed: {command}</source>
+        <translation>机械臂已确认：{command}</translation>
+    </message>
+    <message>
+        <source>The arm did not follow within 1.5 s: {command}. Look at its status; if it has no recording, record first.</source>
+        <translation>机械臂 1.5 秒内未执行：{command}。请查看状态；若没有示教轨迹，请先记录。</translation>
+    </message>
+    <message>
+        <source>Sent: {plan}. The arm does not report this; watch it.</source>
+        <translation>已发送：{plan}。机械臂不反馈此指令，请观察机械臂。</translation>
+    </message>
+    <message>
+        <source>Standby sent</source>
+        <translation>已发送：待机模式</translation>
+    </message>
+    <message>
+        <source>Sent: motion output (0xFC)</source>
+        <translation>已发送：设置为运动输出臂（0xFC）</translation>
+    </message>
+    <message>
+        <source>The arm did not react. Look at the step above the panel.</source>
+        <translation>机械臂无响应。请查看面板上方的提示。</translation>
+    </message>
+    <message>
+        <source>Replay paused: the arm holds</source>
+        <translation>回放已暂停，机械臂保持位置</translation>
+    </message>
+    <message>
+        <source>Replay goes on</source>
+        <translation>继续回放</translation>
+    </message>
+    <message>
+        <source>Replay of “{name}” ended; the arm stands.</source>
+        <translation>“{name}”回放已结束，机械臂已停稳。</translation>
+    </message>
+    <message>
+        <source>Replay ended. {reason}</source>
+        <translation>回放中止。{reason}</translation>
+    </message>
+    <message>
+        <source>Recording the arm&apos;s motion</source>
+        <translation>开始录制机械臂运动</translation>
+    </message>
+    <message>
+        <source>Recorded: {count} samples over {seconds} s</source>
+        <translation>录制完成：{count} 个采样，{seconds} 秒</translation>
+    </message>
+    <message>
+        <source>Also saved as MF4: {name}.mf4</source>
+        <translation>已另存为 MF4：{name}.mf4</translation>
+    </message>
+    <message>
+        <source>No .mf4 file of {name}: {reason} The recording is whole as .blf.</source>
+        <translation>{name} 未生成 .mf4 文件：{reason} .blf 记录完整无缺。</translation>
+    </message>
+    <message>
+        <source>Device open: {device}</source>
+        <translation>设备已打开：{device}</translation>
+    </message>
+    <message>
+        <source>Not connected. {reason}</source>
+        <translation>未能连接。{reason}</translation>
+    </message>
+    <message>
+        <source>Disconnected from {device}</source>
+        <translation>已断开 {device}</translation>
+    </message>
+    <message>
+        <source>Connection to {device} lost; the program keeps trying to reconnect. {reason}</source>
+        <translation>与 {device} 的连接已断开，程序正在尝试重新连接。{reason}</translation>
+    </message>
+    <message>
+        <source>Connected to {device} again</source>
+        <translation>已重新连接 {device}</translation>
+    </message>
+    <message>
+        <source>The arm is online.</source>
+        <translation>机械臂在线。</translation>
+    </message>
+    <message>
+        <source>The arm is offline: nothing is heard from it. Check its power, the CAN cable and the bit rate.</source>
+        <translation>机械臂离线：没有收到反馈。请检查机械臂电源、CAN 线和波特率。</translation>
+    </message>
+    <message>
+        <source>The arm speaks protocol generation {generation}. Firmware: {firmware}</source>
+        <translation>机械臂使用第 {generation} 代协议，固件版本：{firmware}</translation>
+    </message>
+    <message>
+        <source>Joint limits read from the arm</source>
+        <translation>已读取机械臂的关节限位</translation>
+    </message>
+    <message>
+        <source>The arm did not tell the limits of these joints: {joints}. The factory limits hold; connect again to ask once more.</source>
+        <translation>未读到以下关节的限位：{joints}。现按出厂限位检查；重新连接可再次读取。</translation>
+    </message>
+    <message>
+        <source>Joint {joint}: the limits stored in the arm cannot be true. The factory limits hold; set the joint&apos;s limits anew.</source>
+        <translation>关节 {joint}：机械臂中保存的限位不合理。现按出厂限位检查；请重新设置该关节的限位。</translation>
+    </message>
+    <message>
+        <source>Not sent. {reason}</source>
+        <translation>未发送。{reason}</translation>
+    </message>
+    <message>
+        <source>Event: {code}</source>
+        <translation>事件：{code}</translation>
+    </message>
+    <message>
+        <source>The emergency stop is NOT on the bus: no CAN device is open, or it does not take the frame. Cut the arm&apos;s power if it moves.</source>
+        <translation>急停没有发到总线上：没有打开 CAN 设备，或设备不接收该帧。若机械臂在运动，请切断其电源。</translation>
+    </message>
+    <message>
+        <source>A second arm is heard on this bus (feedback at {feedback}): the stop reaches it, too.</source>
+        <translation>总线上还有第二台机械臂（反馈 {feedback}）：急停也会到达它。</translation>
+    </message>
+    <message>
+        <source>A stop is outstanding: the arm was away for more than 10 seconds and has not confirmed it. It is not sent by itself any more. Press the emergency stop if the arm must stop.</source>
+        <translation>有一次急停未完成：机械臂离线超过 10 秒，没有确认。程序不再自动发送。若机械臂必须停止，请按急停。</translation>
+    </message>
+    <message>
+        <source>The outstanding emergency stop was withdrawn; the arm has not stopped.</source>
+        <translation>未完成的急停已撤回；机械臂没有停止。</translation>
+    </message>
+    <message>
+        <source>The arm on {device} has never confirmed its emergency stop, and another device is connected now. Cut that arm&apos;s power if it moves.</source>
+        <translation>{device} 上的机械臂一直没有确认急停，而现在连接的是另一设备。若那台机械臂在运动，请切断其电源。</translation>
+    </message>
+    <message>
+        <source>The emergency stop was undone, and not by this program: another host has resumed the arm, or it was switched off and on. Press the emergency stop again if it must stay.</source>
+        <translation>急停被解除，但不是本程序所为：另一个程序恢复了机械臂，或机械臂断电后重新上电。若必须保持停止，请再按急停。</translation>
+    </message>
+    <message>
+        <source>Halt sent: the motion ends, the motors keep their power.</source>
+        <translation>已发送停住：运动结束，电机保持上电。</translation>
+    </message>
+    <message>
+        <source>The halt is NOT on the bus yet: the adapter does not take it. It goes out as soon as that is possible. Press the emergency stop if the arm moves.</source>
+        <translation>停住还没有发到总线上：适配器不接收。一旦可能就会发出。若机械臂在运动，请按急停。</translation>
+    </message>
+    <message>
+        <source>The arm stands still and holds.</source>
+        <translation>机械臂已静止并保持。</translation>
+    </message>
+    <message>
+        <source>{device} sends nothing. {reason}</source>
+        <translation>{device} 发不出任何帧。{reason}</translation>
+    </message>
+    <message>
+        <source>{device} sends again. What had waited was dropped, but for a stop.</source>
+        <translation>{device} 又能发送了。此前等待的帧已丢弃，急停除外。</translation>
+    </message>
+    <message>
+        <source>Another armui on this computer uses the same settings file. What is changed here is kept; changes made there appear at the next start.</source>
+        <translation>本机另一个 armui 正在使用同一设置文件。此处的更改会保留；那边的更改在下次启动时生效。</translation>
+    </message>
+    <message>
+        <source>Another armui on this computer is connected to {device}, too. Both can move the arm: close one of them.</source>
+        <translation>本机另一个 armui 也已连接 {device}。两者都能移动机械臂：请关闭其中一个。</translation>
+    </message>
+    <message>
+        <source>{count} frames were lost before the program could read them ({total} since connecting): the computer is too busy, or the adapter too slow.</source>
+        <translation>有 {count} 帧在程序读取之前丢失（连接以来共 {total} 帧）：电脑太忙，或适配器太慢。</translation>
+    </message>
+    <message>
+        <source>The arm has not taken the last motion: it is heard, and does not move. It may listen under another control offset (Linkage control), or a frame was lost.</source>
+        <translation>机械臂未执行刚才的运动：有反馈，但没有动。它可能在另一个控制偏移下接收指令（见联动控制），或有帧丢失。</translation>
+    </message>
+    <message>
+        <source>The arm has not confirmed that its factory values are back. {reason}</source>
+        <translation>机械臂未确认恢复出厂值。{reason}</translation>
+    </message>
+    <message>
+        <source>Sent by hand: {frame}. It counts as another program&apos;s command.</source>
+        <translation>手动发送：{frame}。按其他程序的指令处理。</translation>
+    </message>
+    <message>
+        <source>Recording the session: {name}</source>
+        <translation>正在记录会话：{name}</translation>
+    </message>
+    <message>
+        <source>Session recorded: {name}, {frames} frames, {size} MB</source>
+        <translation>会话已记录：{name}，{frames} 帧，{size} MB</translation>
+    </message>
+    <message>
+        <source>Recording the session has ended: {reason}</source>
+        <translation>会话记录已中断：{reason}</translation>
+    </message>
+    <message>
+        <source>{count} frames are missing in the recording: the disk is too slow</source>
+        <translation>记录中缺少 {count} 帧：磁盘太慢</translation>
+    </message>
+    <message>
+        <source>What just happened is saved: {name}</source>
+        <translation>已保存刚才发生的事：{name}</translation>
+    </message>
+    <message>
+        <source>What just happened could not be saved: {reason}</source>
+        <translation>无法保存刚才发生的事：{reason}</translation>
+    </message>
+    <message>
+        <source>{device} jogs {axes} (joints)</source>
+        <translation>{device} 点动 {axes}（关节）</translation>
+    </message>
+    <message>
+        <source>{device} jogs {axes} (base frame)</source>
+        <translation>{device} 点动 {axes}（基坐标系）</translation>
+    </message>
+    <message>
+        <source>{device} jogs {axes} (tool frame)</source>
+        <translation>{device} 点动 {axes}（工具坐标系）</translation>
+    </message>
+    <message>
+        <source>Told the arm to leave the other program&apos;s mode and to hold where it stands.</source>
+        <translation>已通知机械臂退出另一程序的模式，并保持在当前位置。</translation>
+    </message>
+    <message>
+        <source>Mounting sent: {mounting}. The arm does not tell it back.</source>
+        <translation>已发送安装方式：{mounting}。机械臂不会回报。</translation>
+    </message>
+    <message>
+        <source>This arm (node {node}) was a {before} the last time: taken instead of {chosen}, which was only offered.</source>
+        <translation>此机械臂（节点 {node}）上次为 {before}：已采用该型号，代替默认给出的 {chosen}。</translation>
+    </message>
+    <message>
+        <source>Connected as a {chosen}, but this arm (node {node}) was a {before} the last time. If it is one, connect it as that.</source>
+        <translation>当前按 {chosen} 连接，但此机械臂（节点 {node}）上次为 {before}。如属实，请按该型号重新连接。</translation>
+    </message>
+    <message>
+        <source>Whether another armui runs on this computer cannot be found out: {path} cannot be used ({text}). Do not start the program twice for one arm.</source>
+        <translation>无法得知本机是否还有另一个 armui 在运行：{path} 不可用（{text}）。请勿对同一机械臂启动两个程序。</translation>
+    </message>
+    <message>
+        <source>The change holds, but is not saved. {reason}</source>
+        <translation>更改已生效，但未能保存。{reason}</translation>
+    </message>
+    <message>
+        <source>A disk or network folder has taken more than 10 s over a file. Other files wait for it no longer. If it does not end, look at the cable or network. (Under way: {count})</source>
+        <translation>有磁盘或网络文件夹处理一个文件已超过 10 s，其他文件不再等它。若一直不结束，请检查线缆或网络。（进行中：{count}）</translation>
+    </message>
+    <message>
+        <source>“{question}” was withdrawn. {reason}</source>
+        <translation>“{question}”已撤回。{reason}</translation>
+    </message>
+    <message>
+        <source>A part of the program has failed ({part}). The emergency stop still works; every motion of this program is ended. Start the program again.</source>
+        <translation>程序的一部分出错（{part}）。急停仍有效；本程序的所有运动均已结束。请重新启动程序。</translation>
+    </message>
+</context>
+<context>
+    <name>Observed</name>
+    <message>
+        <source>Control mode: {before} → {mode}</source>
+        <translation>控制模式：{before} → {mode}</translation>
+    </message>
+    <message>
+        <source>Motion mode: {before} → {mode}</source>
+        <translation>运动模式：{before} → {mode}</translation>
+    </message>
+    <message>
+        <source>Arm status: {status}</source>
+        <translation>机械臂状态：{status}</translation>
+    </message>
+    <message>
+        <source>Drag teaching: {before} → {state}</source>
+        <translation>拖动示教：{before} → {state}</translation>
+    </message>
+    <message>
+        <source>Target not reached</source>
+        <translation>未到达指定点</translation>
+    </message>
+    <message>
+        <source>Motors enabled: {joints}</source>
+        <translation>电机使能：{joints}</translation>
+    </message>
+    <message>
+        <source>Motors disabled: {joints}</source>
+        <translation>电机失能：{joints}</translation>
+    </message>
+    <message>
+        <source>J{joint} {item} {word}</source>
+        <translation>J{joint} {item}{word}</translation>
+    </message>
+    <message>
+        <source>J{joint} beyond its angle limit</source>
+        <translation>J{joint} 超出角度限位</translation>
+    </message>
+    <message>
+        <source>Gripper: {fault}</source>
+        <translation>夹爪：{fault}</translation>
+    </message>
+    <message>
+        <source>J{joint}: the limits stored in the arm cannot be true</source>
+        <translation>J{joint}：机械臂中存储的限位不可信</translation>
+    </message>
+    <message>
+        <source>Another host sends {id}</source>
+        <translation>其他程序发送 {id}</translation>
+    </message>
+    <message>
+        <source>Frames not understood: {kind} (last {id})</source>
+        <translation>无法识别的报文：{kind}（最近 {id}）</translation>
+    </message>
+    <message>
+        <source>The arm&apos;s status frames come more rarely: {share} % fewer than before</source>
+        <translation>机械臂状态报文变少：比之前少 {share} %</translation>
+    </message>
+    <message>
+        <source>Sent the point of row {row}</source>
+        <translation>已发送第 {row} 行的点</translation>
+    </message>
+    <message>
+        <source>Target reached, says the arm</source>
+        <translation>机械臂反馈：已达指定点</translation>
+    </message>
+    <message>
+        <source>Not driven to its end: {end}</source>
+        <translation>未运动到终点：{end}</translation>
+    </message>
+    <message>
+        <source>Answered with 0x476 (setting {index})</source>
+        <translation>已用 0x476 应答（设置 {index}）</translation>
+    </message>
+    <message>
+        <source>{reason}</source>
+        <translation>{reason}</translation>
+    </message>
+    <message>
+        <source>The events cannot be written to the disk; the newest are kept in memory. {text}</source>
+        <translation>事件无法写入磁盘，最新的保留在内存中。{text}</translation>
+    </message>
+    <message>
+        <source>Emergency stop sent</source>
+        <translation>已发送急停</translation>
+    </message>
+    <message>
+        <source>Resume sent</source>
+        <translation>已发送恢复</translation>
+    </message>
+    <message>
+        <source>Motors: enable sent</source>
+        <translation>已发送电机使能</translation>
+    </message>
+    <message>
+        <source>Motors: disable sent</source>
+        <translation>已发送电机失能</translation>
+    </message>
+    <message>
+        <source>Trajectory or drag teaching command sent</source>
+        <translation>已发送轨迹或拖动示教指令</translation>
+    </message>
+    <message>
+        <source>{message} begin</source>
+        <translation>开始发送{message}</translation>
+    </message>
+    <message>
+        <source>Unknown event: {code}</source>
+        <translation>未知事件：{code}</translation>
+    </message>
+</context>
+<context>
+    <name>Operation</name>
+    <message>
+        <source>Tell the load</source>
+        <translation>设置末端负载</translation>
+    </message>
+    <message>
+        <source>Switch the feedback of the end&apos;s motion</source>
+        <translation>开关末端速度与加速度反馈</translation>
+    </message>
+    <message>
+        <source>Move the gripper</source>
+        <translation>夹爪运动</translation>
+    </message>
+    <message>
+        <source>Enable the gripper</source>
+        <translation>夹爪使能</translation>
+    </message>
+    <message>
+        <source>Disable the gripper</source>
+        <translation>夹爪失能</translation>
+    </message>
+    <message>
+        <source>Clear the gripper&apos;s error</source>
+        <translation>清除夹爪错误</translation>
+    </message>
+    <message>
+        <source>Set the gripper&apos;s zero</source>
+        <translation>设置夹爪零点</translation>
+    </message>
+    <message>
+        <source>Clear errors of the drivers</source>
+        <translation>清除驱动器错误</translation>
+    </message>
+    <message>
+        <source>Set the lamps of a joint</source>
+        <translation>设置关节灯光</translation>
+    </message>
+    <message>
+        <source>Set role and identifiers</source>
+        <translation>设置联动角色与 ID 偏移</translation>
+    </message>
+    <message>
+        <source>Enable motors</source>
+        <translation>使能电机</translation>
+    </message>
+    <message>
+        <source>Disable motors</source>
+        <translation>失能电机</translation>
+    </message>
+    <message>
+        <source>Resume after the emergency stop</source>
+        <translation>急停后恢复</translation>
+    </message>
+    <message>
+        <source>Tell how the arm is mounted</source>
+        <translation>设置安装方式</translation>
+    </message>
+    <message>
+        <source>Command drag teaching</source>
+        <translation>拖动示教命令</translation>
+    </message>
+    <message>
+        <source>Set zeros</source>
+        <translation>设置零点</translation>
+    </message>
+    <message>
+        <source>Move the tool to a pose</source>
+        <translation>末端运动到位姿</translation>
+    </message>
+    <message>
+        <source>Move the tool by a step</source>
+        <translation>末端步进</translation>
+    </message>
+    <message>
+        <source>Move the tool along an arc</source>
+        <translation>末端沿圆弧运动</translation>
+    </message>
+    <message>
+        <source>Jog</source>
+        <translation>点动</translation>
+    </message>
+    <message>
+        <source>Set the speed of motions</source>
+        <translation>设置运动速度</translation>
+    </message>
+    <message>
+        <source>Move a joint by a step</source>
+        <translation>关节步进</translation>
+    </message>
+    <message>
+        <source>Move the joints to angles</source>
+        <translation>关节运动到角度</translation>
+    </message>
+    <message>
+        <source>Move to the factory zero angles</source>
+        <translation>回零</translation>
+    </message>
+    <message>
+        <source>Pause, continue, clear or end a planned motion</source>
+        <translation>暂停、继续、清除或终止规划运动</translation>
+    </message>
+    <message>
+        <source>Read parameters</source>
+        <translation>读取参数</translation>
+    </message>
+    <message>
+        <source>Set parameters</source>
+        <translation>设置参数</translation>
+    </message>
+    <message>
+        <source>Limits of the end as they left the factory</source>
+        <translation>末端限制恢复出厂值</translation>
+    </message>
+    <message>
+        <source>Limits of the joints as they left the factory</source>
+        <translation>关节限制恢复出厂值</translation>
+    </message>
+    <message>
+        <source>Run a trajectory</source>
+        <translation>执行轨迹</translation>
+    </message>
+    <message>
+        <source>Pause the run</source>
+        <translation>暂停执行</translation>
+    </message>
+    <message>
+        <source>Go on with the run</source>
+        <translation>继续执行</translation>
+    </message>
+    <message>
+        <source>Record where the arm goes</source>
+        <translation>录制机械臂运动</translation>
+    </message>
+    <message>
+        <source>Replay a recording</source>
+        <translation>回放录制</translation>
+    </message>
+    <message>
+        <source>Pause the replay</source>
+        <translation>暂停回放</translation>
+    </message>
+    <message>
+        <source>Go on with the replay</source>
+        <translation>继续回放</translation>
+    </message>
+    <message>
+        <source>Set the speed override of runs</source>
+        <translation>设置运行倍率</translation>
+    </message>
+</context>
+<context>
+    <name>OtherArmLine</name>
+    <message>
+        <source>This was taught on another arm: {taught}. Chosen is {arm}.</source>
+        <translation>此轨迹在另一种机械臂上示教：{taught}。当前选择的是 {arm}。</translation>
+    </message>
+    <message>
+        <source>Turns the joints of every point by {degrees}, so that the arm comes to the same place. Poses stay: they count from the base. It can be undone.</source>
+        <translation>每个点的关节转动 {degrees}，使机械臂到达同一位置。位姿保持不变：它们以基座计。可以撤销。</translation>
+    </message>
+    <message>
+        <source>Convert zeros</source>
+        <translation>换算零点</translation>
+    </message>
+</context>
+<context>
+    <name>OtherMode</name>
+    <message>
+        <source>MIT</source>
+        <translation>MIT（力位混合）</translation>
+    </message>
+    <message>
+        <source>CPV</source>
+        <translation>CPV（速度位置）</translation>
+    </message>
+    <message>
+        <source>high-follow</source>
+        <translation>高跟随</translation>
+    </message>
+</context>
+<context>
+    <name>OverrideControl</name>
+    <message>
+        <source>Override</source>
+        <translation>倍率</translation>
+    </message>
+    <message>
+        <source>Share of the run&apos;s own speed, changed while it runs; 0 % pauses it. Slower {slower}, faster {faster}.</source>
+        <translation>相对于本次运行自身速度的比例，运行中可随时调整；0 % 即暂停。减速 {slower}，加速 {faster}。</translation>
+    </message>
+    <message>
+        <source>Speed override of the run</source>
+        <translation>运行倍率</translation>
+    </message>
+</context>
+<context>
+    <name>PageActions</name>
+    <message>
+        <source>Open a trajectory of the library first.</source>
+        <translation>请先在轨迹库中打开一条轨迹。</translation>
+    </message>
+    <message>
+        <source>It stands in a window of its own.</source>
+        <translation>已在独立窗口中。</translation>
+    </message>
+    <message>
+        <source>It stands in no window of its own.</source>
+        <translation>不在独立窗口中。</translation>
+    </message>
+    <message>
+        <source>The drawer is folded away.</source>
+        <translation>抽屉已收起。</translation>
+    </message>
+</context>
+<context>
+    <name>PageBar</name>
+    <message>
+        <source>the panel</source>
+        <translation>面板</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>返回</translation>
+    </message>
+    <message>
+        <source>Back to {where} (Esc)</source>
+        <translation>返回{where} (Esc)</translation>
+    </message>
+    <message>
+        <source>Own window</source>
+        <translation>独立窗口</translation>
+    </message>
+    <message>
+        <source>Takes this page out into a window of its own, for a second screen.</source>
+        <translation>把本页移到独立窗口，例如放到第二块屏幕上。</translation>
+    </message>
+</context>
+<context>
+    <name>PageWindow</name>
+    <message>
+        <source>Put back</source>
+        <translation>放回</translation>
+    </message>
+    <message>
+        <source>Puts this page back beside the 3D picture.</source>
+        <translation>把本页放回 3D 画面旁边。</translation>
+    </message>
+</context>
+<context>
+    <name>Parameter</name>
+    <message>
+        <source>Max. angle</source>
+        <translation>最大角度</translation>
+    </message>
+    <message>
+        <source>Min. angle</source>
+        <translation>最小角度</translation>
+    </message>
+    <message>
+        <source>Max. speed</source>
+        <translation>最大速度</translation>
+    </message>
+    <message>
+        <source>Max. acceleration</source>
+        <translation>最大加速度</translation>
+    </message>
+    <message>
+        <source>Max. linear speed of the end</source>
+        <translation>末端最大线速度</translation>
+    </message>
+    <message>
+        <source>Max. angular speed of the end</source>
+        <translation>末端最大角速度</translation>
+    </message>
+    <message>
+        <source>Max. linear acceleration of the end</source>
+        <translation>末端最大线加速度</translation>
+    </message>
+    <message>
+        <source>Max. angular acceleration of the end</source>
+        <translation>末端最大角加速度</translation>
+    </message>
+    <message>
+        <source>Collision level</source>
+        <translation>碰撞等级</translation>
+    </message>
+    <message>
+        <source>Teaching range</source>
+        <translation>示教范围</translation>
+    </message>
+    <message>
+        <source>Gripper stroke limit</source>
+        <translation>夹爪行程</translation>
+    </message>
+    <message>
+        <source>Teaching friction</source>
+        <translation>示教摩擦力</translation>
+    </message>
+    <message>
+        <source>not read</source>
+        <translation>未读取</translation>
+    </message>
+    <message>
+        <source>reading…</source>
+        <translation>读取中…</translation>
+    </message>
+    <message>
+        <source>corrupt</source>
+        <translation>已损坏</translation>
+    </message>
+    <message>
+        <source>saving…</source>
+        <translation>保存中…</translation>
+    </message>
+    <message>
+        <source>saved</source>
+        <translation>已保存</translation>
+    </message>
+    <message>
+        <source>not saved</source>
+        <translation>未保存</translation>
+    </message>
+    <message>
+        <source>not possible</source>
+        <translation>无效</translation>
+    </message>
+    <message>
+        <source>Not read from the arm.</source>
+        <translation>未从机械臂读取。</translation>
+    </message>
+    <message>
+        <source>Being read from the arm.</source>
+        <translation>正在从机械臂读取。</translation>
+    </message>
+    <message>
+        <source>What the arm holds here cannot be true: its memory is corrupt (0xFFFF). Enter a value and save it.</source>
+        <translation>机械臂中保存的值不可能成立：其存储已损坏 (0xFFFF)。请输入数值并保存。</translation>
+    </message>
+    <message>
+        <source>Changed and not saved; the arm holds {held}.</source>
+        <translation>已修改，未保存；机械臂中为 {held}。</translation>
+    </message>
+    <message>
+        <source>Sent to the arm; its answer is awaited.</source>
+        <translation>已发送，等待机械臂应答。</translation>
+    </message>
+    <message>
+        <source>Saved: the arm holds this value.</source>
+        <translation>已保存：机械臂中为此值。</translation>
+    </message>
+    <message>
+        <source>= the same</source>
+        <translation>= 相同</translation>
+    </message>
+    <message>
+        <source>≠ differs</source>
+        <translation>≠ 不同</translation>
+    </message>
+    <message>
+        <source>only in the file</source>
+        <translation>仅文件中有</translation>
+    </message>
+    <message>
+        <source>only in the arm</source>
+        <translation>仅机械臂中有</translation>
+    </message>
+    <message>
+        <source>not read from the arm</source>
+        <translation>未从机械臂读到</translation>
+    </message>
+    <message>
+        <source>Possible: {minimum} to {maximum}</source>
+        <translation>可设范围：{minimum} 至 {maximum}</translation>
+    </message>
+    <message>
+        <source>Drag assistance</source>
+        <translation>拖动助力</translation>
+    </message>
+    <message>
+        <source>factory {bound}</source>
+        <translation>出厂 {bound}</translation>
+    </message>
+    <message>
+        <source>{name}: {value} goes beyond the factory&apos;s {bound}.</source>
+        <translation>{name}：{value} 超出出厂值 {bound}。</translation>
+    </message>
+    <message>
+        <source>The arm may then be driven against its mechanical stops or beyond what its motors are made for, and no check here holds it back. Save this only if you know this arm can do it.</source>
+        <translation>之后机械臂可能撞到机械限位或超出电机的设计能力，本程序的检查也不再拦住它。只有确知这台机械臂做得到时才保存。</translation>
+    </message>
+</context>
+<context>
+    <name>ParameterButtons</name>
+    <message>
+        <source>Read</source>
+        <translation>读取</translation>
+    </message>
+    <message>
+        <source>Initialise</source>
+        <translation>初始化</translation>
+    </message>
+    <message>
+        <source>Edit</source>
+        <translation>编辑</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>保存</translation>
+    </message>
+</context>
+<context>
+    <name>ParameterPanel</name>
+    <message>
+        <source>Saved: read back from the arm, and the same.</source>
+        <translation>已保存：已从机械臂回读，数值一致。</translation>
+    </message>
+    <message>
+        <source>Saved. The arm keeps coarser steps; it holds the nearest: {values}.</source>
+        <translation>已保存。机械臂的分辨率较粗，已取最接近的值：{values}。</translation>
+    </message>
+    <message>
+        <source>was {held}</source>
+        <translation>原值 {held}</translation>
+    </message>
+    <message>
+        <source>Nothing has been changed.</source>
+        <translation>没有修改任何值。</translation>
+    </message>
+    <message>
+        <source>Save or cancel your changes first.</source>
+        <translation>请先保存或取消修改。</translation>
+    </message>
+    <message>
+        <source>The arm is being asked; wait for its answer.</source>
+        <translation>正在与机械臂通信，请等待应答。</translation>
+    </message>
+    <message>
+        <source>Sends what was changed, reads it back and compares.</source>
+        <translation>发送修改过的值，回读并比较。</translation>
+    </message>
+    <message>
+        <source>Backup…</source>
+        <translation>参数备份…</translation>
+    </message>
+    <message>
+        <source>All parameters of the arm: save them to a file, compare, restore.</source>
+        <translation>机械臂的全部参数：保存到文件、比较、恢复。</translation>
+    </message>
+    <message>
+        <source>Reads the values from the arm.</source>
+        <translation>从机械臂读取数值。</translation>
+    </message>
+    <message>
+        <source>Lets you change the values; nothing is sent.</source>
+        <translation>可修改数值；不发送任何指令。</translation>
+    </message>
+    <message>
+        <source>Shows what the arm holds again.</source>
+        <translation>重新显示机械臂中的值。</translation>
+    </message>
+    <message>
+        <source>{names}: {reason}</source>
+        <translation>{names}：{reason}</translation>
+    </message>
+</context>
+<context>
+    <name>PictureExport</name>
+    <message>
+        <source>Picture copied</source>
+        <translation>画面已复制</translation>
+    </message>
+    <message>
+        <source>Save picture</source>
+        <translation>保存画面</translation>
+    </message>
+    <message>
+        <source>There is no picture of now to be taken: wait until it is drawn.</source>
+        <translation>当前画面尚未绘制完成，请稍候再试。</translation>
+    </message>
+</context>
+<context>
+    <name>Place</name>
+    <message>
+        <source>In every window</source>
+        <translation>所有窗口</translation>
+    </message>
+    <message>
+        <source>Main window</source>
+        <translation>主窗口</translation>
+    </message>
+    <message>
+        <source>3D view</source>
+        <translation>3D 视图</translation>
+    </message>
+    <message>
+        <source>Jogging by keys</source>
+        <translation>键盘点动</translation>
+    </message>
+    <message>
+        <source>Panels with parameters</source>
+        <translation>参数面板</translation>
+    </message>
+    <message>
+        <source>Trajectory editor</source>
+        <translation>轨迹编辑器</translation>
+    </message>
+    <message>
+        <source>Replay</source>
+        <translation>回放</translation>
+    </message>
+    <message>
+        <source>Drawer</source>
+        <translation>抽屉</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>运行</translation>
+    </message>
+</context>
+<context>
+    <name>PlotBar</name>
+    <message>
+        <source>Did it follow?</source>
+        <translation>跟上了吗？</translation>
+    </message>
+    <message>
+        <source>What got hot?</source>
+        <translation>哪里发热了？</translation>
+    </message>
+    <message>
+        <source>Why did it stop?</source>
+        <translation>为什么停了？</translation>
+    </message>
+    <message>
+        <source>Where was the tool?</source>
+        <translation>末端在哪里？</translation>
+    </message>
+    <message>
+        <source>Is the bus well?</source>
+        <translation>总线正常吗？</translation>
+    </message>
+    <message>
+        <source>Own arrangement</source>
+        <translation>自定义布局</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>暂停</translation>
+    </message>
+    <message>
+        <source>Go on</source>
+        <translation>继续</translation>
+    </message>
+    <message>
+        <source>Plots that answer a question</source>
+        <translation>回答一个问题的一组图</translation>
+    </message>
+    <message>
+        <source>How long a time is shown; the mouse wheel changes it, too</source>
+        <translation>显示的时间长度；也可用鼠标滚轮改变</translation>
+    </message>
+    <message>
+        <source>Time shown</source>
+        <translation>显示时长</translation>
+    </message>
+    <message>
+        <source>Undo zoom</source>
+        <translation>撤销缩放</translation>
+    </message>
+    <message>
+        <source>Drag a frame in a plot to zoom in. Back to what was shown before: Ctrl+Z</source>
+        <translation>在图中拖出方框即可放大。返回之前的显示：Ctrl+Z</translation>
+    </message>
+    <message>
+        <source>Cursors</source>
+        <translation>游标</translation>
+    </message>
+    <message>
+        <source>Two upright lines to be dragged; the table below tells the values at them</source>
+        <translation>两条可拖动的竖线；下方表格显示该处的数值</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>保存</translation>
+    </message>
+    <message>
+        <source>Values as CSV…</source>
+        <translation>数值存为 CSV…</translation>
+    </message>
+    <message>
+        <source>Picture as PNG…</source>
+        <translation>图片存为 PNG…</translation>
+    </message>
+    <message>
+        <source>Picture as SVG…</source>
+        <translation>图片存为 SVG…</translation>
+    </message>
+    <message>
+        <source>Copy picture</source>
+        <translation>复制图片</translation>
+    </message>
+    <message>
+        <source>Copy values at the cursors</source>
+        <translation>复制游标处的数值</translation>
+    </message>
+    <message>
+        <source>{count} min</source>
+        <translation>{count} 分钟</translation>
+    </message>
+    <message>
+        <source>{count} s</source>
+        <translation>{count} 秒</translation>
+    </message>
+</context>
+<context>
+    <name>PlotExport</name>
+    <message>
+        <source>Save the plots</source>
+        <translation>保存曲线</translation>
+    </message>
+    <message>
+        <source>Copied</source>
+        <translation>已复制</translation>
+    </message>
+</context>
+<context>
+    <name>PlotPage</name>
+    <message>
+        <source>The arrangement of the plots could not be kept: {text}</source>
+        <translation>无法保存曲线布局：{text}</translation>
+    </message>
+    <message>
+        <source>Curves</source>
+        <translation>曲线</translation>
+    </message>
+</context>
+<context>
+    <name>PlotsArea</name>
+    <message>
+        <source>Remove curve</source>
+        <translation>移除曲线</translation>
+    </message>
+    <message>
+        <source>Into a plot of its own</source>
+        <translation>移到单独的图</translation>
+    </message>
+    <message>
+        <source>Fit the height</source>
+        <translation>适应高度</translation>
+    </message>
+    <message>
+        <source>Undo zoom</source>
+        <translation>撤销缩放</translation>
+    </message>
+    <message>
+        <source>Remove plot</source>
+        <translation>移除此图</translation>
+    </message>
+    <message>
+        <source>There are {count} plots already: remove one first.</source>
+        <translation>已有 {count} 张图：请先移除一张。</translation>
+    </message>
+    <message>
+        <source>A plot takes {count} curves, so that they can be told apart.</source>
+        <translation>为便于区分，一张图最多 {count} 条曲线。</translation>
+    </message>
+</context>
+<context>
+    <name>PointEdits</name>
+    <message>
+        <source>Replace by current pose</source>
+        <translation>替换为当前位姿</translation>
+    </message>
+    <message>
+        <source>Insert</source>
+        <translation>插入</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>删除</translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation>移动</translation>
+    </message>
+    <message>
+        <source>Convert</source>
+        <translation>转换</translation>
+    </message>
+    <message>
+        <source>Cut</source>
+        <translation>剪切</translation>
+    </message>
+    <message>
+        <source>Convert zeros</source>
+        <translation>换算零点</translation>
+    </message>
+</context>
+<context>
+    <name>PointFigure</name>
+    <message>
+        <source>Speed</source>
+        <translation>速度</translation>
+    </message>
+    <message>
+        <source>Dwell</source>
+        <translation>停留时间</translation>
+    </message>
+    <message>
+        <source>Gripper opening</source>
+        <translation>夹爪开口</translation>
+    </message>
+    <message>
+        <source>Gripper torque</source>
+        <translation>夹爪扭矩</translation>
+    </message>
+    <message>
+        <source>Gripper angle</source>
+        <translation>夹爪角度</translation>
+    </message>
+    <message>
+        <source>Gripper speed</source>
+        <translation>夹爪速度</translation>
+    </message>
+    <message>
+        <source>Light, joint</source>
+        <translation>灯光关节</translation>
+    </message>
+    <message>
+        <source>Light, lamp</source>
+        <translation>灯光灯号</translation>
+    </message>
+    <message>
+        <source>Light, R</source>
+        <translation>灯光 R</translation>
+    </message>
+    <message>
+        <source>Light, G</source>
+        <translation>灯光 G</translation>
+    </message>
+    <message>
+        <source>Light, B</source>
+        <translation>灯光 B</translation>
+    </message>
+    <message>
+        <source>Target</source>
+        <translation>目标</translation>
+    </message>
+    <message>
+        <source>Middle pose</source>
+        <translation>中间位姿</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>时间</translation>
+    </message>
+    <message>
+        <source>Time since the row before</source>
+        <translation>距上一行的时间</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>备注</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>名称</translation>
+    </message>
+    <message>
+        <source>Comment</source>
+        <translation>注释</translation>
+    </message>
+    <message>
+        <source>Arm it was taught on</source>
+        <translation>示教所用机械臂</translation>
+    </message>
+</context>
+<context>
+    <name>PointTarget</name>
+    <message>
+        <source>Drag in the picture</source>
+        <translation>在画面中拖动</translation>
+    </message>
+</context>
+<context>
+    <name>PointsModel</name>
+    <message>
+        <source>J{joint} all</source>
+        <translation>J{joint} 全部</translation>
+    </message>
+    <message>
+        <source>Motion</source>
+        <translation>运动方式</translation>
+    </message>
+    <message>
+        <source>Middle pose</source>
+        <translation>中间位姿</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>速度</translation>
+    </message>
+    <message>
+        <source>Dwell</source>
+        <translation>停留</translation>
+    </message>
+    <message>
+        <source>Gripper</source>
+        <translation>夹爪</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>灯光</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>备注</translation>
+    </message>
+    <message>
+        <source>Edit</source>
+        <translation>编辑</translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation>移动</translation>
+    </message>
+</context>
+<context>
+    <name>PoseExtras</name>
+    <message>
+        <source>Arc by three poses</source>
+        <translation>三点圆弧</translation>
+    </message>
+    <message>
+        <source>Tool centre point</source>
+        <translation>工具中心点</translation>
+    </message>
+</context>
+<context>
+    <name>PoseRow</name>
+    <message>
+        <source>Moves along {axis} while it is held; let go to stop.</source>
+        <translation>按住时沿 {axis} 运动，松开即停止。</translation>
+    </message>
+    <message>
+        <source>Moves along {axis} by {step} at once.</source>
+        <translation>立即沿 {axis} 移动 {step}。</translation>
+    </message>
+    <message>
+        <source>{axis} minus</source>
+        <translation>{axis} 减</translation>
+    </message>
+    <message>
+        <source>{axis} plus</source>
+        <translation>{axis} 加</translation>
+    </message>
+    <message>
+        <source>Target {axis}</source>
+        <translation>目标 {axis}</translation>
+    </message>
+    <message>
+        <source>Not sent before you press MOVE P or MOVE L.</source>
+        <translation>按下 MOVE P 或 MOVE L 之前不会发送。</translation>
+    </message>
+    <message>
+        <source>Measured by the arm</source>
+        <translation>机械臂测量值</translation>
+    </message>
+</context>
+<context>
+    <name>PreviewBar</name>
+    <message>
+        <source>Play</source>
+        <translation>播放</translation>
+    </message>
+    <message>
+        <source>Moves the ghost arm only; the real arm stays where it is.</source>
+        <translation>只移动虚影机械臂，真实机械臂不动。</translation>
+    </message>
+    <message>
+        <source>Preview</source>
+        <translation>预览</translation>
+    </message>
+    <message>
+        <source>Time of the preview</source>
+        <translation>预览时间</translation>
+    </message>
+    <message>
+        <source>Moves the ghost arm through the motion.</source>
+        <translation>拖动以查看虚影机械臂的运动过程。</translation>
+    </message>
+    <message>
+        <source>Close preview</source>
+        <translation>关闭预览</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>暂停</translation>
+    </message>
+</context>
+<context>
+    <name>QAbstractFileIconProvider</name>
+    <message>
+        <source>Folder</source>
+        <translation>文件夹</translation>
+    </message>
+</context>
+<context>
+    <name>QFileSystemModel</name>
+    <message>
+        <source>Size</source>
+        <translation>大小</translation>
+    </message>
+</context>
+<context>
+    <name>QShortcut</name>
+    <message>
+        <source>Up</source>
+        <translation>↑</translation>
+    </message>
+    <message>
+        <source>Down</source>
+        <translation>↓</translation>
+    </message>
+</context>
+<context>
+    <name>Quantity</name>
+    <message>
+        <source>angle</source>
+        <translation>角度</translation>
+    </message>
+    <message>
+        <source>End X</source>
+        <translation>末端 X</translation>
+    </message>
+    <message>
+        <source>End Y</source>
+        <translation>末端 Y</translation>
+    </message>
+    <message>
+        <source>End Z</source>
+        <translation>末端 Z</translation>
+    </message>
+    <message>
+        <source>End RX</source>
+        <translation>末端 RX</translation>
+    </message>
+    <message>
+        <source>End RY</source>
+        <translation>末端 RY</translation>
+    </message>
+    <message>
+        <source>End RZ</source>
+        <translation>末端 RZ</translation>
+    </message>
+    <message>
+        <source>Speed percentage</source>
+        <translation>速度百分比</translation>
+    </message>
+    <message>
+        <source>Trajectory point</source>
+        <translation>轨迹点</translation>
+    </message>
+    <message>
+        <source>Joints beyond limit</source>
+        <translation>超限关节</translation>
+    </message>
+    <message>
+        <source>Joints without communication</source>
+        <translation>通信异常关节</translation>
+    </message>
+    <message>
+        <source>Control mode</source>
+        <translation>控制模式</translation>
+    </message>
+    <message>
+        <source>Arm status</source>
+        <translation>机械臂状态</translation>
+    </message>
+    <message>
+        <source>Move mode</source>
+        <translation>运动模式</translation>
+    </message>
+    <message>
+        <source>Teaching state</source>
+        <translation>示教状态</translation>
+    </message>
+    <message>
+        <source>Target not reached</source>
+        <translation>未达指定点</translation>
+    </message>
+    <message>
+        <source>Gripper opening</source>
+        <translation>夹爪开口</translation>
+    </message>
+    <message>
+        <source>Gripper torque</source>
+        <translation>夹爪扭矩</translation>
+    </message>
+    <message>
+        <source>Gripper angle</source>
+        <translation>夹爪角度</translation>
+    </message>
+    <message>
+        <source>Gripper speed</source>
+        <translation>夹爪速度</translation>
+    </message>
+    <message>
+        <source>Gripper faults</source>
+        <translation>夹爪故障</translation>
+    </message>
+    <message>
+        <source>Gripper enabled</source>
+        <translation>夹爪使能</translation>
+    </message>
+    <message>
+        <source>motor speed</source>
+        <translation>电机转速</translation>
+    </message>
+    <message>
+        <source>motor current</source>
+        <translation>电机电流</translation>
+    </message>
+    <message>
+        <source>motor position</source>
+        <translation>电机位置</translation>
+    </message>
+    <message>
+        <source>supply voltage</source>
+        <translation>电源电压</translation>
+    </message>
+    <message>
+        <source>driver temperature</source>
+        <translation>驱动器温度</translation>
+    </message>
+    <message>
+        <source>motor temperature</source>
+        <translation>电机温度</translation>
+    </message>
+    <message>
+        <source>supply current</source>
+        <translation>母线电流</translation>
+    </message>
+    <message>
+        <source>driver faults</source>
+        <translation>驱动器故障</translation>
+    </message>
+    <message>
+        <source>enabled</source>
+        <translation>使能</translation>
+    </message>
+    <message>
+        <source>part in linear speed</source>
+        <translation>末端线速度分量</translation>
+    </message>
+    <message>
+        <source>part in angular speed</source>
+        <translation>末端角速度分量</translation>
+    </message>
+    <message>
+        <source>part in linear acceleration</source>
+        <translation>末端线加速度分量</translation>
+    </message>
+    <message>
+        <source>part in angular acceleration</source>
+        <translation>末端角加速度分量</translation>
+    </message>
+    <message>
+        <source>MIT position</source>
+        <translation>MIT 位置</translation>
+    </message>
+    <message>
+        <source>MIT speed</source>
+        <translation>MIT 速度</translation>
+    </message>
+    <message>
+        <source>MIT torque</source>
+        <translation>MIT 扭矩</translation>
+    </message>
+    <message>
+        <source>MIT kp</source>
+        <translation>MIT kp</translation>
+    </message>
+    <message>
+        <source>MIT kd</source>
+        <translation>MIT kd</translation>
+    </message>
+    <message>
+        <source>Frames on the bus</source>
+        <translation>总线帧数</translation>
+    </message>
+    <message>
+        <source>Bus load, without stuff bits</source>
+        <translation>总线负载（不含填充位）</translation>
+    </message>
+    <message>
+        <source>Error frames</source>
+        <translation>错误帧</translation>
+    </message>
+    <message>
+        <source>{name}, our command</source>
+        <translation>{name}（本程序指令）</translation>
+    </message>
+    <message>
+        <source>{name}, other host&apos;s command</source>
+        <translation>{name}（其他主机指令）</translation>
+    </message>
+    <message>
+        <source>measured</source>
+        <translation>测量</translation>
+    </message>
+    <message>
+        <source>our command</source>
+        <translation>本程序指令</translation>
+    </message>
+    <message>
+        <source>other host&apos;s command</source>
+        <translation>其他主机指令</translation>
+    </message>
+    <message>
+        <source>bus</source>
+        <translation>总线</translation>
+    </message>
+    <message>
+        <source>Measured</source>
+        <translation>测量</translation>
+    </message>
+    <message>
+        <source>Commanded by this program</source>
+        <translation>本程序的指令</translation>
+    </message>
+    <message>
+        <source>Commanded by other hosts</source>
+        <translation>其他主机的指令</translation>
+    </message>
+    <message>
+        <source>Bus</source>
+        <translation>总线</translation>
+    </message>
+    <message>
+        <source>voltage too low</source>
+        <translation>电压过低</translation>
+    </message>
+    <message>
+        <source>motor too hot</source>
+        <translation>电机过温</translation>
+    </message>
+    <message>
+        <source>overcurrent</source>
+        <translation>过流</translation>
+    </message>
+    <message>
+        <source>driver too hot</source>
+        <translation>驱动器过温</translation>
+    </message>
+    <message>
+        <source>sensor fault</source>
+        <translation>传感器异常</translation>
+    </message>
+    <message>
+        <source>driver error</source>
+        <translation>驱动器错误</translation>
+    </message>
+    <message>
+        <source>collision protection</source>
+        <translation>碰撞保护</translation>
+    </message>
+    <message>
+        <source>stall protection</source>
+        <translation>堵转保护</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>是</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>否</translation>
+    </message>
+</context>
+<context>
+    <name>QuantityList</name>
+    <message>
+        <source>Search</source>
+        <translation>搜索</translation>
+    </message>
+    <message>
+        <source>Quantities</source>
+        <translation>可绘制的量</translation>
+    </message>
+    <message>
+        <source>Drag into a plot, or double-click to add to the chosen one</source>
+        <translation>拖入图中，或双击加入选中的图</translation>
+    </message>
+</context>
+<context>
+    <name>Reached</name>
+    <message>
+        <source>Target reached</source>
+        <translation>已达指定点</translation>
+    </message>
+    <message>
+        <source>Target not reached</source>
+        <translation>未达指定点</translation>
+    </message>
+</context>
+<context>
+    <name>RecordingCard</name>
+    <message>
+        <source>Record to the disk</source>
+        <translation>记录到磁盘</translation>
+    </message>
+    <message>
+        <source>Format</source>
+        <translation>格式</translation>
+    </message>
+    <message>
+        <source>New file at</source>
+        <translation>分卷大小</translation>
+    </message>
+    <message>
+        <source>Folder</source>
+        <translation>文件夹</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>选择…</translation>
+    </message>
+    <message>
+        <source>A file that has grown to this size is followed by another.</source>
+        <translation>文件达到此大小后，另起一个新文件。</translation>
+    </message>
+    <message>
+        <source>Not recording</source>
+        <translation>未在记录</translation>
+    </message>
+    <message>
+        <source>The last minutes are kept in memory all the same.</source>
+        <translation>最近几分钟始终保留在内存中。</translation>
+    </message>
+    <message>
+        <source>Making the .mf4 file of {name}…</source>
+        <translation>正在生成 {name} 的 .mf4 文件…</translation>
+    </message>
+    <message>
+        <source>Opening the file…</source>
+        <translation>正在打开文件…</translation>
+    </message>
+    <message>
+        <source>Recorded as .blf; the .mf4 file is made of it at the end.</source>
+        <translation>先记录为 .blf，结束后由它生成 .mf4 文件。</translation>
+    </message>
+    <message>
+        <source>{length} · {frames} frames · {size} · {rate}/s</source>
+        <translation>{length} · {frames} 帧 · {size} · {rate}/秒</translation>
+    </message>
+    <message>
+        <source>{count} lost</source>
+        <translation>丢失 {count} 帧</translation>
+    </message>
+    <message>
+        <source>Stop recording</source>
+        <translation>停止记录</translation>
+    </message>
+    <message>
+        <source>Record</source>
+        <translation>开始记录</translation>
+    </message>
+    <message>
+        <source>Folder of the session recordings</source>
+        <translation>会话记录的文件夹</translation>
+    </message>
+</context>
+<context>
+    <name>RecordingMark</name>
+    <message>
+        <source>Recording of the session</source>
+        <translation>会话记录</translation>
+    </message>
+    <message>
+        <source>The session is being recorded. Click for the recordings.</source>
+        <translation>正在记录会话。单击查看会话记录。</translation>
+    </message>
+    <message>
+        <source>Recording, {length}</source>
+        <translation>正在记录，{length}</translation>
+    </message>
+</context>
+<context>
+    <name>RecordingPage</name>
+    <message>
+        <source>Recording</source>
+        <translation>录制</translation>
+    </message>
+    <message>
+        <source>Nothing was recorded: the arm told no angles.</source>
+        <translation>未录到数据：机械臂没有反馈关节角度。</translation>
+    </message>
+    <message>
+        <source>Working…</source>
+        <translation>正在处理…</translation>
+    </message>
+    <message>
+        <source>Nothing is left: correct the marked fields.</source>
+        <translation>没有剩余数据：请修正标记的输入框。</translation>
+    </message>
+    <message>
+        <source>The path is shown in the 3D view.</source>
+        <translation>路径已显示在三维视图中。</translation>
+    </message>
+    <message>
+        <source>Saved as “{name}”.</source>
+        <translation>已保存为“{name}”。</translation>
+    </message>
+    <message>
+        <source>Stop recording</source>
+        <translation>停止录制</translation>
+    </message>
+    <message>
+        <source>Record</source>
+        <translation>录制</translation>
+    </message>
+    <message>
+        <source>Recording: {time}, {count} samples</source>
+        <translation>正在录制：{time}，{count} 个采样</translation>
+    </message>
+    <message>
+        <source> ({count} lost)</source>
+        <translation>（丢失 {count} 个）</translation>
+    </message>
+    <message>
+        <source>Lead the arm by hand, or move it by anything, while it records.</source>
+        <translation>录制期间可拖动机械臂，或以任意方式使其运动。</translation>
+    </message>
+    <message>
+        <source>Recorded: {time}, {count} samples</source>
+        <translation>已录制：{time}，{count} 个采样</translation>
+    </message>
+    <message>
+        <source>Recording anew takes the place of what is not saved</source>
+        <translation>重新录制将覆盖未保存的内容</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>名称</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>起始</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>结束</translation>
+    </message>
+    <message>
+        <source>Tolerance</source>
+        <translation>容差</translation>
+    </message>
+    <message>
+        <source>How far a joint may be off where samples are left out, in degrees</source>
+        <translation>省略采样处关节允许的偏差，单位为度</translation>
+    </message>
+    <message>
+        <source>Preview</source>
+        <translation>预览</translation>
+    </message>
+    <message>
+        <source>The path in the 3D view, and a ghost arm; the real arm stays where it is</source>
+        <translation>在三维视图中显示路径和虚影机械臂；真实机械臂不会运动</translation>
+    </message>
+    <message>
+        <source>Save as recording</source>
+        <translation>保存为录制</translation>
+    </message>
+    <message>
+        <source>Save as points</source>
+        <translation>保存为轨迹点</translation>
+    </message>
+    <message>
+        <source>The arm comes to rest in every point</source>
+        <translation>机械臂会在每个点停下</translation>
+    </message>
+    <message>
+        <source>Keeps {kept} of {count} samples, {time}</source>
+        <translation>保留 {kept}/{count} 个采样，{time}</translation>
+    </message>
+    <message>
+        <source>It is in memory alone until it is saved. {reason}</source>
+        <translation>保存前数据只在内存中。{reason}</translation>
+    </message>
+</context>
+<context>
+    <name>RecoveryAction</name>
+    <message>
+        <source>Connection…</source>
+        <translation>连接…</translation>
+    </message>
+    <message>
+        <source>Motion output</source>
+        <translation>运动输出臂</translation>
+    </message>
+    <message>
+        <source>Resume…</source>
+        <translation>恢复…</translation>
+    </message>
+    <message>
+        <source>Enable</source>
+        <translation>使能</translation>
+    </message>
+    <message>
+        <source>Clear error</source>
+        <translation>清除错误</translation>
+    </message>
+    <message>
+        <source>Reset…</source>
+        <translation>复位…</translation>
+    </message>
+    <message>
+        <source>Stop recording</source>
+        <translation>结束示教记录</translation>
+    </message>
+    <message>
+        <source>Terminate</source>
+        <translation>终止执行</translation>
+    </message>
+    <message>
+        <source>Lead by hand…</source>
+        <translation>拖动…</translation>
+    </message>
+    <message>
+        <source>Take command…</source>
+        <translation>待机…</translation>
+    </message>
+    <message>
+        <source>Emergency stop</source>
+        <translation>急停</translation>
+    </message>
+    <message>
+        <source>Continue</source>
+        <translation>继续</translation>
+    </message>
+    <message>
+        <source>Give up</source>
+        <translation>放弃</translation>
+    </message>
+    <message>
+        <source>Take over</source>
+        <translation>接管</translation>
+    </message>
+    <message>
+        <source>Withdraw…</source>
+        <translation>撤回…</translation>
+    </message>
+    <message>
+        <source>Take back…</source>
+        <translation>收回控制…</translation>
+    </message>
+</context>
+<context>
+    <name>RecoveryDanger</name>
+    <message>
+        <source>Resume after the emergency stop</source>
+        <translation>从急停恢复</translation>
+    </message>
+    <message>
+        <source>Reset the arm</source>
+        <translation>复位机械臂</translation>
+    </message>
+    <message>
+        <source>Lead the arm by hand</source>
+        <translation>用手拖动机械臂</translation>
+    </message>
+    <message>
+        <source>Take the command</source>
+        <translation>切换到待机模式</translation>
+    </message>
+    <message>
+        <source>Resuming cuts the power of the motors: the arm will drop. Hold the arm.
 Afterwards the motors must be enabled again.</source>
-            <translation>恢复时会切断电机电源：机械臂会下落，请扶住机械臂。
+        <translation>恢复时会切断电机电源：机械臂会下落，请扶住机械臂。
 之后需要重新使能电机。</translation>
-        </message>
-        <message>
-            <source>First the emergency stop: the motors go limp and the arm sinks. Then Resume cuts their power: the arm will drop. Hold the arm from now on.</source>
-            <translation>先急停：电机失去保持力，机械臂会缓慢下沉；随后恢复会断电：机械臂会下落，请扶住机械臂。</translation>
-        </message>
-        <message>
-            <source>The arm will give way to the hand and starts a new recording; the one it holds is lost. Hold the arm.
+    </message>
+    <message>
+        <source>First the emergency stop: the motors go limp and the arm sinks. Then Resume cuts their power: the arm will drop. Hold the arm from now on.</source>
+        <translation>先急停：电机失去保持力，机械臂会缓慢下沉；随后恢复会断电：机械臂会下落，请扶住机械臂。</translation>
+    </message>
+    <message>
+        <source>The arm will give way to the hand and starts a new recording; the one it holds is lost. Hold the arm.
 Lead it near its rest pose, then stop recording.</source>
-            <translation>机械臂将进入拖动示教模式并开始新的记录，原有记录会丢失。请扶住机械臂。
+        <translation>机械臂将进入拖动示教模式并开始新的记录，原有记录会丢失。请扶住机械臂。
 请拖动到零位附近，然后结束示教记录。</translation>
-        </message>
-        <message>
-            <source>The arm will no longer follow the other control; a motion under way ends. Make sure that nobody relies on it.</source>
-            <translation>机械臂将不再由其他方式控制，正在进行的运动会停止。请确认无人正在使用。</translation>
-        </message>
-        <message>
-            <source>Withdraw the stop</source>
-            <translation>撤回急停</translation>
-        </message>
-        <message>
-            <source>The arm is not stopped: it goes on with whatever it is doing, and obeys again. Look at the arm before.</source>
-            <translation>机械臂不会停止：它将继续正在做的动作，并重新服从指令。请先看清机械臂。</translation>
-        </message>
-        <message>
-            <source>Take the arm back</source>
-            <translation>收回机械臂的控制</translation>
-        </message>
-        <message>
-            <source>The arm changes back to its own control and is told to hold where it stands. Between the two its joints are limp for a moment: it may sag, and drop if the second message is lost. Hold the arm.
+    </message>
+    <message>
+        <source>The arm will no longer follow the other control; a motion under way ends. Make sure that nobody relies on it.</source>
+        <translation>机械臂将不再由其他方式控制，正在进行的运动会停止。请确认无人正在使用。</translation>
+    </message>
+    <message>
+        <source>Withdraw the stop</source>
+        <translation>撤回急停</translation>
+    </message>
+    <message>
+        <source>The arm is not stopped: it goes on with whatever it is doing, and obeys again. Look at the arm before.</source>
+        <translation>机械臂不会停止：它将继续正在做的动作，并重新服从指令。请先看清机械臂。</translation>
+    </message>
+    <message>
+        <source>Take the arm back</source>
+        <translation>收回机械臂的控制</translation>
+    </message>
+    <message>
+        <source>The arm changes back to its own control and is told to hold where it stands. Between the two its joints are limp for a moment: it may sag, and drop if the second message is lost. Hold the arm.
 The other program must have ended.</source>
-            <translation>机械臂将切回自身的控制方式，并被告知保持在当前位置。两条指令之间关节会短暂失力：机械臂可能下沉，若第二条指令丢失则会下落。请扶住机械臂。
+        <translation>机械臂将切回自身的控制方式，并被告知保持在当前位置。两条指令之间关节会短暂失力：机械臂可能下沉，若第二条指令丢失则会下落。请扶住机械臂。
 另一程序必须已经结束。</translation>
-        </message>
-    </context>
-    <context>
-        <name>RecoveryLine</name>
-        <message>
-            <source>Next step</source>
-            <translation>下一步</translation>
-        </message>
-        <message>
-            <source>Waiting…</source>
-            <translation>等待中…</translation>
-        </message>
-        <message>
-            <source>Waiting for the arm</source>
-            <translation>等待机械臂</translation>
-        </message>
-        <message>
-            <source>Another way</source>
-            <translation>另一种选择</translation>
-        </message>
-    </context>
-    <context>
-        <name>RecoveryStep</name>
-        <message>
-            <source>The device is being opened.</source>
-            <translation>正在打开设备。</translation>
-        </message>
-        <message>
-            <source>The CAN device is gone. Plug it in again, or choose another one.</source>
-            <translation>CAN 设备已断开。请重新插好，或选择其他设备。</translation>
-        </message>
-        <message>
-            <source>The arm is a teaching input: it sends commands and obeys none. Make it a motion output again.</source>
-            <translation>该机械臂是示教输入臂：只发送控制指令，不响应控制指令。请恢复为运动输出臂。</translation>
-        </message>
-        <message>
-            <source>The arm has NOT confirmed the stop; it is sent again and again. Cut its power if it moves.</source>
-            <translation>机械臂未确认急停，正在反复发送。若机械臂仍在运动，请切断其电源。</translation>
-        </message>
-        <message>
-            <source>Stop sent. Waiting for the arm to confirm it.</source>
-            <translation>已发送急停，等待机械臂确认。</translation>
-        </message>
-        <message>
-            <source>Nothing is heard from the arm. Check its power, the CAN cable and the bit rate.</source>
-            <translation>未收到机械臂的反馈。请检查电源、CAN 线和波特率。</translation>
-        </message>
-        <message>
-            <source>Only listening: nothing is sent but the emergency stop.</source>
-            <translation>只听：除急停外不发送任何帧。</translation>
-        </message>
-        <message>
-            <source>Waiting for the arm: {what}.</source>
-            <translation>等待机械臂：{what}。</translation>
-        </message>
-        <message>
-            <source>Stopped. Support the arm: power will be cut and the arm drops. Then resume.</source>
-            <translation>急停中。请扶住机械臂：恢复时会断电，机械臂会下落。扶稳后恢复。</translation>
-        </message>
-        <message>
-            <source>The arm is being asked for its protocol.</source>
-            <translation>正在查询机械臂的协议。</translation>
-        </message>
-        <message>
-            <source>The arm sends no complete feedback. If it stays so, check its power and connect again.</source>
-            <translation>机械臂反馈不完整。若持续如此，请检查电源并重新连接。</translation>
-        </message>
-        <message>
-            <source>No communication with joint {joints}. Check its cable; if the message stays, reset the arm.</source>
-            <translation>关节 {joints} 通信异常。请检查关节线缆；若提示不消失，请复位机械臂。</translation>
-        </message>
-        <message>
-            <source>Collision, joint {joints}. Remove what the arm hit, then clear the error.</source>
-            <translation>机械臂发生碰撞，关节 {joints}。请移开障碍物，然后清除错误。</translation>
-        </message>
-        <message>
-            <source>Driver error, joint {joints}: its motor is off. Hold the arm, then clear the error.</source>
-            <translation>关节 {joints} 驱动器错误，电机已断电。请扶住机械臂，然后清除错误。</translation>
-        </message>
-        <message>
-            <source>Overcurrent, joint {joints}: its motor may be off. Hold the arm, take the load away, clear the error.</source>
-            <translation>关节 {joints} 驱动器过流，电机可能已断电。请扶住机械臂，卸下负载，然后清除错误。</translation>
-        </message>
-        <message>
-            <source>Joint {joints} is held fast. Free it, then clear the error.</source>
-            <translation>关节 {joints} 堵转。请解除卡阻，然后清除错误。</translation>
-        </message>
-        <message>
-            <source>Sensor fault, joint {joints}. Clear the error; if it comes back, check the joint's encoder.</source>
-            <translation>关节 {joints} 传感器异常。请清除错误；若再次出现，请检查该关节编码器。</translation>
-        </message>
-        <message>
-            <source>Supply voltage too low, joint {joints}. Check the 24 V supply; the arm goes on by itself.</source>
-            <translation>关节 {joints} 电源电压过低。请检查 24 V 电源，恢复后自动继续。</translation>
-        </message>
-        <message>
-            <source>Too hot, joint {joints}. Let the arm cool down; the message goes by itself.</source>
-            <translation>关节 {joints} 过温。请等待冷却，恢复后提示自动消失。</translation>
-        </message>
-        <message>
-            <source>The arm reports a joint status fault. Look at the joint status, then clear the errors.</source>
-            <translation>机械臂报告关节状态异常。请查看关节状态，然后清除错误。</translation>
-        </message>
-        <message>
-            <source>A joint's brake is not released. Hold the arm, then reset it.</source>
-            <translation>关节抱闸未打开。请扶住机械臂，然后复位。</translation>
-        </message>
-        <message>
-            <source>The main controller is too hot. Let it cool down; if the message stays, reset the arm.</source>
-            <translation>主控过温。请等待冷却；若提示不消失，请复位机械臂。</translation>
-        </message>
-        <message>
-            <source>The brake resistor is too hot. Let it cool down; if the message stays, reset the arm.</source>
-            <translation>释放电阻过温。请等待冷却；若提示不消失，请复位机械臂。</translation>
-        </message>
-        <message>
-            <source>The arm reports an unspecified fault. Look at the joint status, then reset the arm.</source>
-            <translation>机械臂报告其它异常。请查看关节状态，然后复位机械臂。</translation>
-        </message>
-        <message>
-            <source>The arm reports a status this program does not know ({status}). Reset the arm.</source>
-            <translation>机械臂报告未知状态（{status}）。请复位机械臂。</translation>
-        </message>
-        <message>
-            <source>The arm records: lead it by hand. Stop recording when done.</source>
-            <translation>正在示教记录：请用手拖动机械臂，完成后结束示教记录。</translation>
-        </message>
-        <message>
-            <source>The arm replays what it was taught. Keep clear.</source>
-            <translation>正在执行示教轨迹，请勿靠近。</translation>
-        </message>
-        <message>
-            <source>The arm takes its commands from elsewhere: {mode}. Take the command.</source>
-            <translation>机械臂由其他方式控制：{mode}。请切换到待机模式。</translation>
-        </message>
-        <message>
-            <source>The arm was told to end its motion and still moves. Stop it, or cut its power.</source>
-            <translation>已命令机械臂终止运动，但它仍在动。请急停，或切断其电源。</translation>
-        </message>
-        <message>
-            <source>Another program controls the arm since {since} ({frames}, {rate} frames/s).</source>
-            <translation>另一个程序正在控制机械臂：自 {since} 起（{frames}，{rate} 帧/秒）。</translation>
-        </message>
-        <message>
-            <source>A leader arm moves this arm since {since} ({frames}, {rate} frames/s).</source>
-            <translation>主臂正在带动本机械臂：自 {since} 起（{frames}，{rate} 帧/秒）。</translation>
-        </message>
-        <message>
-            <source>Not every motor has reported. If it stays so, check power and cable, and connect again.</source>
-            <translation>部分电机未上报状态。若持续如此，请检查电源和线缆并重新连接。</translation>
-        </message>
-        <message>
-            <source>Still in drag teaching, near the rest pose. Hold the arm and reset it; if it stays, switch it off and on.</source>
-            <translation>仍处于示教模式，已接近零位。请扶住机械臂并复位；若仍未退出，请重新上电。</translation>
-        </message>
-        <message>
-            <source>Still in drag teaching, joint {joint} at {angle}°. Enable the motors, then lead the arm to its rest pose.</source>
-            <translation>仍处于示教模式，关节 {joint} 在 {angle}°。请先使能电机，再将机械臂拖动到零位附近。</translation>
-        </message>
-        <message>
-            <source>Dragged too fast: the recording has ended. Lead the arm slowly to within {near}° of zero (joint {joint}: {angle}°).</source>
-            <translation>拖动示教时超速，记录已结束。请缓慢拖动各关节到零位 {near}° 以内（关节 {joint}：{angle}°）。</translation>
-        </message>
-        <message>
-            <source>Still in drag teaching. Lead every joint by hand to within {near}° of zero (joint {joint}: {angle}°).</source>
-            <translation>仍处于示教模式。请用手将各关节拖动到零位 {near}° 以内（关节 {joint}：{angle}°）。</translation>
-        </message>
-        <message>
-            <source>The arm was dragged too fast. Hold it, then reset it.</source>
-            <translation>拖动示教时超速。请扶住机械臂，然后复位。</translation>
-        </message>
-        <message>
-            <source>The motors of joint {joints} are off. Hold the arm, then enable them.</source>
-            <translation>关节 {joints} 的电机未使能。请扶住机械臂，然后使能。</translation>
-        </message>
-        <message>
-            <source>The motors are off. Enable them to move the arm.</source>
-            <translation>电机未使能。使能后可运动。</translation>
-        </message>
-        <message>
-            <source>Joint {joints} beyond its limit. The arm stands still; send a target within the limits.</source>
-            <translation>关节 {joints} 超过限位。机械臂未运动，请发送限位以内的目标。</translation>
-        </message>
-        <message>
-            <source>The last target is beyond a limit. The arm stands still; send another target.</source>
-            <translation>上一目标角度超过限位。机械臂未运动，请发送其他目标。</translation>
-        </message>
-        <message>
-            <source>No way to the last target was found. The arm stands still; send another target.</source>
-            <translation>上一目标无解。机械臂未运动，请发送其他目标。</translation>
-        </message>
-        <message>
-            <source>The way to the last target is singular. The arm stands still; send another target, or by joints.</source>
-            <translation>上一目标经过奇异点。机械臂未运动，请发送其他目标或使用关节运动。</translation>
-        </message>
-        <message>
-            <source>Ready</source>
-            <translation>就绪</translation>
-        </message>
-        <message>
-            <source>The arm has lost a joint. Check the cables; if the message stays, reset the arm.</source>
-            <translation>关节通信异常。请检查关节线缆；若提示不消失，请复位机械臂。</translation>
-        </message>
-        <message>
-            <source>The arm has hit something. Remove it, then clear the errors.</source>
-            <translation>机械臂发生碰撞。请移开障碍物，然后清除错误。</translation>
-        </message>
-        <message>
-            <source>A stop is outstanding: it goes out once the CAN device is back. Cut the arm's power if it moves.</source>
-            <translation>有一次急停未完成：CAN 设备恢复后立即发出。若机械臂在运动，请切断其电源。</translation>
-        </message>
-        <message>
-            <source>A stop is outstanding, and the arm is away. Cut its power if it moves, or connect to it and press the emergency stop.</source>
-            <translation>有一次急停未完成，机械臂不在线。若它在运动，请切断其电源，或连接后按急停。</translation>
-        </message>
-        <message>
-            <source>A stop is outstanding: the arm was away and has not confirmed it. Press the emergency stop to send it now, or withdraw it.</source>
-            <translation>有一次急停未完成：机械臂曾离线，没有确认。按急停立即发送，或撤回。</translation>
-        </message>
-        <message>
-            <source>No arm is connected. Connect one, or the simulated arm to try everything out.</source>
-            <translation>未连接机械臂。请连接机械臂，或先用仿真机械臂试用全部功能。</translation>
-        </message>
-        <message>
-            <source>Another program drives the arm in {other_mode} mode. Nothing is sent by itself: a new mode leaves the joints limp. Stop that program first.</source>
-            <translation>另一程序正以{other_mode}模式驱动机械臂。本程序不会自行发送任何指令：切换模式会使关节失力。请先停止该程序。</translation>
-        </message>
-        <message>
-            <source>The arm holds back a paused motion to {target}. Hold “Continue” for 1 s, or give it up.</source>
-            <translation>机械臂保留着已暂停的运动，目标 {target}。按住“继续”1 秒，或放弃它。</translation>
-        </message>
-        <message>
-            <source>The arm holds back a motion to {target} at 0 %. Set a speed and hold “Continue” for 1 s, or give it up.</source>
-            <translation>速度为 0 %，机械臂保留着运动，目标 {target}。请设定速度后按住“继续”1 秒，或放弃它。</translation>
-        </message>
-        <message>
-            <source>Paused: hold “Continue” for 1 s</source>
-            <translation>已暂停：按住“继续”1 秒</translation>
-        </message>
-        <message>
-            <source>Waiting: press “Next step”</source>
-            <translation>等待中：请按“下一步”</translation>
-        </message>
-        <message>
-            <source>A trajectory is running</source>
-            <translation>正在执行轨迹</translation>
-        </message>
-        <message>
-            <source>The arm is moving</source>
-            <translation>机械臂正在运动</translation>
-        </message>
-        <message>
-            <source>The replay is paused. Hold “Continue” for 1 s under Teaching, or terminate it.</source>
-            <translation>示教轨迹已暂停。可在【示教】中按住“继续执行”1 秒，或终止执行。</translation>
-        </message>
-        <message>
-            <source>The fingertip is {value} mm below the plane the arm stands on. Jog upwards unless there is nothing there. Settings have a lowest height for jogs.</source>
-            <translation>末端在底座平面以下 {value} mm。除非那里没有物体，请向上点动。“设置”中可选点动的最低高度。</translation>
-        </message>
-    </context>
-    <context>
-        <name>Refusal</name>
-        <message>
-            <source>No arm is connected. Click the button at the top left, choose a device and connect it.</source>
-            <translation>尚未连接机械臂。请点击左上角的通讯按钮，选择设备并连接。</translation>
-        </message>
-        <message>
-            <source>The device is open, but nothing is heard from the arm. Check its power, the CAN cable and the bit rate.</source>
-            <translation>CAN 设备已打开，但没有收到机械臂的反馈。请检查机械臂电源、CAN 线和波特率。</translation>
-        </message>
-        <message>
-            <source>The CAN device is gone. Plug it in again: the program reconnects by itself.</source>
-            <translation>CAN 设备已断开。请重新插好设备，程序会自动重新连接。</translation>
-        </message>
-        <message>
-            <source>The emergency stop has been sent and the arm has not confirmed it yet. Wait for the confirmation.</source>
-            <translation>急停已发送，机械臂尚未确认。请等待确认。</translation>
-        </message>
-        <message>
-            <source>Still under way: {what}. Wait until it is done.</source>
-            <translation>正在进行：{what}。请等待完成。</translation>
-        </message>
-        <message>
-            <source>The motors of these joints are not enabled: {joints}. Press Enable first.</source>
-            <translation>以下关节的电机未使能：{joints}。请先按“使能”。</translation>
-        </message>
-        <message>
-            <source>Not every motor has reported yet whether it is enabled. Wait a moment; if it stays so, check the arm's power and the CAN cable.</source>
-            <translation>尚未收到全部电机的使能状态。请稍候；若一直如此，请检查机械臂电源和 CAN 线。</translation>
-        </message>
-        <message>
-            <source>The speed is set to 0 %: the arm would not move. Set a speed from 1 to 100 % at the top.</source>
-            <translation>速度百分比为 0 %，机械臂不会运动。请在窗口上方设置 1～100 % 的速度。</translation>
-        </message>
-        <message>
-            <source>Speed {value} % is out of range. Enter a value from 0 to 100 %.</source>
-            <translation>速度 {value} % 超出范围。请输入 0～100 %。</translation>
-        </message>
-        <message>
-            <source>Joint {joint}: {value}° is beyond its limits of {minimum}° to {maximum}°. Enter an angle within them.</source>
-            <translation>关节 {joint}：{value}° 超出限位 {minimum}° 至 {maximum}°。请输入限位以内的角度。</translation>
-        </message>
-        <message>
-            <source>Joint {joint}: “{value}” is not an angle. Enter degrees in figures, for example 12.5.</source>
-            <translation>关节 {joint}：“{value}”不是角度。请输入以度为单位的数字，例如 12.5。</translation>
-        </message>
-        <message>
-            <source>The arm has not reported all of its joint angles yet. Wait until all six are shown.</source>
-            <translation>尚未收到全部关节角度。请等待 6 个关节的角度都显示出来。</translation>
-        </message>
-        <message>
-            <source>The arm takes its commands from elsewhere: {mode}. Leave that mode first.</source>
-            <translation>机械臂当前不由本程序控制：{mode}。请先退出该模式。</translation>
-        </message>
-        <message>
-            <source>The arm is in emergency stop. Hold the arm, press Resume, then enable the motors.</source>
-            <translation>机械臂处于急停状态。请扶住机械臂，按“恢复”，然后使能电机。</translation>
-        </message>
-        <message>
-            <source>The arm is not in emergency stop: there is nothing to resume from.</source>
-            <translation>机械臂不在急停状态，无需恢复。</translation>
-        </message>
-        <message>
-            <source>The arm is in another state by now: nothing was sent. Look at the step that is shown now.</source>
-            <translation>机械臂状态已变化，未发送。请查看当前提示。</translation>
-        </message>
-        <message>
-            <source>The arm did not react.</source>
-            <translation>机械臂无响应。</translation>
-        </message>
-        <message>
-            <source>The arm is not in drag teaching. Start recording first, or press the button on the arm.</source>
-            <translation>机械臂未进入示教模式。请先开始示教记录，或按下机械臂上的示教按键。</translation>
-        </message>
-        <message>
-            <source>Nothing is under way in drag teaching. Start recording or replay first.</source>
-            <translation>示教没有正在进行的动作。请先开始示教记录或执行示教轨迹。</translation>
-        </message>
-        <message>
-            <source>The arm is recording. Stop recording first.</source>
-            <translation>正在示教记录。请先结束示教记录。</translation>
-        </message>
-        <message>
-            <source>The arm is replaying. Pause or terminate the replay first.</source>
-            <translation>正在执行示教轨迹。请先暂停执行或终止执行。</translation>
-        </message>
-        <message>
-            <source>The replay is paused. Continue or terminate it first.</source>
-            <translation>示教轨迹已暂停。请先继续执行或终止执行。</translation>
-        </message>
-        <message>
-            <source>The arm is not moving: there is nothing to pause.</source>
-            <translation>机械臂未在运动，无需暂停。</translation>
-        </message>
-        <message>
-            <source>The arm is still moving. Wait until it stands still, then press again.</source>
-            <translation>机械臂仍在运动。请等它停稳后再按。</translation>
-        </message>
-        <message>
-            <source>Joint {joint} is at its limit of {limit}°. Jog the other way.</source>
-            <translation>关节 {joint} 已到限位 {limit}°。请向反方向点动。</translation>
-        </message>
-        <message>
-            <source>The arm reaches no further this way. Jog in another direction.</source>
-            <translation>机械臂在此方向已到可达范围的边缘。请换一个方向点动。</translation>
-        </message>
-        <message>
-            <source>The arm is at a singular pose: joint {joint} would have to turn far too fast. Jog another way, or turn joint 5 away from 0° under Motion control.</source>
-            <translation>机械臂处于奇异位姿：关节 {joint} 需要转得过快。请换一个方向点动，或在运动控制中把关节 5 转离 0°。</translation>
-        </message>
-        <message>
-            <source>The arm does not follow. Check that nothing blocks it and what its status says.</source>
-            <translation>机械臂没有跟随。请检查是否有阻挡，并查看机械臂状态。</translation>
-        </message>
-        <message>
-            <source>The joint angles are no longer heard from the arm. Check its power and the CAN cable.</source>
-            <translation>收不到机械臂的关节角度。请检查电源和 CAN 线。</translation>
-        </message>
-        <message>
-            <source>The program was held up for {value} ms. Let go and press again.</source>
-            <translation>程序停顿了 {value} 毫秒。请松开后重新按下。</translation>
-        </message>
-        <message>
-            <source>The arm has not reported its pose yet. Wait until all six values are shown.</source>
-            <translation>机械臂尚未上报末端位姿。请等六个数值全部显示。</translation>
-        </message>
-        <message>
-            <source>The arm itself refuses its last target: {status}. Send another one.</source>
-            <translation>机械臂拒绝了上一个目标：{status}。请发送其他目标。</translation>
-        </message>
-        <message>
-            <source>{axis}: “{value}” is no figure. Enter mm or degrees in figures, for example 12.5.</source>
-            <translation>{axis}：“{value}”不是数值。请输入毫米或度的数字，例如 12.5。</translation>
-        </message>
-        <message>
-            <source>The target is {missing} mm out of the arm's reach. Choose one nearer to the arm, or turn the tool.</source>
-            <translation>目标超出可达范围 {missing} mm。请选择更近的位置，或改变末端姿态。</translation>
-        </message>
-        <message>
-            <source>At the target joint {joint} would stand at {value}°, beyond its limits of {minimum}° to {maximum}°. Choose another position or turn the tool.</source>
-            <translation>在目标处关节 {joint} 将为 {value}°，超出限位 {minimum}° 至 {maximum}°。请选择其他位置或改变末端姿态。</translation>
-        </message>
-        <message>
-            <source>After {gone} % of the way the arm reaches no further. Choose MOVE P, or another target.</source>
-            <translation>走到路径的 {gone} % 处超出可达范围。请改用 MOVE P，或选择其他目标。</translation>
-        </message>
-        <message>
-            <source>After {gone} % of the way joint {joint} would be at {value}°, beyond its limits of {minimum}° to {maximum}°. Choose MOVE P, or another target.</source>
-            <translation>走到路径的 {gone} % 处关节 {joint} 将为 {value}°，超出限位 {minimum}° 至 {maximum}°。请改用 MOVE P，或选择其他目标。</translation>
-        </message>
-        <message>
-            <source>After {gone} % of the way the arm comes to a singular pose: joint {joint} would have to jump. Choose MOVE P, or move joint 5 away from 0° first.</source>
-            <translation>走到路径的 {gone} % 处为奇异位姿：关节 {joint} 将发生跳变。请改用 MOVE P，或先把关节 5 转离 0°。</translation>
-        </message>
-        <message>
-            <source>The arm stands {distance} mm and {turned}° away from the start of the arc. Press Go to start first.</source>
-            <translation>机械臂距圆弧起点 {distance} mm、{turned}°。请先按“移到起点”。</translation>
-        </message>
-        <message>
-            <source>The three poses lie on a line, or two in one place: that is no arc. Capture others.</source>
-            <translation>三个位姿在一条直线上，或有两个重合，不构成圆弧。请重新记录。</translation>
-        </message>
-        <message>
-            <source>Not captured yet: {point}. Bring the arm there and press its button.</source>
-            <translation>尚未记录：{point}。请把机械臂移到该处并按对应按钮。</translation>
-        </message>
-        <message>
-            <source>The pose the arm reports does not fit its joint angles: the program cannot compute its way. Check the joints' zeros; the joints can still be moved one by one.</source>
-            <translation>机械臂上报的位姿与关节角度不符，程序无法计算路径。请检查各关节零点；仍可单独移动各关节。</translation>
-        </message>
-        <message>
-            <source>This arm was connected as a {chosen}, but the pose it reports is that of a {fits}: the program would compute with the wrong lengths. Connect it as a {fits}; until then the joints can be moved one by one.</source>
-            <translation>该机械臂按 {chosen} 连接，但其反馈的位姿属于 {fits}：程序会用错误的连杆长度计算。请按 {fits} 重新连接；在此之前可以逐个移动关节。</translation>
-        </message>
-        <message>
-            <source>Tool centre point: {value} is not possible. Enter lengths up to {maximum} mm and angles up to 180°.</source>
-            <translation>工具中心点：不能为 {value}。长度不超过 {maximum} mm，角度不超过 180°。</translation>
-        </message>
-        <message>
-            <source>{light}: {value} is out of range. Enter a whole number from {minimum} to {maximum}.</source>
-            <translation>{light}：{value} 超出范围。请输入 {minimum} 至 {maximum} 的整数。</translation>
-        </message>
-        <message>
-            <source>{light}: “{value}” is not a whole number. Enter one from {minimum} to {maximum}.</source>
-            <translation>{light}：“{value}”不是整数。请输入 {minimum} 至 {maximum} 的整数。</translation>
-        </message>
-        <message>
-            <source>No end load is chosen. Choose one first.</source>
-            <translation>尚未选择末端负载，请先选择。</translation>
-        </message>
-        <message>
-            <source>The arm is moving. Wait until it stands still, then set the end load.</source>
-            <translation>机械臂正在运动，请待其静止后再设置末端负载。</translation>
-        </message>
-        <message>
-            <source>The arm has answered, but goes on reporting. Try again.</source>
-            <translation>机械臂已应答，但仍在上报，请重试。</translation>
-        </message>
-        <message>
-            <source>An offset of {value} is not possible. Choose 0x00, 0x10 or 0x20.</source>
-            <translation>偏移值不能为 {value}，请选择 0x00、0x10 或 0x20。</translation>
-        </message>
-        <message>
-            <source>The arm is moving. Wait until it stands still, then set the linkage.</source>
-            <translation>机械臂正在运动，请待其静止后再设置联动。</translation>
-        </message>
-        <message>
-            <source>No gripper is heard. If one is mounted, check its cable and its power.</source>
-            <translation>未收到夹爪反馈。若已安装夹爪，请检查其线缆和供电。</translation>
-        </message>
-        <message>
-            <source>The gripper of a generation 1 arm has no command for its zero.</source>
-            <translation>第 1 代机械臂的夹爪没有零点设置指令。</translation>
-        </message>
-        <message>
-            <source>{gripper}: {value} {unit} is out of range. Enter a value from {minimum} to {maximum} {unit}.</source>
-            <translation>{gripper}：{value} {unit} 超出范围，请输入 {minimum} 至 {maximum} {unit} 之间的值。</translation>
-        </message>
-        <message>
-            <source>{gripper}: “{value}” is not a number. Enter a value from {minimum} to {maximum} {unit}.</source>
-            <translation>{gripper}：“{value}”不是数字，请输入 {minimum} 至 {maximum} {unit} 之间的值。</translation>
-        </message>
-        <message>
-            <source>Whether these joints stand still is not known: {joints}. Their drivers report no speed: check the arm's power and the CAN cable.</source>
-            <translation>无法确认以下关节是否静止：{joints}。其驱动器未上报速度，请检查机械臂电源和 CAN 线缆。</translation>
-        </message>
-        <message>
-            <source>These joints are moving: {joints}. Wait until the arm stands still.</source>
-            <translation>以下关节正在运动：{joints}。请等待机械臂静止。</translation>
-        </message>
-        <message>
-            <source>The arm answered that it did not set the zero of these joints: {joints}. Let the arm stand still, clear its errors, then try again.</source>
-            <translation>机械臂应答：以下关节的零点未设置成功：{joints}。请让机械臂静止并清除错误后重试。</translation>
-        </message>
-        <message>
-            <source>The arm answered that the zero is set, but these joints do not read 0°: {joints}. Do not move the arm before the zero is set anew.</source>
-            <translation>机械臂应答零点已设置，但以下关节的角度不为 0°：{joints}。重新设置零点之前请勿移动机械臂。</translation>
-        </message>
-        <message>
-            <source>The stop came first; it is not sent again. Look at what the arm shows, then repeat it.</source>
-            <translation>急停在先，该指令不会重发。请查看机械臂的状态后再操作。</translation>
-        </message>
-        <message>
-            <source>The arm reports: {status}. Remove the cause. If the report stays: emergency stop, hold the arm, Resume.</source>
-            <translation>机械臂状态：{status}。请先排除原因；若状态仍在，请按“急停”，扶住机械臂，再按“恢复”。</translation>
-        </message>
-        <message>
-            <source>{device} is not there. Check that it is plugged in and its cable is sound.</source>
-            <translation>找不到设备 {device}。请检查设备是否插好、线缆是否完好。</translation>
-        </message>
-        <message>
-            <source>{device} is in use by another program. Close that program, then connect again.</source>
-            <translation>设备 {device} 正被其它程序占用。请关闭该程序后重新连接。</translation>
-        </message>
-        <message>
-            <source>{device} is switched off in the system. Switch it on in a terminal (with your interface's name for can0): sudo ip link set can0 up type can bitrate 1000000</source>
-            <translation>设备 {device} 在系统中未启用。请在终端中启用（将 can0 换成实际的接口名）：sudo ip link set can0 up type can bitrate 1000000</translation>
-        </message>
-        <message>
-            <source>You may not open {device}. On Linux add your account to the group dialout (serial adapters) or install the adapter's udev rule (USB adapters), then log in again.</source>
-            <translation>没有权限打开设备 {device}。Linux 下：串口适配器请将当前用户加入 dialout 组，USB 适配器请安装其 udev 规则，然后重新登录。</translation>
-        </message>
-        <message>
-            <source>{device} is bus off: too many errors on the CAN bus, so its controller takes no part any more. Check CAN_H and CAN_L, both terminating resistors (120 Ω) and the bit rate, then disconnect and connect again; on socketcan run «sudo ip link set {channel} type can restart» before.</source>
-            <translation>{device} 处于总线关闭（bus off）：CAN 总线错误过多，其控制器已退出总线。请检查 CAN_H、CAN_L、两端 120 Ω 终端电阻和波特率，然后断开并重新连接；socketcan 请先执行 sudo ip link set {channel} type can restart。</translation>
-        </message>
-        <message>
-            <source>{device} needs a Python package that is not installed. Install it in a terminal: pip install {package}</source>
-            <translation>设备 {device} 需要的 Python 软件包尚未安装。请在终端中安装：pip install {package}</translation>
-        </message>
-        <message>
-            <source>The driver for {device} ({interface}) is missing. Install the driver of the adapter's maker; for socketcan load the kernel's modules: sudo modprobe can_raw</source>
-            <translation>缺少设备 {device}（{interface}）的驱动。请安装适配器厂家的驱动；使用 socketcan 时请加载内核模块：sudo modprobe can_raw</translation>
-        </message>
-        <message>
-            <source>{device} does not accept these settings: {text}. Check interface, channel and bit rate.</source>
-            <translation>设备 {device} 不接受这些参数：{text}。请检查接口、通道和波特率。</translation>
-        </message>
-        <message>
-            <source>{device} could not be opened: {text}. Check the device and its driver, then connect again.</source>
-            <translation>无法打开设备 {device}：{text}。请检查设备及其驱动，然后重新连接。</translation>
-        </message>
-        <message>
-            <source>The settings file could not be read and was put aside as {kept}. The program starts with its first settings.</source>
-            <translation>设置文件无法读取，已另存为 {kept}。程序以默认设置启动。</translation>
-        </message>
-        <message>
-            <source>The settings file {path} could not be read: {text}. The program starts with its first settings.</source>
-            <translation>设置文件 {path} 无法读取：{text}。程序以默认设置启动。</translation>
-        </message>
-        <message>
-            <source>The settings could not be saved in {path}: {text}. They hold until the program ends.</source>
-            <translation>设置无法保存到 {path}：{text}。本次运行期间仍然有效。</translation>
-        </message>
-        <message>
-            <source>Setting “{field}”: “{value}” is not possible. Its first setting is used instead.</source>
-            <translation>设置项“{field}”：“{value}”无效，已使用默认值。</translation>
-        </message>
-        <message>
-            <source>Jog step {value}° is out of range. Enter a value from {minimum}° to {maximum}°.</source>
-            <translation>点动步长 {value}° 超出范围。请输入 {minimum}° 至 {maximum}°。</translation>
-        </message>
-        <message>
-            <source>Jog step: “{value}” is not an angle. Enter degrees in figures, for example 0.5.</source>
-            <translation>点动步长：“{value}”不是角度。请输入以度为单位的数字，例如 0.5。</translation>
-        </message>
-        <message>
-            <source>Robot description: the file {path} is not there. Choose another file, or use the built-in one.</source>
-            <translation>机器人模型：找不到文件 {path}。请选择其它文件，或使用内置模型。</translation>
-        </message>
-        <message>
-            <source>Robot description: the file {path} cannot be read: {text}. Choose a file you may read.</source>
-            <translation>机器人模型：无法读取文件 {path}：{text}。请选择有权读取的文件。</translation>
-        </message>
-        <message>
-            <source>Robot description: {path} is not well-formed XML ({text}). Repair or export it again.</source>
-            <translation>机器人模型：{path} 不是格式正确的 XML（{text}）。请修复该文件或重新导出。</translation>
-        </message>
-        <message>
-            <source>Robot description: {path} describes no robot: its first element is “{element}”, not “robot”. Choose a URDF file.</source>
-            <translation>机器人模型：{path} 不是机器人描述：其首个元素是“{element}”，而不是“robot”。请选择 URDF 文件。</translation>
-        </message>
-        <message>
-            <source>Robot description: {path} is not written as URDF demands: {text}. Correct it.</source>
-            <translation>机器人模型：{path} 不符合 URDF 的写法：{text}。请更正。</translation>
-        </message>
-        <message>
-            <source>Robot description: in {path} an element or attribute is missing that URDF demands. Check that every link, joint and visual is complete.</source>
-            <translation>机器人模型：{path} 缺少 URDF 要求的元素或属性。请检查每个 link、joint 和 visual 是否完整。</translation>
-        </message>
-        <message>
-            <source>Robot description: in {path} these links do not hang together as one tree: {links}. Every link but the first needs exactly one joint that carries it.</source>
-            <translation>机器人模型：{path} 中的这些连杆没有连成一棵树：{links}。除首个连杆外，每个连杆都需要且只需要一个承载它的关节。</translation>
-        </message>
-        <message>
-            <source>Robot description: joint “{joint}” in {path} is wrong. It needs a name of its own, a type and an axis that URDF knows and, if it mimics, a joint to mimic.</source>
-            <translation>机器人模型：{path} 中的关节“{joint}”有误。它需要唯一的名称、URDF 认可的类型和轴；若为从动关节（mimic），还需要所跟随的关节。</translation>
-        </message>
-        <message>
-            <source>Robot description: {path} has {found} revolute joints in a row instead of {wanted}. Choose the description of a six-joint arm.</source>
-            <translation>机器人模型：{path} 中连续的旋转关节有 {found} 个，而不是 {wanted} 个。请选择六轴机械臂的描述文件。</translation>
-        </message>
-        <message>
-            <source>Robot description: the mesh “{mesh}” that {path} names is not there. Put it where the file says, or correct its name in the file.</source>
-            <translation>机器人模型：找不到 {path} 所指的网格文件“{mesh}”。请把它放到该文件所写的位置，或更正文件中的名称。</translation>
-        </message>
-        <message>
-            <source>Robot description: the mesh {mesh} cannot be read: {text}. Export it again.</source>
-            <translation>机器人模型：无法读取网格文件 {mesh}：{text}。请重新导出。</translation>
-        </message>
-        <message>
-            <source>Robot description: the mesh {mesh} holds no surface. Export it again.</source>
-            <translation>机器人模型：网格文件 {mesh} 中没有任何表面。请重新导出。</translation>
-        </message>
-        <message>
-            <source>Not possible now: {reason}.</source>
-            <translation>现在无法执行：{reason}。</translation>
-        </message>
-        <message>
-            <source>The program is still finding out which protocol the arm speaks. Wait a second.</source>
-            <translation>程序仍在识别机械臂使用的协议，请稍候一秒。</translation>
-        </message>
-        <message>
-            <source>{parameter}: {value} is out of range. Enter a value from {minimum} to {maximum}.</source>
-            <translation>{parameter}：{value} 超出范围，请输入 {minimum} 至 {maximum} 之间的值。</translation>
-        </message>
-        <message>
-            <source>{parameter}: “{value}” is not a number. Enter a value from {minimum} to {maximum}.</source>
-            <translation>{parameter}：“{value}”不是数字，请输入 {minimum} 至 {maximum} 之间的值。</translation>
-        </message>
-        <message>
-            <source>{parameter}: {value} is not possible. Choose one of {choices}.</source>
-            <translation>{parameter}：不能设为 {value}，请从 {choices} 中选择。</translation>
-        </message>
-        <message>
-            <source>This arm's protocol (generation {generation}) has no such settings; generation 2 has.</source>
-            <translation>本机械臂的协议（第 {generation} 代）没有这些参数，第 2 代才有。</translation>
-        </message>
-        <message>
-            <source>{parameter} would have to be sent along unchanged and has not been read from the arm. Read it first.</source>
-            <translation>{parameter}须随同原值一起发送，但尚未从机械臂读到，请先读取。</translation>
-        </message>
-        <message>
-            <source>{parameter} would have to be sent along, and what the arm holds there is corrupt. Enter a value for it as well.</source>
-            <translation>{parameter}须随同发送，而机械臂中保存的值已损坏，请同时为它输入一个值。</translation>
-        </message>
-        <message>
-            <source>Joint {joint}: the min. angle {minimum}° must be below the max. angle {maximum}°. Change one of them.</source>
-            <translation>关节 {joint}：最小角度 {minimum}° 必须小于最大角度 {maximum}°，请修改其中之一。</translation>
-        </message>
-        <message>
-            <source>The arm did not answer (0x476). Nothing says that it took this over: read the values again, then save once more.</source>
-            <translation>机械臂没有应答（0x476），无法确认已生效：请重新读取后再保存一次。</translation>
-        </message>
-        <message>
-            <source>The arm did not answer when asked for the value: what it holds is not known. Read again.</source>
-            <translation>读取时机械臂没有应答，其当前值未知，请重新读取。</translation>
-        </message>
-        <message>
-            <source>{parameter}: {value} was sent and answered, but the arm holds {held}. It did not take this value; try another one.</source>
-            <translation>{parameter}：已发送 {value} 且有应答，但机械臂中仍为 {held}，该值未被采用，请换一个值。</translation>
-        </message>
-        <message>
-            <source>No row is chosen. Click one in the table first.</source>
-            <translation>未选择行。请先在表格中点击一行。</translation>
-        </message>
-        <message>
-            <source>The program did not come to the end of its work: {text}. Try again.</source>
-            <translation>程序未能完成这项工作：{text}。请重试。</translation>
-        </message>
-        <message>
-            <source>Not run: the arm has moved by {value}° since it was checked. Send again.</source>
-            <translation>未运行：检查之后机械臂又移动了 {value}°。请再次点击发送。</translation>
-        </message>
-        <message>
-            <source>Not run: the arm's joint limits are others than those of the check. Send again.</source>
-            <translation>未运行：机械臂的关节限位与检查时不同。请再次点击发送。</translation>
-        </message>
-        <message>
-            <source>No trajectory is running: nothing to pause.</source>
-            <translation>没有正在执行的轨迹，无法暂停。</translation>
-        </message>
-        <message>
-            <source>No trajectory is paused: nothing to go on with.</source>
-            <translation>没有已暂停的轨迹，无法继续。</translation>
-        </message>
-        <message>
-            <source>“{name}” has no points. Add points, or choose another trajectory.</source>
-            <translation>“{name}”没有轨迹点，请添加轨迹点或选择其他轨迹。</translation>
-        </message>
-        <message>
-            <source>There is no row {row}: the last one is {maximum}. Choose another row.</source>
-            <translation>没有第 {row} 行，最后一行是第 {maximum} 行，请另选一行。</translation>
-        </message>
-        <message>
-            <source>The arm is in emergency stop. Hold the arm, press Resume, enable the motors; then the run can go on from this row.</source>
-            <translation>机械臂处于急停状态。请扶住机械臂，按恢复并重新使能电机，之后可从本行继续。</translation>
-        </message>
-        <message>
-            <source>A trajectory or recording is under way, be it paused or dwelling. Wait until it is done, or end the run first.</source>
-            <translation>轨迹或录制正在运行（暂停、停留也算）。请等待其完成，或先结束运行。</translation>
-        </message>
-        <message>
-            <source>Motors were disabled while it ran: the arm was told to end its motion. Enable the motors; then the run can go on from this row.</source>
-            <translation>运行中电机被失能，已令机械臂结束运动。使能电机后，可从该行继续。</translation>
-        </message>
-        <message>
-            <source>The gripper was disabled while it ran: the arm was told to end its motion. See what it held; then the run can go on from this row.</source>
-            <translation>运行中夹爪被失能，已令机械臂结束运动。请检查所夹工件，之后可从该行继续。</translation>
-        </message>
-        <message>
-            <source>The device was disconnected while it ran: the arm was told before to end its motion.</source>
-            <translation>运行中断开了设备，断开前已令机械臂结束运动。</translation>
-        </message>
-        <message>
-            <source>The run under way sets the lamps itself. Wait until it is done, or end the run first.</source>
-            <translation>当前运行会自行控制灯光。请等待其完成，或先结束运行。</translation>
-        </message>
-        <message>
-            <source>The arm is being jogged. Let go first, then press again.</source>
-            <translation>正在点动机械臂。请先松开，再按一次。</translation>
-        </message>
-        <message>
-            <source>A motion of the arm is paused: it holds back every new target. Press Continue or a Clear button under Drag teaching, Planned trajectory.</source>
-            <translation>机械臂的运动已暂停，新目标不会执行。请在“示教”的“轨迹指令”中继续或清除。</translation>
-        </message>
-        <message>
-            <source>The point was not reached within {seconds} s. See what keeps the arm, then go on from this row.</source>
-            <translation>{seconds} 秒内未到达该点，请检查机械臂受阻原因，之后可从本行继续。</translation>
-        </message>
-        <message>
-            <source>The arm says that it is there, but measures itself away from the point: {away}. See what keeps it, then go on from this row.</source>
-            <translation>机械臂报告已到达，但测量值与目标相差 {away}，请检查原因，之后可从本行继续。</translation>
-        </message>
-        <message>
-            <source>The arm was told to end its motion and still moves. Press the emergency stop if it must not.</source>
-            <translation>已发送终止指令，但机械臂仍在运动；如有危险请按急停。</translation>
-        </message>
-        <message>
-            <source>Joint {joint} would have to turn at {value}°/s; its limit is {maximum}°/s. Replay at {percent} % of the recorded speed at most.</source>
-            <translation>关节 {joint} 需要 {value}°/s，超过其上限 {maximum}°/s，请以不高于录制速度 {percent} % 的倍率回放。</translation>
-        </message>
-        <message>
-            <source>Joint {joint} does not follow: it is {away}° behind. See what keeps it, or replay more slowly.</source>
-            <translation>关节 {joint} 未能跟随，落后 {away}°，请检查受阻原因或降低回放速度。</translation>
-        </message>
-        <message>
-            <source>The arm has not reported its end pose: an arc has no beginning. Wait for it.</source>
-            <translation>机械臂尚未反馈末端位姿，圆弧没有起点，请稍候。</translation>
-        </message>
-        <message>
-            <source>Row {row}: this arm's protocol moves the gripper by other figures (generation 1 by an angle, generation 2 by an opening). Change the gripper's action.</source>
-            <translation>第 {row} 行：本机械臂协议的夹爪参数不同（第一代用角度，第二代用开度），请修改夹爪动作。</translation>
-        </message>
-        <message>
-            <source>The file is broken or cut short: line {line}, column {column} is no JSON. Nothing was changed; choose another file, or mend that line.</source>
-            <translation>文件已损坏或不完整：第 {line} 行第 {column} 列不是 JSON。未作任何更改；请选择其他文件，或修正该行。</translation>
-        </message>
-        <message>
-            <source>This is not a parameter backup of this program. Nothing was changed; choose another file.</source>
-            <translation>这不是本程序的参数备份文件。未作任何更改；请选择其他文件。</translation>
-        </message>
-        <message>
-            <source>The file has format version {version}; this program reads version {known}. Open it with the program that wrote it, or update this one.</source>
-            <translation>文件的格式版本为 {version}，本程序只能读取版本 {known}。请用保存它的程序打开，或更新本程序。</translation>
-        </message>
-        <message>
-            <source>The file lacks the field “{field}”. Nothing was changed; choose another file, or add the field.</source>
-            <translation>文件缺少字段“{field}”。未作任何更改；请选择其他文件，或补上该字段。</translation>
-        </message>
-        <message>
-            <source>The file says “{value}” in the field “{field}”, which is not possible. Nothing was changed; choose another file, or mend the field.</source>
-            <translation>文件的字段“{field}”为“{value}”，该值无效。未作任何更改；请选择其他文件，或修正该字段。</translation>
-        </message>
-        <message>
-            <source>The file names {parameter} a second time, in “{field}”. Nothing was changed; take one of the two away.</source>
-            <translation>文件中的{parameter}重复（“{field}”）。未作任何更改；请删去其中一个。</translation>
-        </message>
-        <message>
-            <source>The file holds no parameter. Nothing was changed; choose another file.</source>
-            <translation>文件中没有参数。未作任何更改；请选择其他文件。</translation>
-        </message>
-        <message>
-            <source>The file {path} cannot be read: {text}. Choose another one.</source>
-            <translation>无法读取文件 {path}：{text}。请选择其他文件。</translation>
-        </message>
-        <message>
-            <source>The backup could not be written to {path}: {text}. Choose another folder.</source>
-            <translation>无法将备份写入 {path}：{text}。请选择其他文件夹。</translation>
-        </message>
-        <message>
-            <source>Nothing has been read from the arm. Press Read first.</source>
-            <translation>尚未从机械臂读到任何参数。请先点击“读取”。</translation>
-        </message>
-        <message>
-            <source>It is not in the library any more.</source>
-            <translation>它已不在轨迹库中。</translation>
-        </message>
-        <message>
-            <source>The file cannot be read: {text}.</source>
-            <translation>无法读取文件：{text}。</translation>
-        </message>
-        <message>
-            <source>The file has {value} MB; files up to {maximum} MB are read.</source>
-            <translation>文件大小为 {value} MB，最大可读取 {maximum} MB。</translation>
-        </message>
-        <message>
-            <source>This is no text in UTF-8 or GBK. Save it as a text file in UTF-8.</source>
-            <translation>不是 UTF-8 或 GBK 编码的文本。请另存为 UTF-8 文本文件。</translation>
-        </message>
-        <message>
-            <source>This is no text in {value}. Choose another encoding.</source>
-            <translation>这不是 {value} 编码的文本。请选择其他编码。</translation>
-        </message>
-        <message>
-            <source>This is no trajectory file the program knows. Import it by columns.</source>
-            <translation>不是程序可识别的轨迹文件。请按列导入。</translation>
-        </message>
-        <message>
-            <source>No rows of numbers are found here. Choose a file with one point a row.</source>
-            <translation>未找到由数字组成的行。请选择每行一个点的文件。</translation>
-        </message>
-        <message>
-            <source>The file is of version {value}; this program reads up to version {maximum}. Update the program.</source>
-            <translation>文件版本为 {value}，本程序最高支持版本 {maximum}。请更新程序。</translation>
-        </message>
-        <message>
-            <source>The file holds nothing.</source>
-            <translation>文件为空。</translation>
-        </message>
-        <message>
-            <source>The file ends too early.</source>
-            <translation>文件不完整，提前结束。</translation>
-        </message>
-        <message>
-            <source>The file is damaged: {text}.</source>
-            <translation>文件已损坏：{text}。</translation>
-        </message>
-        <message>
-            <source>“{value}” is no kind of line. A line begins with J, P, L, C or #.</source>
-            <translation>“{value}”不是有效的行类型。行首应为 J、P、L、C 或 #。</translation>
-        </message>
-        <message>
-            <source>“{value}” is no entry of the header; name, note and modified are.</source>
-            <translation>“{value}”不是有效的文件头条目，可用条目为 name、note 和 modified。</translation>
-        </message>
-        <message>
-            <source>“{value}” is no option of a point; speed, dwell, gripper, light and note are.</source>
-            <translation>“{value}”不是有效的点选项，可用选项为 speed、dwell、gripper、light 和 note。</translation>
-        </message>
-        <message>
-            <source>“{value}” is given twice. Leave one.</source>
-            <translation>“{value}”重复出现，请只保留一个。</translation>
-        </message>
-        <message>
-            <source>“{value}” is no {field}. Write it as {example}.</source>
-            <translation>“{value}”不是有效的 {field}。请写成 {example}。</translation>
-        </message>
-        <message>
-            <source>“{value}” is not a number.</source>
-            <translation>“{value}”不是数字。</translation>
-        </message>
-        <message>
-            <source>{value} numbers where {expected} belong.</source>
-            <translation>此处有 {value} 个数，应为 {expected} 个。</translation>
-        </message>
-        <message>
-            <source>The closing quotation mark is missing.</source>
-            <translation>缺少右引号。</translation>
-        </message>
-        <message>
-            <source>The column “{field}” is missing.</source>
-            <translation>缺少列“{field}”。</translation>
-        </message>
-        <message>
-            <source>The column “{value}” is unknown.</source>
-            <translation>未知的列“{value}”。</translation>
-        </message>
-        <message>
-            <source>The column “{field}” is there twice.</source>
-            <translation>列“{field}”重复出现。</translation>
-        </message>
-        <message>
-            <source>{value} cells where there are {expected} columns.</source>
-            <translation>此行有 {value} 个单元格，而表格有 {expected} 列。</translation>
-        </message>
-        <message>
-            <source>“{value}” is no date and time. Write it as 2026-01-31T12:00:00.</source>
-            <translation>“{value}”不是有效的日期时间。请写成 2026-01-31T12:00:00。</translation>
-        </message>
-        <message>
-            <source>This is not valid JSON: {text}.</source>
-            <translation>不是有效的 JSON：{text}。</translation>
-        </message>
-        <message>
-            <source>“{field}” is missing.</source>
-            <translation>缺少“{field}”。</translation>
-        </message>
-        <message>
-            <source>“{value}” is unknown.</source>
-            <translation>未知的“{value}”。</translation>
-        </message>
-        <message>
-            <source>“{field}” is not what it should be: {expected}.</source>
-            <translation>“{field}”的内容不符合要求，应为：{expected}。</translation>
-        </message>
-        <message>
-            <source>{field}: {value}{unit} is out of range. Enter a value from {minimum}{unit} to {maximum}{unit}.</source>
-            <translation>{field}：{value}{unit} 超出范围。请输入 {minimum}{unit} 至 {maximum}{unit} 之间的值。</translation>
-        </message>
-        <message>
-            <source>{field}: “{value}” is not a number.</source>
-            <translation>{field}：“{value}”不是数字。</translation>
-        </message>
-        <message>
-            <source>{field}: {value} is not a whole number.</source>
-            <translation>{field}：{value} 不是整数。</translation>
-        </message>
-        <message>
-            <source>{field}: {value} values; six belong there, and a middle only to MOVE C.</source>
-            <translation>{field}：有 {value} 个值，应为六个；只有 MOVE C 才有中间位姿。</translation>
-        </message>
-        <message>
-            <source>“{value}” is no kind of motion. MOVE J, MOVE P, MOVE L and MOVE C are.</source>
-            <translation>“{value}”不是有效的运动类型，可用类型为 MOVE J、MOVE P、MOVE L 和 MOVE C。</translation>
-        </message>
-        <message>
-            <source>The time {value} s is before the one above, {minimum} s.</source>
-            <translation>时间 {value} s 早于上一行的 {minimum} s。</translation>
-        </message>
-        <message>
-            <source>{field}: {value} characters; up to {maximum} are kept. Shorten it.</source>
-            <translation>{field}：有 {value} 个字符，最多 {maximum} 个。请缩短。</translation>
-        </message>
-        <message>
-            <source>{field}: holds a character that cannot be kept. Remove it.</source>
-            <translation>{field}：含有无法保存的字符。请删除该字符。</translation>
-        </message>
-        <message>
-            <source>An arc needs a middle pose, which no conversion can know. Enter it by hand.</source>
-            <translation>圆弧需要中间位姿，无法由转换得到。请手动输入。</translation>
-        </message>
-        <message>
-            <source>The arm cannot bring its flange to X {x}  Y {y}  Z {z} mm with this orientation: no joint angles belong to it. Change the pose.</source>
-            <translation>机械臂法兰无法以此姿态到达 X {x}  Y {y}  Z {z} mm：没有对应的关节角。请修改位姿。</translation>
-        </message>
-        <message>
-            <source>A trajectory needs a name. Enter one.</source>
-            <translation>轨迹需要名称。请输入名称。</translation>
-        </message>
-        <message>
-            <source>The name has {value} characters; up to {maximum} are kept. Shorten it.</source>
-            <translation>名称有 {value} 个字符，最多 {maximum} 个。请缩短。</translation>
-        </message>
-        <message>
-            <source>There is a “{name}” already. Choose another name.</source>
-            <translation>已存在“{name}”。请使用其他名称。</translation>
-        </message>
-        <message>
-            <source>“{name}” has been changed since it was made, and is kept. Delete it if you do not want it.</source>
-            <translation>“{name}”新建后已被修改，予以保留。不需要时请将其删除。</translation>
-        </message>
-        <message>
-            <source>“{name}” is no longer among what was deleted. It has been brought back already, or its time was up.</source>
-            <translation>“{name}”已不在最近删除中：已经恢复，或已过保留期限。</translation>
-        </message>
-        <message>
-            <source>The file of “{name}” is damaged and is not written over. Save under another name.</source>
-            <translation>“{name}”的文件已损坏，不会被覆盖。请以其他名称保存。</translation>
-        </message>
-        <message>
-            <source>“{name}” was not saved: {text}. What was kept before is unchanged. Check the disk, then save again.</source>
-            <translation>“{name}”未保存：{text}。原有内容未变。请检查磁盘后重新保存。</translation>
-        </message>
-        <message>
-            <source>Not deleted: {name}: {text}. Check the rights to the library's folder.</source>
-            <translation>未删除：{name}：{text}。请检查轨迹库文件夹的权限。</translation>
-        </message>
-        <message>
-            <source>Not brought back: {name}: {text}. Check the rights to the library's folder.</source>
-            <translation>未恢复：{name}：{text}。请检查轨迹库文件夹的权限。</translation>
-        </message>
-        <message>
-            <source>The library cannot be read: {name}: {text}. Check the rights to this folder.</source>
-            <translation>无法读取轨迹库：{name}：{text}。请检查该文件夹的权限。</translation>
-        </message>
-        <message>
-            <source>Columns {first} and {second} are both {field}. Leave one of them out.</source>
-            <translation>第 {first} 列和第 {second} 列都是{field}。请去掉其中一列。</translation>
-        </message>
-        <message>
-            <source>Still missing: {missing}. Say which columns hold them.</source>
-            <translation>还缺少：{missing}。请指定对应的列。</translation>
-        </message>
-        <message>
-            <source>Column {column}: {field} is not given in “{value}”. Choose one of {choices}.</source>
-            <translation>第 {column} 列：{field}不能使用单位“{value}”。请选择 {choices} 之一。</translation>
-        </message>
-        <message>
-            <source>The speed override is 0 %: raise it, then hold “Continue” for 1 s.</source>
-            <translation>运行倍率为 0 %：请先调高，再按住“继续”1 秒。</translation>
-        </message>
-        <message>
-            <source>How far this gripper opens is not known: the arm has told no stroke limit. Set it in Gripper settings, or enter a target in Gripper control.</source>
-            <translation>不知道此夹爪能张开多大：机械臂没有报告行程限位。请在“夹爪设置”中设置，或在“夹爪控制”中输入目标。</translation>
-        </message>
-        <message>
-            <source>The gripper tells an angle now, and a point keeps an opening. Move it by an opening in Gripper control first.</source>
-            <translation>夹爪当前反馈的是角度，而点中保存的是开度。请先在“夹爪控制”中按开度移动夹爪。</translation>
-        </message>
-        <message>
-            <source>{frames} of the arm has not been heard for {seconds} s: nobody knows where it is. Check its power and the CAN cable; nothing is sent until it is heard again.</source>
-            <translation>已有 {seconds} 秒未收到机械臂的 {frames}：无法得知其位置。请检查电源与 CAN 线；重新收到之前不发送任何运动指令。</translation>
-        </message>
-        <message>
-            <source>Another program controls the arm ({frames}). Wait until it has been quiet for 2 s and the arm rests, or take over when it pauses. The stop works at any time.</source>
-            <translation>另一个程序正在控制机械臂（{frames}）。请等它静默 2 秒且机械臂静止，或在它停顿时接管。急停随时有效。</translation>
-        </message>
-        <message>
-            <source>A leader arm moves this arm ({frames}). Switch the leader off, or make it a motion output. The stop works at any time.</source>
-            <translation>主臂正在带动本机械臂（{frames}）。请关闭主臂，或将其设为运动输出臂。急停随时有效。</translation>
-        </message>
-        <message>
-            <source>The other program is still sending ({frames}): it can be taken over half a second after its last frame. Against a stream only the stop wins.</source>
-            <translation>另一个程序仍在发送（{frames}）：其最后一帧过后半秒才能接管。对持续的数据流只有急停有效。</translation>
-        </message>
-        <message>
-            <source>This connection only listens: nothing is sent but the emergency stop. Connect without Listen only to command the arm.</source>
-            <translation>当前连接为“只听”：除急停外不发送任何帧。要控制机械臂，请取消“只听”后重新连接。</translation>
-        </message>
-        <message>
-            <source>No other program moves the arm.</source>
-            <translation>没有其他程序在移动机械臂。</translation>
-        </message>
-        <message>
-            <source>The arm holds back a motion at 0 %. Hold Continue or press Give up in the line above the panels first.</source>
-            <translation>速度为 0 %，机械臂保留着未完成的运动。请先在面板上方的提示行按住“继续”或点击“放弃”。</translation>
-        </message>
-        <message>
-            <source>No motion is held back.</source>
-            <translation>没有被保留的运动。</translation>
-        </message>
-        <message>
-            <source>Something else has ended this motion. Look at the arm, then start again.</source>
-            <translation>该运动已被其他事件终止。请查看机械臂后重新开始。</translation>
-        </message>
-        <message>
-            <source>Joint {joint} moves at {value} °/s, where {maximum} °/s is shown. Set the speed again before the next motion.</source>
-            <translation>关节 {joint} 实测 {value} °/s，而显示的速度为 {maximum} °/s。下次运动前请重新设定速度。</translation>
-        </message>
-        <message>
-            <source>This connection only listens: nothing is sent on it but the emergency stop.</source>
-            <translation>此连接为只听：除急停外不发送任何帧。</translation>
-        </message>
-        <message>
-            <source>Whether the arm takes commands on the identifiers in use is not proven, so it is not moved; stop and halt reach it. To prove it, set the offsets again in Linkage with the arm in standby: they count once the arm has answered.</source>
-            <translation>机械臂是否在当前标识符上接收指令尚未证实，因此不让它运动；急停和停住仍能到达。证实方法：让机械臂处于待机，在联动控制中重新设置偏移，得到应答后即生效。</translation>
-        </message>
-        <message>
-            <source>For half a second {device} could send nothing, because nobody on the bus acknowledges. Check the arm's power, the CAN cable, the terminating resistors and the bit rate (1 Mbit/s).</source>
-            <translation>{device} 已有半秒发不出任何帧，因为总线上无人应答。请检查机械臂电源、CAN 线、终端电阻和波特率（1 Mbit/s）。</translation>
-        </message>
-        <message>
-            <source>For half a second {device} has taken no frame to send, though frames are heard. Unplug the adapter and plug it in again; if that does not help, check its driver.</source>
-            <translation>{device} 已有半秒不接收要发送的帧，但仍能收到帧。请拔下适配器再插上；若无效，请检查其驱动。</translation>
-        </message>
-        <message>
-            <source>Joint {joints} does not stand where it stood at the press: no zero was sent. Try again where it shall be.</source>
-            <translation>关节 {joints} 已不在按下按钮时的位置：未发送零点。请在要设为零点的位置重试。</translation>
-        </message>
-        <message>
-            <source>Another program is writing the settings file {path}. The settings hold until this program ends; change them once more to save them.</source>
-            <translation>另一个程序正在写入设置文件 {path}。设置在本程序退出前有效；再更改一次即可保存。</translation>
-        </message>
-        <message>
-            <source>Nothing was sent: the arm was still being set or asked something a second after the press. Try again.</source>
-            <translation>未发送：按下一秒后机械臂仍在进行其他设置或查询。请重试。</translation>
-        </message>
-        <message>
-            <source>The arm was silent meanwhile, or another arm answers: nothing more was sent. See that it is the right arm, then try again.</source>
-            <translation>其间机械臂曾无应答，或应答的是另一台机械臂：未再发送。请确认是正确的机械臂，然后重试。</translation>
-        </message>
-        <message>
-            <source>The program or the computer stood still for {seconds} s, so the replay was ended. Let the computer do less beside it, keep it from sleeping, and start the replay anew.</source>
-            <translation>程序或计算机停顿了 {seconds} 秒，回放已结束。请减少计算机的其他任务并禁止休眠，然后重新开始回放。</translation>
-        </message>
-        <message>
-            <source>Robot description: {path} ended the 3D view while it was loaded ({text}). It is put aside; choose another one.</source>
-            <translation>机器人描述：加载 {path} 时3D 视图意外结束（{text}）。该文件已停用，请另选一个。</translation>
-        </message>
-        <message>
-            <source>Robot description: loading {path} does not come to an end. It is put aside; choose another one.</source>
-            <translation>机器人描述：{path} 一直加载不完。该文件已停用，请另选一个。</translation>
-        </message>
-        <message>
-            <source>Jogging ended: held for {seconds} s without a movement of the mouse or another key. Let go and press again; move the mouse a little while you hold it for long.</source>
-            <translation>点动已结束：按住 {seconds} 秒期间鼠标未移动，也没有按其他键。请松开后重新按下；需要长时间按住时，请稍微移动鼠标。</translation>
-        </message>
-        <message>
-            <source>Identifier: “{value}” is no hexadecimal number. Enter 000 to 7FF, for example 151.</source>
-            <translation>ID：“{value}”不是十六进制数。请输入 000 至 7FF，例如 151。</translation>
-        </message>
-        <message>
-            <source>Identifier: {value} has more than 11 bits, and the arm knows none of those. Enter 000 to 7FF.</source>
-            <translation>ID：{value} 超过 11 位，机械臂不使用这样的 ID。请输入 000 至 7FF。</translation>
-        </message>
-        <message>
-            <source>Data: “{value}” are no whole bytes. Enter two hexadecimal figures for each byte, for example 01 0A FF.</source>
-            <translation>数据：“{value}”不是完整的字节。每个字节请输入两位十六进制数，例如 01 0A FF。</translation>
-        </message>
-        <message>
-            <source>Data: {count} bytes do not fit into a frame. Enter 8 at most.</source>
-            <translation>数据：{count} 字节超出一帧的容量。最多输入 8 字节。</translation>
-        </message>
-        <message>
-            <source>{frame} is what an arm itself says: two senders of one identifier disturb the bus, and others would take it for the arm's word. Choose an identifier that hosts send.</source>
-            <translation>{frame} 是机械臂自己发送的帧：同一 ID 有两个发送方会干扰总线，其他程序也会误以为是机械臂的反馈。请选择由上位机发送的 ID。</translation>
-        </message>
-        <message>
-            <source>{frame} is kept for firmware upgrades: what it does is not public, and it may leave the arm without firmware. Use the maker's upgrade program.</source>
-            <translation>{frame} 保留用于固件升级：其作用没有公开资料，可能使机械臂失去固件。请使用厂家的升级程序。</translation>
-        </message>
-        <message>
-            <source>This frame ends an emergency stop and lets the arm drop. Use Resume in the main window, once the arm is supported.</source>
-            <translation>该帧会解除急停并使机械臂坠落。请先托住机械臂，再使用主窗口中的恢复。</translation>
-        </message>
-        <message>
-            <source>This frame acts on the arm: hold the button for a second to send it.</source>
-            <translation>该帧会对机械臂起作用：请按住按钮 1 秒再发送。</translation>
-        </message>
-        <message>
-            <source>The session is being recorded already. Stop that recording first.</source>
-            <translation>会话已在记录中。请先停止当前记录。</translation>
-        </message>
-        <message>
-            <source>The session is not being recorded: there is nothing to stop.</source>
-            <translation>当前没有在记录会话，无需停止。</translation>
-        </message>
-        <message>
-            <source>MF4 needs the package asammdf (pip install asammdf).</source>
-            <translation>MF4 需要 asammdf 软件包（pip install asammdf）。</translation>
-        </message>
-        <message>
-            <source>You called it off. The recording itself is whole, as .blf.</source>
-            <translation>已取消。录制本身完整，保存为 .blf。</translation>
-        </message>
-        <message>
-            <source>The last minutes are being saved already. Wait a moment.</source>
-            <translation>最近几分钟的内容正在保存，请稍候。</translation>
-        </message>
-        <message>
-            <source>Nothing has been heard on the bus yet: there is nothing to save.</source>
-            <translation>总线上还没有收到任何帧，没有可保存的内容。</translation>
-        </message>
-        <message>
-            <source>The disk of {folder} is full. What was written before can be read. Free some room or choose another folder, then record again.</source>
-            <translation>{folder} 所在的磁盘已满。此前写入的内容可以读取。请清理磁盘空间或选择其他文件夹，然后重新记录。</translation>
-        </message>
-        <message>
-            <source>The folder {folder} cannot be written. Choose another folder for the session recordings, or allow this one to be written.</source>
-            <translation>文件夹 {folder} 无法写入。请为会话记录选择其他文件夹，或允许写入此文件夹。</translation>
-        </message>
-        <message>
-            <source>The folder {folder}, or its disk, is gone. Plug it in again or choose another folder, then record again.</source>
-            <translation>文件夹 {folder} 或其所在磁盘已不存在。请重新插入磁盘或选择其他文件夹，然后重新记录。</translation>
-        </message>
-        <message>
-            <source>The session could not be recorded in {folder}: {text}. What was written before can be read. Choose another folder, or try again.</source>
-            <translation>无法在 {folder} 中记录会话：{text}。此前写入的内容可以读取。请选择其他文件夹，或重试。</translation>
-        </message>
-        <message>
-            <source>“{name}” cannot be the name of a recording. Leave out / \ : * ? " &lt; &gt; | and a dot at the beginning or the end; 120 characters at most.</source>
-            <translation>“{name}”不能作为记录的名称。请勿使用 / \ : * ? " &lt; &gt; |，首尾不能是句点，最多 120 个字符。</translation>
-        </message>
-        <message>
-            <source>There is a file called “{name}” in the folder already. Choose another name.</source>
-            <translation>文件夹中已有名为“{name}”的文件。请换一个名称。</translation>
-        </message>
-        <message>
-            <source>The recording “{name}” is not in the folder any more, or cannot be read: {text}.</source>
-            <translation>记录“{name}”已不在文件夹中，或无法读取：{text}。</translation>
-        </message>
-        <message>
-            <source>“{name}” is still being written. Stop the recording first.</source>
-            <translation>“{name}”仍在写入。请先停止记录。</translation>
-        </message>
-        <message>
-            <source>This is a recording that is replayed: nothing can be sent. Whatever is to reach an arm is done in the main window.</source>
-            <translation>这是正在回放的记录，不能发送任何指令。要操作机械臂，请回到主窗口。</translation>
-        </message>
-        <message>
-            <source>{name} is a log without a single frame: there is nothing to replay. Record again, with the arm switched on.</source>
-            <translation>{name} 中没有任何报文，无法回放。请在机械臂上电后重新记录。</translation>
-        </message>
-        <message>
-            <source>Nothing in {name} reads as a frame of a CAN log ({text}). Choose the file that the recording program has written, with its own ending.</source>
-            <translation>{name} 中没有可读的 CAN 报文（{text}）。请选择记录程序写出的文件，并保留其扩展名。</translation>
-        </message>
-        <message>
-            <source>Nothing in {name} reads as a frame of a CAN log of its ending. Choose the file that the recording program has written, with its own ending.</source>
-            <translation>{name} 中没有与其扩展名相符的 CAN 报文。请选择记录程序写出的文件，并保留其扩展名。</translation>
-        </message>
-        <message>
-            <source>{name} is a packed archive, whatever its ending says. Unpack it, and open the log that was in it.</source>
-            <translation>无论扩展名如何，{name} 都是压缩包。请先解压，再打开其中的日志。</translation>
-        </message>
-        <message>
-            <source>By its name {name} is no CAN log. Known endings: {known}, most of them also with .gz behind. Rename the file, or choose another.</source>
-            <translation>从文件名看，{name} 不是 CAN 日志。可识别的扩展名：{known}，多数也可再加 .gz。请改名或选择其他文件。</translation>
-        </message>
-        <message>
-            <source>{name} cannot be opened: {text}. Look whether it is still there and may be read.</source>
-            <translation>无法打开 {name}：{text}。请检查文件是否还在、是否有读取权限。</translation>
-        </message>
-        <message>
-            <source>The log is read into temporary files, and these cannot be written: {text}. Make room on the disk, or set TMPDIR to a folder with more.</source>
-            <translation>读取日志需要写临时文件，但无法写入：{text}。请腾出磁盘空间，或将 TMPDIR 设为空间更大的文件夹。</translation>
-        </message>
-        <message>
-            <source>{name} can be read no further: {text}. Open it again; if that does not help, copy it to another disk first.</source>
-            <translation>无法继续读取 {name}：{text}。请重新打开；若仍不行，请先将其复制到其他磁盘。</translation>
-        </message>
-        <message>
-            <source>{name} is gone. Plug it in again or switch it on.</source>
-            <translation>{name} 已断开。请重新插入或打开电源。</translation>
-        </message>
-        <message>
-            <source>Nothing more is heard of {name}. Let go of its buttons and press anew.</source>
-            <translation>收不到 {name} 的数据。请松开所有按键后重新按下。</translation>
-        </message>
-        <message>
-            <source>The dead-man button was held for {seconds} s without a movement of the device. Press anew.</source>
-            <translation>使能键按住 {seconds} 秒而设备没有任何动作。请重新按下。</translation>
-        </message>
-        <message>
-            <source>The arm's firmware {firmware} does not have this: it came with {since}. Updates come from the maker's support.</source>
-            <translation>机械臂固件 {firmware} 不支持此功能：自 {since} 起支持。升级请联系厂家支持。</translation>
-        </message>
-        <message>
-            <source>The arm has not named its firmware, and only {since} and later have this. Connect again to ask for it.</source>
-            <translation>机械臂尚未报告固件版本，而此功能自 {since} 起支持。请重新连接以查询。</translation>
-        </message>
-        <message>
-            <source>The arm's control mode is not known, or another one has the command: it would be changed along with this. Bring the arm to standby or CAN control first.</source>
-            <translation>机械臂的控制模式未知，或由其他方控制：此操作会同时更改它。请先使机械臂进入待机或 CAN 控制模式。</translation>
-        </message>
-        <message>
-            <source>Another program drives the arm in {other_mode} mode: a mode word of ours would leave its joints limp. End that program, hold the arm, and take the way back that the line above the panels offers.</source>
-            <translation>另一程序正以{other_mode}模式驱动机械臂：本程序的模式指令会使关节失力。请结束该程序、扶住机械臂，再按面板上方提示行给出的方式恢复。</translation>
-        </message>
-        <message>
-            <source>Not run: the arm's model or zeros are others than those of the check. Send again.</source>
-            <translation>未运行：机械臂的型号或零点约定与检查时不同。请再次点击发送。</translation>
-        </message>
-        <message>
-            <source>The main window, or a page taken out of it, is not in front, or a menu is open. Click into one of them, then press anew.</source>
-            <translation>主窗口或取出的独立窗口不在最前，或有菜单打开。请点击其中一个窗口，再重新按下。</translation>
-        </message>
-        <message>
-            <source>Nothing was sent: the arm was asked for its firmware version and has not named it within 0.9 s. With an older one it would fall. Try again; if it stays so, hold the arm and use the emergency stop.</source>
-            <translation>未发送任何内容：已询问机械臂的固件版本，0.9 s 内没有答复。若固件较旧，机械臂会下坠。请重试；若仍如此，请扶住机械臂并使用急停。</translation>
-        </message>
-        <message>
-            <source>Nothing was sent: asked for its firmware version, the arm named {versions}. With it, or with two arms on the bus, an arm would fall. Hold the arm and use the emergency stop.</source>
-            <translation>未发送任何内容：询问固件版本时，机械臂答复为 {versions}。使用此固件，或总线上有两台机械臂时，机械臂会下坠。请扶住机械臂并使用急停。</translation>
-        </message>
-        <message>
-            <source>What it was asked about is no more as it was: nothing was sent. Ask again.</source>
-            <translation>所询问的内容已经改变：未发送任何内容。请重新操作。</translation>
-        </message>
-        <message>
-            <source>Not run: tool, load, settings or choices are others than those of the check. Send again.</source>
-            <translation>未运行：工具、负载、设置或所选项与检查时不同。请再次点击发送。</translation>
-        </message>
-        <message>
-            <source>Not run: the check has found errors ({count}). Mend what is listed, then send again.</source>
-            <translation>未发送：检查发现 {count} 个错误。请处理列出的各项后再发送。</translation>
-        </message>
-        <message>
-            <source>The drag was given up: the arm, or what was dragged, is another by now. Drag again.</source>
-            <translation>拖动已放弃：机械臂或被拖动的内容已经改变。请重新拖动。</translation>
-        </message>
-        <message>
-            <source>Robot description: the mesh {mesh} is of a kind that is not read. These are: {kinds}.</source>
-            <translation>机器人描述：不支持网格文件 {mesh} 的格式。支持的格式：{kinds}。</translation>
-        </message>
-        <message>
-            <source>Robot description: the mesh {mesh} has {size} MB; {most} MB are read at most. Export it with fewer triangles.</source>
-            <translation>机器人描述：网格文件 {mesh} 有 {size} MB，最多读取 {most} MB。请减少三角面数后重新导出。</translation>
-        </message>
-        <message>
-            <source>Robot description: the mesh {mesh} reaches farther than {most} m, or nowhere. A mesh in millimetres needs scale 0.001.</source>
-            <translation>机器人描述：网格 {mesh} 超出 {most} m，或坐标无效。以毫米为单位的网格需要 scale 0.001。</translation>
-        </message>
-        <message>
-            <source>Robot description: the meshes of {path} have more than {most} triangles together. Export them with fewer.</source>
-            <translation>机器人描述：{path} 的网格合计超过 {most} 个三角面。请减少三角面数后重新导出。</translation>
-        </message>
-        <message>
-            <source>Robot description: {path} takes more than {most} MB of memory to load. Export its meshes with fewer triangles.</source>
-            <translation>机器人描述：加载 {path} 需要的内存超过 {most} MB。请减少网格的三角面数后重新导出。</translation>
-        </message>
-        <message>
-            <source>A part of the program has failed: every motion of this program ends, and none begins while it fails. Copy the details of the error, then start the program again.</source>
-            <translation>程序的一部分出错：本程序的所有运动均被结束，故障期间不会开始新的运动。请复制错误详细信息，然后重新启动程序。</translation>
-        </message>
-        <message>
-            <source>The computer was about to sleep, or to end this program: the arm was told before to end its motion.</source>
-            <translation>电脑即将休眠，或即将结束本程序：此前已命令机械臂结束运动。</translation>
-        </message>
-        <message>
-            <source>The tool moves at {value} mm/s, where {maximum} mm/s is shown. Set the speed again before the next motion.</source>
-            <translation>末端速度为 {value} mm/s，而显示的速度对应 {maximum} mm/s。请在下次运动前重新设置速度。</translation>
-        </message>
-        <message>
-            <source>The tool turns at {value} °/s, where {maximum} °/s is shown. Set the speed again before the next motion.</source>
-            <translation>末端转动速度为 {value} °/s，而显示的速度对应 {maximum} °/s。请在下次运动前重新设置速度。</translation>
-        </message>
-        <message>
-            <source>The fingertip would come to {value} mm; jogs end at {minimum} mm, as chosen under Settings. Jog upwards.</source>
-            <translation>末端将到 {value} mm；按“设置”中的选择，点动止于 {minimum} mm。请向上点动。</translation>
-        </message>
-    </context>
-    <context>
-        <name>ReplayEventBar</name>
-        <message>
-            <source>Follow the replay</source>
-            <translation>跟随回放</translation>
-        </message>
-        <message>
-            <source>Keep the event of the moment that is shown in sight</source>
-            <translation>列表跟随当前回放时刻的事件</translation>
-        </message>
-    </context>
-    <context>
-        <name>ReplayEvents</name>
-        <message>
-            <source>Events of the recording</source>
-            <translation>记录中的事件</translation>
-        </message>
-        <message>
-            <source>Click: show this moment</source>
-            <translation>单击：跳到该时刻</translation>
-        </message>
-    </context>
-    <context>
-        <name>ReplayFrame</name>
-        <message>
-            <source>REPLAY · NOT LIVE</source>
-            <translation>回放 · 非实时画面</translation>
-        </message>
-        <message>
-            <source>Nothing can be sent from here: there is no bus behind it.</source>
-            <translation>此处不能发送任何指令：背后没有总线。</translation>
-        </message>
-    </context>
-    <context>
-        <name>ReplayView</name>
-        <message>
-            <source>arm</source>
-            <translation>有机械臂</translation>
-        </message>
-        <message>
-            <source>no arm</source>
-            <translation>无机械臂</translation>
-        </message>
-        <message>
-            <source>generation {number}</source>
-            <translation>第 {number} 代</translation>
-        </message>
-        <message>
-            <source>(as the recording tells)</source>
-            <translation>（由记录判定）</translation>
-        </message>
-        <message>
-            <source>Loading: {percent} %</source>
-            <translation>正在载入：{percent} %</translation>
-        </message>
-        <message>
-            <source>Frame {number}</source>
-            <translation>第 {number} 帧</translation>
-        </message>
-        <message>
-            <source>Joint status</source>
-            <translation>关节状态</translation>
-        </message>
-        <message>
-            <source>Curves</source>
-            <translation>曲线</translation>
-        </message>
-        <message>
-            <source>Channel</source>
-            <translation>通道</translation>
-        </message>
-        <message>
-            <source>Protocol</source>
-            <translation>协议</translation>
-        </message>
-        <message>
-            <source>3D view of the recorded arm</source>
-            <translation>记录中机械臂的 3D 视图</translation>
-        </message>
-        <message>
-            <source>Events</source>
-            <translation>事件</translation>
-        </message>
-    </context>
-    <context>
-        <name>ReplayWindow</name>
-        <message>
-            <source>Open a recording</source>
-            <translation>打开记录</translation>
-        </message>
-        <message>
-            <source>CAN logs</source>
-            <translation>CAN 日志</translation>
-        </message>
-        <message>
-            <source>Reading {name}: {count} frames so far</source>
-            <translation>正在读取 {name}：已读 {count} 帧</translation>
-        </message>
-        <message>
-            <source>{count} places of the log could not be read; the rest is shown.</source>
-            <translation>日志中有 {count} 处无法读取，其余部分照常显示。</translation>
-        </message>
-        <message>
-            <source>{count} frames had a time before the one in front of them: put right.</source>
-            <translation>有 {count} 帧的时间早于前一帧，已校正。</translation>
-        </message>
-        <message>
-            <source>The log is longer: only its first {count} frames are shown.</source>
-            <translation>日志过长，只显示前 {count} 帧。</translation>
-        </message>
-        <message>
-            <source>The disk for temporary files is full: only the first {count} frames are shown.</source>
-            <translation>临时文件所在磁盘已满，只显示前 {count} 帧。</translation>
-        </message>
-        <message>
-            <source>Nothing in it comes from an arm of this kind.</source>
-            <translation>其中没有本型机械臂的报文。</translation>
-        </message>
-        <message>
-            <source>Nothing tells which protocol the arm spoke: choose it below if you know.</source>
-            <translation>无法判定机械臂使用哪一代协议；如果知道，请在下方选择。</translation>
-        </message>
-        <message>
-            <source>Reading {name}…</source>
-            <translation>正在读取 {name}…</translation>
-        </message>
-        <message>
-            <source>Choose a CAN log, of this program or of another one. It is shown here as if it were live; nothing can be sent.</source>
-            <translation>请选择一个 CAN 日志，可由本程序或其他程序记录。它会像实时一样显示在这里，但不能发送任何指令。</translation>
-        </message>
-        <message>
-            <source>Replay</source>
-            <translation>回放</translation>
-        </message>
-        <message>
-            <source>Replay – {name}</source>
-            <translation>回放 – {name}</translation>
-        </message>
-        <message>
-            <source>Choose a recording…</source>
-            <translation>选择记录…</translation>
-        </message>
-        <message>
-            <source>Open another recording…</source>
-            <translation>打开其他记录…</translation>
-        </message>
-        <message>
-            <source>Cancel</source>
-            <translation>取消</translation>
-        </message>
-    </context>
-    <context>
-        <name>ReportButton</name>
-        <message>
-            <source>Results…</source>
-            <translation>导入结果…</translation>
-        </message>
-    </context>
-    <context>
-        <name>RingCard</name>
-        <message>
-            <source>The last minutes, in memory</source>
-            <translation>内存中的最近几分钟</translation>
-        </message>
-        <message>
-            <source>Save by itself at a fault or a stop</source>
-            <translation>发生故障或急停时自动保存</translation>
-        </message>
-        <message>
-            <source>A few seconds after a fault or a stop, the last minutes are saved as a recording. Faults that follow one another are saved together.</source>
-            <translation>发生故障或急停几秒后，最近几分钟的内容会自动保存为一条记录。接连发生的故障合并保存。</translation>
-        </message>
-        <message>
-            <source>Saving…</source>
-            <translation>正在保存…</translation>
-        </message>
-        <message>
-            <source>Save what just happened</source>
-            <translation>保存刚才发生的事</translation>
-        </message>
-        <message>
-            <source>Nothing heard yet</source>
-            <translation>尚未收到任何帧</translation>
-        </message>
-        <message>
-            <source>Everything on the bus, for {minutes} minutes.</source>
-            <translation>总线上的全部内容，保留 {minutes} 分钟。</translation>
-        </message>
-        <message>
-            <source>{length} of {minutes} minutes · {frames} frames</source>
-            <translation>{length}（最长 {minutes} 分钟）· {frames} 帧</translation>
-        </message>
-        <message>
-            <source>{now} of memory, {most} at most</source>
-            <translation>占用内存 {now}，最多 {most}</translation>
-        </message>
-    </context>
-    <context>
-        <name>RunBar</name>
-        <message>
-            <source>A run is under way.</source>
-            <translation>正在运行。</translation>
-        </message>
-        <message>
-            <source>Checking…</source>
-            <translation>正在检查…</translation>
-        </message>
-        <message>
-            <source>Go on from row {row}</source>
-            <translation>从第 {row} 行继续</translation>
-        </message>
-        <message>
-            <source>Send</source>
-            <translation>发送</translation>
-        </message>
-        <message>
-            <source>Call off</source>
-            <translation>取消</translation>
-        </message>
-        <message>
-            <source>Once</source>
-            <translation>单次</translation>
-        </message>
-        <message>
-            <source>Times</source>
-            <translation>多次</translation>
-        </message>
-        <message>
-            <source>In a loop</source>
-            <translation>循环</translation>
-        </message>
-        <message>
-            <source>How often</source>
-            <translation>运行次数</translation>
-        </message>
-        <message>
-            <source>Speed</source>
-            <translation>速度</translation>
-        </message>
-        <message>
-            <source>Of each point's own speed</source>
-            <translation>相对于各点自身速度的百分比</translation>
-        </message>
-        <message>
-            <source>From row</source>
-            <translation>起始行</translation>
-        </message>
-        <message>
-            <source>Step by step</source>
-            <translation>单步运行</translation>
-        </message>
-        <message>
-            <source>Checks it and runs it</source>
-            <translation>检查后运行</translation>
-        </message>
-        <message>
-            <source>Effective: {percent} % of the recorded speed</source>
-            <translation>实际速度：录制速度的 {percent} %</translation>
-        </message>
-        <message>
-            <source>The first sample is approached at {percent} %.</source>
-            <translation>先以 {percent} % 运动到第一个采样点。</translation>
-        </message>
-        <message>
-            <source>Effective speed {percent}</source>
-            <translation>实际速度 {percent}</translation>
-        </message>
-        <message>
-            <source>The speed in the top bar does not change a run.</source>
-            <translation>顶栏的速度不影响运行。</translation>
-        </message>
-        <message>
-            <source>{text} · override {percent} %</source>
-            <translation>{text} · 倍率 {percent} %</translation>
-        </message>
-        <message>
-            <source>The override was chosen in a run and stays; it can be raised once something runs (key {key}).</source>
-            <translation>倍率是在运行中设定的，保持有效；开始运行后可调高（按键 {key}）。</translation>
-        </message>
-        <message>
-            <source>{text} · first run</source>
-            <translation>{text} · 首次运行</translation>
-        </message>
-        <message>
-            <source>“{name}” is not known to have run: its speed begins at {percent} %. Watch it once before you choose more.</source>
-            <translation>未见“{name}”运行过：速度从 {percent} % 开始。先看它运行一次，再选择更高速度。</translation>
-        </message>
-        <message>
-            <source>The speed of each row × that of the run, 1–100 %; of all rows that run.</source>
-            <translation>各行速度 × 运行速度，1–100 %；为所有要运行的行。</translation>
-        </message>
-        <message>
-            <source>The speed of each row × that of the run, 1–100 %; from row {row} on.</source>
-            <translation>各行速度 × 运行速度，1–100 %；从第 {row} 行起。</translation>
-        </message>
-    </context>
-    <context>
-        <name>RunStrip</name>
-        <message>
-            <source>cycle {cycle} of {cycles}</source>
-            <translation>第 {cycle}/{cycles} 次</translation>
-        </message>
-        <message>
-            <source>{time} left</source>
-            <translation>剩余 {time}</translation>
-        </message>
-        <message>
-            <source>moving</source>
-            <translation>运动中</translation>
-        </message>
-        <message>
-            <source>dwelling</source>
-            <translation>停留中</translation>
-        </message>
-        <message>
-            <source>waits for the next step</source>
-            <translation>等待下一步</translation>
-        </message>
-        <message>
-            <source>paused</source>
-            <translation>已暂停</translation>
-        </message>
-        <message>
-            <source>coming to rest</source>
-            <translation>正在停下</translation>
-        </message>
-        <message>
-            <source>done</source>
-            <translation>已完成</translation>
-        </message>
-        <message>
-            <source>ended</source>
-            <translation>已结束</translation>
-        </message>
-        <message>
-            <source>ended by a fault</source>
-            <translation>因故障结束</translation>
-        </message>
-        <message>
-            <source>Next step</source>
-            <translation>下一步</translation>
-        </message>
-        <message>
-            <source>Continue</source>
-            <translation>继续</translation>
-        </message>
-        <message>
-            <source>Pause</source>
-            <translation>暂停</translation>
-        </message>
-        <message>
-            <source>End run</source>
-            <translation>结束运行</translation>
-        </message>
-        <message>
-            <source>Close</source>
-            <translation>关闭</translation>
-        </message>
-        <message>
-            <source>Puts this line away; the run is over.</source>
-            <translation>收起此行；运行已结束。</translation>
-        </message>
-        <message>
-            <source>point {row} of {count}</source>
-            <translation>第 {row}/{count} 点</translation>
-        </message>
-        <message>
-            <source>Progress of the run</source>
-            <translation>运行进度</translation>
-        </message>
-    </context>
-    <context>
-        <name>SaveButton</name>
-        <message>
-            <source>Save</source>
-            <translation>保存</translation>
-        </message>
-    </context>
-    <context>
-        <name>SaveQuestion</name>
-        <message>
-            <source>Changes are not saved</source>
-            <translation>修改未保存</translation>
-        </message>
-        <message>
-            <source>Discard changes</source>
-            <translation>放弃修改</translation>
-        </message>
-        <message>
-            <source>Save</source>
-            <translation>保存</translation>
-        </message>
-    </context>
-    <context>
-        <name>SendBox</name>
-        <message>
-            <source>Sent: {frame}.</source>
-            <translation>已发送：{frame}。</translation>
-        </message>
-        <message>
-            <source>A frame sent by hand is checked for nothing but its form, and counts as another program's: what this program is doing ends.</source>
-            <translation>手动发送的帧只检查格式，并按其他程序的指令处理：本程序正在进行的运动会结束。</translation>
-        </message>
-        <message>
-            <source>Hold to send frames by hand</source>
-            <translation>按住以启用手动发送</translation>
-        </message>
-        <message>
-            <source>Lock</source>
-            <translation>锁定</translation>
-        </message>
-        <message>
-            <source>Send nothing more; it also locks by itself after a minute</source>
-            <translation>不再发送；一分钟后也会自动锁定</translation>
-        </message>
-        <message>
-            <source>ID, hex</source>
-            <translation>ID，十六进制</translation>
-        </message>
-        <message>
-            <source>Identifier of the frame, hexadecimal</source>
-            <translation>帧 ID，十六进制</translation>
-        </message>
-        <message>
-            <source>Data, hex: 01 00 00 00 …</source>
-            <translation>数据，十六进制：01 00 00 00 …</translation>
-        </message>
-        <message>
-            <source>Data of the frame, hexadecimal</source>
-            <translation>帧数据，十六进制</translation>
-        </message>
-        <message>
-            <source>Send</source>
-            <translation>发送</translation>
-        </message>
-        <message>
-            <source>Hold to send</source>
-            <translation>按住发送</translation>
-        </message>
-    </context>
-    <context>
-        <name>Sender</name>
-        <message>
-            <source>arm</source>
-            <translation>机械臂</translation>
-        </message>
-        <message>
-            <source>this program</source>
-            <translation>本程序</translation>
-        </message>
-        <message>
-            <source>another host</source>
-            <translation>其他上位机</translation>
-        </message>
-        <message>
-            <source>another arm</source>
-            <translation>另一台机械臂</translation>
-        </message>
-        <message>
-            <source>adapter</source>
-            <translation>适配器</translation>
-        </message>
-        <message>
-            <source>not known</source>
-            <translation>未知</translation>
-        </message>
-        <message>
-            <source>leader arm</source>
-            <translation>主臂</translation>
-        </message>
-    </context>
-    <context>
-        <name>SessionKind</name>
-        <message>
-            <source>recorded</source>
-            <translation>手动记录</translation>
-        </message>
-        <message>
-            <source>by armui record</source>
-            <translation>由 armui record 记录</translation>
-        </message>
-        <message>
-            <source>saved from memory</source>
-            <translation>从内存保存</translation>
-        </message>
-        <message>
-            <source>saved at a fault</source>
-            <translation>故障时自动保存</translation>
-        </message>
-        <message>
-            <source>saved at a stop</source>
-            <translation>急停时自动保存</translation>
-        </message>
-    </context>
-    <context>
-        <name>SessionState</name>
-        <message>
-            <source>under way</source>
-            <translation>正在写入</translation>
-        </message>
-        <message>
-            <source>whole</source>
-            <translation>完整</translation>
-        </message>
-        <message>
-            <source>cut off: readable to its last second</source>
-            <translation>中断：可读取至最后一秒</translation>
-        </message>
-        <message>
-            <source>ended early: {text}</source>
-            <translation>提前结束：{text}</translation>
-        </message>
-        <message>
-            <source>empty</source>
-            <translation>空</translation>
-        </message>
-        <message>
-            <source>what stands beside it cannot be read: {text}</source>
-            <translation>旁边的说明文件无法读取：{text}</translation>
-        </message>
-    </context>
-    <context>
-        <name>SessionsModel</name>
-        <message>
-            <source>Name</source>
-            <translation>名称</translation>
-        </message>
-        <message>
-            <source>Begun</source>
-            <translation>开始时间</translation>
-        </message>
-        <message>
-            <source>Length</source>
-            <translation>时长</translation>
-        </message>
-        <message>
-            <source>Size</source>
-            <translation>大小</translation>
-        </message>
-        <message>
-            <source>Faults</source>
-            <translation>故障</translation>
-        </message>
-        <message>
-            <source>Stops</source>
-            <translation>急停</translation>
-        </message>
-        <message>
-            <source>Kind</source>
-            <translation>来源</translation>
-        </message>
-        <message>
-            <source>State</source>
-            <translation>状态</translation>
-        </message>
-    </context>
-    <context>
-        <name>SessionsWindow</name>
-        <message>
-            <source>Session recordings</source>
-            <translation>会话记录</translation>
-        </message>
-        <message>
-            <source>Replay</source>
-            <translation>回放</translation>
-        </message>
-        <message>
-            <source>Replay another log…</source>
-            <translation>回放其他日志…</translation>
-        </message>
-        <message>
-            <source>Any CAN log, also of another program, is shown as if it were live.</source>
-            <translation>任何 CAN 日志（包括其他程序的）都可以像实时一样显示。</translation>
-        </message>
-        <message>
-            <source>Export…</source>
-            <translation>导出…</translation>
-        </message>
-        <message>
-            <source>As ROS 2 messages in MCAP, as CSV or as Parquet.</source>
-            <translation>导出为 MCAP（ROS 2 消息）、CSV 或 Parquet。</translation>
-        </message>
-        <message>
-            <source>Rename</source>
-            <translation>重命名</translation>
-        </message>
-        <message>
-            <source>Delete</source>
-            <translation>删除</translation>
-        </message>
-        <message>
-            <source>Moves the recording into the folder “deleted” beside the others.</source>
-            <translation>将记录移到同一位置的“deleted”文件夹中。</translation>
-        </message>
-        <message>
-            <source>Show in the file manager</source>
-            <translation>在文件管理器中显示</translation>
-        </message>
-        <message>
-            <source>No recordings yet. Record a session, or save what just happened: both can be replayed here and opened in other CAN tools.</source>
-            <translation>还没有会话记录。可以记录会话，或保存刚才发生的事：两者都能在此回放，也能用其他 CAN 工具打开。</translation>
-        </message>
-        <message>
-            <source>Moved to {folder}. It can be moved back from there.</source>
-            <translation>已移到 {folder}，可以从那里移回。</translation>
-        </message>
-    </context>
-    <context>
-        <name>SettingName</name>
-        <message>
-            <source>language</source>
-            <translation>语言</translation>
-        </message>
-        <message>
-            <source>theme</source>
-            <translation>主题</translation>
-        </message>
-        <message>
-            <source>jog step</source>
-            <translation>点动步长</translation>
-        </message>
-        <message>
-            <source>robot description</source>
-            <translation>机器人模型</translation>
-        </message>
-        <message>
-            <source>tool centre point</source>
-            <translation>工具中心点</translation>
-        </message>
-        <message>
-            <source>folder of the session recordings</source>
-            <translation>会话记录的文件夹</translation>
-        </message>
-        <message>
-            <source>format of the session recordings</source>
-            <translation>会话记录的格式</translation>
-        </message>
-        <message>
-            <source>size at which a new file is begun</source>
-            <translation>会话记录的分卷大小</translation>
-        </message>
-        <message>
-            <source>saving at faults and stops</source>
-            <translation>故障或急停时自动保存</translation>
-        </message>
-        <message>
-            <source>view of the 3D picture</source>
-            <translation>3D 画面的视角</translation>
-        </message>
-        <message>
-            <source>3D picture without perspective</source>
-            <translation>3D 画面的平行投影</translation>
-        </message>
-        <message>
-            <source>tool frame in the 3D picture</source>
-            <translation>3D 画面中的工具坐标系</translation>
-        </message>
-        <message>
-            <source>way of the tool in the 3D picture</source>
-            <translation>3D 画面中的末端轨迹</translation>
-        </message>
-        <message>
-            <source>jogging by gamepad</source>
-            <translation>手柄点动</translation>
-        </message>
-        <message>
-            <source>what a gamepad moves</source>
-            <translation>手柄控制的对象</translation>
-        </message>
-        <message>
-            <source>one axis at a time by gamepad</source>
-            <translation>手柄一次只动一个轴</translation>
-        </message>
-        <message>
-            <source>buttons of the gamepads</source>
-            <translation>手柄按键</translation>
-        </message>
-        <message>
-            <source>models of the arms</source>
-            <translation>机械臂型号</translation>
-        </message>
-        <message>
-            <source>lowest height for jogs</source>
-            <translation>点动最低高度</translation>
-        </message>
-    </context>
-    <context>
-        <name>SettingsDialog</name>
-        <message>
-            <source>Settings</source>
-            <translation>设置</translation>
-        </message>
-        <message>
-            <source>Language</source>
-            <translation>语言</translation>
-        </message>
-        <message>
-            <source>Theme</source>
-            <translation>主题</translation>
-        </message>
-        <message>
-            <source>Light</source>
-            <translation>浅色</translation>
-        </message>
-        <message>
-            <source>Dark</source>
-            <translation>深色</translation>
-        </message>
-        <message>
-            <source>As the system</source>
-            <translation>跟随系统</translation>
-        </message>
-        <message>
-            <source>Jog step</source>
-            <translation>点动步长</translation>
-        </message>
-        <message>
-            <source>{minimum}° to {maximum}°: how far − and + move a joint</source>
-            <translation>{minimum}° 至 {maximum}°，即每按一次 − 或 + 关节转动的角度</translation>
-        </message>
-        <message>
-            <source>Robot description (URDF)</source>
-            <translation>机器人模型（URDF）</translation>
-        </message>
-        <message>
-            <source>Browse…</source>
-            <translation>浏览…</translation>
-        </message>
-        <message>
-            <source>Use the built-in one</source>
-            <translation>使用内置模型</translation>
-        </message>
-        <message>
-            <source>Diagnosis…</source>
-            <translation>诊断…</translation>
-        </message>
-        <message>
-            <source>About this arm…</source>
-            <translation>关于本机械臂…</translation>
-        </message>
-        <message>
-            <source>The built-in robot description is in use.</source>
-            <translation>当前使用的就是内置模型。</translation>
-        </message>
-        <message>
-            <source>Choose a robot description</source>
-            <translation>选择机器人模型</translation>
-        </message>
-        <message>
-            <source>Robot description</source>
-            <translation>机器人模型</translation>
-        </message>
-        <message>
-            <source>Stop again if another host undoes an emergency stop</source>
-            <translation>急停被其他程序解除时自动再次急停</translation>
-        </message>
-        <message>
-            <source>Such a stop is always told as a fault. With this, it is also sent again by itself.</source>
-            <translation>这种情况总会作为故障提示。勾选后还会自动再次发送急停。</translation>
-        </message>
-        <message>
-            <source>Gamepad, SpaceMouse</source>
-            <translation>手柄、SpaceMouse</translation>
-        </message>
-        <message>
-            <source>Gamepad…</source>
-            <translation>手柄…</translation>
-        </message>
-        <message>
-            <source>On: jogs the arm</source>
-            <translation>已开启：可以点动机械臂</translation>
-        </message>
-        <message>
-            <source>Off</source>
-            <translation>已关闭</translation>
-        </message>
-        <message>
-            <source>Built-in model of the {model}</source>
-            <translation>{model} 内置模型</translation>
-        </message>
-        <message>
-            <source>Over the plane the arm stands on: 0 mm is the plane, negative is below it. Single steps, buttons, keys and gamepad keep to it; an arm that is lower may only go up.</source>
-            <translation>相对底座平面：0 mm 为该平面，负值在其下。单步、按钮、按键和手柄都遵守；已低于此高度的机械臂只能向上。</translation>
-        </message>
-        <message>
-            <source>Jogs end at a lowest height of the fingertip</source>
-            <translation>点动止于末端最低高度</translation>
-        </message>
-    </context>
-    <context>
-        <name>SharedUseBanner</name>
-        <message>
-            <source>Another program has this library open, too ({names}). What it saves appears in this list. Do not edit the same trajectory in both.</source>
-            <translation>另一个程序也打开了此轨迹库（{names}）。它保存的内容会出现在此列表中。请勿在两个程序中编辑同一条轨迹。</translation>
-        </message>
-    </context>
-    <context>
-        <name>Shortcut</name>
-        <message>
-            <source>Command palette: find every function by its name</source>
-            <translation>命令面板：按名称查找任何功能</translation>
-        </message>
-        <message>
-            <source>User guide, at the place where you are</source>
-            <translation>使用指南，打开当前所在处的章节</translation>
-        </message>
-        <message>
-            <source>Faster: run or motion</source>
-            <translation>加速：运行或运动</translation>
-        </message>
-        <message>
-            <source>This list</source>
-            <translation>本列表</translation>
-        </message>
-        <message>
-            <source>Pause, go on</source>
-            <translation>暂停、继续</translation>
-        </message>
-        <message>
-            <source>Copy the chosen rows</source>
-            <translation>复制所选行</translation>
-        </message>
-        <message>
-            <source>Play, pause</source>
-            <translation>播放、暂停</translation>
-        </message>
-        <message>
-            <source>One frame back</source>
-            <translation>后退一帧</translation>
-        </message>
-        <message>
-            <source>One frame on</source>
-            <translation>前进一帧</translation>
-        </message>
-        <message>
-            <source>Halt: ends any motion, the motors keep their power</source>
-            <translation>停住：结束任何运动，电机保持通电</translation>
-        </message>
-        <message>
-            <source>Slower: run or motion</source>
-            <translation>减速：运行或运动</translation>
-        </message>
-        <message>
-            <source>To the next control; with Shift to the one before</source>
-            <translation>到下一个控件；加 Shift 到上一个</translation>
-        </message>
-        <message>
-            <source>Close the dialog</source>
-            <translation>关闭对话框</translation>
-        </message>
-        <message>
-            <source>With Space held: J1 to J6 up, down</source>
-            <translation>按住空格：J1 至 J6 增、减</translation>
-        </message>
-        <message>
-            <source>With Space held: X, Y, Z of the tool</source>
-            <translation>按住空格：末端 X、Y、Z</translation>
-        </message>
-        <message>
-            <source>With Space held: RX, RY, RZ of the tool</source>
-            <translation>按住空格：末端 RX、RY、RZ</translation>
-        </message>
-        <message>
-            <source>Edit the points of the chosen trajectory</source>
-            <translation>编辑所选轨迹的点</translation>
-        </message>
-        <message>
-            <source>On the time line: through the recording</source>
-            <translation>在时间轴上：在记录中移动</translation>
-        </message>
-    </context>
-    <context>
-        <name>ShortcutList</name>
-        <message>
-            <source>Keyboard shortcuts</source>
-            <translation>快捷键</translation>
-        </message>
-    </context>
-    <context>
-        <name>SideMenu</name>
-        <message>
-            <source>Motion control</source>
-            <translation>运动控制</translation>
-        </message>
-        <message>
-            <source>Tool control</source>
-            <translation>末端控制</translation>
-        </message>
-        <message>
-            <source>Light control</source>
-            <translation>灯光控制</translation>
-        </message>
-        <message>
-            <source>Linkage control</source>
-            <translation>联动控制</translation>
-        </message>
-        <message>
-            <source>Joint settings</source>
-            <translation>关节设置</translation>
-        </message>
-        <message>
-            <source>End speed limits</source>
-            <translation>配速设置</translation>
-        </message>
-        <message>
-            <source>Collision level</source>
-            <translation>碰撞等级</translation>
-        </message>
-        <message>
-            <source>Motor settings</source>
-            <translation>电机设置</translation>
-        </message>
-        <message>
-            <source>Gripper control</source>
-            <translation>夹爪控制</translation>
-        </message>
-        <message>
-            <source>Gripper settings</source>
-            <translation>夹爪设置</translation>
-        </message>
-        <message>
-            <source>End load</source>
-            <translation>末端负载</translation>
-        </message>
-        <message>
-            <source>Drag teaching</source>
-            <translation>示教</translation>
-        </message>
-    </context>
-    <context>
-        <name>SignalName</name>
-        <message>
-            <source>Acceleration valid</source>
-            <translation>加速度有效</translation>
-        </message>
-        <message>
-            <source>Action</source>
-            <translation>动作</translation>
-        </message>
-        <message>
-            <source>Angle</source>
-            <translation>角度</translation>
-        </message>
-        <message>
-            <source>Angular acceleration</source>
-            <translation>角加速度</translation>
-        </message>
-        <message>
-            <source>Angular speed</source>
-            <translation>角速度</translation>
-        </message>
-        <message>
-            <source>Blue</source>
-            <translation>蓝</translation>
-        </message>
-        <message>
-            <source>Supply current</source>
-            <translation>母线电流</translation>
-        </message>
-        <message>
-            <source>Clear error</source>
-            <translation>清除错误</translation>
-        </message>
-        <message>
-            <source>Collision protection</source>
-            <translation>碰撞保护</translation>
-        </message>
-        <message>
-            <source>Control mode</source>
-            <translation>控制模式</translation>
-        </message>
-        <message>
-            <source>Offset of the commands</source>
-            <translation>控制指令偏移</translation>
-        </message>
-        <message>
-            <source>Counter</source>
-            <translation>计数</translation>
-        </message>
-        <message>
-            <source>Check sum (CRC16)</source>
-            <translation>校验（CRC16）</translation>
-        </message>
-        <message>
-            <source>Check sum (4 bits)</source>
-            <translation>校验（4 位）</translation>
-        </message>
-        <message>
-            <source>Current</source>
-            <translation>电流</translation>
-        </message>
-        <message>
-            <source>Driver fault</source>
-            <translation>驱动器错误</translation>
-        </message>
-        <message>
-            <source>Driver too hot</source>
-            <translation>驱动器过温</translation>
-        </message>
-        <message>
-            <source>Driver temperature</source>
-            <translation>驱动器温度</translation>
-        </message>
-        <message>
-            <source>Dwell time</source>
-            <translation>停留时间</translation>
-        </message>
-        <message>
-            <source>Emergency stop</source>
-            <translation>急停</translation>
-        </message>
-        <message>
-            <source>Enable</source>
-            <translation>使能</translation>
-        </message>
-        <message>
-            <source>Enabled</source>
-            <translation>已使能</translation>
-        </message>
-        <message>
-            <source>Feedback of the end's motion</source>
-            <translation>末端运动反馈</translation>
-        </message>
-        <message>
-            <source>Offset of the feedback</source>
-            <translation>反馈指令偏移</translation>
-        </message>
-        <message>
-            <source>Friction</source>
-            <translation>摩擦系数</translation>
-        </message>
-        <message>
-            <source>Green</source>
-            <translation>绿</translation>
-        </message>
-        <message>
-            <source>Zero found</source>
-            <translation>已回零</translation>
-        </message>
-        <message>
-            <source>Answers</source>
-            <translation>应答对象</translation>
-        </message>
-        <message>
-            <source>Joint</source>
-            <translation>关节</translation>
-        </message>
-        <message>
-            <source>Kd</source>
-            <translation>Kd</translation>
-        </message>
-        <message>
-            <source>Kp</source>
-            <translation>Kp</translation>
-        </message>
-        <message>
-            <source>Lamp</source>
-            <translation>灯珠</translation>
-        </message>
-        <message>
-            <source>Linear acceleration</source>
-            <translation>线加速度</translation>
-        </message>
-        <message>
-            <source>Linear speed</source>
-            <translation>线速度</translation>
-        </message>
-        <message>
-            <source>Load</source>
-            <translation>负载</translation>
-        </message>
-        <message>
-            <source>Load valid</source>
-            <translation>负载有效</translation>
-        </message>
-        <message>
-            <source>Highest acceleration</source>
-            <translation>最大加速度</translation>
-        </message>
-        <message>
-            <source>Largest angle</source>
-            <translation>最大角度</translation>
-        </message>
-        <message>
-            <source>Highest angular acceleration</source>
-            <translation>最大角加速度</translation>
-        </message>
-        <message>
-            <source>Highest angular speed</source>
-            <translation>最大角速度</translation>
-        </message>
-        <message>
-            <source>Highest linear acceleration</source>
-            <translation>最大线加速度</translation>
-        </message>
-        <message>
-            <source>Highest linear speed</source>
-            <translation>最大线速度</translation>
-        </message>
-        <message>
-            <source>Highest speed</source>
-            <translation>最大速度</translation>
-        </message>
-        <message>
-            <source>Smallest angle</source>
-            <translation>最小角度</translation>
-        </message>
-        <message>
-            <source>Follow mode</source>
-            <translation>跟随模式</translation>
-        </message>
-        <message>
-            <source>Mode</source>
-            <translation>模式</translation>
-        </message>
-        <message>
-            <source>Target</source>
-            <translation>目标</translation>
-        </message>
-        <message>
-            <source>Motor too hot</source>
-            <translation>电机过温</translation>
-        </message>
-        <message>
-            <source>Motor temperature</source>
-            <translation>电机温度</translation>
-        </message>
-        <message>
-            <source>Mounting</source>
-            <translation>安装方式</translation>
-        </message>
-        <message>
-            <source>Move mode</source>
-            <translation>运动模式</translation>
-        </message>
-        <message>
-            <source>Index of the name</source>
-            <translation>名称索引</translation>
-        </message>
-        <message>
-            <source>Opening</source>
-            <translation>开度</translation>
-        </message>
-        <message>
-            <source>Overcurrent</source>
-            <translation>过流</translation>
-        </message>
-        <message>
-            <source>Point</source>
-            <translation>点</translation>
-        </message>
-        <message>
-            <source>Position</source>
-            <translation>位置</translation>
-        </message>
-        <message>
-            <source>Question</source>
-            <translation>查询</translation>
-        </message>
-        <message>
-            <source>Red</source>
-            <translation>红</translation>
-        </message>
-        <message>
-            <source>Factory reset</source>
-            <translation>恢复出厂</translation>
-        </message>
-        <message>
-            <source>Role</source>
-            <translation>角色</translation>
-        </message>
-        <message>
-            <source>Sensor fault</source>
-            <translation>传感器异常</translation>
-        </message>
-        <message>
-            <source>Set zero</source>
-            <translation>设置零点</translation>
-        </message>
-        <message>
-            <source>Speed</source>
-            <translation>速度</translation>
-        </message>
-        <message>
-            <source>Speed percentage</source>
-            <translation>速度百分比</translation>
-        </message>
-        <message>
-            <source>Stall protection</source>
-            <translation>堵转保护</translation>
-        </message>
-        <message>
-            <source>Status</source>
-            <translation>状态</translation>
-        </message>
-        <message>
-            <source>Stroke</source>
-            <translation>行程</translation>
-        </message>
-        <message>
-            <source>Offset of what a leader sends</source>
-            <translation>主臂发送的指令偏移</translation>
-        </message>
-        <message>
-            <source>Teaching command</source>
-            <translation>示教指令</translation>
-        </message>
-        <message>
-            <source>Range of the handle</source>
-            <translation>手柄行程系数</translation>
-        </message>
-        <message>
-            <source>Teaching state</source>
-            <translation>示教状态</translation>
-        </message>
-        <message>
-            <source>Torque</source>
-            <translation>力矩</translation>
-        </message>
-        <message>
-            <source>Trajectory command</source>
-            <translation>轨迹指令</translation>
-        </message>
-        <message>
-            <source>Trajectory point</source>
-            <translation>轨迹点</translation>
-        </message>
-        <message>
-            <source>Transfer</source>
-            <translation>传输</translation>
-        </message>
-        <message>
-            <source>Voltage too low</source>
-            <translation>电压过低</translation>
-        </message>
-        <message>
-            <source>Voltage</source>
-            <translation>电压</translation>
-        </message>
-        <message>
-            <source>Zero</source>
-            <translation>零点</translation>
-        </message>
-        <message>
-            <source>J{joint} limit</source>
-            <translation>J{joint} 限位</translation>
-        </message>
-        <message>
-            <source>J{joint} communication</source>
-            <translation>J{joint} 通信</translation>
-        </message>
-        <message>
-            <source>Byte {place}</source>
-            <translation>字节 {place}</translation>
-        </message>
-        <message>
-            <source>Acceleration</source>
-            <translation>加速度</translation>
-        </message>
-        <message>
-            <source>Command</source>
-            <translation>指令</translation>
-        </message>
-        <message>
-            <source>Deceleration</source>
-            <translation>减速度</translation>
-        </message>
-        <message>
-            <source>Kind</source>
-            <translation>类型</translation>
-        </message>
-        <message>
-            <source>Told as</source>
-            <translation>表示方式</translation>
-        </message>
-        <message>
-            <source>Position loop Kp</source>
-            <translation>位置环 Kp</translation>
-        </message>
-        <message>
-            <source>Target position</source>
-            <translation>目标位置</translation>
-        </message>
-        <message>
-            <source>Profile speed</source>
-            <translation>规划速度</translation>
-        </message>
-        <message>
-            <source>Speed loop Ki</source>
-            <translation>速度环 Ki</translation>
-        </message>
-        <message>
-            <source>Speed loop Kp</source>
-            <translation>速度环 Kp</translation>
-        </message>
-        <message>
-            <source>Target speed</source>
-            <translation>目标速度</translation>
-        </message>
-        <message>
-            <source>Zero learning</source>
-            <translation>零点学习</translation>
-        </message>
-    </context>
-    <context>
-        <name>SignalWord</name>
-        <message>
-            <source>Abort</source>
-            <translation>终止</translation>
-        </message>
-        <message>
-            <source>Acceleration limit</source>
-            <translation>加速度限制</translation>
-        </message>
-        <message>
-            <source>All joints</source>
-            <translation>所有关节</translation>
-        </message>
-        <message>
-            <source>All lamps</source>
-            <translation>所有灯珠</translation>
-        </message>
-        <message>
-            <source>Angle and speed limits</source>
-            <translation>角度与速度限制</translation>
-        </message>
-        <message>
-            <source>Beyond limit</source>
-            <translation>超限</translation>
-        </message>
-        <message>
-            <source>Brake resistor too hot</source>
-            <translation>制动电阻过温</translation>
-        </message>
-        <message>
-            <source>CAN control</source>
-            <translation>CAN 指令控制</translation>
-        </message>
-        <message>
-            <source>Clear all</source>
-            <translation>清除所有轨迹</translation>
-        </message>
-        <message>
-            <source>Clear current</source>
-            <translation>清除当前轨迹</translation>
-        </message>
-        <message>
-            <source>Clear error</source>
-            <translation>清除错误</translation>
-        </message>
-        <message>
-            <source>Collision</source>
-            <translation>碰撞</translation>
-        </message>
-        <message>
-            <source>Collision levels</source>
-            <translation>碰撞防护等级</translation>
-        </message>
-        <message>
-            <source>Continue</source>
-            <translation>继续</translation>
-        </message>
-        <message>
-            <source>Disable</source>
-            <translation>失能</translation>
-        </message>
-        <message>
-            <source>Disabled</source>
-            <translation>已失能</translation>
-        </message>
-        <message>
-            <source>Emergency stop</source>
-            <translation>急停</translation>
-        </message>
-        <message>
-            <source>Empty</source>
-            <translation>空载</translation>
-        </message>
-        <message>
-            <source>Enable</source>
-            <translation>使能</translation>
-        </message>
-        <message>
-            <source>Enabled</source>
-            <translation>已使能</translation>
-        </message>
-        <message>
-            <source>End</source>
-            <translation>终点</translation>
-        </message>
-        <message>
-            <source>End limits</source>
-            <translation>末端限制</translation>
-        </message>
-        <message>
-            <source>End limits to factory</source>
-            <translation>末端限制恢复出厂</translation>
-        </message>
-        <message>
-            <source>End of trajectory</source>
-            <translation>轨迹结束</translation>
-        </message>
-        <message>
-            <source>Ethernet control</source>
-            <translation>以太网控制</translation>
-        </message>
-        <message>
-            <source>Fault</source>
-            <translation>异常</translation>
-        </message>
-        <message>
-            <source>Full</source>
-            <translation>满载</translation>
-        </message>
-        <message>
-            <source>Get current</source>
-            <translation>获取当前轨迹</translation>
-        </message>
-        <message>
-            <source>Half</source>
-            <translation>半载</translation>
-        </message>
-        <message>
-            <source>Ignore</source>
-            <translation>忽略</translation>
-        </message>
-        <message>
-            <source>Joint brake closed</source>
-            <translation>关节抱闸未打开</translation>
-        </message>
-        <message>
-            <source>Joint communication fault</source>
-            <translation>关节通信异常</translation>
-        </message>
-        <message>
-            <source>Joint limits to factory</source>
-            <translation>关节限制恢复出厂</translation>
-        </message>
-        <message>
-            <source>Joint status abnormal</source>
-            <translation>关节状态异常</translation>
-        </message>
-        <message>
-            <source>Large gripper</source>
-            <translation>大夹爪</translation>
-        </message>
-        <message>
-            <source>Leave silence</source>
-            <translation>解除静默</translation>
-        </message>
-        <message>
-            <source>Leave unchanged</source>
-            <translation>保持不变</translation>
-        </message>
-        <message>
-            <source>Level</source>
-            <translation>水平</translation>
-        </message>
-        <message>
-            <source>Linked teaching input</source>
-            <translation>联动示教输入</translation>
-        </message>
-        <message>
-            <source>MIT</source>
-            <translation>MIT</translation>
-        </message>
-        <message>
-            <source>MOVE C</source>
-            <translation>MOVE C</translation>
-        </message>
-        <message>
-            <source>MOVE CPV</source>
-            <translation>MOVE CPV</translation>
-        </message>
-        <message>
-            <source>MOVE J</source>
-            <translation>MOVE J</translation>
-        </message>
-        <message>
-            <source>MOVE L</source>
-            <translation>MOVE L</translation>
-        </message>
-        <message>
-            <source>MOVE M</source>
-            <translation>MOVE M</translation>
-        </message>
-        <message>
-            <source>MOVE P</source>
-            <translation>MOVE P</translation>
-        </message>
-        <message>
-            <source>Main controller too hot</source>
-            <translation>主控过温</translation>
-        </message>
-        <message>
-            <source>Middle</source>
-            <translation>中间点</translation>
-        </message>
-        <message>
-            <source>Motion output</source>
-            <translation>运动输出臂</translation>
-        </message>
-        <message>
-            <source>Move to start</source>
-            <translation>运动到起点</translation>
-        </message>
-        <message>
-            <source>No</source>
-            <translation>否</translation>
-        </message>
-        <message>
-            <source>No action</source>
-            <translation>无动作</translation>
-        </message>
-        <message>
-            <source>No change</source>
-            <translation>不变</translation>
-        </message>
-        <message>
-            <source>No offset</source>
-            <translation>无偏移</translation>
-        </message>
-        <message>
-            <source>No solution</source>
-            <translation>无解</translation>
-        </message>
-        <message>
-            <source>None</source>
-            <translation>无</translation>
-        </message>
-        <message>
-            <source>Normal</source>
-            <translation>正常</translation>
-        </message>
-        <message>
-            <source>Not given</source>
-            <translation>未指定</translation>
-        </message>
-        <message>
-            <source>Not reached</source>
-            <translation>未到达</translation>
-        </message>
-        <message>
-            <source>Not set</source>
-            <translation>未设置</translation>
-        </message>
-        <message>
-            <source>Off</source>
-            <translation>关闭</translation>
-        </message>
-        <message>
-            <source>Offline trajectory</source>
-            <translation>离线轨迹</translation>
-        </message>
-        <message>
-            <source>Offset 0x10</source>
-            <translation>偏移 0x10</translation>
-        </message>
-        <message>
-            <source>Offset 0x20</source>
-            <translation>偏移 0x20</translation>
-        </message>
-        <message>
-            <source>On</source>
-            <translation>开启</translation>
-        </message>
-        <message>
-            <source>On the left side</source>
-            <translation>侧装（左）</translation>
-        </message>
-        <message>
-            <source>On the right side</source>
-            <translation>侧装（右）</translation>
-        </message>
-        <message>
-            <source>Other fault</source>
-            <translation>其他异常</translation>
-        </message>
-        <message>
-            <source>Overspeed while teaching</source>
-            <translation>拖动示教超速</translation>
-        </message>
-        <message>
-            <source>Pause</source>
-            <translation>暂停</translation>
-        </message>
-        <message>
-            <source>Position-velocity</source>
-            <translation>位置速度模式</translation>
-        </message>
-        <message>
-            <source>Reached</source>
-            <translation>已到达</translation>
-        </message>
-        <message>
-            <source>Received</source>
-            <translation>已接收</translation>
-        </message>
-        <message>
-            <source>Remote control</source>
-            <translation>遥控器控制</translation>
-        </message>
-        <message>
-            <source>Resume</source>
-            <translation>恢复</translation>
-        </message>
-        <message>
-            <source>Run recording</source>
-            <translation>执行示教轨迹</translation>
-        </message>
-        <message>
-            <source>Send again</source>
-            <translation>请重发</translation>
-        </message>
-        <message>
-            <source>Set</source>
-            <translation>已设置</translation>
-        </message>
-        <message>
-            <source>Set zero</source>
-            <translation>设置零点</translation>
-        </message>
-        <message>
-            <source>Silence for controller upgrade</source>
-            <translation>主控升级静默</translation>
-        </message>
-        <message>
-            <source>Silence for driver upgrade</source>
-            <translation>驱动器升级静默</translation>
-        </message>
-        <message>
-            <source>Singularity</source>
-            <translation>奇异点</translation>
-        </message>
-        <message>
-            <source>Small gripper</source>
-            <translation>小夹爪</translation>
-        </message>
-        <message>
-            <source>Standby</source>
-            <translation>待机</translation>
-        </message>
-        <message>
-            <source>Start</source>
-            <translation>起点</translation>
-        </message>
-        <message>
-            <source>Start recording</source>
-            <translation>开始示教记录</translation>
-        </message>
-        <message>
-            <source>Stop recording</source>
-            <translation>结束示教记录</translation>
-        </message>
-        <message>
-            <source>Take over</source>
-            <translation>采用</translation>
-        </message>
-        <message>
-            <source>Target beyond limit</source>
-            <translation>目标超限</translation>
-        </message>
-        <message>
-            <source>Teaching</source>
-            <translation>示教</translation>
-        </message>
-        <message>
-            <source>Teaching input</source>
-            <translation>示教输入臂</translation>
-        </message>
-        <message>
-            <source>Teaching paused</source>
-            <translation>示教暂停</translation>
-        </message>
-        <message>
-            <source>Teaching recording</source>
-            <translation>示教记录</translation>
-        </message>
-        <message>
-            <source>Teaching running</source>
-            <translation>示教执行</translation>
-        </message>
-        <message>
-            <source>Teaching setting</source>
-            <translation>示教设置</translation>
-        </message>
-        <message>
-            <source>Trajectory index</source>
-            <translation>轨迹索引</translation>
-        </message>
-        <message>
-            <source>Transfer</source>
-            <translation>传输</translation>
-        </message>
-        <message>
-            <source>Transfer ends</source>
-            <translation>传输结束</translation>
-        </message>
-        <message>
-            <source>Unchanged</source>
-            <translation>不变</translation>
-        </message>
-        <message>
-            <source>Valid</source>
-            <translation>有效</translation>
-        </message>
-        <message>
-            <source>WiFi control</source>
-            <translation>Wi-Fi 控制</translation>
-        </message>
-        <message>
-            <source>Within</source>
-            <translation>未超限</translation>
-        </message>
-        <message>
-            <source>Yes</source>
-            <translation>是</translation>
-        </message>
-        <message>
-            <source>Acceleration</source>
-            <translation>加速度</translation>
-        </message>
-        <message>
-            <source>Angle</source>
-            <translation>角度</translation>
-        </message>
-        <message>
-            <source>Answer</source>
-            <translation>应答</translation>
-        </message>
-        <message>
-            <source>Both to zero</source>
-            <translation>主从臂均回零</translation>
-        </message>
-        <message>
-            <source>Deceleration</source>
-            <translation>减速度</translation>
-        </message>
-        <message>
-            <source>Drag assistance</source>
-            <translation>拖动助力</translation>
-        </message>
-        <message>
-            <source>Leader and follower</source>
-            <translation>恢复主从</translation>
-        </message>
-        <message>
-            <source>Leader to zero</source>
-            <translation>主臂回零</translation>
-        </message>
-        <message>
-            <source>MOVE M from 1.8-8</source>
-            <translation>MOVE M（1.8-8 起）</translation>
-        </message>
-        <message>
-            <source>Opening</source>
-            <translation>开度</translation>
-        </message>
-        <message>
-            <source>Position Kp</source>
-            <translation>位置环 Kp</translation>
-        </message>
-        <message>
-            <source>Position target</source>
-            <translation>位置目标</translation>
-        </message>
-        <message>
-            <source>Profile speed</source>
-            <translation>规划速度</translation>
-        </message>
-        <message>
-            <source>Read</source>
-            <translation>读取</translation>
-        </message>
-        <message>
-            <source>Speed Ki</source>
-            <translation>速度环 Ki</translation>
-        </message>
-        <message>
-            <source>Speed Kp</source>
-            <translation>速度环 Kp</translation>
-        </message>
-        <message>
-            <source>Speed target</source>
-            <translation>速度目标</translation>
-        </message>
-        <message>
-            <source>Upside down</source>
-            <translation>水平倒装</translation>
-        </message>
-        <message>
-            <source>Write</source>
-            <translation>写入</translation>
-        </message>
-        <message>
-            <source>Zero learning</source>
-            <translation>零点学习</translation>
-        </message>
-    </context>
-    <context>
-        <name>SpeedControl</name>
-        <message>
-            <source>The speed percentage the arm reports</source>
-            <translation>机械臂反馈的速度百分比</translation>
-        </message>
-        <message>
-            <source>Speed of motions, 0–100 % of the arm's highest; 0 % means no motion.</source>
-            <translation>运动速度，为最大速度的 0～100 %；0 % 时不运动。</translation>
-        </message>
-        <message>
-            <source>Speed</source>
-            <translation>速度</translation>
-        </message>
-        <message>
-            <source>Arm</source>
-            <translation>机械臂</translation>
-        </message>
-        <message>
-            <source>Speed percentage</source>
-            <translation>速度百分比</translation>
-        </message>
-        <message>
-            <source>Speed percentage reported by the arm</source>
-            <translation>机械臂反馈的速度百分比</translation>
-        </message>
-    </context>
-    <context>
-        <name>StatusBar</name>
-        <message>
-            <source>Control: {mode}</source>
-            <translation>控制: {mode}</translation>
-        </message>
-        <message>
-            <source>Status: {status}</source>
-            <translation>状态: {status}</translation>
-        </message>
-        <message>
-            <source>No communication: {joints}</source>
-            <translation>通信异常: {joints}</translation>
-        </message>
-        <message>
-            <source>Beyond limit: {joints}</source>
-            <translation>超限位: {joints}</translation>
-        </message>
-        <message>
-            <source>Last event</source>
-            <translation>最近事件</translation>
-        </message>
-        <message>
-            <source>{mode} by another program</source>
-            <translation>{mode}（另一程序）</translation>
-        </message>
-    </context>
-    <context>
-        <name>StepBox</name>
-        <message>
-            <source>Continuous</source>
-            <translation>连续</translation>
-        </message>
-    </context>
-    <context>
-        <name>StopButton</name>
-        <message>
-            <source>Resume</source>
-            <translation>恢复</translation>
-        </message>
-        <message>
-            <source>The arm has stopped. Press to resume: it will drop, so hold it first.</source>
-            <translation>机械臂已急停。点击恢复：机械臂会下落，请先扶住机械臂。</translation>
-        </message>
-        <message>
-            <source>Stops the arm at once. Key: {key}</source>
-            <translation>使机械臂立即停止。按键：{key}</translation>
-        </message>
-        <message>
-            <source>Resuming…</source>
-            <translation>恢复中…</translation>
-        </message>
-        <message>
-            <source>Stop unconfirmed</source>
-            <translation>急停未确认</translation>
-        </message>
-        <message>
-            <source>Stopping…</source>
-            <translation>急停中…</translation>
-        </message>
-        <message>
-            <source>Emergency stop</source>
-            <translation>急停</translation>
-        </message>
-        <message>
-            <source>The arm is stopped</source>
-            <translation>机械臂已急停</translation>
-        </message>
-        <message>
-            <source>Waiting for the arm</source>
-            <translation>等待机械臂确认</translation>
-        </message>
-        <message>
-            <source>Hold the arm</source>
-            <translation>请扶住机械臂</translation>
-        </message>
-        <message>
-            <source>Stop outstanding</source>
-            <translation>急停未完成</translation>
-        </message>
-        <message>
-            <source>Press to send it</source>
-            <translation>按下即发送</translation>
-        </message>
-    </context>
-    <context>
-        <name>TargetDrag</name>
-        <message>
-            <source>Preview of the target: it has not been sent</source>
-            <translation>目标预览：尚未发送</translation>
-        </message>
-        <message>
-            <source>Simulated arm in drag teaching: lead it by the handles in the picture, as by hand</source>
-            <translation>仿真机械臂处于拖动示教：在画面中拖动手柄即可用鼠标牵引</translation>
-        </message>
-    </context>
-    <context>
-        <name>Targets</name>
-        <message>
-            <source>Joint targets</source>
-            <translation>关节目标</translation>
-        </message>
-        <message>
-            <source>Pose targets</source>
-            <translation>位姿目标</translation>
-        </message>
-        <message>
-            <source>MIT commands</source>
-            <translation>MIT 指令</translation>
-        </message>
-        <message>
-            <source>Gripper commands</source>
-            <translation>夹爪指令</translation>
-        </message>
-    </context>
-    <context>
-        <name>Teaching</name>
-        <message>
-            <source>Off</source>
-            <translation>关闭</translation>
-        </message>
-        <message>
-            <source>Start of recording (drag teaching on)</source>
-            <translation>开始示教记录（进入拖动示教模式）</translation>
-        </message>
-        <message>
-            <source>End of recording (drag teaching off)</source>
-            <translation>结束示教记录（退出拖动示教模式）</translation>
-        </message>
-        <message>
-            <source>Replaying the taught trajectory</source>
-            <translation>执行示教轨迹（拖动示教轨迹复现）</translation>
-        </message>
-        <message>
-            <source>Replay paused</source>
-            <translation>暂停执行</translation>
-        </message>
-        <message>
-            <source>Replay resumed</source>
-            <translation>继续执行（轨迹复现继续）</translation>
-        </message>
-        <message>
-            <source>Replay terminated</source>
-            <translation>终止执行</translation>
-        </message>
-        <message>
-            <source>Moving to the start of the trajectory</source>
-            <translation>运动到轨迹起点</translation>
-        </message>
-    </context>
-    <context>
-        <name>TeachingCommand</name>
-        <message>
-            <source>Start recording</source>
-            <translation>开始示教记录</translation>
-        </message>
-        <message>
-            <source>Stop recording</source>
-            <translation>结束示教记录</translation>
-        </message>
-        <message>
-            <source>Replay</source>
-            <translation>执行示教轨迹</translation>
-        </message>
-        <message>
-            <source>Pause</source>
-            <translation>暂停执行</translation>
-        </message>
-        <message>
-            <source>Continue</source>
-            <translation>继续执行</translation>
-        </message>
-        <message>
-            <source>Terminate</source>
-            <translation>终止执行</translation>
-        </message>
-        <message>
-            <source>Move to start</source>
-            <translation>运动到轨迹起点</translation>
-        </message>
-    </context>
-    <context>
-        <name>TeachingExitSteps</name>
-        <message>
-            <source>End what is under way; lead every joint near its zero by hand.</source>
-            <translation>结束当前动作，用手将各关节拖动到零位附近。</translation>
-        </message>
-        <message>
-            <source>Hold the arm. Emergency stop: the motors go limp, the arm sinks.</source>
-            <translation>请扶住机械臂。急停：电机失去保持力，机械臂会下沉。</translation>
-        </message>
-        <message>
-            <source>Resume: the arm will drop, keep holding it.</source>
-            <translation>恢复：机械臂会下落，请扶住机械臂。</translation>
-        </message>
-        <message>
-            <source>Enable the motors.</source>
-            <translation>使能电机。</translation>
-        </message>
-        <message>
-            <source>To leave drag teaching, take the steps in the line at the top:</source>
-            <translation>退出示教模式，请按顶部提示逐步操作：</translation>
-        </message>
-    </context>
-    <context>
-        <name>TeachingPanel</name>
-        <message>
-            <source>The arm gives way to the hand and records where it is led.</source>
-            <translation>机械臂可用手拖动，并记录拖动轨迹。</translation>
-        </message>
-        <message>
-            <source>The arm moves: keep clear.</source>
-            <translation>机械臂会运动，请勿靠近。</translation>
-        </message>
-        <message>
-            <source>Waiting for the arm: {command}</source>
-            <translation>等待机械臂：{command}</translation>
-        </message>
-        <message>
-            <source>A motion is held back: hold Continue, or give it up by Terminate.</source>
-            <translation>有运动被保留：按住“继续”，或用“终止”放弃它。</translation>
-        </message>
-        <message>
-            <source>Drag teaching</source>
-            <translation>示教</translation>
-        </message>
-        <message>
-            <source>Teaching state</source>
-            <translation>示教状态</translation>
-        </message>
-        <message>
-            <source>The teaching button on the arm works beside this panel, which follows it.</source>
-            <translation>机械臂上的示教按键同样有效，本面板会跟随显示。</translation>
-        </message>
-        <message>
-            <source>Planned trajectory</source>
-            <translation>轨迹指令</translation>
-        </message>
-        <message>
-            <source>Works on motions under way. The arm does not report it: watch the arm.</source>
-            <translation>对正在进行的运动有效。机械臂不反馈此指令，请观察机械臂。</translation>
-        </message>
-        <message>
-            <source>Drag assistance…</source>
-            <translation>拖动助力…</translation>
-        </message>
-        <message>
-            <source>How much each joint helps the hand; firmware from S-V1.8-1.</source>
-            <translation>各关节拖动时的助力大小；固件 S-V1.8-1 起支持。</translation>
-        </message>
-    </context>
-    <context>
-        <name>TeachingPhase</name>
-        <message>
-            <source>Not in drag teaching</source>
-            <translation>未进入示教</translation>
-        </message>
-        <message>
-            <source>In drag teaching, nothing under way</source>
-            <translation>示教模式，无动作</translation>
-        </message>
-        <message>
-            <source>Recording: lead the arm by hand</source>
-            <translation>示教记录中，请拖动机械臂</translation>
-        </message>
-        <message>
-            <source>Moving along the recording</source>
-            <translation>正在执行示教轨迹</translation>
-        </message>
-        <message>
-            <source>Replay paused</source>
-            <translation>示教轨迹已暂停</translation>
-        </message>
-    </context>
-    <context>
-        <name>TimeLine</name>
-        <message>
-            <source>Time line of the recording</source>
-            <translation>记录的时间轴</translation>
-        </message>
-    </context>
-    <context>
-        <name>ToolBox</name>
-        <message>
-            <source>Tool centre point on the flange (mm, °), kept on this PC</source>
-            <translation>工具中心点相对法兰（mm、°），保存在本机</translation>
-        </message>
-        <message>
-            <source>Tool {axis}</source>
-            <translation>工具 {axis}</translation>
-        </message>
-    </context>
-    <context>
-        <name>TopBar</name>
-        <message>
-            <source>Disables all six motors: the arm will drop, so hold it first.</source>
-            <translation>6 个电机全部失能：机械臂会下落，请先扶住机械臂。</translation>
-        </message>
-        <message>
-            <source>Enables all six motors.</source>
-            <translation>6 个电机全部使能。</translation>
-        </message>
-        <message>
-            <source>Resume after the emergency stop</source>
-            <translation>急停恢复</translation>
-        </message>
-        <message>
-            <source>Resuming cuts the power of the motors: the arm will drop. Hold the arm.
+    </message>
+</context>
+<context>
+    <name>RecoveryLine</name>
+    <message>
+        <source>Next step</source>
+        <translation>下一步</translation>
+    </message>
+    <message>
+        <source>Waiting…</source>
+        <translation>等待中…</translation>
+    </message>
+    <message>
+        <source>Waiting for the arm</source>
+        <translation>等待机械臂</translation>
+    </message>
+    <message>
+        <source>Another way</source>
+        <translation>另一种选择</translation>
+    </message>
+</context>
+<context>
+    <name>RecoveryStep</name>
+    <message>
+        <source>The device is being opened.</source>
+        <translation>正在打开设备。</translation>
+    </message>
+    <message>
+        <source>The CAN device is gone. Plug it in again, or choose another one.</source>
+        <translation>CAN 设备已断开。请重新插好，或选择其他设备。</translation>
+    </message>
+    <message>
+        <source>The arm is a teaching input: it sends commands and obeys none. Make it a motion output again.</source>
+        <translation>该机械臂是示教输入臂：只发送控制指令，不响应控制指令。请恢复为运动输出臂。</translation>
+    </message>
+    <message>
+        <source>The arm has NOT confirmed the stop; it is sent again and again. Cut its power if it moves.</source>
+        <translation>机械臂未确认急停，正在反复发送。若机械臂仍在运动，请切断其电源。</translation>
+    </message>
+    <message>
+        <source>Stop sent. Waiting for the arm to confirm it.</source>
+        <translation>已发送急停，等待机械臂确认。</translation>
+    </message>
+    <message>
+        <source>Nothing is heard from the arm. Check its power, the CAN cable and the bit rate.</source>
+        <translation>未收到机械臂的反馈。请检查电源、CAN 线和波特率。</translation>
+    </message>
+    <message>
+        <source>Only listening: nothing is sent but the emergency stop.</source>
+        <translation>只听：除急停外不发送任何帧。</translation>
+    </message>
+    <message>
+        <source>Waiting for the arm: {what}.</source>
+        <translation>等待机械臂：{what}。</translation>
+    </message>
+    <message>
+        <source>Stopped. Support the arm: power will be cut and the arm drops. Then resume.</source>
+        <translation>急停中。请扶住机械臂：恢复时会断电，机械臂会下落。扶稳后恢复。</translation>
+    </message>
+    <message>
+        <source>The arm is being asked for its protocol.</source>
+        <translation>正在查询机械臂的协议。</translation>
+    </message>
+    <message>
+        <source>The arm sends no complete feedback. If it stays so, check its power and connect again.</source>
+        <translation>机械臂反馈不完整。若持续如此，请检查电源并重新连接。</translation>
+    </message>
+    <message>
+        <source>No communication with joint {joints}. Check its cable; if the message stays, reset the arm.</source>
+        <translation>关节 {joints} 通信异常。请检查关节线缆；若提示不消失，请复位机械臂。</translation>
+    </message>
+    <message>
+        <source>Collision, joint {joints}. Remove what the arm hit, then clear the error.</source>
+        <translation>机械臂发生碰撞，关节 {joints}。请移开障碍物，然后清除错误。</translation>
+    </message>
+    <message>
+        <source>Driver error, joint {joints}: its motor is off. Hold the arm, then clear the error.</source>
+        <translation>关节 {joints} 驱动器错误，电机已断电。请扶住机械臂，然后清除错误。</translation>
+    </message>
+    <message>
+        <source>Overcurrent, joint {joints}: its motor may be off. Hold the arm, take the load away, clear the error.</source>
+        <translation>关节 {joints} 驱动器过流，电机可能已断电。请扶住机械臂，卸下负载，然后清除错误。</translation>
+    </message>
+    <message>
+        <source>Joint {joints} is held fast. Free it, then clear the error.</source>
+        <translation>关节 {joints} 堵转。请解除卡阻，然后清除错误。</translation>
+    </message>
+    <message>
+        <source>Sensor fault, joint {joints}. Clear the error; if it comes back, check the joint&apos;s encoder.</source>
+        <translation>关节 {joints} 传感器异常。请清除错误；若再次出现，请检查该关节编码器。</translation>
+    </message>
+    <message>
+        <source>Supply voltage too low, joint {joints}. Check the 24 V supply; the arm goes on by itself.</source>
+        <translation>关节 {joints} 电源电压过低。请检查 24 V 电源，恢复后自动继续。</translation>
+    </message>
+    <message>
+        <source>Too hot, joint {joints}. Let the arm cool down; the message goes by itself.</source>
+        <translation>关节 {joints} 过温。请等待冷却，恢复后提示自动消失。</translation>
+    </message>
+    <message>
+        <source>The arm reports a joint status fault. Look at the joint status, then clear the errors.</source>
+        <translation>机械臂报告关节状态异常。请查看关节状态，然后清除错误。</translation>
+    </message>
+    <message>
+        <source>A joint&apos;s brake is not released. Hold the arm, then reset it.</source>
+        <translation>关节抱闸未打开。请扶住机械臂，然后复位。</translation>
+    </message>
+    <message>
+        <source>The main controller is too hot. Let it cool down; if the message stays, reset the arm.</source>
+        <translation>主控过温。请等待冷却；若提示不消失，请复位机械臂。</translation>
+    </message>
+    <message>
+        <source>The brake resistor is too hot. Let it cool down; if the message stays, reset the arm.</source>
+        <translation>释放电阻过温。请等待冷却；若提示不消失，请复位机械臂。</translation>
+    </message>
+    <message>
+        <source>The arm reports an unspecified fault. Look at the joint status, then reset the arm.</source>
+        <translation>机械臂报告其它异常。请查看关节状态，然后复位机械臂。</translation>
+    </message>
+    <message>
+        <source>The arm reports a status this program does not know ({status}). Reset the arm.</source>
+        <translation>机械臂报告未知状态（{status}）。请复位机械臂。</translation>
+    </message>
+    <message>
+        <source>The arm records: lead it by hand. Stop recording when done.</source>
+        <translation>正在示教记录：请用手拖动机械臂，完成后结束示教记录。</translation>
+    </message>
+    <message>
+        <source>The arm replays what it was taught. Keep clear.</source>
+        <translation>正在执行示教轨迹，请勿靠近。</translation>
+    </message>
+    <message>
+        <source>The arm takes its commands from elsewhere: {mode}. Take the command.</source>
+        <translation>机械臂由其他方式控制：{mode}。请切换到待机模式。</translation>
+    </message>
+    <message>
+        <source>The arm was told to end its motion and still moves. Stop it, or cut its power.</source>
+        <translation>已命令机械臂终止运动，但它仍在动。请急停，或切断其电源。</translation>
+    </message>
+    <message>
+        <source>Another program controls the arm since {since} ({frames}, {rate} frames/s).</source>
+        <translation>另一个程序正在控制机械臂：自 {since} 起（{frames}，{rate} 帧/秒）。</translation>
+    </message>
+    <message>
+        <source>A leader arm moves this arm since {since} ({frames}, {rate} frames/s).</source>
+        <translation>主臂正在带动本机械臂：自 {since} 起（{frames}，{rate} 帧/秒）。</translation>
+    </message>
+    <message>
+        <source>Not every motor has reported. If it stays so, check power and cable, and connect again.</source>
+        <translation>部分电机未上报状态。若持续如此，请检查电源和线缆并重新连接。</translation>
+    </message>
+    <message>
+        <source>Still in drag teaching, near the rest pose. Hold the arm and reset it; if it stays, switch it off and on.</source>
+        <translation>仍处于示教模式，已接近零位。请扶住机械臂并复位；若仍未退出，请重新上电。</translation>
+    </message>
+    <message>
+        <source>Still in drag teaching, joint {joint} at {angle}°. Enable the motors, then lead the arm to its rest pose.</source>
+        <translation>仍处于示教模式，关节 {joint} 在 {angle}°。请先使能电机，再将机械臂拖动到零位附近。</translation>
+    </message>
+    <message>
+        <source>Dragged too fast: the recording has ended. Lead the arm slowly to within {near}° of zero (joint {joint}: {angle}°).</source>
+        <translation>拖动示教时超速，记录已结束。请缓慢拖动各关节到零位 {near}° 以内（关节 {joint}：{angle}°）。</translation>
+    </message>
+    <message>
+        <source>Still in drag teaching. Lead every joint by hand to within {near}° of zero (joint {joint}: {angle}°).</source>
+        <translation>仍处于示教模式。请用手将各关节拖动到零位 {near}° 以内（关节 {joint}：{angle}°）。</translation>
+    </message>
+    <message>
+        <source>The arm was dragged too fast. Hold it, then reset it.</source>
+        <translation>拖动示教时超速。请扶住机械臂，然后复位。</translation>
+    </message>
+    <message>
+        <source>The motors of joint {joints} are off. Hold the arm, then enable them.</source>
+        <translation>关节 {joints} 的电机未使能。请扶住机械臂，然后使能。</translation>
+    </message>
+    <message>
+        <source>The motors are off. Enable them to move the arm.</source>
+        <translation>电机未使能。使能后可运动。</translation>
+    </message>
+    <message>
+        <source>Joint {joints} beyond its limit. The arm stands still; send a target within the limits.</source>
+        <translation>关节 {joints} 超过限位。机械臂未运动，请发送限位以内的目标。</translation>
+    </message>
+    <message>
+        <source>The last target is beyond a limit. The arm stands still; send another target.</source>
+        <translation>上一目标角度超过限位。机械臂未运动，请发送其他目标。</translation>
+    </message>
+    <message>
+        <source>No way to the last target was found. The arm stands still; send another target.</source>
+        <translation>上一目标无解。机械臂未运动，请发送其他目标。</translation>
+    </message>
+    <message>
+        <source>The way to the last target is singular. The arm stands still; send another target, or by joints.</source>
+        <translation>上一目标经过奇异点。机械臂未运动，请发送其他目标或使用关节运动。</translation>
+    </message>
+    <message>
+        <source>Ready</source>
+        <translation>就绪</translation>
+    </message>
+    <message>
+        <source>The arm has lost a joint. Check the cables; if the message stays, reset the arm.</source>
+        <translation>关节通信异常。请检查关节线缆；若提示不消失，请复位机械臂。</translation>
+    </message>
+    <message>
+        <source>The arm has hit something. Remove it, then clear the errors.</source>
+        <translation>机械臂发生碰撞。请移开障碍物，然后清除错误。</translation>
+    </message>
+    <message>
+        <source>A stop is outstanding: it goes out once the CAN device is back. Cut the arm&apos;s power if it moves.</source>
+        <translation>有一次急停未完成：CAN 设备恢复后立即发出。若机械臂在运动，请切断其电源。</translation>
+    </message>
+    <message>
+        <source>A stop is outstanding, and the arm is away. Cut its power if it moves, or connect to it and press the emergency stop.</source>
+        <translation>有一次急停未完成，机械臂不在线。若它在运动，请切断其电源，或连接后按急停。</translation>
+    </message>
+    <message>
+        <source>A stop is outstanding: the arm was away and has not confirmed it. Press the emergency stop to send it now, or withdraw it.</source>
+        <translation>有一次急停未完成：机械臂曾离线，没有确认。按急停立即发送，或撤回。</translation>
+    </message>
+    <message>
+        <source>No arm is connected. Connect one, or the simulated arm to try everything out.</source>
+        <translation>未连接机械臂。请连接机械臂，或先用仿真机械臂试用全部功能。</translation>
+    </message>
+    <message>
+        <source>Another program drives the arm in {other_mode} mode. Nothing is sent by itself: a new mode leaves the joints limp. Stop that program first.</source>
+        <translation>另一程序正以{other_mode}模式驱动机械臂。本程序不会自行发送任何指令：切换模式会使关节失力。请先停止该程序。</translation>
+    </message>
+    <message>
+        <source>The arm holds back a paused motion to {target}. Hold “Continue” for 1 s, or give it up.</source>
+        <translation>机械臂保留着已暂停的运动，目标 {target}。按住“继续”1 秒，或放弃它。</translation>
+    </message>
+    <message>
+        <source>The arm holds back a motion to {target} at 0 %. Set a speed and hold “Continue” for 1 s, or give it up.</source>
+        <translation>速度为 0 %，机械臂保留着运动，目标 {target}。请设定速度后按住“继续”1 秒，或放弃它。</translation>
+    </message>
+    <message>
+        <source>Paused: hold “Continue” for 1 s</source>
+        <translation>已暂停：按住“继续”1 秒</translation>
+    </message>
+    <message>
+        <source>Waiting: press “Next step”</source>
+        <translation>等待中：请按“下一步”</translation>
+    </message>
+    <message>
+        <source>A trajectory is running</source>
+        <translation>正在执行轨迹</translation>
+    </message>
+    <message>
+        <source>The arm is moving</source>
+        <translation>机械臂正在运动</translation>
+    </message>
+    <message>
+        <source>The replay is paused. Hold “Continue” for 1 s under Teaching, or terminate it.</source>
+        <translation>示教轨迹已暂停。可在【示教】中按住“继续执行”1 秒，或终止执行。</translation>
+    </message>
+    <message>
+        <source>The fingertip is {value} mm below the plane the arm stands on. Jog upwards unless there is nothing there. Settings have a lowest height for jogs.</source>
+        <translation>末端在底座平面以下 {value} mm。除非那里没有物体，请向上点动。“设置”中可选点动的最低高度。</translation>
+    </message>
+</context>
+<context>
+    <name>Refusal</name>
+    <message>
+        <source>No arm is connected. Click the button at the top left, choose a device and connect it.</source>
+        <translation>尚未连接机械臂。请点击左上角的通讯按钮，选择设备并连接。</translation>
+    </message>
+    <message>
+        <source>The device is open, but nothing is heard from the arm. Check its power, the CAN cable and the bit rate.</source>
+        <translation>CAN 设备已打开，但没有收到机械臂的反馈。请检查机械臂电源、CAN 线和波特率。</translation>
+    </message>
+    <message>
+        <source>The CAN device is gone. Plug it in again: the program reconnects by itself.</source>
+        <translation>CAN 设备已断开。请重新插好设备，程序会自动重新连接。</translation>
+    </message>
+    <message>
+        <source>The emergency stop has been sent and the arm has not confirmed it yet. Wait for the confirmation.</source>
+        <translation>急停已发送，机械臂尚未确认。请等待确认。</translation>
+    </message>
+    <message>
+        <source>Still under way: {what}. Wait until it is done.</source>
+        <translation>正在进行：{what}。请等待完成。</translation>
+    </message>
+    <message>
+        <source>The motors of these joints are not enabled: {joints}. Press Enable first.</source>
+        <translation>以下关节的电机未使能：{joints}。请先按“使能”。</translation>
+    </message>
+    <message>
+        <source>Not every motor has reported yet whether it is enabled. Wait a moment; if it stays so, check the arm&apos;s power and the CAN cable.</source>
+        <translation>尚未收到全部电机的使能状态。请稍候；若一直如此，请检查机械臂电源和 CAN 线。</translation>
+    </message>
+    <message>
+        <source>The speed is set to 0 %: the arm would not move. Set a speed from 1 to 100 % at the top.</source>
+        <translation>速度百分比为 0 %，机械臂不会运动。请在窗口上方设置 1～100 % 的速度。</translation>
+    </message>
+    <message>
+        <source>Speed {value} % is out of range. Enter a value from 0 to 100 %.</source>
+        <translation>速度 {value} % 超出范围。请输入 0～100 %。</translation>
+    </message>
+    <message>
+        <source>Joint {joint}: {value}° is beyond its limits of {minimum}° to {maximum}°. Enter an angle within them.</source>
+        <translation>关节 {joint}：{value}° 超出限位 {minimum}° 至 {maximum}°。请输入限位以内的角度。</translation>
+    </message>
+    <message>
+        <source>Joint {joint}: “{value}” is not an angle. Enter degrees in figures, for example 12.5.</source>
+        <translation>关节 {joint}：“{value}”不是角度。请输入以度为单位的数字，例如 12.5。</translation>
+    </message>
+    <message>
+        <source>The arm has not reported all of its joint angles yet. Wait until all six are shown.</source>
+        <translation>尚未收到全部关节角度。请等待 6 个关节的角度都显示出来。</translation>
+    </message>
+    <message>
+        <source>The arm takes its commands from elsewhere: {mode}. Leave that mode first.</source>
+        <translation>机械臂当前不由本程序控制：{mode}。请先退出该模式。</translation>
+    </message>
+    <message>
+        <source>The arm is in emergency stop. Hold the arm, press Resume, then enable the motors.</source>
+        <translation>机械臂处于急停状态。请扶住机械臂，按“恢复”，然后使能电机。</translation>
+    </message>
+    <message>
+        <source>The arm is not in emergency stop: there is nothing to resume from.</source>
+        <translation>机械臂不在急停状态，无需恢复。</translation>
+    </message>
+    <message>
+        <source>The arm is in another state by now: nothing was sent. Look at the step that is shown now.</source>
+        <translation>机械臂状态已变化，未发送。请查看当前提示。</translation>
+    </message>
+    <message>
+        <source>The arm did not react.</source>
+        <translation>机械臂无响应。</translation>
+    </message>
+    <message>
+        <source>The arm is not in drag teaching. Start recording first, or press the button on the arm.</source>
+        <translation>机械臂未进入示教模式。请先开始示教记录，或按下机械臂上的示教按键。</translation>
+    </message>
+    <message>
+        <source>Nothing is under way in drag teaching. Start recording or replay first.</source>
+        <translation>示教没有正在进行的动作。请先开始示教记录或执行示教轨迹。</translation>
+    </message>
+    <message>
+        <source>The arm is recording. Stop recording first.</source>
+        <translation>正在示教记录。请先结束示教记录。</translation>
+    </message>
+    <message>
+        <source>The arm is replaying. Pause or terminate the replay first.</source>
+        <translation>正在执行示教轨迹。请先暂停执行或终止执行。</translation>
+    </message>
+    <message>
+        <source>The replay is paused. Continue or terminate it first.</source>
+        <translation>示教轨迹已暂停。请先继续执行或终止执行。</translation>
+    </message>
+    <message>
+        <source>The arm is not moving: there is nothing to pause.</source>
+        <translation>机械臂未在运动，无需暂停。</translation>
+    </message>
+    <message>
+        <source>The arm is still moving. Wait until it stands still, then press again.</source>
+        <translation>机械臂仍在运动。请等它停稳后再按。</translation>
+    </message>
+    <message>
+        <source>Joint {joint} is at its limit of {limit}°. Jog the other way.</source>
+        <translation>关节 {joint} 已到限位 {limit}°。请向反方向点动。</translation>
+    </message>
+    <message>
+        <source>The arm reaches no further this way. Jog in another direction.</source>
+        <translation>机械臂在此方向已到可达范围的边缘。请换一个方向点动。</translation>
+    </message>
+    <message>
+        <source>The arm is at a singular pose: joint {joint} would have to turn far too fast. Jog another way, or turn joint 5 away from 0° under Motion control.</source>
+        <translation>机械臂处于奇异位姿：关节 {joint} 需要转得过快。请换一个方向点动，或在运动控制中把关节 5 转离 0°。</translation>
+    </message>
+    <message>
+        <source>The arm does not follow. Check that nothing blocks it and what its status says.</source>
+        <translation>机械臂没有跟随。请检查是否有阻挡，并查看机械臂状态。</translation>
+    </message>
+    <message>
+        <source>The joint angles are no longer heard from the arm. Check its power and the CAN cable.</source>
+        <translation>收不到机械臂的关节角度。请检查电源和 CAN 线。</translation>
+    </message>
+    <message>
+        <source>The program was held up for {value} ms. Let go and press again.</source>
+        <translation>程序停顿了 {value} 毫秒。请松开后重新按下。</translation>
+    </message>
+    <message>
+        <source>The arm has not reported its pose yet. Wait until all six values are shown.</source>
+        <translation>机械臂尚未上报末端位姿。请等六个数值全部显示。</translation>
+    </message>
+    <message>
+        <source>The arm itself refuses its last target: {status}. Send another one.</source>
+        <translation>机械臂拒绝了上一个目标：{status}。请发送其他目标。</translation>
+    </message>
+    <message>
+        <source>{axis}: “{value}” is no figure. Enter mm or degrees in figures, for example 12.5.</source>
+        <translation>{axis}：“{value}”不是数值。请输入毫米或度的数字，例如 12.5。</translation>
+    </message>
+    <message>
+        <source>The target is {missing} mm out of the arm&apos;s reach. Choose one nearer to the arm, or turn the tool.</source>
+        <translation>目标超出可达范围 {missing} mm。请选择更近的位置，或改变末端姿态。</translation>
+    </message>
+    <message>
+        <source>At the target joint {joint} would stand at {value}°, beyond its limits of {minimum}° to {maximum}°. Choose another position or turn the tool.</source>
+        <translation>在目标处关节 {joint} 将为 {value}°，超出限位 {minimum}° 至 {maximum}°。请选择其他位置或改变末端姿态。</translation>
+    </message>
+    <message>
+        <source>After {gone} % of the way the arm reaches no further. Choose MOVE P, or another target.</source>
+        <translation>走到路径的 {gone} % 处超出可达范围。请改用 MOVE P，或选择其他目标。</translation>
+    </message>
+    <message>
+        <source>After {gone} % of the way joint {joint} would be at {value}°, beyond its limits of {minimum}° to {maximum}°. Choose MOVE P, or another target.</source>
+        <translation>走到路径的 {gone} % 处关节 {joint} 将为 {value}°，超出限位 {minimum}° 至 {maximum}°。请改用 MOVE P，或选择其他目标。</translation>
+    </message>
+    <message>
+        <source>After {gone} % of the way the arm comes to a singular pose: joint {joint} would have to jump. Choose MOVE P, or move joint 5 away from 0° first.</source>
+        <translation>走到路径的 {gone} % 处为奇异位姿：关节 {joint} 将发生跳变。请改用 MOVE P，或先把关节 5 转离 0°。</translation>
+    </message>
+    <message>
+        <source>The arm stands {distance} mm and {turned}° away from the start of the arc. Press Go to start first.</source>
+        <translation>机械臂距圆弧起点 {distance} mm、{turned}°。请先按“移到起点”。</translation>
+    </message>
+    <message>
+        <source>The three poses lie on a line, or two in one place: that is no arc. Capture others.</source>
+        <translation>三个位姿在一条直线上，或有两个重合，不构成圆弧。请重新记录。</translation>
+    </message>
+    <message>
+        <source>Not captured yet: {point}. Bring the arm there and press its button.</source>
+        <translation>尚未记录：{point}。请把机械臂移到该处并按对应按钮。</translation>
+    </message>
+    <message>
+        <source>The pose the arm reports does not fit its joint angles: the program cannot compute its way. Check the joints&apos; zeros; the joints can still be moved one by one.</source>
+        <translation>机械臂上报的位姿与关节角度不符，程序无法计算路径。请检查各关节零点；仍可单独移动各关节。</translation>
+    </message>
+    <message>
+        <source>This arm was connected as a {chosen}, but the pose it reports is that of a {fits}: the program would compute with the wrong lengths. Connect it as a {fits}; until then the joints can be moved one by one.</source>
+        <translation>该机械臂按 {chosen} 连接，但其反馈的位姿属于 {fits}：程序会用错误的连杆长度计算。请按 {fits} 重新连接；在此之前可以逐个移动关节。</translation>
+    </message>
+    <message>
+        <source>Tool centre point: {value} is not possible. Enter lengths up to {maximum} mm and angles up to 180°.</source>
+        <translation>工具中心点：不能为 {value}。长度不超过 {maximum} mm，角度不超过 180°。</translation>
+    </message>
+    <message>
+        <source>{light}: {value} is out of range. Enter a whole number from {minimum} to {maximum}.</source>
+        <translation>{light}：{value} 超出范围。请输入 {minimum} 至 {maximum} 的整数。</translation>
+    </message>
+    <message>
+        <source>{light}: “{value}” is not a whole number. Enter one from {minimum} to {maximum}.</source>
+        <translation>{light}：“{value}”不是整数。请输入 {minimum} 至 {maximum} 的整数。</translation>
+    </message>
+    <message>
+        <source>No end load is chosen. Choose one first.</source>
+        <translation>尚未选择末端负载，请先选择。</translation>
+    </message>
+    <message>
+        <source>The arm is moving. Wait until it stands still, then set the end load.</source>
+        <translation>机械臂正在运动，请待其静止后再设置末端负载。</translation>
+    </message>
+    <message>
+        <source>The arm has answered, but goes on reporting. Try again.</source>
+        <translation>机械臂已应答，但仍在上报，请重试。</translation>
+    </message>
+    <message>
+        <source>An offset of {value} is not possible. Choose 0x00, 0x10 or 0x20.</source>
+        <translation>偏移值不能为 {value}，请选择 0x00、0x10 或 0x20。</translation>
+    </message>
+    <message>
+        <source>The arm is moving. Wait until it stands still, then set the linkage.</source>
+        <translation>机械臂正在运动，请待其静止后再设置联动。</translation>
+    </message>
+    <message>
+        <source>No gripper is heard. If one is mounted, check its cable and its power.</source>
+        <translation>未收到夹爪反馈。若已安装夹爪，请检查其线缆和供电。</translation>
+    </message>
+    <message>
+        <source>The gripper of a generation 1 arm has no command for its zero.</source>
+        <translation>第 1 代机械臂的夹爪没有零点设置指令。</translation>
+    </message>
+    <message>
+        <source>{gripper}: {value} {unit} is out of range. Enter a value from {minimum} to {maximum} {unit}.</source>
+        <translation>{gripper}：{value} {unit} 超出范围，请输入 {minimum} 至 {maximum} {unit} 之间的值。</translation>
+    </message>
+    <message>
+        <source>{gripper}: “{value}” is not a number. Enter a value from {minimum} to {maximum} {unit}.</source>
+        <translation>{gripper}：“{value}”不是数字，请输入 {minimum} 至 {maximum} {unit} 之间的值。</translation>
+    </message>
+    <message>
+        <source>Whether these joints stand still is not known: {joints}. Their drivers report no speed: check the arm&apos;s power and the CAN cable.</source>
+        <translation>无法确认以下关节是否静止：{joints}。其驱动器未上报速度，请检查机械臂电源和 CAN 线缆。</translation>
+    </message>
+    <message>
+        <source>These joints are moving: {joints}. Wait until the arm stands still.</source>
+        <translation>以下关节正在运动：{joints}。请等待机械臂静止。</translation>
+    </message>
+    <message>
+        <source>The arm answered that it did not set the zero of these joints: {joints}. Let the arm stand still, clear its errors, then try again.</source>
+        <translation>机械臂应答：以下关节的零点未设置成功：{joints}。请让机械臂静止并清除错误后重试。</translation>
+    </message>
+    <message>
+        <source>The arm answered that the zero is set, but these joints do not read 0°: {joints}. Do not move the arm before the zero is set anew.</source>
+        <translation>机械臂应答零点已设置，但以下关节的角度不为 0°：{joints}。重新设置零点之前请勿移动机械臂。</translation>
+    </message>
+    <message>
+        <source>The stop came first; it is not sent again. Look at what the arm shows, then repeat it.</source>
+        <translation>急停在先，该指令不会重发。请查看机械臂的状态后再操作。</translation>
+    </message>
+    <message>
+        <source>The arm reports: {status}. Remove the cause. If the report stays: emergency stop, hold the arm, Resume.</source>
+        <translation>机械臂状态：{status}。请先排除原因；若状态仍在，请按“急停”，扶住机械臂，再按“恢复”。</translation>
+    </message>
+    <message>
+        <source>{device} is not there. Check that it is plugged in and its cable is sound.</source>
+        <translation>找不到设备 {device}。请检查设备是否插好、线缆是否完好。</translation>
+    </message>
+    <message>
+        <source>{device} is in use by another program. Close that program, then connect again.</source>
+        <translation>设备 {device} 正被其它程序占用。请关闭该程序后重新连接。</translation>
+    </message>
+    <message>
+        <source>{device} is switched off in the system. Switch it on in a terminal (with your interface&apos;s name for can0): sudo ip link set can0 up type can bitrate 1000000</source>
+        <translation>设备 {device} 在系统中未启用。请在终端中启用（将 can0 换成实际的接口名）：sudo ip link set can0 up type can bitrate 1000000</translation>
+    </message>
+    <message>
+        <source>You may not open {device}. On Linux add your account to the group dialout (serial adapters) or install the adapter&apos;s udev rule (USB adapters), then log in again.</source>
+        <translation>没有权限打开设备 {device}。Linux 下：串口适配器请将当前用户加入 dialout 组，USB 适配器请安装其 udev 规则，然后重新登录。</translation>
+    </message>
+    <message>
+        <source>{device} is bus off: too many errors on the CAN bus, so its controller takes no part any more. Check CAN_H and CAN_L, both terminating resistors (120 Ω) and the bit rate, then disconnect and connect again; on socketcan run «sudo ip link set {channel} type can restart» before.</source>
+        <translation>{device} 处于总线关闭（bus off）：CAN 总线错误过多，其控制器已退出总线。请检查 CAN_H、CAN_L、两端 120 Ω 终端电阻和波特率，然后断开并重新连接；socketcan 请先执行 sudo ip link set {channel} type can restart。</translation>
+    </message>
+    <message>
+        <source>{device} needs a Python package that is not installed. Install it in a terminal: pip install {package}</source>
+        <translation>设备 {device} 需要的 Python 软件包尚未安装。请在终端中安装：pip install {package}</translation>
+    </message>
+    <message>
+        <source>The driver for {device} ({interface}) is missing. Install the driver of the adapter&apos;s maker; for socketcan load the kernel&apos;s modules: sudo modprobe can_raw</source>
+        <translation>缺少设备 {device}（{interface}）的驱动。请安装适配器厂家的驱动；使用 socketcan 时请加载内核模块：sudo modprobe can_raw</translation>
+    </message>
+    <message>
+        <source>{device} does not accept these settings: {text}. Check interface, channel and bit rate.</source>
+        <translation>设备 {device} 不接受这些参数：{text}。请检查接口、通道和波特率。</translation>
+    </message>
+    <message>
+        <source>{device} could not be opened: {text}. Check the device and its driver, then connect again.</source>
+        <translation>无法打开设备 {device}：{text}。请检查设备及其驱动，然后重新连接。</translation>
+    </message>
+    <message>
+        <source>The settings file could not be read and was put aside as {kept}. The program starts with its first settings.</source>
+        <translation>设置文件无法读取，已另存为 {kept}。程序以默认设置启动。</translation>
+    </message>
+    <message>
+        <source>The settings file {path} could not be read: {text}. The program starts with its first settings.</source>
+        <translation>设置文件 {path} 无法读取：{text}。程序以默认设置启动。</translation>
+    </message>
+    <message>
+        <source>The settings could not be saved in {path}: {text}. They hold until the program ends.</source>
+        <translation>设置无法保存到 {path}：{text}。本次运行期间仍然有效。</translation>
+    </message>
+    <message>
+        <source>Setting “{field}”: “{value}” is not possible. Its first setting is used instead.</source>
+        <translation>设置项“{field}”：“{value}”无效，已使用默认值。</translation>
+    </message>
+    <message>
+        <source>Jog step {value}° is out of range. Enter a value from {minimum}° to {maximum}°.</source>
+        <translation>点动步长 {value}° 超出范围。请输入 {minimum}° 至 {maximum}°。</translation>
+    </message>
+    <message>
+        <source>Jog step: “{value}” is not an angle. Enter degrees in figures, for example 0.5.</source>
+        <translation>点动步长：“{value}”不是角度。请输入以度为单位的数字，例如 0.5。</translation>
+    </message>
+    <message>
+        <source>Robot description: the file {path} is not there. Choose another file, or use the built-in one.</source>
+        <translation>机器人模型：找不到文件 {path}。请选择其它文件，或使用内置模型。</translation>
+    </message>
+    <message>
+        <source>Robot description: the file {path} cannot be read: {text}. Choose a file you may read.</source>
+        <translation>机器人模型：无法读取文件 {path}：{text}。请选择有权读取的文件。</translation>
+    </message>
+    <message>
+        <source>Robot description: {path} is not well-formed XML ({text}). Repair or export it again.</source>
+        <translation>机器人模型：{path} 不是格式正确的 XML（{text}）。请修复该文件或重新导出。</translation>
+    </message>
+    <message>
+        <source>Robot description: {path} describes no robot: its first element is “{element}”, not “robot”. Choose a URDF file.</source>
+        <translation>机器人模型：{path} 不是机器人描述：其首个元素是“{element}”，而不是“robot”。请选择 URDF 文件。</translation>
+    </message>
+    <message>
+        <source>Robot description: {path} is not written as URDF demands: {text}. Correct it.</source>
+        <translation>机器人模型：{path} 不符合 URDF 的写法：{text}。请更正。</translation>
+    </message>
+    <message>
+        <source>Robot description: in {path} an element or attribute is missing that URDF demands. Check that every link, joint and visual is complete.</source>
+        <translation>机器人模型：{path} 缺少 URDF 要求的元素或属性。请检查每个 link、joint 和 visual 是否完整。</translation>
+    </message>
+    <message>
+        <source>Robot description: in {path} these links do not hang together as one tree: {links}. Every link but the first needs exactly one joint that carries it.</source>
+        <translation>机器人模型：{path} 中的这些连杆没有连成一棵树：{links}。除首个连杆外，每个连杆都需要且只需要一个承载它的关节。</translation>
+    </message>
+    <message>
+        <source>Robot description: joint “{joint}” in {path} is wrong. It needs a name of its own, a type and an axis that URDF knows and, if it mimics, a joint to mimic.</source>
+        <translation>机器人模型：{path} 中的关节“{joint}”有误。它需要唯一的名称、URDF 认可的类型和轴；若为从动关节（mimic），还需要所跟随的关节。</translation>
+    </message>
+    <message>
+        <source>Robot description: {path} has {found} revolute joints in a row instead of {wanted}. Choose the description of a six-joint arm.</source>
+        <translation>机器人模型：{path} 中连续的旋转关节有 {found} 个，而不是 {wanted} 个。请选择六轴机械臂的描述文件。</translation>
+    </message>
+    <message>
+        <source>Robot description: the mesh “{mesh}” that {path} names is not there. Put it where the file says, or correct its name in the file.</source>
+        <translation>机器人模型：找不到 {path} 所指的网格文件“{mesh}”。请把它放到该文件所写的位置，或更正文件中的名称。</translation>
+    </message>
+    <message>
+        <source>Robot description: the mesh {mesh} cannot be read: {text}. Export it again.</source>
+        <translation>机器人模型：无法读取网格文件 {mesh}：{text}。请重新导出。</translation>
+    </message>
+    <message>
+        <source>Robot description: the mesh {mesh} holds no surface. Export it again.</source>
+        <translation>机器人模型：网格文件 {mesh} 中没有任何表面。请重新导出。</translation>
+    </message>
+    <message>
+        <source>Not possible now: {reason}.</source>
+        <translation>现在无法执行：{reason}。</translation>
+    </message>
+    <message>
+        <source>The program is still finding out which protocol the arm speaks. Wait a second.</source>
+        <translation>程序仍在识别机械臂使用的协议，请稍候一秒。</translation>
+    </message>
+    <message>
+        <source>{parameter}: {value} is out of range. Enter a value from {minimum} to {maximum}.</source>
+        <translation>{parameter}：{value} 超出范围，请输入 {minimum} 至 {maximum} 之间的值。</translation>
+    </message>
+    <message>
+        <source>{parameter}: “{value}” is not a number. Enter a value from {minimum} to {maximum}.</source>
+        <translation>{parameter}：“{value}”不是数字，请输入 {minimum} 至 {maximum} 之间的值。</translation>
+    </message>
+    <message>
+        <source>{parameter}: {value} is not possible. Choose one of {choices}.</source>
+        <translation>{parameter}：不能设为 {value}，请从 {choices} 中选择。</translation>
+    </message>
+    <message>
+        <source>This arm&apos;s protocol (generation {generation}) has no such settings; generation 2 has.</source>
+        <translation>本机械臂的协议（第 {generation} 代）没有这些参数，第 2 代才有。</translation>
+    </message>
+    <message>
+        <source>{parameter} would have to be sent along unchanged and has not been read from the arm. Read it first.</source>
+        <translation>{parameter}须随同原值一起发送，但尚未从机械臂读到，请先读取。</translation>
+    </message>
+    <message>
+        <source>{parameter} would have to be sent along, and what the arm holds there is corrupt. Enter a value for it as well.</source>
+        <translation>{parameter}须随同发送，而机械臂中保存的值已损坏，请同时为它输入一个值。</translation>
+    </message>
+    <message>
+        <source>Joint {joint}: the min. angle {minimum}° must be below the max. angle {maximum}°. Change one of them.</source>
+        <translation>关节 {joint}：最小角度 {minimum}° 必须小于最大角度 {maximum}°，请修改其中之一。</translation>
+    </message>
+    <message>
+        <source>The arm did not answer (0x476). Nothing says that it took this over: read the values again, then save once more.</source>
+        <translation>机械臂没有应答（0x476），无法确认已生效：请重新读取后再保存一次。</translation>
+    </message>
+    <message>
+        <source>The arm did not answer when asked for the value: what it holds is not known. Read again.</source>
+        <translation>读取时机械臂没有应答，其当前值未知，请重新读取。</translation>
+    </message>
+    <message>
+        <source>{parameter}: {value} was sent and answered, but the arm holds {held}. It did not take this value; try another one.</source>
+        <translation>{parameter}：已发送 {value} 且有应答，但机械臂中仍为 {held}，该值未被采用，请换一个值。</translation>
+    </message>
+    <message>
+        <source>No row is chosen. Click one in the table first.</source>
+        <translation>未选择行。请先在表格中点击一行。</translation>
+    </message>
+    <message>
+        <source>The program did not come to the end of its work: {text}. Try again.</source>
+        <translation>程序未能完成这项工作：{text}。请重试。</translation>
+    </message>
+    <message>
+        <source>Not run: the arm has moved by {value}° since it was checked. Send again.</source>
+        <translation>未运行：检查之后机械臂又移动了 {value}°。请再次点击发送。</translation>
+    </message>
+    <message>
+        <source>Not run: the arm&apos;s joint limits are others than those of the check. Send again.</source>
+        <translation>未运行：机械臂的关节限位与检查时不同。请再次点击发送。</translation>
+    </message>
+    <message>
+        <source>No trajectory is running: nothing to pause.</source>
+        <translation>没有正在执行的轨迹，无法暂停。</translation>
+    </message>
+    <message>
+        <source>No trajectory is paused: nothing to go on with.</source>
+        <translation>没有已暂停的轨迹，无法继续。</translation>
+    </message>
+    <message>
+        <source>“{name}” has no points. Add points, or choose another trajectory.</source>
+        <translation>“{name}”没有轨迹点，请添加轨迹点或选择其他轨迹。</translation>
+    </message>
+    <message>
+        <source>There is no row {row}: the last one is {maximum}. Choose another row.</source>
+        <translation>没有第 {row} 行，最后一行是第 {maximum} 行，请另选一行。</translation>
+    </message>
+    <message>
+        <source>The arm is in emergency stop. Hold the arm, press Resume, enable the motors; then the run can go on from this row.</source>
+        <translation>机械臂处于急停状态。请扶住机械臂，按恢复并重新使能电机，之后可从本行继续。</translation>
+    </message>
+    <message>
+        <source>A trajectory or recording is under way, be it paused or dwelling. Wait until it is done, or end the run first.</source>
+        <translation>轨迹或录制正在运行（暂停、停留也算）。请等待其完成，或先结束运行。</translation>
+    </message>
+    <message>
+        <source>Motors were disabled while it ran: the arm was told to end its motion. Enable the motors; then the run can go on from this row.</source>
+        <translation>运行中电机被失能，已令机械臂结束运动。使能电机后，可从该行继续。</translation>
+    </message>
+    <message>
+        <source>The gripper was disabled while it ran: the arm was told to end its motion. See what it held; then the run can go on from this row.</source>
+        <translation>运行中夹爪被失能，已令机械臂结束运动。请检查所夹工件，之后可从该行继续。</translation>
+    </message>
+    <message>
+        <source>The device was disconnected while it ran: the arm was told before to end its motion.</source>
+        <translation>运行中断开了设备，断开前已令机械臂结束运动。</translation>
+    </message>
+    <message>
+        <source>The run under way sets the lamps itself. Wait until it is done, or end the run first.</source>
+        <translation>当前运行会自行控制灯光。请等待其完成，或先结束运行。</translation>
+    </message>
+    <message>
+        <source>The arm is being jogged. Let go first, then press again.</source>
+        <translation>正在点动机械臂。请先松开，再按一次。</translation>
+    </message>
+    <message>
+        <source>A motion of the arm is paused: it holds back every new target. Press Continue or a Clear button under Drag teaching, Planned trajectory.</source>
+        <translation>机械臂的运动已暂停，新目标不会执行。请在“示教”的“轨迹指令”中继续或清除。</translation>
+    </message>
+    <message>
+        <source>The point was not reached within {seconds} s. See what keeps the arm, then go on from this row.</source>
+        <translation>{seconds} 秒内未到达该点，请检查机械臂受阻原因，之后可从本行继续。</translation>
+    </message>
+    <message>
+        <source>The arm says that it is there, but measures itself away from the point: {away}. See what keeps it, then go on from this row.</source>
+        <translation>机械臂报告已到达，但测量值与目标相差 {away}，请检查原因，之后可从本行继续。</translation>
+    </message>
+    <message>
+        <source>The arm was told to end its motion and still moves. Press the emergency stop if it must not.</source>
+        <translation>已发送终止指令，但机械臂仍在运动；如有危险请按急停。</translation>
+    </message>
+    <message>
+        <source>Joint {joint} would have to turn at {value}°/s; its limit is {maximum}°/s. Replay at {percent} % of the recorded speed at most.</source>
+        <translation>关节 {joint} 需要 {value}°/s，超过其上限 {maximum}°/s，请以不高于录制速度 {percent} % 的倍率回放。</translation>
+    </message>
+    <message>
+        <source>Joint {joint} does not follow: it is {away}° behind. See what keeps it, or replay more slowly.</source>
+        <translation>关节 {joint} 未能跟随，落后 {away}°，请检查受阻原因或降低回放速度。</translation>
+    </message>
+    <message>
+        <source>The arm has not reported its end pose: an arc has no beginning. Wait for it.</source>
+        <translation>机械臂尚未反馈末端位姿，圆弧没有起点，请稍候。</translation>
+    </message>
+    <message>
+        <source>Row {row}: this arm&apos;s protocol moves the gripper by other figures (generation 1 by an angle, generation 2 by an opening). Change the gripper&apos;s action.</source>
+        <translation>第 {row} 行：本机械臂协议的夹爪参数不同（第一代用角度，第二代用开度），请修改夹爪动作。</translation>
+    </message>
+    <message>
+        <source>The file is broken or cut short: line {line}, column {column} is no JSON. Nothing was changed; choose another file, or mend that line.</source>
+        <translation>文件已损坏或不完整：第 {line} 行第 {column} 列不是 JSON。未作任何更改；请选择其他文件，或修正该行。</translation>
+    </message>
+    <message>
+        <source>This is not a parameter backup of this program. Nothing was changed; choose another file.</source>
+        <translation>这不是本程序的参数备份文件。未作任何更改；请选择其他文件。</translation>
+    </message>
+    <message>
+        <source>The file has format version {version}; this program reads version {known}. Open it with the program that wrote it, or update this one.</source>
+        <translation>文件的格式版本为 {version}，本程序只能读取版本 {known}。请用保存它的程序打开，或更新本程序。</translation>
+    </message>
+    <message>
+        <source>The file lacks the field “{field}”. Nothing was changed; choose another file, or add the field.</source>
+        <translation>文件缺少字段“{field}”。未作任何更改；请选择其他文件，或补上该字段。</translation>
+    </message>
+    <message>
+        <source>The file says “{value}” in the field “{field}”, which is not possible. Nothing was changed; choose another file, or mend the field.</source>
+        <translation>文件的字段“{field}”为“{value}”，该值无效。未作任何更改；请选择其他文件，或修正该字段。</translation>
+    </message>
+    <message>
+        <source>The file names {parameter} a second time, in “{field}”. Nothing was changed; take one of the two away.</source>
+        <translation>文件中的{parameter}重复（“{field}”）。未作任何更改；请删去其中一个。</translation>
+    </message>
+    <message>
+        <source>The file holds no parameter. Nothing was changed; choose another file.</source>
+        <translation>文件中没有参数。未作任何更改；请选择其他文件。</translation>
+    </message>
+    <message>
+        <source>The file {path} cannot be read: {text}. Choose another one.</source>
+        <translation>无法读取文件 {path}：{text}。请选择其他文件。</translation>
+    </message>
+    <message>
+        <source>The backup could not be written to {path}: {text}. Choose another folder.</source>
+        <translation>无法将备份写入 {path}：{text}。请选择其他文件夹。</translation>
+    </message>
+    <message>
+        <source>Nothing has been read from the arm. Press Read first.</source>
+        <translation>尚未从机械臂读到任何参数。请先点击“读取”。</translation>
+    </message>
+    <message>
+        <source>It is not in the library any more.</source>
+        <translation>它已不在轨迹库中。</translation>
+    </message>
+    <message>
+        <source>The file cannot be read: {text}.</source>
+        <translation>无法读取文件：{text}。</translation>
+    </message>
+    <message>
+        <source>The file has {value} MB; files up to {maximum} MB are read.</source>
+        <translation>文件大小为 {value} MB，最大可读取 {maximum} MB。</translation>
+    </message>
+    <message>
+        <source>This is no text in UTF-8 or GBK. Save it as a text file in UTF-8.</source>
+        <translation>不是 UTF-8 或 GBK 编码的文本。请另存为 UTF-8 文本文件。</translation>
+    </message>
+    <message>
+        <source>This is no text in {value}. Choose another encoding.</source>
+        <translation>这不是 {value} 编码的文本。请选择其他编码。</translation>
+    </message>
+    <message>
+        <source>This is no trajectory file the program knows. Import it by columns.</source>
+        <translation>不是程序可识别的轨迹文件。请按列导入。</translation>
+    </message>
+    <message>
+        <source>No rows of numbers are found here. Choose a file with one point a row.</source>
+        <translation>未找到由数字组成的行。请选择每行一个点的文件。</translation>
+    </message>
+    <message>
+        <source>The file is of version {value}; this program reads up to version {maximum}. Update the program.</source>
+        <translation>文件版本为 {value}，本程序最高支持版本 {maximum}。请更新程序。</translation>
+    </message>
+    <message>
+        <source>The file holds nothing.</source>
+        <translation>文件为空。</translation>
+    </message>
+    <message>
+        <source>The file ends too early.</source>
+        <translation>文件不完整，提前结束。</translation>
+    </message>
+    <message>
+        <source>The file is damaged: {text}.</source>
+        <translation>文件已损坏：{text}。</translation>
+    </message>
+    <message>
+        <source>“{value}” is no kind of line. A line begins with J, P, L, C or #.</source>
+        <translation>“{value}”不是有效的行类型。行首应为 J、P、L、C 或 #。</translation>
+    </message>
+    <message>
+        <source>“{value}” is no entry of the header; name, note and modified are.</source>
+        <translation>“{value}”不是有效的文件头条目，可用条目为 name、note 和 modified。</translation>
+    </message>
+    <message>
+        <source>“{value}” is no option of a point; speed, dwell, gripper, light and note are.</source>
+        <translation>“{value}”不是有效的点选项，可用选项为 speed、dwell、gripper、light 和 note。</translation>
+    </message>
+    <message>
+        <source>“{value}” is given twice. Leave one.</source>
+        <translation>“{value}”重复出现，请只保留一个。</translation>
+    </message>
+    <message>
+        <source>“{value}” is no {field}. Write it as {example}.</source>
+        <translation>“{value}”不是有效的 {field}。请写成 {example}。</translation>
+    </message>
+    <message>
+        <source>“{value}” is not a number.</source>
+        <translation>“{value}”不是数字。</translation>
+    </message>
+    <message>
+        <source>{value} numbers where {expected} belong.</source>
+        <translation>此处有 {value} 个数，应为 {expected} 个。</translation>
+    </message>
+    <message>
+        <source>The closing quotation mark is missing.</source>
+        <translation>缺少右引号。</translation>
+    </message>
+    <message>
+        <source>The column “{field}” is missing.</source>
+        <translation>缺少列“{field}”。</translation>
+    </message>
+    <message>
+        <source>The column “{value}” is unknown.</source>
+        <translation>未知的列“{value}”。</translation>
+    </message>
+    <message>
+        <source>The column “{field}” is there twice.</source>
+        <translation>列“{field}”重复出现。</translation>
+    </message>
+    <message>
+        <source>{value} cells where there are {expected} columns.</source>
+        <translation>此行有 {value} 个单元格，而表格有 {expected} 列。</translation>
+    </message>
+    <message>
+        <source>“{value}” is no date and time. Write it as 2026-01-31T12:00:00.</source>
+        <translation>“{value}”不是有效的日期时间。请写成 2026-01-31T12:00:00。</translation>
+    </message>
+    <message>
+        <source>This is not valid JSON: {text}.</source>
+        <translation>不是有效的 JSON：{text}。</translation>
+    </message>
+    <message>
+        <source>“{field}” is missing.</source>
+        <translation>缺少“{field}”。</translation>
+    </message>
+    <message>
+        <source>“{value}” is unknown.</source>
+        <translation>未知的“{value}”。</translation>
+    </message>
+    <message>
+        <source>“{field}” is not what it should be: {expected}.</source>
+        <translation>“{field}”的内容不符合要求，应为：{expected}。</translation>
+    </message>
+    <message>
+        <source>{field}: {value}{unit} is out of range. Enter a value from {minimum}{unit} to {maximum}{unit}.</source>
+        <translation>{field}：{value}{unit} 超出范围。请输入 {minimum}{unit} 至 {maximum}{unit} 之间的值。</translation>
+    </message>
+    <message>
+        <source>{field}: “{value}” is not a number.</source>
+        <translation>{field}：“{value}”不是数字。</translation>
+    </message>
+    <message>
+        <source>{field}: {value} is not a whole number.</source>
+        <translation>{field}：{value} 不是整数。</translation>
+    </message>
+    <message>
+        <source>{field}: {value} values; six belong there, and a middle only to MOVE C.</source>
+        <translation>{field}：有 {value} 个值，应为六个；只有 MOVE C 才有中间位姿。</translation>
+    </message>
+    <message>
+        <source>“{value}” is no kind of motion. MOVE J, MOVE P, MOVE L and MOVE C are.</source>
+        <translation>“{value}”不是有效的运动类型，可用类型为 MOVE J、MOVE P、MOVE L 和 MOVE C。</translation>
+    </message>
+    <message>
+        <source>The time {value} s is before the one above, {minimum} s.</source>
+        <translation>时间 {value} s 早于上一行的 {minimum} s。</translation>
+    </message>
+    <message>
+        <source>{field}: {value} characters; up to {maximum} are kept. Shorten it.</source>
+        <translation>{field}：有 {value} 个字符，最多 {maximum} 个。请缩短。</translation>
+    </message>
+    <message>
+        <source>{field}: holds a character that cannot be kept. Remove it.</source>
+        <translation>{field}：含有无法保存的字符。请删除该字符。</translation>
+    </message>
+    <message>
+        <source>An arc needs a middle pose, which no conversion can know. Enter it by hand.</source>
+        <translation>圆弧需要中间位姿，无法由转换得到。请手动输入。</translation>
+    </message>
+    <message>
+        <source>The arm cannot bring its flange to X {x}  Y {y}  Z {z} mm with this orientation: no joint angles belong to it. Change the pose.</source>
+        <translation>机械臂法兰无法以此姿态到达 X {x}  Y {y}  Z {z} mm：没有对应的关节角。请修改位姿。</translation>
+    </message>
+    <message>
+        <source>A trajectory needs a name. Enter one.</source>
+        <translation>轨迹需要名称。请输入名称。</translation>
+    </message>
+    <message>
+        <source>The name has {value} characters; up to {maximum} are kept. Shorten it.</source>
+        <translation>名称有 {value} 个字符，最多 {maximum} 个。请缩短。</translation>
+    </message>
+    <message>
+        <source>There is a “{name}” already. Choose another name.</source>
+        <translation>已存在“{name}”。请使用其他名称。</translation>
+    </message>
+    <message>
+        <source>“{name}” has been changed since it was made, and is kept. Delete it if you do not want it.</source>
+        <translation>“{name}”新建后已被修改，予以保留。不需要时请将其删除。</translation>
+    </message>
+    <message>
+        <source>“{name}” is no longer among what was deleted. It has been brought back already, or its time was up.</source>
+        <translation>“{name}”已不在最近删除中：已经恢复，或已过保留期限。</translation>
+    </message>
+    <message>
+        <source>The file of “{name}” is damaged and is not written over. Save under another name.</source>
+        <translation>“{name}”的文件已损坏，不会被覆盖。请以其他名称保存。</translation>
+    </message>
+    <message>
+        <source>“{name}” was not saved: {text}. What was kept before is unchanged. Check the disk, then save again.</source>
+        <translation>“{name}”未保存：{text}。原有内容未变。请检查磁盘后重新保存。</translation>
+    </message>
+    <message>
+        <source>Not deleted: {name}: {text}. Check the rights to the library&apos;s folder.</source>
+        <translation>未删除：{name}：{text}。请检查轨迹库文件夹的权限。</translation>
+    </message>
+    <message>
+        <source>Not brought back: {name}: {text}. Check the rights to the library&apos;s folder.</source>
+        <translation>未恢复：{name}：{text}。请检查轨迹库文件夹的权限。</translation>
+    </message>
+    <message>
+        <source>The library cannot be read: {name}: {text}. Check the rights to this folder.</source>
+        <translation>无法读取轨迹库：{name}：{text}。请检查该文件夹的权限。</translation>
+    </message>
+    <message>
+        <source>Columns {first} and {second} are both {field}. Leave one of them out.</source>
+        <translation>第 {first} 列和第 {second} 列都是{field}。请去掉其中一列。</translation>
+    </message>
+    <message>
+        <source>Still missing: {missing}. Say which columns hold them.</source>
+        <translation>还缺少：{missing}。请指定对应的列。</translation>
+    </message>
+    <message>
+        <source>Column {column}: {field} is not given in “{value}”. Choose one of {choices}.</source>
+        <translation>第 {column} 列：{field}不能使用单位“{value}”。请选择 {choices} 之一。</translation>
+    </message>
+    <message>
+        <source>The speed override is 0 %: raise it, then hold “Continue” for 1 s.</source>
+        <translation>运行倍率为 0 %：请先调高，再按住“继续”1 秒。</translation>
+    </message>
+    <message>
+        <source>How far this gripper opens is not known: the arm has told no stroke limit. Set it in Gripper settings, or enter a target in Gripper control.</source>
+        <translation>不知道此夹爪能张开多大：机械臂没有报告行程限位。请在“夹爪设置”中设置，或在“夹爪控制”中输入目标。</translation>
+    </message>
+    <message>
+        <source>The gripper tells an angle now, and a point keeps an opening. Move it by an opening in Gripper control first.</source>
+        <translation>夹爪当前反馈的是角度，而点中保存的是开度。请先在“夹爪控制”中按开度移动夹爪。</translation>
+    </message>
+    <message>
+        <source>{frames} of the arm has not been heard for {seconds} s: nobody knows where it is. Check its power and the CAN cable; nothing is sent until it is heard again.</source>
+        <translation>已有 {seconds} 秒未收到机械臂的 {frames}：无法得知其位置。请检查电源与 CAN 线；重新收到之前不发送任何运动指令。</translation>
+    </message>
+    <message>
+        <source>Another program controls the arm ({frames}). Wait until it has been quiet for 2 s and the arm rests, or take over when it pauses. The stop works at any time.</source>
+        <translation>另一个程序正在控制机械臂（{frames}）。请等它静默 2 秒且机械臂静止，或在它停顿时接管。急停随时有效。</translation>
+    </message>
+    <message>
+        <source>A leader arm moves this arm ({frames}). Switch the leader off, or make it a motion output. The stop works at any time.</source>
+        <translation>主臂正在带动本机械臂（{frames}）。请关闭主臂，或将其设为运动输出臂。急停随时有效。</translation>
+    </message>
+    <message>
+        <source>The other program is still sending ({frames}): it can be taken over half a second after its last frame. Against a stream only the stop wins.</source>
+        <translation>另一个程序仍在发送（{frames}）：其最后一帧过后半秒才能接管。对持续的数据流只有急停有效。</translation>
+    </message>
+    <message>
+        <source>This connection only listens: nothing is sent but the emergency stop. Connect without Listen only to command the arm.</source>
+        <translation>当前连接为“只听”：除急停外不发送任何帧。要控制机械臂，请取消“只听”后重新连接。</translation>
+    </message>
+    <message>
+        <source>No other program moves the arm.</source>
+        <translation>没有其他程序在移动机械臂。</translation>
+    </message>
+    <message>
+        <source>The arm holds back a motion at 0 %. Hold Continue or press Give up in the line above the panels first.</source>
+        <translation>速度为 0 %，机械臂保留着未完成的运动。请先在面板上方的提示行按住“继续”或点击“放弃”。</translation>
+    </message>
+    <message>
+        <source>No motion is held back.</source>
+        <translation>没有被保留的运动。</translation>
+    </message>
+    <message>
+        <source>Something else has ended this motion. Look at the arm, then start again.</source>
+        <translation>该运动已被其他事件终止。请查看机械臂后重新开始。</translation>
+    </message>
+    <message>
+        <source>Joint {joint} moves at {value} °/s, where {maximum} °/s is shown. Set the speed again before the next motion.</source>
+        <translation>关节 {joint} 实测 {value} °/s，而显示的速度为 {maximum} °/s。下次运动前请重新设定速度。</translation>
+    </message>
+    <message>
+        <source>This connection only listens: nothing is sent on it but the emergency stop.</source>
+        <translation>此连接为只听：除急停外不发送任何帧。</translation>
+    </message>
+    <message>
+        <source>Whether the arm takes commands on the identifiers in use is not proven, so it is not moved; stop and halt reach it. To prove it, set the offsets again in Linkage with the arm in standby: they count once the arm has answered.</source>
+        <translation>机械臂是否在当前标识符上接收指令尚未证实，因此不让它运动；急停和停住仍能到达。证实方法：让机械臂处于待机，在联动控制中重新设置偏移，得到应答后即生效。</translation>
+    </message>
+    <message>
+        <source>For half a second {device} could send nothing, because nobody on the bus acknowledges. Check the arm&apos;s power, the CAN cable, the terminating resistors and the bit rate (1 Mbit/s).</source>
+        <translation>{device} 已有半秒发不出任何帧，因为总线上无人应答。请检查机械臂电源、CAN 线、终端电阻和波特率（1 Mbit/s）。</translation>
+    </message>
+    <message>
+        <source>For half a second {device} has taken no frame to send, though frames are heard. Unplug the adapter and plug it in again; if that does not help, check its driver.</source>
+        <translation>{device} 已有半秒不接收要发送的帧，但仍能收到帧。请拔下适配器再插上；若无效，请检查其驱动。</translation>
+    </message>
+    <message>
+        <source>Joint {joints} does not stand where it stood at the press: no zero was sent. Try again where it shall be.</source>
+        <translation>关节 {joints} 已不在按下按钮时的位置：未发送零点。请在要设为零点的位置重试。</translation>
+    </message>
+    <message>
+        <source>Another program is writing the settings file {path}. The settings hold until this program ends; change them once more to save them.</source>
+        <translation>另一个程序正在写入设置文件 {path}。设置在本程序退出前有效；再更改一次即可保存。</translation>
+    </message>
+    <message>
+        <source>Nothing was sent: the arm was still being set or asked something a second after the press. Try again.</source>
+        <translation>未发送：按下一秒后机械臂仍在进行其他设置或查询。请重试。</translation>
+    </message>
+    <message>
+        <source>The arm was silent meanwhile, or another arm answers: nothing more was sent. See that it is the right arm, then try again.</source>
+        <translation>其间机械臂曾无应答，或应答的是另一台机械臂：未再发送。请确认是正确的机械臂，然后重试。</translation>
+    </message>
+    <message>
+        <source>The program or the computer stood still for {seconds} s, so the replay was ended. Let the computer do less beside it, keep it from sleeping, and start the replay anew.</source>
+        <translation>程序或计算机停顿了 {seconds} 秒，回放已结束。请减少计算机的其他任务并禁止休眠，然后重新开始回放。</translation>
+    </message>
+    <message>
+        <source>Robot description: {path} ended the 3D view while it was loaded ({text}). It is put aside; choose another one.</source>
+        <translation>机器人描述：加载 {path} 时3D 视图意外结束（{text}）。该文件已停用，请另选一个。</translation>
+    </message>
+    <message>
+        <source>Robot description: loading {path} does not come to an end. It is put aside; choose another one.</source>
+        <translation>机器人描述：{path} 一直加载不完。该文件已停用，请另选一个。</translation>
+    </message>
+    <message>
+        <source>Jogging ended: held for {seconds} s without a movement of the mouse or another key. Let go and press again; move the mouse a little while you hold it for long.</source>
+        <translation>点动已结束：按住 {seconds} 秒期间鼠标未移动，也没有按其他键。请松开后重新按下；需要长时间按住时，请稍微移动鼠标。</translation>
+    </message>
+    <message>
+        <source>Identifier: “{value}” is no hexadecimal number. Enter 000 to 7FF, for example 151.</source>
+        <translation>ID：“{value}”不是十六进制数。请输入 000 至 7FF，例如 151。</translation>
+    </message>
+    <message>
+        <source>Identifier: {value} has more than 11 bits, and the arm knows none of those. Enter 000 to 7FF.</source>
+        <translation>ID：{value} 超过 11 位，机械臂不使用这样的 ID。请输入 000 至 7FF。</translation>
+    </message>
+    <message>
+        <source>Data: “{value}” are no whole bytes. Enter two hexadecimal figures for each byte, for example 01 0A FF.</source>
+        <translation>数据：“{value}”不是完整的字节。每个字节请输入两位十六进制数，例如 01 0A FF。</translation>
+    </message>
+    <message>
+        <source>Data: {count} bytes do not fit into a frame. Enter 8 at most.</source>
+        <translation>数据：{count} 字节超出一帧的容量。最多输入 8 字节。</translation>
+    </message>
+    <message>
+        <source>{frame} is what an arm itself says: two senders of one identifier disturb the bus, and others would take it for the arm&apos;s word. Choose an identifier that hosts send.</source>
+        <translation>{frame} 是机械臂自己发送的帧：同一 ID 有两个发送方会干扰总线，其他程序也会误以为是机械臂的反馈。请选择由上位机发送的 ID。</translation>
+    </message>
+    <message>
+        <source>{frame} is kept for firmware upgrades: what it does is not public, and it may leave the arm without firmware. Use the maker&apos;s upgrade program.</source>
+        <translation>{frame} 保留用于固件升级：其作用没有公开资料，可能使机械臂失去固件。请使用厂家的升级程序。</translation>
+    </message>
+    <message>
+        <source>This frame ends an emergency stop and lets the arm drop. Use Resume in the main window, once the arm is supported.</source>
+        <translation>该帧会解除急停并使机械臂坠落。请先托住机械臂，再使用主窗口中的恢复。</translation>
+    </message>
+    <message>
+        <source>This frame acts on the arm: hold the button for a second to send it.</source>
+        <translation>该帧会对机械臂起作用：请按住按钮 1 秒再发送。</translation>
+    </message>
+    <message>
+        <source>The session is being recorded already. Stop that recording first.</source>
+        <translation>会话已在记录中。请先停止当前记录。</translation>
+    </message>
+    <message>
+        <source>The session is not being recorded: there is nothing to stop.</source>
+        <translation>当前没有在记录会话，无需停止。</translation>
+    </message>
+    <message>
+        <source>MF4 needs the package asammdf (pip install asammdf).</source>
+        <translation>MF4 需要 asammdf 软件包（pip install asammdf）。</translation>
+    </message>
+    <message>
+        <source>You called it off. The recording itself is whole, as .blf.</source>
+        <translation>已取消。录制本身完整，保存为 .blf。</translation>
+    </message>
+    <message>
+        <source>The last minutes are being saved already. Wait a moment.</source>
+        <translation>最近几分钟的内容正在保存，请稍候。</translation>
+    </message>
+    <message>
+        <source>Nothing has been heard on the bus yet: there is nothing to save.</source>
+        <translation>总线上还没有收到任何帧，没有可保存的内容。</translation>
+    </message>
+    <message>
+        <source>The disk of {folder} is full. What was written before can be read. Free some room or choose another folder, then record again.</source>
+        <translation>{folder} 所在的磁盘已满。此前写入的内容可以读取。请清理磁盘空间或选择其他文件夹，然后重新记录。</translation>
+    </message>
+    <message>
+        <source>The folder {folder} cannot be written. Choose another folder for the session recordings, or allow this one to be written.</source>
+        <translation>文件夹 {folder} 无法写入。请为会话记录选择其他文件夹，或允许写入此文件夹。</translation>
+    </message>
+    <message>
+        <source>The folder {folder}, or its disk, is gone. Plug it in again or choose another folder, then record again.</source>
+        <translation>文件夹 {folder} 或其所在磁盘已不存在。请重新插入磁盘或选择其他文件夹，然后重新记录。</translation>
+    </message>
+    <message>
+        <source>The session could not be recorded in {folder}: {text}. What was written before can be read. Choose another folder, or try again.</source>
+        <translation>无法在 {folder} 中记录会话：{text}。此前写入的内容可以读取。请选择其他文件夹，或重试。</translation>
+    </message>
+    <message>
+        <source>“{name}” cannot be the name of a recording. Leave out / \ : * ? &quot; &lt; &gt; | and a dot at the beginning or the end; 120 characters at most.</source>
+        <translation>“{name}”不能作为记录的名称。请勿使用 / \ : * ? &quot; &lt; &gt; |，首尾不能是句点，最多 120 个字符。</translation>
+    </message>
+    <message>
+        <source>There is a file called “{name}” in the folder already. Choose another name.</source>
+        <translation>文件夹中已有名为“{name}”的文件。请换一个名称。</translation>
+    </message>
+    <message>
+        <source>The recording “{name}” is not in the folder any more, or cannot be read: {text}.</source>
+        <translation>记录“{name}”已不在文件夹中，或无法读取：{text}。</translation>
+    </message>
+    <message>
+        <source>“{name}” is still being written. Stop the recording first.</source>
+        <translation>“{name}”仍在写入。请先停止记录。</translation>
+    </message>
+    <message>
+        <source>This is a recording that is replayed: nothing can be sent. Whatever is to reach an arm is done in the main window.</source>
+        <translation>这是正在回放的记录，不能发送任何指令。要操作机械臂，请回到主窗口。</translation>
+    </message>
+    <message>
+        <source>{name} is a log without a single frame: there is nothing to replay. Record again, with the arm switched on.</source>
+        <translation>{name} 中没有任何报文，无法回放。请在机械臂上电后重新记录。</translation>
+    </message>
+    <message>
+        <source>Nothing in {name} reads as a frame of a CAN log ({text}). Choose the file that the recording program has written, with its own ending.</source>
+        <translation>{name} 中没有可读的 CAN 报文（{text}）。请选择记录程序写出的文件，并保留其扩展名。</translation>
+    </message>
+    <message>
+        <source>Nothing in {name} reads as a frame of a CAN log of its ending. Choose the file that the recording program has written, with its own ending.</source>
+        <translation>{name} 中没有与其扩展名相符的 CAN 报文。请选择记录程序写出的文件，并保留其扩展名。</translation>
+    </message>
+    <message>
+        <source>{name} is a packed archive, whatever its ending says. Unpack it, and open the log that was in it.</source>
+        <translation>无论扩展名如何，{name} 都是压缩包。请先解压，再打开其中的日志。</translation>
+    </message>
+    <message>
+        <source>By its name {name} is no CAN log. Known endings: {known}, most of them also with .gz behind. Rename the file, or choose another.</source>
+        <translation>从文件名看，{name} 不是 CAN 日志。可识别的扩展名：{known}，多数也可再加 .gz。请改名或选择其他文件。</translation>
+    </message>
+    <message>
+        <source>{name} cannot be opened: {text}. Look whether it is still there and may be read.</source>
+        <translation>无法打开 {name}：{text}。请检查文件是否还在、是否有读取权限。</translation>
+    </message>
+    <message>
+        <source>The log is read into temporary files, and these cannot be written: {text}. Make room on the disk, or set TMPDIR to a folder with more.</source>
+        <translation>读取日志需要写临时文件，但无法写入：{text}。请腾出磁盘空间，或将 TMPDIR 设为空间更大的文件夹。</translation>
+    </message>
+    <message>
+        <source>{name} can be read no further: {text}. Open it again; if that does not help, copy it to another disk first.</source>
+        <translation>无法继续读取 {name}：{text}。请重新打开；若仍不行，请先将其复制到其他磁盘。</translation>
+    </message>
+    <message>
+        <source>{name} is gone. Plug it in again or switch it on.</source>
+        <translation>{name} 已断开。请重新插入或打开电源。</translation>
+    </message>
+    <message>
+        <source>Nothing more is heard of {name}. Let go of its buttons and press anew.</source>
+        <translation>收不到 {name} 的数据。请松开所有按键后重新按下。</translation>
+    </message>
+    <message>
+        <source>The dead-man button was held for {seconds} s without a movement of the device. Press anew.</source>
+        <translation>使能键按住 {seconds} 秒而设备没有任何动作。请重新按下。</translation>
+    </message>
+    <message>
+        <source>The arm&apos;s firmware {firmware} does not have this: it came with {since}. Updates come from the maker&apos;s support.</source>
+        <translation>机械臂固件 {firmware} 不支持此功能：自 {since} 起支持。升级请联系厂家支持。</translation>
+    </message>
+    <message>
+        <source>The arm has not named its firmware, and only {since} and later have this. Connect again to ask for it.</source>
+        <translation>机械臂尚未报告固件版本，而此功能自 {since} 起支持。请重新连接以查询。</translation>
+    </message>
+    <message>
+        <source>The arm&apos;s control mode is not known, or another one has the command: it would be changed along with this. Bring the arm to standby or CAN control first.</source>
+        <translation>机械臂的控制模式未知，或由其他方控制：此操作会同时更改它。请先使机械臂进入待机或 CAN 控制模式。</translation>
+    </message>
+    <message>
+        <source>Another program drives the arm in {other_mode} mode: a mode word of ours would leave its joints limp. End that program, hold the arm, and take the way back that the line above the panels offers.</source>
+        <translation>另一程序正以{other_mode}模式驱动机械臂：本程序的模式指令会使关节失力。请结束该程序、扶住机械臂，再按面板上方提示行给出的方式恢复。</translation>
+    </message>
+    <message>
+        <source>Not run: the arm&apos;s model or zeros are others than those of the check. Send again.</source>
+        <translation>未运行：机械臂的型号或零点约定与检查时不同。请再次点击发送。</translation>
+    </message>
+    <message>
+        <source>The main window, or a page taken out of it, is not in front, or a menu is open. Click into one of them, then press anew.</source>
+        <translation>主窗口或取出的独立窗口不在最前，或有菜单打开。请点击其中一个窗口，再重新按下。</translation>
+    </message>
+    <message>
+        <source>Nothing was sent: the arm was asked for its firmware version and has not named it within 0.9 s. With an older one it would fall. Try again; if it stays so, hold the arm and use the emergency stop.</source>
+        <translation>未发送任何内容：已询问机械臂的固件版本，0.9 s 内没有答复。若固件较旧，机械臂会下坠。请重试；若仍如此，请扶住机械臂并使用急停。</translation>
+    </message>
+    <message>
+        <source>Nothing was sent: asked for its firmware version, the arm named {versions}. With it, or with two arms on the bus, an arm would fall. Hold the arm and use the emergency stop.</source>
+        <translation>未发送任何内容：询问固件版本时，机械臂答复为 {versions}。使用此固件，或总线上有两台机械臂时，机械臂会下坠。请扶住机械臂并使用急停。</translation>
+    </message>
+    <message>
+        <source>What it was asked about is no more as it was: nothing was sent. Ask again.</source>
+        <translation>所询问的内容已经改变：未发送任何内容。请重新操作。</translation>
+    </message>
+    <message>
+        <source>Not run: tool, load, settings or choices are others than those of the check. Send again.</source>
+        <translation>未运行：工具、负载、设置或所选项与检查时不同。请再次点击发送。</translation>
+    </message>
+    <message>
+        <source>Not run: the check has found errors ({count}). Mend what is listed, then send again.</source>
+        <translation>未发送：检查发现 {count} 个错误。请处理列出的各项后再发送。</translation>
+    </message>
+    <message>
+        <source>The drag was given up: the arm, or what was dragged, is another by now. Drag again.</source>
+        <translation>拖动已放弃：机械臂或被拖动的内容已经改变。请重新拖动。</translation>
+    </message>
+    <message>
+        <source>Robot description: the mesh {mesh} is of a kind that is not read. These are: {kinds}.</source>
+        <translation>机器人描述：不支持网格文件 {mesh} 的格式。支持的格式：{kinds}。</translation>
+    </message>
+    <message>
+        <source>Robot description: the mesh {mesh} has {size} MB; {most} MB are read at most. Export it with fewer triangles.</source>
+        <translation>机器人描述：网格文件 {mesh} 有 {size} MB，最多读取 {most} MB。请减少三角面数后重新导出。</translation>
+    </message>
+    <message>
+        <source>Robot description: the mesh {mesh} reaches farther than {most} m, or nowhere. A mesh in millimetres needs scale 0.001.</source>
+        <translation>机器人描述：网格 {mesh} 超出 {most} m，或坐标无效。以毫米为单位的网格需要 scale 0.001。</translation>
+    </message>
+    <message>
+        <source>Robot description: the meshes of {path} have more than {most} triangles together. Export them with fewer.</source>
+        <translation>机器人描述：{path} 的网格合计超过 {most} 个三角面。请减少三角面数后重新导出。</translation>
+    </message>
+    <message>
+        <source>Robot description: {path} takes more than {most} MB of memory to load. Export its meshes with fewer triangles.</source>
+        <translation>机器人描述：加载 {path} 需要的内存超过 {most} MB。请减少网格的三角面数后重新导出。</translation>
+    </message>
+    <message>
+        <source>A part of the program has failed: every motion of this program ends, and none begins while it fails. Copy the details of the error, then start the program again.</source>
+        <translation>程序的一部分出错：本程序的所有运动均被结束，故障期间不会开始新的运动。请复制错误详细信息，然后重新启动程序。</translation>
+    </message>
+    <message>
+        <source>The computer was about to sleep, or to end this program: the arm was told before to end its motion.</source>
+        <translation>电脑即将休眠，或即将结束本程序：此前已命令机械臂结束运动。</translation>
+    </message>
+    <message>
+        <source>The tool moves at {value} mm/s, where {maximum} mm/s is shown. Set the speed again before the next motion.</source>
+        <translation>末端速度为 {value} mm/s，而显示的速度对应 {maximum} mm/s。请在下次运动前重新设置速度。</translation>
+    </message>
+    <message>
+        <source>The tool turns at {value} °/s, where {maximum} °/s is shown. Set the speed again before the next motion.</source>
+        <translation>末端转动速度为 {value} °/s，而显示的速度对应 {maximum} °/s。请在下次运动前重新设置速度。</translation>
+    </message>
+    <message>
+        <source>The fingertip would come to {value} mm; jogs end at {minimum} mm, as chosen under Settings. Jog upwards.</source>
+        <translation>末端将到 {value} mm；按“设置”中的选择，点动止于 {minimum} mm。请向上点动。</translation>
+    </message>
+</context>
+<context>
+    <name>ReplayEventBar</name>
+    <message>
+        <source>Follow the replay</source>
+        <translation>跟随回放</translation>
+    </message>
+    <message>
+        <source>Keep the event of the moment that is shown in sight</source>
+        <translation>列表跟随当前回放时刻的事件</translation>
+    </message>
+</context>
+<context>
+    <name>ReplayEvents</name>
+    <message>
+        <source>Events of the recording</source>
+        <translation>记录中的事件</translation>
+    </message>
+    <message>
+        <source>Click: show this moment</source>
+        <translation>单击：跳到该时刻</translation>
+    </message>
+</context>
+<context>
+    <name>ReplayFrame</name>
+    <message>
+        <source>REPLAY · NOT LIVE</source>
+        <translation>回放 · 非实时画面</translation>
+    </message>
+    <message>
+        <source>Nothing can be sent from here: there is no bus behind it.</source>
+        <translation>此处不能发送任何指令：背后没有总线。</translation>
+    </message>
+</context>
+<context>
+    <name>ReplayView</name>
+    <message>
+        <source>arm</source>
+        <translation>有机械臂</translation>
+    </message>
+    <message>
+        <source>no arm</source>
+        <translation>无机械臂</translation>
+    </message>
+    <message>
+        <source>generation {number}</source>
+        <translation>第 {number} 代</translation>
+    </message>
+    <message>
+        <source>(as the recording tells)</source>
+        <translation>（由记录判定）</translation>
+    </message>
+    <message>
+        <source>Loading: {percent} %</source>
+        <translation>正在载入：{percent} %</translation>
+    </message>
+    <message>
+        <source>Frame {number}</source>
+        <translation>第 {number} 帧</translation>
+    </message>
+    <message>
+        <source>Joint status</source>
+        <translation>关节状态</translation>
+    </message>
+    <message>
+        <source>Curves</source>
+        <translation>曲线</translation>
+    </message>
+    <message>
+        <source>Channel</source>
+        <translation>通道</translation>
+    </message>
+    <message>
+        <source>Protocol</source>
+        <translation>协议</translation>
+    </message>
+    <message>
+        <source>3D view of the recorded arm</source>
+        <translation>记录中机械臂的 3D 视图</translation>
+    </message>
+    <message>
+        <source>Events</source>
+        <translation>事件</translation>
+    </message>
+</context>
+<context>
+    <name>ReplayWindow</name>
+    <message>
+        <source>Open a recording</source>
+        <translation>打开记录</translation>
+    </message>
+    <message>
+        <source>CAN logs</source>
+        <translation>CAN 日志</translation>
+    </message>
+    <message>
+        <source>Reading {name}: {count} frames so far</source>
+        <translation>正在读取 {name}：已读 {count} 帧</translation>
+    </message>
+    <message>
+        <source>{count} places of the log could not be read; the rest is shown.</source>
+        <translation>日志中有 {count} 处无法读取，其余部分照常显示。</translation>
+    </message>
+    <message>
+        <source>{count} frames had a time before the one in front of them: put right.</source>
+        <translation>有 {count} 帧的时间早于前一帧，已校正。</translation>
+    </message>
+    <message>
+        <source>The log is longer: only its first {count} frames are shown.</source>
+        <translation>日志过长，只显示前 {count} 帧。</translation>
+    </message>
+    <message>
+        <source>The disk for temporary files is full: only the first {count} frames are shown.</source>
+        <translation>临时文件所在磁盘已满，只显示前 {count} 帧。</translation>
+    </message>
+    <message>
+        <source>Nothing in it comes from an arm of this kind.</source>
+        <translation>其中没有本型机械臂的报文。</translation>
+    </message>
+    <message>
+        <source>Nothing tells which protocol the arm spoke: choose it below if you know.</source>
+        <translation>无法判定机械臂使用哪一代协议；如果知道，请在下方选择。</translation>
+    </message>
+    <message>
+        <source>Reading {name}…</source>
+        <translation>正在读取 {name}…</translation>
+    </message>
+    <message>
+        <source>Choose a CAN log, of this program or of another one. It is shown here as if it were live; nothing can be sent.</source>
+        <translation>请选择一个 CAN 日志，可由本程序或其他程序记录。它会像实时一样显示在这里，但不能发送任何指令。</translation>
+    </message>
+    <message>
+        <source>Replay</source>
+        <translation>回放</translation>
+    </message>
+    <message>
+        <source>Replay – {name}</source>
+        <translation>回放 – {name}</translation>
+    </message>
+    <message>
+        <source>Choose a recording…</source>
+        <translation>选择记录…</translation>
+    </message>
+    <message>
+        <source>Open another recording…</source>
+        <translation>打开其他记录…</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+</context>
+<context>
+    <name>ReportButton</name>
+    <message>
+        <source>Results…</source>
+        <translation>导入结果…</translation>
+    </message>
+</context>
+<context>
+    <name>RingCard</name>
+    <message>
+        <source>The last minutes, in memory</source>
+        <translation>内存中的最近几分钟</translation>
+    </message>
+    <message>
+        <source>Save by itself at a fault or a stop</source>
+        <translation>发生故障或急停时自动保存</translation>
+    </message>
+    <message>
+        <source>A few seconds after a fault or a stop, the last minutes are saved as a recording. Faults that follow one another are saved together.</source>
+        <translation>发生故障或急停几秒后，最近几分钟的内容会自动保存为一条记录。接连发生的故障合并保存。</translation>
+    </message>
+    <message>
+        <source>Saving…</source>
+        <translation>正在保存…</translation>
+    </message>
+    <message>
+        <source>Save what just happened</source>
+        <translation>保存刚才发生的事</translation>
+    </message>
+    <message>
+        <source>Nothing heard yet</source>
+        <translation>尚未收到任何帧</translation>
+    </message>
+    <message>
+        <source>Everything on the bus, for {minutes} minutes.</source>
+        <translation>总线上的全部内容，保留 {minutes} 分钟。</translation>
+    </message>
+    <message>
+        <source>{length} of {minutes} minutes · {frames} frames</source>
+        <translation>{length}（最长 {minutes} 分钟）· {frames} 帧</translation>
+    </message>
+    <message>
+        <source>{now} of memory, {most} at most</source>
+        <translation>占用内存 {now}，最多 {most}</translation>
+    </message>
+</context>
+<context>
+    <name>RunBar</name>
+    <message>
+        <source>A run is under way.</source>
+        <translation>正在运行。</translation>
+    </message>
+    <message>
+        <source>Checking…</source>
+        <translation>正在检查…</translation>
+    </message>
+    <message>
+        <source>Go on from row {row}</source>
+        <translation>从第 {row} 行继续</translation>
+    </message>
+    <message>
+        <source>Send</source>
+        <translation>发送</translation>
+    </message>
+    <message>
+        <source>Call off</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>Once</source>
+        <translation>单次</translation>
+    </message>
+    <message>
+        <source>Times</source>
+        <translation>多次</translation>
+    </message>
+    <message>
+        <source>In a loop</source>
+        <translation>循环</translation>
+    </message>
+    <message>
+        <source>How often</source>
+        <translation>运行次数</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>速度</translation>
+    </message>
+    <message>
+        <source>Of each point&apos;s own speed</source>
+        <translation>相对于各点自身速度的百分比</translation>
+    </message>
+    <message>
+        <source>From row</source>
+        <translation>起始行</translation>
+    </message>
+    <message>
+        <source>Step by step</source>
+        <translation>单步运行</translation>
+    </message>
+    <message>
+        <source>Checks it and runs it</source>
+        <translation>检查后运行</translation>
+    </message>
+    <message>
+        <source>Effective: {percent} % of the recorded speed</source>
+        <translation>实际速度：录制速度的 {percent} %</translation>
+    </message>
+    <message>
+        <source>The first sample is approached at {percent} %.</source>
+        <translation>先以 {percent} % 运动到第一个采样点。</translation>
+    </message>
+    <message>
+        <source>Effective speed {percent}</source>
+        <translation>实际速度 {percent}</translation>
+    </message>
+    <message>
+        <source>The speed in the top bar does not change a run.</source>
+        <translation>顶栏的速度不影响运行。</translation>
+    </message>
+    <message>
+        <source>{text} · override {percent} %</source>
+        <translation>{text} · 倍率 {percent} %</translation>
+    </message>
+    <message>
+        <source>The override was chosen in a run and stays; it can be raised once something runs (key {key}).</source>
+        <translation>倍率是在运行中设定的，保持有效；开始运行后可调高（按键 {key}）。</translation>
+    </message>
+    <message>
+        <source>{text} · first run</source>
+        <translation>{text} · 首次运行</translation>
+    </message>
+    <message>
+        <source>“{name}” is not known to have run: its speed begins at {percent} %. Watch it once before you choose more.</source>
+        <translation>未见“{name}”运行过：速度从 {percent} % 开始。先看它运行一次，再选择更高速度。</translation>
+    </message>
+    <message>
+        <source>The speed of each row × that of the run, 1–100 %; of all rows that run.</source>
+        <translation>各行速度 × 运行速度，1–100 %；为所有要运行的行。</translation>
+    </message>
+    <message>
+        <source>The speed of each row × that of the run, 1–100 %; from row {row} on.</source>
+        <translation>各行速度 × 运行速度，1–100 %；从第 {row} 行起。</translation>
+    </message>
+</context>
+<context>
+    <name>RunStrip</name>
+    <message>
+        <source>cycle {cycle} of {cycles}</source>
+        <translation>第 {cycle}/{cycles} 次</translation>
+    </message>
+    <message>
+        <source>{time} left</source>
+        <translation>剩余 {time}</translation>
+    </message>
+    <message>
+        <source>moving</source>
+        <translation>运动中</translation>
+    </message>
+    <message>
+        <source>dwelling</source>
+        <translation>停留中</translation>
+    </message>
+    <message>
+        <source>waits for the next step</source>
+        <translation>等待下一步</translation>
+    </message>
+    <message>
+        <source>paused</source>
+        <translation>已暂停</translation>
+    </message>
+    <message>
+        <source>coming to rest</source>
+        <translation>正在停下</translation>
+    </message>
+    <message>
+        <source>done</source>
+        <translation>已完成</translation>
+    </message>
+    <message>
+        <source>ended</source>
+        <translation>已结束</translation>
+    </message>
+    <message>
+        <source>ended by a fault</source>
+        <translation>因故障结束</translation>
+    </message>
+    <message>
+        <source>Next step</source>
+        <translation>下一步</translation>
+    </message>
+    <message>
+        <source>Continue</source>
+        <translation>继续</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>暂停</translation>
+    </message>
+    <message>
+        <source>End run</source>
+        <translation>结束运行</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>关闭</translation>
+    </message>
+    <message>
+        <source>Puts this line away; the run is over.</source>
+        <translation>收起此行；运行已结束。</translation>
+    </message>
+    <message>
+        <source>point {row} of {count}</source>
+        <translation>第 {row}/{count} 点</translation>
+    </message>
+    <message>
+        <source>Progress of the run</source>
+        <translation>运行进度</translation>
+    </message>
+</context>
+<context>
+    <name>SaveButton</name>
+    <message>
+        <source>Save</source>
+        <translation>保存</translation>
+    </message>
+</context>
+<context>
+    <name>SaveQuestion</name>
+    <message>
+        <source>Changes are not saved</source>
+        <translation>修改未保存</translation>
+    </message>
+    <message>
+        <source>Discard changes</source>
+        <translation>放弃修改</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>保存</translation>
+    </message>
+</context>
+<context>
+    <name>SendBox</name>
+    <message>
+        <source>Sent: {frame}.</source>
+        <translation>已发送：{frame}。</translation>
+    </message>
+    <message>
+        <source>A frame sent by hand is checked for nothing but its form, and counts as another program&apos;s: what this program is doing ends.</source>
+        <translation>手动发送的帧只检查格式，并按其他程序的指令处理：本程序正在进行的运动会结束。</translation>
+    </message>
+    <message>
+        <source>Hold to send frames by hand</source>
+        <translation>按住以启用手动发送</translation>
+    </message>
+    <message>
+        <source>Lock</source>
+        <translation>锁定</translation>
+    </message>
+    <message>
+        <source>Send nothing more; it also locks by itself after a minute</source>
+        <translation>不再发送；一分钟后也会自动锁定</translation>
+    </message>
+    <message>
+        <source>ID, hex</source>
+        <translation>ID，十六进制</translation>
+    </message>
+    <message>
+        <source>Identifier of the frame, hexadecimal</source>
+        <translation>帧 ID，十六进制</translation>
+    </message>
+    <message>
+        <source>Data, hex: 01 00 00 00 …</source>
+        <translation>数据，十六进制：01 00 00 00 …</translation>
+    </message>
+    <message>
+        <source>Data of the frame, hexadecimal</source>
+        <translation>帧数据，十六进制</translation>
+    </message>
+    <message>
+        <source>Send</source>
+        <translation>发送</translation>
+    </message>
+    <message>
+        <source>Hold to send</source>
+        <translation>按住发送</translation>
+    </message>
+</context>
+<context>
+    <name>Sender</name>
+    <message>
+        <source>arm</source>
+        <translation>机械臂</translation>
+    </message>
+    <message>
+        <source>this program</source>
+        <translation>本程序</translation>
+    </message>
+    <message>
+        <source>another host</source>
+        <translation>其他上位机</translation>
+    </message>
+    <message>
+        <source>another arm</source>
+        <translation>另一台机械臂</translation>
+    </message>
+    <message>
+        <source>adapter</source>
+        <translation>适配器</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>未知</translation>
+    </message>
+    <message>
+        <source>leader arm</source>
+        <translation>主臂</translation>
+    </message>
+</context>
+<context>
+    <name>SessionKind</name>
+    <message>
+        <source>recorded</source>
+        <translation>手动记录</translation>
+    </message>
+    <message>
+        <source>by armui record</source>
+        <translation>由 armui record 记录</translation>
+    </message>
+    <message>
+        <source>saved from memory</source>
+        <translation>从内存保存</translation>
+    </message>
+    <message>
+        <source>saved at a fault</source>
+        <translation>故障时自动保存</translation>
+    </message>
+    <message>
+        <source>saved at a stop</source>
+        <translation>急停时自动保存</translation>
+    </message>
+</context>
+<context>
+    <name>SessionState</name>
+    <message>
+        <source>under way</source>
+        <translation>正在写入</translation>
+    </message>
+    <message>
+        <source>whole</source>
+        <translation>完整</translation>
+    </message>
+    <message>
+        <source>cut off: readable to its last second</source>
+        <translation>中断：可读取至最后一秒</translation>
+    </message>
+    <message>
+        <source>ended early: {text}</source>
+        <translation>提前结束：{text}</translation>
+    </message>
+    <message>
+        <source>empty</source>
+        <translation>空</translation>
+    </message>
+    <message>
+        <source>what stands beside it cannot be read: {text}</source>
+        <translation>旁边的说明文件无法读取：{text}</translation>
+    </message>
+</context>
+<context>
+    <name>SessionsModel</name>
+    <message>
+        <source>Name</source>
+        <translation>名称</translation>
+    </message>
+    <message>
+        <source>Begun</source>
+        <translation>开始时间</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>时长</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>大小</translation>
+    </message>
+    <message>
+        <source>Faults</source>
+        <translation>故障</translation>
+    </message>
+    <message>
+        <source>Stops</source>
+        <translation>急停</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>来源</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>状态</translation>
+    </message>
+</context>
+<context>
+    <name>SessionsWindow</name>
+    <message>
+        <source>Session recordings</source>
+        <translation>会话记录</translation>
+    </message>
+    <message>
+        <source>Replay</source>
+        <translation>回放</translation>
+    </message>
+    <message>
+        <source>Replay another log…</source>
+        <translation>回放其他日志…</translation>
+    </message>
+    <message>
+        <source>Any CAN log, also of another program, is shown as if it were live.</source>
+        <translation>任何 CAN 日志（包括其他程序的）都可以像实时一样显示。</translation>
+    </message>
+    <message>
+        <source>Export…</source>
+        <translation>导出…</translation>
+    </message>
+    <message>
+        <source>As ROS 2 messages in MCAP, as CSV or as Parquet.</source>
+        <translation>导出为 MCAP（ROS 2 消息）、CSV 或 Parquet。</translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation>重命名</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>删除</translation>
+    </message>
+    <message>
+        <source>Moves the recording into the folder “deleted” beside the others.</source>
+        <translation>将记录移到同一位置的“deleted”文件夹中。</translation>
+    </message>
+    <message>
+        <source>Show in the file manager</source>
+        <translation>在文件管理器中显示</translation>
+    </message>
+    <message>
+        <source>No recordings yet. Record a session, or save what just happened: both can be replayed here and opened in other CAN tools.</source>
+        <translation>还没有会话记录。可以记录会话，或保存刚才发生的事：两者都能在此回放，也能用其他 CAN 工具打开。</translation>
+    </message>
+    <message>
+        <source>Moved to {folder}. It can be moved back from there.</source>
+        <translation>已移到 {folder}，可以从那里移回。</translation>
+    </message>
+</context>
+<context>
+    <name>SettingName</name>
+    <message>
+        <source>language</source>
+        <translation>语言</translation>
+    </message>
+    <message>
+        <source>theme</source>
+        <translation>主题</translation>
+    </message>
+    <message>
+        <source>jog step</source>
+        <translation>点动步长</translation>
+    </message>
+    <message>
+        <source>robot description</source>
+        <translation>机器人模型</translation>
+    </message>
+    <message>
+        <source>tool centre point</source>
+        <translation>工具中心点</translation>
+    </message>
+    <message>
+        <source>folder of the session recordings</source>
+        <translation>会话记录的文件夹</translation>
+    </message>
+    <message>
+        <source>format of the session recordings</source>
+        <translation>会话记录的格式</translation>
+    </message>
+    <message>
+        <source>size at which a new file is begun</source>
+        <translation>会话记录的分卷大小</translation>
+    </message>
+    <message>
+        <source>saving at faults and stops</source>
+        <translation>故障或急停时自动保存</translation>
+    </message>
+    <message>
+        <source>view of the 3D picture</source>
+        <translation>3D 画面的视角</translation>
+    </message>
+    <message>
+        <source>3D picture without perspective</source>
+        <translation>3D 画面的平行投影</translation>
+    </message>
+    <message>
+        <source>tool frame in the 3D picture</source>
+        <translation>3D 画面中的工具坐标系</translation>
+    </message>
+    <message>
+        <source>way of the tool in the 3D picture</source>
+        <translation>3D 画面中的末端轨迹</translation>
+    </message>
+    <message>
+        <source>jogging by gamepad</source>
+        <translation>手柄点动</translation>
+    </message>
+    <message>
+        <source>what a gamepad moves</source>
+        <translation>手柄控制的对象</translation>
+    </message>
+    <message>
+        <source>one axis at a time by gamepad</source>
+        <translation>手柄一次只动一个轴</translation>
+    </message>
+    <message>
+        <source>buttons of the gamepads</source>
+        <translation>手柄按键</translation>
+    </message>
+    <message>
+        <source>models of the arms</source>
+        <translation>机械臂型号</translation>
+    </message>
+    <message>
+        <source>lowest height for jogs</source>
+        <translation>点动最低高度</translation>
+    </message>
+</context>
+<context>
+    <name>SettingsDialog</name>
+    <message>
+        <source>Settings</source>
+        <translation>设置</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>语言</translation>
+    </message>
+    <message>
+        <source>Theme</source>
+        <translation>主题</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>浅色</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>深色</translation>
+    </message>
+    <message>
+        <source>As the system</source>
+        <translation>跟随系统</translation>
+    </message>
+    <message>
+        <source>Jog step</source>
+        <translation>点动步长</translation>
+    </message>
+    <message>
+        <source>{minimum}° to {maximum}°: how far − and + move a joint</source>
+        <translation>{minimum}° 至 {maximum}°，即每按一次 − 或 + 关节转动的角度</translation>
+    </message>
+    <message>
+        <source>Robot description (URDF)</source>
+        <translation>机器人模型（URDF）</translation>
+    </message>
+    <message>
+        <source>Browse…</source>
+        <translation>浏览…</translation>
+    </message>
+    <message>
+        <source>Use the built-in one</source>
+        <translation>使用内置模型</translation>
+    </message>
+    <message>
+        <source>Diagnosis…</source>
+        <translation>诊断…</translation>
+    </message>
+    <message>
+        <source>About this arm…</source>
+        <translation>关于本机械臂…</translation>
+    </message>
+    <message>
+        <source>The built-in robot description is in use.</source>
+        <translation>当前使用的就是内置模型。</translation>
+    </message>
+    <message>
+        <source>Choose a robot description</source>
+        <translation>选择机器人模型</translation>
+    </message>
+    <message>
+        <source>Robot description</source>
+        <translation>机器人模型</translation>
+    </message>
+    <message>
+        <source>Stop again if another host undoes an emergency stop</source>
+        <translation>急停被其他程序解除时自动再次急停</translation>
+    </message>
+    <message>
+        <source>Such a stop is always told as a fault. With this, it is also sent again by itself.</source>
+        <translation>这种情况总会作为故障提示。勾选后还会自动再次发送急停。</translation>
+    </message>
+    <message>
+        <source>Gamepad, SpaceMouse</source>
+        <translation>手柄、SpaceMouse</translation>
+    </message>
+    <message>
+        <source>Gamepad…</source>
+        <translation>手柄…</translation>
+    </message>
+    <message>
+        <source>On: jogs the arm</source>
+        <translation>已开启：可以点动机械臂</translation>
+    </message>
+    <message>
+        <source>Off</source>
+        <translation>已关闭</translation>
+    </message>
+    <message>
+        <source>Built-in model of the {model}</source>
+        <translation>{model} 内置模型</translation>
+    </message>
+    <message>
+        <source>Over the plane the arm stands on: 0 mm is the plane, negative is below it. Single steps, buttons, keys and gamepad keep to it; an arm that is lower may only go up.</source>
+        <translation>相对底座平面：0 mm 为该平面，负值在其下。单步、按钮、按键和手柄都遵守；已低于此高度的机械臂只能向上。</translation>
+    </message>
+    <message>
+        <source>Jogs end at a lowest height of the fingertip</source>
+        <translation>点动止于末端最低高度</translation>
+    </message>
+</context>
+<context>
+    <name>SharedUseBanner</name>
+    <message>
+        <source>Another program has this library open, too ({names}). What it saves appears in this list. Do not edit the same trajectory in both.</source>
+        <translation>另一个程序也打开了此轨迹库（{names}）。它保存的内容会出现在此列表中。请勿在两个程序中编辑同一条轨迹。</translation>
+    </message>
+</context>
+<context>
+    <name>Shortcut</name>
+    <message>
+        <source>Command palette: find every function by its name</source>
+        <translation>命令面板：按名称查找任何功能</translation>
+    </message>
+    <message>
+        <source>User guide, at the place where you are</source>
+        <translation>使用指南，打开当前所在处的章节</translation>
+    </message>
+    <message>
+        <source>Faster: run or motion</source>
+        <translation>加速：运行或运动</translation>
+    </message>
+    <message>
+        <source>This list</source>
+        <translation>本列表</translation>
+    </message>
+    <message>
+        <source>Pause, go on</source>
+        <translation>暂停、继续</translation>
+    </message>
+    <message>
+        <source>Copy the chosen rows</source>
+        <translation>复制所选行</translation>
+    </message>
+    <message>
+        <source>Play, pause</source>
+        <translation>播放、暂停</translation>
+    </message>
+    <message>
+        <source>One frame back</source>
+        <translation>后退一帧</translation>
+    </message>
+    <message>
+        <source>One frame on</source>
+        <translation>前进一帧</translation>
+    </message>
+    <message>
+        <source>Halt: ends any motion, the motors keep their power</source>
+        <translation>停住：结束任何运动，电机保持通电</translation>
+    </message>
+    <message>
+        <source>Slower: run or motion</source>
+        <translation>减速：运行或运动</translation>
+    </message>
+    <message>
+        <source>To the next control; with Shift to the one before</source>
+        <translation>到下一个控件；加 Shift 到上一个</translation>
+    </message>
+    <message>
+        <source>Close the dialog</source>
+        <translation>关闭对话框</translation>
+    </message>
+    <message>
+        <source>With Space held: J1 to J6 up, down</source>
+        <translation>按住空格：J1 至 J6 增、减</translation>
+    </message>
+    <message>
+        <source>With Space held: X, Y, Z of the tool</source>
+        <translation>按住空格：末端 X、Y、Z</translation>
+    </message>
+    <message>
+        <source>With Space held: RX, RY, RZ of the tool</source>
+        <translation>按住空格：末端 RX、RY、RZ</translation>
+    </message>
+    <message>
+        <source>Edit the points of the chosen trajectory</source>
+        <translation>编辑所选轨迹的点</translation>
+    </message>
+    <message>
+        <source>On the time line: through the recording</source>
+        <translation>在时间轴上：在记录中移动</translation>
+    </message>
+</context>
+<context>
+    <name>ShortcutList</name>
+    <message>
+        <source>Keyboard shortcuts</source>
+        <translation>快捷键</translation>
+    </message>
+</context>
+<context>
+    <name>SideMenu</name>
+    <message>
+        <source>Motion control</source>
+        <translation>运动控制</translation>
+    </message>
+    <message>
+        <source>Tool control</source>
+        <translation>末端控制</translation>
+    </message>
+    <message>
+        <source>Light control</source>
+        <translation>灯光控制</translation>
+    </message>
+    <message>
+        <source>Linkage control</source>
+        <translation>联动控制</translation>
+    </message>
+    <message>
+        <source>Joint settings</source>
+        <translation>关节设置</translation>
+    </message>
+    <message>
+        <source>End speed limits</source>
+        <translation>配速设置</translation>
+    </message>
+    <message>
+        <source>Collision level</source>
+        <translation>碰撞等级</translation>
+    </message>
+    <message>
+        <source>Motor settings</source>
+        <translation>电机设置</translation>
+    </message>
+    <message>
+        <source>Gripper control</source>
+        <translation>夹爪控制</translation>
+    </message>
+    <message>
+        <source>Gripper settings</source>
+        <translation>夹爪设置</translation>
+    </message>
+    <message>
+        <source>End load</source>
+        <translation>末端负载</translation>
+    </message>
+    <message>
+        <source>Drag teaching</source>
+        <translation>示教</translation>
+    </message>
+</context>
+<context>
+    <name>SignalName</name>
+    <message>
+        <source>Acceleration valid</source>
+        <translation>加速度有效</translation>
+    </message>
+    <message>
+        <source>Action</source>
+        <translation>动作</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>角度</translation>
+    </message>
+    <message>
+        <source>Angular acceleration</source>
+        <translation>角加速度</translation>
+    </message>
+    <message>
+        <source>Angular speed</source>
+        <translation>角速度</translation>
+    </message>
+    <message>
+        <source>Blue</source>
+        <translation>蓝</translation>
+    </message>
+    <message>
+        <source>Supply current</source>
+        <translation>母线电流</translation>
+    </message>
+    <message>
+        <source>Clear error</source>
+        <translation>清除错误</translation>
+    </message>
+    <message>
+        <source>Collision protection</source>
+        <translation>碰撞保护</translation>
+    </message>
+    <message>
+        <source>Control mode</source>
+        <translation>控制模式</translation>
+    </message>
+    <message>
+        <source>Offset of the commands</source>
+        <translation>控制指令偏移</translation>
+    </message>
+    <message>
+        <source>Counter</source>
+        <translation>计数</translation>
+    </message>
+    <message>
+        <source>Check sum (CRC16)</source>
+        <translation>校验（CRC16）</translation>
+    </message>
+    <message>
+        <source>Check sum (4 bits)</source>
+        <translation>校验（4 位）</translation>
+    </message>
+    <message>
+        <source>Current</source>
+        <translation>电流</translation>
+    </message>
+    <message>
+        <source>Driver fault</source>
+        <translation>驱动器错误</translation>
+    </message>
+    <message>
+        <source>Driver too hot</source>
+        <translation>驱动器过温</translation>
+    </message>
+    <message>
+        <source>Driver temperature</source>
+        <translation>驱动器温度</translation>
+    </message>
+    <message>
+        <source>Dwell time</source>
+        <translation>停留时间</translation>
+    </message>
+    <message>
+        <source>Emergency stop</source>
+        <translation>急停</translation>
+    </message>
+    <message>
+        <source>Enable</source>
+        <translation>使能</translation>
+    </message>
+    <message>
+        <source>Enabled</source>
+        <translation>已使能</translation>
+    </message>
+    <message>
+        <source>Feedback of the end&apos;s motion</source>
+        <translation>末端运动反馈</translation>
+    </message>
+    <message>
+        <source>Offset of the feedback</source>
+        <translation>反馈指令偏移</translation>
+    </message>
+    <message>
+        <source>Friction</source>
+        <translation>摩擦系数</translation>
+    </message>
+    <message>
+        <source>Green</source>
+        <translation>绿</translation>
+    </message>
+    <message>
+        <source>Zero found</source>
+        <translation>已回零</translation>
+    </message>
+    <message>
+        <source>Answers</source>
+        <translation>应答对象</translation>
+    </message>
+    <message>
+        <source>Joint</source>
+        <translation>关节</translation>
+    </message>
+    <message>
+        <source>Kd</source>
+        <translation>Kd</translation>
+    </message>
+    <message>
+        <source>Kp</source>
+        <translation>Kp</translation>
+    </message>
+    <message>
+        <source>Lamp</source>
+        <translation>灯珠</translation>
+    </message>
+    <message>
+        <source>Linear acceleration</source>
+        <translation>线加速度</translation>
+    </message>
+    <message>
+        <source>Linear speed</source>
+        <translation>线速度</translation>
+    </message>
+    <message>
+        <source>Load</source>
+        <translation>负载</translation>
+    </message>
+    <message>
+        <source>Load valid</source>
+        <translation>负载有效</translation>
+    </message>
+    <message>
+        <source>Highest acceleration</source>
+        <translation>最大加速度</translation>
+    </message>
+    <message>
+        <source>Largest angle</source>
+        <translation>最大角度</translation>
+    </message>
+    <message>
+        <source>Highest angular acceleration</source>
+        <translation>最大角加速度</translation>
+    </message>
+    <message>
+        <source>Highest angular speed</source>
+        <translation>最大角速度</translation>
+    </message>
+    <message>
+        <source>Highest linear acceleration</source>
+        <translation>最大线加速度</translation>
+    </message>
+    <message>
+        <source>Highest linear speed</source>
+        <translation>最大线速度</translation>
+    </message>
+    <message>
+        <source>Highest speed</source>
+        <translation>最大速度</translation>
+    </message>
+    <message>
+        <source>Smallest angle</source>
+        <translation>最小角度</translation>
+    </message>
+    <message>
+        <source>Follow mode</source>
+        <translation>跟随模式</translation>
+    </message>
+    <message>
+        <source>Mode</source>
+        <translation>模式</translation>
+    </message>
+    <message>
+        <source>Target</source>
+        <translation>目标</translation>
+    </message>
+    <message>
+        <source>Motor too hot</source>
+        <translation>电机过温</translation>
+    </message>
+    <message>
+        <source>Motor temperature</source>
+        <translation>电机温度</translation>
+    </message>
+    <message>
+        <source>Mounting</source>
+        <translation>安装方式</translation>
+    </message>
+    <message>
+        <source>Move mode</source>
+        <translation>运动模式</translation>
+    </message>
+    <message>
+        <source>Index of the name</source>
+        <translation>名称索引</translation>
+    </message>
+    <message>
+        <source>Opening</source>
+        <translation>开度</translation>
+    </message>
+    <message>
+        <source>Overcurrent</source>
+        <translation>过流</translation>
+    </message>
+    <message>
+        <source>Point</source>
+        <translation>点</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>位置</translation>
+    </message>
+    <message>
+        <source>Question</source>
+        <translation>查询</translation>
+    </message>
+    <message>
+        <source>Red</source>
+        <translation>红</translation>
+    </message>
+    <message>
+        <source>Factory reset</source>
+        <translation>恢复出厂</translation>
+    </message>
+    <message>
+        <source>Role</source>
+        <translation>角色</translation>
+    </message>
+    <message>
+        <source>Sensor fault</source>
+        <translation>传感器异常</translation>
+    </message>
+    <message>
+        <source>Set zero</source>
+        <translation>设置零点</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>速度</translation>
+    </message>
+    <message>
+        <source>Speed percentage</source>
+        <translation>速度百分比</translation>
+    </message>
+    <message>
+        <source>Stall protection</source>
+        <translation>堵转保护</translation>
+    </message>
+    <message>
+        <source>Status</source>
+        <translation>状态</translation>
+    </message>
+    <message>
+        <source>Stroke</source>
+        <translation>行程</translation>
+    </message>
+    <message>
+        <source>Offset of what a leader sends</source>
+        <translation>主臂发送的指令偏移</translation>
+    </message>
+    <message>
+        <source>Teaching command</source>
+        <translation>示教指令</translation>
+    </message>
+    <message>
+        <source>Range of the handle</source>
+        <translation>手柄行程系数</translation>
+    </message>
+    <message>
+        <source>Teaching state</source>
+        <translation>示教状态</translation>
+    </message>
+    <message>
+        <source>Torque</source>
+        <translation>力矩</translation>
+    </message>
+    <message>
+        <source>Trajectory command</source>
+        <translation>轨迹指令</translation>
+    </message>
+    <message>
+        <source>Trajectory point</source>
+        <translation>轨迹点</translation>
+    </message>
+    <message>
+        <source>Transfer</source>
+        <translation>传输</translation>
+    </message>
+    <message>
+        <source>Voltage too low</source>
+        <translation>电压过低</translation>
+    </message>
+    <message>
+        <source>Voltage</source>
+        <translation>电压</translation>
+    </message>
+    <message>
+        <source>Zero</source>
+        <translation>零点</translation>
+    </message>
+    <message>
+        <source>J{joint} limit</source>
+        <translation>J{joint} 限位</translation>
+    </message>
+    <message>
+        <source>J{joint} communication</source>
+        <translation>J{joint} 通信</translation>
+    </message>
+    <message>
+        <source>Byte {place}</source>
+        <translation>字节 {place}</translation>
+    </message>
+    <message>
+        <source>Acceleration</source>
+        <translation>加速度</translation>
+    </message>
+    <message>
+        <source>Command</source>
+        <translation>指令</translation>
+    </message>
+    <message>
+        <source>Deceleration</source>
+        <translation>减速度</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>类型</translation>
+    </message>
+    <message>
+        <source>Told as</source>
+        <translation>表示方式</translation>
+    </message>
+    <message>
+        <source>Position loop Kp</source>
+        <translation>位置环 Kp</translation>
+    </message>
+    <message>
+        <source>Target position</source>
+        <translation>目标位置</translation>
+    </message>
+    <message>
+        <source>Profile speed</source>
+        <translation>规划速度</translation>
+    </message>
+    <message>
+        <source>Speed loop Ki</source>
+        <translation>速度环 Ki</translation>
+    </message>
+    <message>
+        <source>Speed loop Kp</source>
+        <translation>速度环 Kp</translation>
+    </message>
+    <message>
+        <source>Target speed</source>
+        <translation>目标速度</translation>
+    </message>
+    <message>
+        <source>Zero learning</source>
+        <translation>零点学习</translation>
+    </message>
+</context>
+<context>
+    <name>SignalWord</name>
+    <message>
+        <source>Abort</source>
+        <translation>终止</translation>
+    </message>
+    <message>
+        <source>Acceleration limit</source>
+        <translation>加速度限制</translation>
+    </message>
+    <message>
+        <source>All joints</source>
+        <translation>所有关节</translation>
+    </message>
+    <message>
+        <source>All lamps</source>
+        <translation>所有灯珠</translation>
+    </message>
+    <message>
+        <source>Angle and speed limits</source>
+        <translation>角度与速度限制</translation>
+    </message>
+    <message>
+        <source>Beyond limit</source>
+        <translation>超限</translation>
+    </message>
+    <message>
+        <source>Brake resistor too hot</source>
+        <translation>制动电阻过温</translation>
+    </message>
+    <message>
+        <source>CAN control</source>
+        <translation>CAN 指令控制</translation>
+    </message>
+    <message>
+        <source>Clear all</source>
+        <translation>清除所有轨迹</translation>
+    </message>
+    <message>
+        <source>Clear current</source>
+        <translation>清除当前轨迹</translation>
+    </message>
+    <message>
+        <source>Clear error</source>
+        <translation>清除错误</translation>
+    </message>
+    <message>
+        <source>Collision</source>
+        <translation>碰撞</translation>
+    </message>
+    <message>
+        <source>Collision levels</source>
+        <translation>碰撞防护等级</translation>
+    </message>
+    <message>
+        <source>Continue</source>
+        <translation>继续</translation>
+    </message>
+    <message>
+        <source>Disable</source>
+        <translation>失能</translation>
+    </message>
+    <message>
+        <source>Disabled</source>
+        <translation>已失能</translation>
+    </message>
+    <message>
+        <source>Emergency stop</source>
+        <translation>急停</translation>
+    </message>
+    <message>
+        <source>Empty</source>
+        <translation>空载</translation>
+    </message>
+    <message>
+        <source>Enable</source>
+        <translation>使能</translation>
+    </message>
+    <message>
+        <source>Enabled</source>
+        <translation>已使能</translation>
+    </message>
+    <message>
+        <source>End</source>
+        <translation>终点</translation>
+    </message>
+    <message>
+        <source>End limits</source>
+        <translation>末端限制</translation>
+    </message>
+    <message>
+        <source>End limits to factory</source>
+        <translation>末端限制恢复出厂</translation>
+    </message>
+    <message>
+        <source>End of trajectory</source>
+        <translation>轨迹结束</translation>
+    </message>
+    <message>
+        <source>Ethernet control</source>
+        <translation>以太网控制</translation>
+    </message>
+    <message>
+        <source>Fault</source>
+        <translation>异常</translation>
+    </message>
+    <message>
+        <source>Full</source>
+        <translation>满载</translation>
+    </message>
+    <message>
+        <source>Get current</source>
+        <translation>获取当前轨迹</translation>
+    </message>
+    <message>
+        <source>Half</source>
+        <translation>半载</translation>
+    </message>
+    <message>
+        <source>Ignore</source>
+        <translation>忽略</translation>
+    </message>
+    <message>
+        <source>Joint brake closed</source>
+        <translation>关节抱闸未打开</translation>
+    </message>
+    <message>
+        <source>Joint communication fault</source>
+        <translation>关节通信异常</translation>
+    </message>
+    <message>
+        <source>Joint limits to factory</source>
+        <translation>关节限制恢复出厂</translation>
+    </message>
+    <message>
+        <source>Joint status abnormal</source>
+        <translation>关节状态异常</translation>
+    </message>
+    <message>
+        <source>Large gripper</source>
+        <translation>大夹爪</translation>
+    </message>
+    <message>
+        <source>Leave silence</source>
+        <translation>解除静默</translation>
+    </message>
+    <message>
+        <source>Leave unchanged</source>
+        <translation>保持不变</translation>
+    </message>
+    <message>
+        <source>Level</source>
+        <translation>水平</translation>
+    </message>
+    <message>
+        <source>Linked teaching input</source>
+        <translation>联动示教输入</translation>
+    </message>
+    <message>
+        <source>MIT</source>
+        <translation>MIT</translation>
+    </message>
+    <message>
+        <source>MOVE C</source>
+        <translation>MOVE C</translation>
+    </message>
+    <message>
+        <source>MOVE CPV</source>
+        <translation>MOVE CPV</translation>
+    </message>
+    <message>
+        <source>MOVE J</source>
+        <translation>MOVE J</translation>
+    </message>
+    <message>
+        <source>MOVE L</source>
+        <translation>MOVE L</translation>
+    </message>
+    <message>
+        <source>MOVE M</source>
+        <translation>MOVE M</translation>
+    </message>
+    <message>
+        <source>MOVE P</source>
+        <translation>MOVE P</translation>
+    </message>
+    <message>
+        <source>Main controller too hot</source>
+        <translation>主控过温</translation>
+    </message>
+    <message>
+        <source>Middle</source>
+        <translation>中间点</translation>
+    </message>
+    <message>
+        <source>Motion output</source>
+        <translation>运动输出臂</translation>
+    </message>
+    <message>
+        <source>Move to start</source>
+        <translation>运动到起点</translation>
+    </message>
+    <message>
+        <source>No</source>
+        <translation>否</translation>
+    </message>
+    <message>
+        <source>No action</source>
+        <translation>无动作</translation>
+    </message>
+    <message>
+        <source>No change</source>
+        <translation>不变</translation>
+    </message>
+    <message>
+        <source>No offset</source>
+        <translation>无偏移</translation>
+    </message>
+    <message>
+        <source>No solution</source>
+        <translation>无解</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>Normal</source>
+        <translation>正常</translation>
+    </message>
+    <message>
+        <source>Not given</source>
+        <translation>未指定</translation>
+    </message>
+    <message>
+        <source>Not reached</source>
+        <translation>未到达</translation>
+    </message>
+    <message>
+        <source>Not set</source>
+        <translation>未设置</translation>
+    </message>
+    <message>
+        <source>Off</source>
+        <translation>关闭</translation>
+    </message>
+    <message>
+        <source>Offline trajectory</source>
+        <translation>离线轨迹</translation>
+    </message>
+    <message>
+        <source>Offset 0x10</source>
+        <translation>偏移 0x10</translation>
+    </message>
+    <message>
+        <source>Offset 0x20</source>
+        <translation>偏移 0x20</translation>
+    </message>
+    <message>
+        <source>On</source>
+        <translation>开启</translation>
+    </message>
+    <message>
+        <source>On the left side</source>
+        <translation>侧装（左）</translation>
+    </message>
+    <message>
+        <source>On the right side</source>
+        <translation>侧装（右）</translation>
+    </message>
+    <message>
+        <source>Other fault</source>
+        <translation>其他异常</translation>
+    </message>
+    <message>
+        <source>Overspeed while teaching</source>
+        <translation>拖动示教超速</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>暂停</translation>
+    </message>
+    <message>
+        <source>Position-velocity</source>
+        <translation>位置速度模式</translation>
+    </message>
+    <message>
+        <source>Reached</source>
+        <translation>已到达</translation>
+    </message>
+    <message>
+        <source>Received</source>
+        <translation>已接收</translation>
+    </message>
+    <message>
+        <source>Remote control</source>
+        <translation>遥控器控制</translation>
+    </message>
+    <message>
+        <source>Resume</source>
+        <translation>恢复</translation>
+    </message>
+    <message>
+        <source>Run recording</source>
+        <translation>执行示教轨迹</translation>
+    </message>
+    <message>
+        <source>Send again</source>
+        <translation>请重发</translation>
+    </message>
+    <message>
+        <source>Set</source>
+        <translation>已设置</translation>
+    </message>
+    <message>
+        <source>Set zero</source>
+        <translation>设置零点</translation>
+    </message>
+    <message>
+        <source>Silence for controller upgrade</source>
+        <translation>主控升级静默</translation>
+    </message>
+    <message>
+        <source>Silence for driver upgrade</source>
+        <translation>驱动器升级静默</translation>
+    </message>
+    <message>
+        <source>Singularity</source>
+        <translation>奇异点</translation>
+    </message>
+    <message>
+        <source>Small gripper</source>
+        <translation>小夹爪</translation>
+    </message>
+    <message>
+        <source>Standby</source>
+        <translation>待机</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>起点</translation>
+    </message>
+    <message>
+        <source>Start recording</source>
+        <translation>开始示教记录</translation>
+    </message>
+    <message>
+        <source>Stop recording</source>
+        <translation>结束示教记录</translation>
+    </message>
+    <message>
+        <source>Take over</source>
+        <translation>采用</translation>
+    </message>
+    <message>
+        <source>Target beyond limit</source>
+        <translation>目标超限</translation>
+    </message>
+    <message>
+        <source>Teaching</source>
+        <translation>示教</translation>
+    </message>
+    <message>
+        <source>Teaching input</source>
+        <translation>示教输入臂</translation>
+    </message>
+    <message>
+        <source>Teaching paused</source>
+        <translation>示教暂停</translation>
+    </message>
+    <message>
+        <source>Teaching recording</source>
+        <translation>示教记录</translation>
+    </message>
+    <message>
+        <source>Teaching running</source>
+        <translation>示教执行</translation>
+    </message>
+    <message>
+        <source>Teaching setting</source>
+        <translation>示教设置</translation>
+    </message>
+    <message>
+        <source>Trajectory index</source>
+        <translation>轨迹索引</translation>
+    </message>
+    <message>
+        <source>Transfer</source>
+        <translation>传输</translation>
+    </message>
+    <message>
+        <source>Transfer ends</source>
+        <translation>传输结束</translation>
+    </message>
+    <message>
+        <source>Unchanged</source>
+        <translation>不变</translation>
+    </message>
+    <message>
+        <source>Valid</source>
+        <translation>有效</translation>
+    </message>
+    <message>
+        <source>WiFi control</source>
+        <translation>Wi-Fi 控制</translation>
+    </message>
+    <message>
+        <source>Within</source>
+        <translation>未超限</translation>
+    </message>
+    <message>
+        <source>Yes</source>
+        <translation>是</translation>
+    </message>
+    <message>
+        <source>Acceleration</source>
+        <translation>加速度</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>角度</translation>
+    </message>
+    <message>
+        <source>Answer</source>
+        <translation>应答</translation>
+    </message>
+    <message>
+        <source>Both to zero</source>
+        <translation>主从臂均回零</translation>
+    </message>
+    <message>
+        <source>Deceleration</source>
+        <translation>减速度</translation>
+    </message>
+    <message>
+        <source>Drag assistance</source>
+        <translation>拖动助力</translation>
+    </message>
+    <message>
+        <source>Leader and follower</source>
+        <translation>恢复主从</translation>
+    </message>
+    <message>
+        <source>Leader to zero</source>
+        <translation>主臂回零</translation>
+    </message>
+    <message>
+        <source>MOVE M from 1.8-8</source>
+        <translation>MOVE M（1.8-8 起）</translation>
+    </message>
+    <message>
+        <source>Opening</source>
+        <translation>开度</translation>
+    </message>
+    <message>
+        <source>Position Kp</source>
+        <translation>位置环 Kp</translation>
+    </message>
+    <message>
+        <source>Position target</source>
+        <translation>位置目标</translation>
+    </message>
+    <message>
+        <source>Profile speed</source>
+        <translation>规划速度</translation>
+    </message>
+    <message>
+        <source>Read</source>
+        <translation>读取</translation>
+    </message>
+    <message>
+        <source>Speed Ki</source>
+        <translation>速度环 Ki</translation>
+    </message>
+    <message>
+        <source>Speed Kp</source>
+        <translation>速度环 Kp</translation>
+    </message>
+    <message>
+        <source>Speed target</source>
+        <translation>速度目标</translation>
+    </message>
+    <message>
+        <source>Upside down</source>
+        <translation>水平倒装</translation>
+    </message>
+    <message>
+        <source>Write</source>
+        <translation>写入</translation>
+    </message>
+    <message>
+        <source>Zero learning</source>
+        <translation>零点学习</translation>
+    </message>
+</context>
+<context>
+    <name>SpeedControl</name>
+    <message>
+        <source>The speed percentage the arm reports</source>
+        <translation>机械臂反馈的速度百分比</translation>
+    </message>
+    <message>
+        <source>Speed of motions, 0–100 % of the arm&apos;s highest; 0 % means no motion.</source>
+        <translation>运动速度，为最大速度的 0～100 %；0 % 时不运动。</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>速度</translation>
+    </message>
+    <message>
+        <source>Arm</source>
+        <translation>机械臂</translation>
+    </message>
+    <message>
+        <source>Speed percentage</source>
+        <translation>速度百分比</translation>
+    </message>
+    <message>
+        <source>Speed percentage reported by the arm</source>
+        <translation>机械臂反馈的速度百分比</translation>
+    </message>
+</context>
+<context>
+    <name>StatusBar</name>
+    <message>
+        <source>Control: {mode}</source>
+        <translation>控制: {mode}</translation>
+    </message>
+    <message>
+        <source>Status: {status}</source>
+        <translation>状态: {status}</translation>
+    </message>
+    <message>
+        <source>No communication: {joints}</source>
+        <translation>通信异常: {joints}</translation>
+    </message>
+    <message>
+        <source>Beyond limit: {joints}</source>
+        <translation>超限位: {joints}</translation>
+    </message>
+    <message>
+        <source>Last event</source>
+        <translation>最近事件</translation>
+    </message>
+    <message>
+        <source>{mode} by another program</source>
+        <translation>{mode}（另一程序）</translation>
+    </message>
+</context>
+<context>
+    <name>StepBox</name>
+    <message>
+        <source>Continuous</source>
+        <translation>连续</translation>
+    </message>
+</context>
+<context>
+    <name>StopButton</name>
+    <message>
+        <source>Resume</source>
+        <translation>恢复</translation>
+    </message>
+    <message>
+        <source>The arm has stopped. Press to resume: it will drop, so hold it first.</source>
+        <translation>机械臂已急停。点击恢复：机械臂会下落，请先扶住机械臂。</translation>
+    </message>
+    <message>
+        <source>Stops the arm at once. Key: {key}</source>
+        <translation>使机械臂立即停止。按键：{key}</translation>
+    </message>
+    <message>
+        <source>Resuming…</source>
+        <translation>恢复中…</translation>
+    </message>
+    <message>
+        <source>Stop unconfirmed</source>
+        <translation>急停未确认</translation>
+    </message>
+    <message>
+        <source>Stopping…</source>
+        <translation>急停中…</translation>
+    </message>
+    <message>
+        <source>Emergency stop</source>
+        <translation>急停</translation>
+    </message>
+    <message>
+        <source>The arm is stopped</source>
+        <translation>机械臂已急停</translation>
+    </message>
+    <message>
+        <source>Waiting for the arm</source>
+        <translation>等待机械臂确认</translation>
+    </message>
+    <message>
+        <source>Hold the arm</source>
+        <translation>请扶住机械臂</translation>
+    </message>
+    <message>
+        <source>Stop outstanding</source>
+        <translation>急停未完成</translation>
+    </message>
+    <message>
+        <source>Press to send it</source>
+        <translation>按下即发送</translation>
+    </message>
+</context>
+<context>
+    <name>TargetDrag</name>
+    <message>
+        <source>Preview of the target: it has not been sent</source>
+        <translation>目标预览：尚未发送</translation>
+    </message>
+    <message>
+        <source>Simulated arm in drag teaching: lead it by the handles in the picture, as by hand</source>
+        <translation>仿真机械臂处于拖动示教：在画面中拖动手柄即可用鼠标牵引</translation>
+    </message>
+</context>
+<context>
+    <name>Targets</name>
+    <message>
+        <source>Joint targets</source>
+        <translation>关节目标</translation>
+    </message>
+    <message>
+        <source>Pose targets</source>
+        <translation>位姿目标</translation>
+    </message>
+    <message>
+        <source>MIT commands</source>
+        <translation>MIT 指令</translation>
+    </message>
+    <message>
+        <source>Gripper commands</source>
+        <translation>夹爪指令</translation>
+    </message>
+</context>
+<context>
+    <name>Teaching</name>
+    <message>
+        <source>Off</source>
+        <translation>关闭</translation>
+    </message>
+    <message>
+        <source>Start of recording (drag teaching on)</source>
+        <translation>开始示教记录（进入拖动示教模式）</translation>
+    </message>
+    <message>
+        <source>End of recording (drag teaching off)</source>
+        <translation>结束示教记录（退出拖动示教模式）</translation>
+    </message>
+    <message>
+        <source>Replaying the taught trajectory</source>
+        <translation>执行示教轨迹（拖动示教轨迹复现）</translation>
+    </message>
+    <message>
+        <source>Replay paused</source>
+        <translation>暂停执行</translation>
+    </message>
+    <message>
+        <source>Replay resumed</source>
+        <translation>继续执行（轨迹复现继续）</translation>
+    </message>
+    <message>
+        <source>Replay terminated</source>
+        <translation>终止执行</translation>
+    </message>
+    <message>
+        <source>Moving to the start of the trajectory</source>
+        <translation>运动到轨迹起点</translation>
+    </message>
+</context>
+<context>
+    <name>TeachingCommand</name>
+    <message>
+        <source>Start recording</source>
+        <translation>开始示教记录</translation>
+    </message>
+    <message>
+        <source>Stop recording</source>
+        <translation>结束示教记录</translation>
+    </message>
+    <message>
+        <source>Replay</source>
+        <translation>执行示教轨迹</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>暂停执行</translation>
+    </message>
+    <message>
+        <source>Continue</source>
+        <translation>继续执行</translation>
+    </message>
+    <message>
+        <source>Terminate</source>
+        <translation>终止执行</translation>
+    </message>
+    <message>
+        <source>Move to start</source>
+        <translation>运动到轨迹起点</translation>
+    </message>
+</context>
+<context>
+    <name>TeachingExitSteps</name>
+    <message>
+        <source>End what is under way; lead every joint near its zero by hand.</source>
+        <translation>结束当前动作，用手将各关节拖动到零位附近。</translation>
+    </message>
+    <message>
+        <source>Hold the arm. Emergency stop: the motors go limp, the arm sinks.</source>
+        <translation>请扶住机械臂。急停：电机失去保持力，机械臂会下沉。</translation>
+    </message>
+    <message>
+        <source>Resume: the arm will drop, keep holding it.</source>
+        <translation>恢复：机械臂会下落，请扶住机械臂。</translation>
+    </message>
+    <message>
+        <source>Enable the motors.</source>
+        <translation>使能电机。</translation>
+    </message>
+    <message>
+        <source>To leave drag teaching, take the steps in the line at the top:</source>
+        <translation>退出示教模式，请按顶部提示逐步操作：</translation>
+    </message>
+</context>
+<context>
+    <name>TeachingPanel</name>
+    <message>
+        <source>The arm gives way to the hand and records where it is led.</source>
+        <translation>机械臂可用手拖动，并记录拖动轨迹。</translation>
+    </message>
+    <message>
+        <source>The arm moves: keep clear.</source>
+        <translation>机械臂会运动，请勿靠近。</translation>
+    </message>
+    <message>
+        <source>Waiting for the arm: {command}</source>
+        <translation>等待机械臂：{command}</translation>
+    </message>
+    <message>
+        <source>A motion is held back: hold Continue, or give it up by Terminate.</source>
+        <translation>有运动被保留：按住“继续”，或用“终止”放弃它。</translation>
+    </message>
+    <message>
+        <source>Drag teaching</source>
+        <translation>示教</translation>
+    </message>
+    <message>
+        <source>Teaching state</source>
+        <translation>示教状态</translation>
+    </message>
+    <message>
+        <source>The teaching button on the arm works beside this panel, which follows it.</source>
+        <translation>机械臂上的示教按键同样有效，本面板会跟随显示。</translation>
+    </message>
+    <message>
+        <source>Planned trajectory</source>
+        <translation>轨迹指令</translation>
+    </message>
+    <message>
+        <source>Works on motions under way. The arm does not report it: watch the arm.</source>
+        <translation>对正在进行的运动有效。机械臂不反馈此指令，请观察机械臂。</translation>
+    </message>
+    <message>
+        <source>Drag assistance…</source>
+        <translation>拖动助力…</translation>
+    </message>
+    <message>
+        <source>How much each joint helps the hand; firmware from S-V1.8-1.</source>
+        <translation>各关节拖动时的助力大小；固件 S-V1.8-1 起支持。</translation>
+    </message>
+</context>
+<context>
+    <name>TeachingPhase</name>
+    <message>
+        <source>Not in drag teaching</source>
+        <translation>未进入示教</translation>
+    </message>
+    <message>
+        <source>In drag teaching, nothing under way</source>
+        <translation>示教模式，无动作</translation>
+    </message>
+    <message>
+        <source>Recording: lead the arm by hand</source>
+        <translation>示教记录中，请拖动机械臂</translation>
+    </message>
+    <message>
+        <source>Moving along the recording</source>
+        <translation>正在执行示教轨迹</translation>
+    </message>
+    <message>
+        <source>Replay paused</source>
+        <translation>示教轨迹已暂停</translation>
+    </message>
+</context>
+<context>
+    <name>TimeLine</name>
+    <message>
+        <source>Time line of the recording</source>
+        <translation>记录的时间轴</translation>
+    </message>
+</context>
+<context>
+    <name>ToolBox</name>
+    <message>
+        <source>Tool centre point on the flange (mm, °), kept on this PC</source>
+        <translation>工具中心点相对法兰（mm、°），保存在本机</translation>
+    </message>
+    <message>
+        <source>Tool {axis}</source>
+        <translation>工具 {axis}</translation>
+    </message>
+</context>
+<context>
+    <name>TopBar</name>
+    <message>
+        <source>Disables all six motors: the arm will drop, so hold it first.</source>
+        <translation>6 个电机全部失能：机械臂会下落，请先扶住机械臂。</translation>
+    </message>
+    <message>
+        <source>Enables all six motors.</source>
+        <translation>6 个电机全部使能。</translation>
+    </message>
+    <message>
+        <source>Resume after the emergency stop</source>
+        <translation>急停恢复</translation>
+    </message>
+    <message>
+        <source>Resuming cuts the power of the motors: the arm will drop. Hold the arm.
 Afterwards the motors must be enabled again.</source>
-            <translation>恢复会切断电机电源，机械臂会下落，请扶住机械臂。
+        <translation>恢复会切断电机电源，机械臂会下落，请扶住机械臂。
 恢复后需重新使能电机。</translation>
-        </message>
-        <message>
-            <source>Resume</source>
-            <translation>恢复</translation>
-        </message>
-        <message>
-            <source>Disable the motors</source>
-            <translation>失能电机</translation>
-        </message>
-        <message>
-            <source>The arm will drop when its motors are disabled. Hold the arm.</source>
-            <translation>失能后机械臂会下落，请扶住机械臂。</translation>
-        </message>
-        <message>
-            <source>Disable</source>
-            <translation>失能</translation>
-        </message>
-    </context>
-    <context>
-        <name>TrajectoryCommand</name>
-        <message>
-            <source>Pause</source>
-            <translation>暂停当前规划</translation>
-        </message>
-        <message>
-            <source>Continue</source>
-            <translation>继续当前轨迹</translation>
-        </message>
-        <message>
-            <source>Clear current</source>
-            <translation>清除当前轨迹</translation>
-        </message>
-        <message>
-            <source>Clear all</source>
-            <translation>清除所有轨迹</translation>
-        </message>
-        <message>
-            <source>Terminate</source>
-            <translation>终止执行</translation>
-        </message>
-    </context>
-    <context>
-        <name>Transport</name>
-        <message>
-            <source>Previous fault</source>
-            <translation>上一个故障</translation>
-        </message>
-        <message>
-            <source>Next fault</source>
-            <translation>下一个故障</translation>
-        </message>
-        <message>
-            <source>To the fault or stop before</source>
-            <translation>跳到上一个故障或急停</translation>
-        </message>
-        <message>
-            <source>To the next fault or stop</source>
-            <translation>跳到下一个故障或急停</translation>
-        </message>
-        <message>
-            <source>Speed of the replay</source>
-            <translation>回放速度</translation>
-        </message>
-        <message>
-            <source>How many times as fast as it was. Above 4× not every frame is looked at.</source>
-            <translation>相对原速的倍数。超过 4× 时不逐帧处理。</translation>
-        </message>
-        <message>
-            <source>Pause</source>
-            <translation>暂停</translation>
-        </message>
-        <message>
-            <source>Play</source>
-            <translation>播放</translation>
-        </message>
-        <message>
-            <source>Let the recording run, or stand still</source>
-            <translation>播放或暂停</translation>
-        </message>
-        <message>
-            <source>Pause, at the moment of the frame before</source>
-            <translation>暂停，退到前一帧的时刻</translation>
-        </message>
-        <message>
-            <source>Pause, one frame further</source>
-            <translation>暂停，前进一帧</translation>
-        </message>
-    </context>
-    <context>
-        <name>UnderWay</name>
-        <message>
-            <source>enabling the motors</source>
-            <translation>使能电机</translation>
-        </message>
-        <message>
-            <source>disabling the motors</source>
-            <translation>失能电机</translation>
-        </message>
-        <message>
-            <source>resuming after the emergency stop</source>
-            <translation>急停恢复</translation>
-        </message>
-        <message>
-            <source>recording</source>
-            <translation>录制</translation>
-        </message>
-        <message>
-            <source>reading or saving the arm's settings</source>
-            <translation>读取或保存机械臂参数</translation>
-        </message>
-        <message>
-            <source>the setting before</source>
-            <translation>上一项设置</translation>
-        </message>
-        <message>
-            <source>setting the linkage</source>
-            <translation>设置联动</translation>
-        </message>
-        <message>
-            <source>setting a zero</source>
-            <translation>设置零点</translation>
-        </message>
-        <message>
-            <source>clearing a joint's error</source>
-            <translation>清除关节错误</translation>
-        </message>
-        <message>
-            <source>a teaching command</source>
-            <translation>示教指令</translation>
-        </message>
-        <message>
-            <source>the step before</source>
-            <translation>上一步操作</translation>
-        </message>
-    </context>
-    <context>
-        <name>UnknownCode</name>
-        <message>
-            <source>unknown ({code})</source>
-            <translation>未知 ({code})</translation>
-        </message>
-    </context>
-    <context>
-        <name>UnsavedQuestion</name>
-        <message>
-            <source>What you entered has not been saved to the arm. If you discard it, the arm keeps what it holds now.</source>
-            <translation>输入的值尚未保存到机械臂。若放弃修改，机械臂保持现有的值。</translation>
-        </message>
-    </context>
-    <context>
-        <name>UnsavedRecordingLine</name>
-        <message>
-            <source>Keep</source>
-            <translation>保留</translation>
-        </message>
-        <message>
-            <source>Discard</source>
-            <translation>丢弃</translation>
-        </message>
-        <message>
-            <source>Saves it in the library.</source>
-            <translation>保存到轨迹库。</translation>
-        </message>
-        <message>
-            <source>For 30 days it is under “Recently deleted…”.</source>
-            <translation>30 天内可在“最近删除…”中恢复。</translation>
-        </message>
-        <message>
-            <source>Unsaved recording of {time}: “{name}”, {count} samples.</source>
-            <translation>{time} 的录制尚未保存：“{name}”，{count} 个采样。</translation>
-        </message>
-    </context>
-    <context>
-        <name>ViewBar</name>
-        <message>
-            <source>Front view</source>
-            <translation>前视图</translation>
-        </message>
-        <message>
-            <source>Looks at the arm from where it points to</source>
-            <translation>从机械臂正前方观察</translation>
-        </message>
-        <message>
-            <source>Side view</source>
-            <translation>侧视图</translation>
-        </message>
-        <message>
-            <source>Looks at the arm from its right side</source>
-            <translation>从机械臂右侧观察</translation>
-        </message>
-        <message>
-            <source>Top view</source>
-            <translation>俯视图</translation>
-        </message>
-        <message>
-            <source>Looks down on the arm</source>
-            <translation>从上方观察机械臂</translation>
-        </message>
-        <message>
-            <source>Oblique view</source>
-            <translation>轴测视图</translation>
-        </message>
-        <message>
-            <source>Looks at the arm from the front right and above</source>
-            <translation>从右前上方观察机械臂</translation>
-        </message>
-        <message>
-            <source>Fit</source>
-            <translation>适合窗口</translation>
-        </message>
-        <message>
-            <source>Shows all of the arm as large as the room allows</source>
-            <translation>在可用空间内尽量大地显示整个机械臂</translation>
-        </message>
-        <message>
-            <source>Follow the tool</source>
-            <translation>跟随末端</translation>
-        </message>
-        <message>
-            <source>Keeps the tool centre point in the middle</source>
-            <translation>使工具中心点保持在画面中央</translation>
-        </message>
-        <message>
-            <source>Without perspective</source>
-            <translation>平行投影</translation>
-        </message>
-        <message>
-            <source>Parallel lines look parallel: lengths can be compared</source>
-            <translation>平行线保持平行，可比较长度</translation>
-        </message>
-        <message>
-            <source>Tool frame</source>
-            <translation>工具坐标系</translation>
-        </message>
-        <message>
-            <source>Shows the axes of the tool centre point</source>
-            <translation>显示工具中心点的坐标轴</translation>
-        </message>
-        <message>
-            <source>View from below</source>
-            <translation>仰视</translation>
-        </message>
-        <message>
-            <source>Workspace</source>
-            <translation>工作空间</translation>
-        </message>
-        <message>
-            <source>Save picture…</source>
-            <translation>保存画面…</translation>
-        </message>
-        <message>
-            <source>Writes the picture with its figures to a file</source>
-            <translation>将画面连同数值保存为文件</translation>
-        </message>
-        <message>
-            <source>Copy picture</source>
-            <translation>复制画面</translation>
-        </message>
-        <message>
-            <source>Puts the picture with its figures into the clipboard</source>
-            <translation>将画面连同数值复制到剪贴板</translation>
-        </message>
-        <message>
-            <source>Last {seconds} s of motion</source>
-            <translation>最近 {seconds} 秒的运动</translation>
-        </message>
-        <message>
-            <source>Off</source>
-            <translation>关闭</translation>
-        </message>
-        <message>
-            <source>View</source>
-            <translation>视图</translation>
-        </message>
-        <message>
-            <source>Views, and what is drawn in the picture</source>
-            <translation>视角以及画面中显示的内容</translation>
-        </message>
-        <message>
-            <source>No handles</source>
-            <translation>不显示手柄</translation>
-        </message>
-        <message>
-            <source>Looks at the arm from below the floor; turning the picture never goes there</source>
-            <translation>从地面以下看机械臂；拖动旋转不会转到地面以下</translation>
-        </message>
-        <message>
-            <source>Tool, along the axes of the base</source>
-            <translation>末端，沿基坐标系各轴</translation>
-        </message>
-        <message>
-            <source>Tool, along its own axes</source>
-            <translation>末端，沿工具坐标系各轴</translation>
-        </message>
-        <message>
-            <source>Joints</source>
-            <translation>关节</translation>
-        </message>
-        <message>
-            <source>Drag the target in the picture</source>
-            <translation>在画面中拖动目标</translation>
-        </message>
-        <message>
-            <source>Drags the target, or the chosen point, in the picture; the arm does not move. Ctrl: coarse steps, Shift: fine steps, Esc: give up</source>
-            <translation>在画面中拖动目标或所选点，机械臂不会运动。Ctrl：大步进，Shift：小步进，Esc：放弃</translation>
-        </message>
-        <message>
-            <source>Shows what the tool centre point can reach; orange bounds what it can't within</source>
-            <translation>显示工具中心点能到达的空间；橙色是其中到不了的部分的边界</translation>
-        </message>
-        <message>
-            <source>Way of the tool centre point</source>
-            <translation>工具中心点走过的轨迹</translation>
-        </message>
-        <message>
-            <source>Way of the flange</source>
-            <translation>法兰走过的轨迹</translation>
-        </message>
-    </context>
-    <context>
-        <name>ViewRegion</name>
-        <message>
-            <source>Help</source>
-            <translation>使用帮助</translation>
-        </message>
-        <message>
-            <source>How to use the 3D view</source>
-            <translation>3D 区域的使用方法</translation>
-        </message>
-        <message>
-            <source>Reset view</source>
-            <translation>视角还原</translation>
-        </message>
-        <message>
-            <source>Shows the arm as at the beginning</source>
-            <translation>还原最初的 3D 显示视角</translation>
-        </message>
-        <message>
-            <source>Settings</source>
-            <translation>设置</translation>
-        </message>
-        <message>
-            <source>Language, theme, jog step, 3D model</source>
-            <translation>语言、主题、点动步长、3D 模型</translation>
-        </message>
-    </context>
-    <context>
-        <name>WatchMenu</name>
-        <message>
-            <source>Curves</source>
-            <translation>曲线</translation>
-        </message>
-        <message>
-            <source>What was heard and commanded in the last half hour. The right button on any figure shows it here.</source>
-            <translation>最近半小时的反馈与指令。在任意数值上按右键即可在此显示。</translation>
-        </message>
-        <message>
-            <source>Events</source>
-            <translation>事件</translation>
-        </message>
-        <message>
-            <source>What happened: every command and what became of it, every change of the arm's status, every fault with its beginning and its end.</source>
-            <translation>发生过的一切：每条指令及其结果、机械臂的每次状态变化、每个故障的开始与结束。</translation>
-        </message>
-        <message>
-            <source>Bus</source>
-            <translation>总线</translation>
-        </message>
-        <message>
-            <source>Every frame on the CAN bus: what it says, how often it comes, who sends it.</source>
-            <translation>CAN 总线上的每一帧：含义、频率以及由谁发送。</translation>
-        </message>
-        <message>
-            <source>Record</source>
-            <translation>会话</translation>
-        </message>
-        <message>
-            <source>Record everything on the bus, save what just happened, replay what was recorded, here or by another program.</source>
-            <translation>记录总线上的一切，保存刚才发生的事，回放本程序或其他程序的记录。</translation>
-        </message>
-    </context>
-    <context>
-        <name>WindowActions</name>
-        <message>
-            <source>There is no next step now.</source>
-            <translation>现在没有下一步。</translation>
-        </message>
-    </context>
+    </message>
+    <message>
+        <source>Resume</source>
+        <translation>恢复</translation>
+    </message>
+    <message>
+        <source>Disable the motors</source>
+        <translation>失能电机</translation>
+    </message>
+    <message>
+        <source>The arm will drop when its motors are disabled. Hold the arm.</source>
+        <translation>失能后机械臂会下落，请扶住机械臂。</translation>
+    </message>
+    <message>
+        <source>Disable</source>
+        <translation>失能</translation>
+    </message>
+</context>
+<context>
+    <name>TrajectoryCommand</name>
+    <message>
+        <source>Pause</source>
+        <translation>暂停当前规划</translation>
+    </message>
+    <message>
+        <source>Continue</source>
+        <translation>继续当前轨迹</translation>
+    </message>
+    <message>
+        <source>Clear current</source>
+        <translation>清除当前轨迹</translation>
+    </message>
+    <message>
+        <source>Clear all</source>
+        <translation>清除所有轨迹</translation>
+    </message>
+    <message>
+        <source>Terminate</source>
+        <translation>终止执行</translation>
+    </message>
+</context>
+<context>
+    <name>Transport</name>
+    <message>
+        <source>Previous fault</source>
+        <translation>上一个故障</translation>
+    </message>
+    <message>
+        <source>Next fault</source>
+        <translation>下一个故障</translation>
+    </message>
+    <message>
+        <source>To the fault or stop before</source>
+        <translation>跳到上一个故障或急停</translation>
+    </message>
+    <message>
+        <source>To the next fault or stop</source>
+        <translation>跳到下一个故障或急停</translation>
+    </message>
+    <message>
+        <source>Speed of the replay</source>
+        <translation>回放速度</translation>
+    </message>
+    <message>
+        <source>How many times as fast as it was. Above 4× not every frame is looked at.</source>
+        <translation>相对原速的倍数。超过 4× 时不逐帧处理。</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>暂停</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation>播放</translation>
+    </message>
+    <message>
+        <source>Let the recording run, or stand still</source>
+        <translation>播放或暂停</translation>
+    </message>
+    <message>
+        <source>Pause, at the moment of the frame before</source>
+        <translation>暂停，退到前一帧的时刻</translation>
+    </message>
+    <message>
+        <source>Pause, one frame further</source>
+        <translation>暂停，前进一帧</translation>
+    </message>
+</context>
+<context>
+    <name>UnderWay</name>
+    <message>
+        <source>enabling the motors</source>
+        <translation>使能电机</translation>
+    </message>
+    <message>
+        <source>disabling the motors</source>
+        <translation>失能电机</translation>
+    </message>
+    <message>
+        <source>resuming after the emergency stop</source>
+        <translation>急停恢复</translation>
+    </message>
+    <message>
+        <source>recording</source>
+        <translation>录制</translation>
+    </message>
+    <message>
+        <source>reading or saving the arm&apos;s settings</source>
+        <translation>读取或保存机械臂参数</translation>
+    </message>
+    <message>
+        <source>the setting before</source>
+        <translation>上一项设置</translation>
+    </message>
+    <message>
+        <source>setting the linkage</source>
+        <translation>设置联动</translation>
+    </message>
+    <message>
+        <source>setting a zero</source>
+        <translation>设置零点</translation>
+    </message>
+    <message>
+        <source>clearing a joint&apos;s error</source>
+        <translation>清除关节错误</translation>
+    </message>
+    <message>
+        <source>a teaching command</source>
+        <translation>示教指令</translation>
+    </message>
+    <message>
+        <source>the step before</source>
+        <translation>上一步操作</translation>
+    </message>
+</context>
+<context>
+    <name>UnknownCode</name>
+    <message>
+        <source>unknown ({code})</source>
+        <translation>未知 ({code})</translation>
+    </message>
+</context>
+<context>
+    <name>UnsavedQuestion</name>
+    <message>
+        <source>What you entered has not been saved to the arm. If you discard it, the arm keeps what it holds now.</source>
+        <translation>输入的值尚未保存到机械臂。若放弃修改，机械臂保持现有的值。</translation>
+    </message>
+</context>
+<context>
+    <name>UnsavedRecordingLine</name>
+    <message>
+        <source>Keep</source>
+        <translation>保留</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>丢弃</translation>
+    </message>
+    <message>
+        <source>Saves it in the library.</source>
+        <translation>保存到轨迹库。</translation>
+    </message>
+    <message>
+        <source>For 30 days it is under “Recently deleted…”.</source>
+        <translation>30 天内可在“最近删除…”中恢复。</translation>
+    </message>
+    <message>
+        <source>Unsaved recording of {time}: “{name}”, {count} samples.</source>
+        <translation>{time} 的录制尚未保存：“{name}”，{count} 个采样。</translation>
+    </message>
+</context>
+<context>
+    <name>ViewBar</name>
+    <message>
+        <source>Front view</source>
+        <translation>前视图</translation>
+    </message>
+    <message>
+        <source>Looks at the arm from where it points to</source>
+        <translation>从机械臂正前方观察</translation>
+    </message>
+    <message>
+        <source>Side view</source>
+        <translation>侧视图</translation>
+    </message>
+    <message>
+        <source>Looks at the arm from its right side</source>
+        <translation>从机械臂右侧观察</translation>
+    </message>
+    <message>
+        <source>Top view</source>
+        <translation>俯视图</translation>
+    </message>
+    <message>
+        <source>Looks down on the arm</source>
+        <translation>从上方观察机械臂</translation>
+    </message>
+    <message>
+        <source>Oblique view</source>
+        <translation>轴测视图</translation>
+    </message>
+    <message>
+        <source>Looks at the arm from the front right and above</source>
+        <translation>从右前上方观察机械臂</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>适合窗口</translation>
+    </message>
+    <message>
+        <source>Shows all of the arm as large as the room allows</source>
+        <translation>在可用空间内尽量大地显示整个机械臂</translation>
+    </message>
+    <message>
+        <source>Follow the tool</source>
+        <translation>跟随末端</translation>
+    </message>
+    <message>
+        <source>Keeps the tool centre point in the middle</source>
+        <translation>使工具中心点保持在画面中央</translation>
+    </message>
+    <message>
+        <source>Without perspective</source>
+        <translation>平行投影</translation>
+    </message>
+    <message>
+        <source>Parallel lines look parallel: lengths can be compared</source>
+        <translation>平行线保持平行，可比较长度</translation>
+    </message>
+    <message>
+        <source>Tool frame</source>
+        <translation>工具坐标系</translation>
+    </message>
+    <message>
+        <source>Shows the axes of the tool centre point</source>
+        <translation>显示工具中心点的坐标轴</translation>
+    </message>
+    <message>
+        <source>View from below</source>
+        <translation>仰视</translation>
+    </message>
+    <message>
+        <source>Workspace</source>
+        <translation>工作空间</translation>
+    </message>
+    <message>
+        <source>Save picture…</source>
+        <translation>保存画面…</translation>
+    </message>
+    <message>
+        <source>Writes the picture with its figures to a file</source>
+        <translation>将画面连同数值保存为文件</translation>
+    </message>
+    <message>
+        <source>Copy picture</source>
+        <translation>复制画面</translation>
+    </message>
+    <message>
+        <source>Puts the picture with its figures into the clipboard</source>
+        <translation>将画面连同数值复制到剪贴板</translation>
+    </message>
+    <message>
+        <source>Last {seconds} s of motion</source>
+        <translation>最近 {seconds} 秒的运动</translation>
+    </message>
+    <message>
+        <source>Off</source>
+        <translation>关闭</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>视图</translation>
+    </message>
+    <message>
+        <source>Views, and what is drawn in the picture</source>
+        <translation>视角以及画面中显示的内容</translation>
+    </message>
+    <message>
+        <source>No handles</source>
+        <translation>不显示手柄</translation>
+    </message>
+    <message>
+        <source>Looks at the arm from below the floor; turning the picture never goes there</source>
+        <translation>从地面以下看机械臂；拖动旋转不会转到地面以下</translation>
+    </message>
+    <message>
+        <source>Tool, along the axes of the base</source>
+        <translation>末端，沿基坐标系各轴</translation>
+    </message>
+    <message>
+        <source>Tool, along its own axes</source>
+        <translation>末端，沿工具坐标系各轴</translation>
+    </message>
+    <message>
+        <source>Joints</source>
+        <translation>关节</translation>
+    </message>
+    <message>
+        <source>Drag the target in the picture</source>
+        <translation>在画面中拖动目标</translation>
+    </message>
+    <message>
+        <source>Drags the target, or the chosen point, in the picture; the arm does not move. Ctrl: coarse steps, Shift: fine steps, Esc: give up</source>
+        <translation>在画面中拖动目标或所选点，机械臂不会运动。Ctrl：大步进，Shift：小步进，Esc：放弃</translation>
+    </message>
+    <message>
+        <source>Shows what the tool centre point can reach; orange bounds what it can&apos;t within</source>
+        <translation>显示工具中心点能到达的空间；橙色是其中到不了的部分的边界</translation>
+    </message>
+    <message>
+        <source>Way of the tool centre point</source>
+        <translation>工具中心点走过的轨迹</translation>
+    </message>
+    <message>
+        <source>Way of the flange</source>
+        <translation>法兰走过的轨迹</translation>
+    </message>
+</context>
+<context>
+    <name>ViewRegion</name>
+    <message>
+        <source>Help</source>
+        <translation>使用帮助</translation>
+    </message>
+    <message>
+        <source>How to use the 3D view</source>
+        <translation>3D 区域的使用方法</translation>
+    </message>
+    <message>
+        <source>Reset view</source>
+        <translation>视角还原</translation>
+    </message>
+    <message>
+        <source>Shows the arm as at the beginning</source>
+        <translation>还原最初的 3D 显示视角</translation>
+    </message>
+    <message>
+        <source>Settings</source>
+        <translation>设置</translation>
+    </message>
+    <message>
+        <source>Language, theme, jog step, 3D model</source>
+        <translation>语言、主题、点动步长、3D 模型</translation>
+    </message>
+</context>
+<context>
+    <name>WatchMenu</name>
+    <message>
+        <source>Curves</source>
+        <translation>曲线</translation>
+    </message>
+    <message>
+        <source>What was heard and commanded in the last half hour. The right button on any figure shows it here.</source>
+        <translation>最近半小时的反馈与指令。在任意数值上按右键即可在此显示。</translation>
+    </message>
+    <message>
+        <source>Events</source>
+        <translation>事件</translation>
+    </message>
+    <message>
+        <source>What happened: every command and what became of it, every change of the arm&apos;s status, every fault with its beginning and its end.</source>
+        <translation>发生过的一切：每条指令及其结果、机械臂的每次状态变化、每个故障的开始与结束。</translation>
+    </message>
+    <message>
+        <source>Bus</source>
+        <translation>总线</translation>
+    </message>
+    <message>
+        <source>Every frame on the CAN bus: what it says, how often it comes, who sends it.</source>
+        <translation>CAN 总线上的每一帧：含义、频率以及由谁发送。</translation>
+    </message>
+    <message>
+        <source>Record</source>
+        <translation>会话</translation>
+    </message>
+    <message>
+        <source>Record everything on the bus, save what just happened, replay what was recorded, here or by another program.</source>
+        <translation>记录总线上的一切，保存刚才发生的事，回放本程序或其他程序的记录。</translation>
+    </message>
+</context>
+<context>
+    <name>WindowActions</name>
+    <message>
+        <source>There is no next step now.</source>
+        <translation>现在没有下一步。</translation>
+    </message>
+</context>
 </TS>
