@@ -75,6 +75,8 @@ TOLD_ELSEWHERE = {
     "view_handles_button": "view.handles",
     "library_clear_search": "empties the search that it stands in",
     "box_insert": "editor.insert_measured",
+    "box_gripper_close": "gripper.close_fully",
+    "box_gripper_open": "gripper.open_fully",
 }
 """Of buttons that no command presses: why none has to."""
 

@@ -270,6 +270,14 @@ _REFUSALS: Final = Texts("Refusal") | {
     RefusalCode.GRIPPER_SILENT: (
         "No gripper is heard. If one is mounted, check its cable and its power."
     ),
+    RefusalCode.GRIPPER_RANGE_UNKNOWN: (
+        "How far this gripper opens is not known: the arm has told no stroke limit. Set it in "
+        "Gripper settings, or enter a target in Gripper control."
+    ),
+    RefusalCode.GRIPPER_TELLS_ANGLE: (
+        "The gripper tells an angle now, and a point keeps an opening. Move it by an opening in "
+        "Gripper control first."
+    ),
     RefusalCode.GRIPPER_NO_ZERO: "The gripper of a generation 1 arm has no command for its zero.",
     RefusalCode.GRIPPER_OUT_OF_RANGE: (
         "{gripper}: {value} {unit} is out of range. Enter a value from {minimum} to {maximum} "
