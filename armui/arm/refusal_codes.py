@@ -89,6 +89,8 @@ class RefusalCode(StrEnum):
     GRIPPER_NOT_A_NUMBER = "gripper_not_a_number"  # gripper, value, minimum, maximum, unit
     GRIPPER_OTHER_GENERATION = "gripper_other_generation"  # row
     GRIPPER_OUT_OF_RANGE = "gripper_out_of_range"  # gripper, value, minimum, maximum, unit
+    GRIPPER_RANGE_UNKNOWN = "gripper_range_unknown"
+    GRIPPER_TELLS_ANGLE = "gripper_tells_angle"
     GRIPPER_SILENT = "gripper_silent"
     HALT_LISTEN_ONLY = "halt_listen_only"
     HEADER_UNKNOWN = "header_unknown"
@@ -163,6 +165,7 @@ class RefusalCode(StrEnum):
     OTHER_HOST = "other_host"  # frames
     OTHER_HOST_STREAMS = "other_host_streams"  # frames
     OTHER_MODE = "other_mode"  # other_mode
+    OVERRIDE_ZERO = "override_zero"
     PART_FAILED = "part_failed"
     SYSTEM_ENDS = "system_ends"
     PATH_BEYOND_LIMITS = "path_beyond_limits"  # joint, value, minimum, maximum, gone

@@ -9,7 +9,7 @@ from __future__ import annotations
 import time
 from collections.abc import Callable, Sequence
 from datetime import datetime
-from typing import TYPE_CHECKING, Final
+from typing import TYPE_CHECKING, Any, Final
 
 from PySide6.QtCore import QObject, Qt, QTimer, Signal
 
@@ -238,6 +238,31 @@ class ArmController(ControllerParts):
     def stop_again_when_undone(self, on: bool) -> None:
         """Whether a stop that another host undoes is sent again by itself."""
         self._stop.stop_again = on
+
+    def begin(self, name: str, *arguments: Any, **named: Any) -> Started | Refusal | None:
+        """Carry out an operation by its id, for a client that follows what becomes of it.
+
+        Args:
+            name: The id, a key of :attr:`operations`.
+            *arguments: Those of its method.
+            **named: Those of its method that have names.
+
+        Returns:
+            The record of the command, or why it was refused; ``None`` for a question
+            (``settings.read``), whose answer stands in what was asked for.
+
+        Raises:
+            KeyError: No operation has the id.
+        """
+        carry_out = self.operations[name].carry_out
+        told: list[Event] = []
+        listening = self.noticed.connect(told.append)  # each command tells that it has begun
+        try:
+            refusal: Refusal | None = carry_out(*arguments, **named)
+        finally:
+            self.noticed.disconnect(listening)
+        begun = (each.started for each in told if each.started is not None)
+        return refusal or next((each for each in begun if each.operation == name), None)
 
     def _notice(self, code: EventCode, started: Started | None = None, /, **params: object) -> None:
         self.noticed.emit(Event(self._wall(self._clock()), code.level, code, params, started))

@@ -78,6 +78,7 @@ class Authority:
         self._mode_sent: tuple[MoveMode, float] | None = None
         self._limits: tuple[JointLimits | None, ...] = ()
         self._braking: tuple[float, int] | None = None
+        self._stood = False
         self.other = OtherCommand()
         self.command: MotionCommand | None = None
         self.ended: End | None = None
@@ -104,6 +105,7 @@ class Authority:
         if seen.waiting and self.command is not None:
             self.command = self.command._replace(sent_s=now_s)
         self._follow_hold(seen)
+        self._stood = self._stood or self.at_rest
         self._follow_cancel(now_s)
         pace = None if self.command is None else self.command.pace
         shown, braking = self._percent_shown, self._braking
@@ -315,16 +317,27 @@ class Authority:
                 self.command = command._replace(speed_percent=percent)
                 self._overspeed.change_speed()
         elif seen is not None and (self.under_way or self.moves):
-            self.holds |= {Hold.SPEED_ZERO}
+            self._hold(Hold.SPEED_ZERO, seen.now_s)
             self._zero_since_s = seen.now_s
 
     def paused(self) -> None:
         """Note that a pause was sent (0x150 byte 1 = 1)."""
-        self.holds |= {Hold.PAUSE}
+        if self._seen is None:
+            self.holds |= {Hold.PAUSE}
+        else:
+            self._hold(Hold.PAUSE, self._seen.now_s)
+
+    def _hold(self, hold: Hold, now_s: float) -> None:
+        """Note what holds the motion back: from now on the arm is shown to stand."""
+        self.holds |= {hold}
+        self._slow_down(0, now_s)
+        self._overspeed.change_speed()
+        self._stood = False
 
     def went_on(self, now_s: float) -> None:
         """Note that the arm was told to continue a motion that was held back."""
         self.holds = frozenset()
+        self._overspeed.change_speed()
         if self.command is not None:
             self.command = self.command._replace(sent_s=now_s)
 
@@ -377,11 +390,16 @@ class Authority:
 
     @property
     def _percent_shown(self) -> int | None:
-        """What our motion may be compared with; replays are watched by how far they lag."""
+        """What our motion may be compared with; replays are watched by how far they lag.
+
+        One that is held back comes to a stand; once it has, a hand may move it.
+        """
         command = self.command
         if command is None or command.kind is CommandKind.REPLAY or not self.under_way:
             return None
-        return command.speed_percent
+        if not self.holds:
+            return command.speed_percent
+        return None if self._stood else 0
 
     def _what_ends(self, seen: Observation) -> End | None:
         command = self.command

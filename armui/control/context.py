@@ -187,6 +187,14 @@ class Context:
             return []
         return self.speed_frames(mode, speed_percent)
 
+    def tell_percent(self, percent: int) -> bool:
+        """Send another speed percentage in the mode the arm is in; whether that is possible now."""
+        mode = None if self.why_no_motion() is not None else self.authority.mode_in_force()
+        if mode is None or not self.connection.send(self.speed_frames(mode, percent)):
+            return False
+        self.authority.told_percent(percent)
+        return True
+
     def speed_frames(self, mode: tuple[ControlMode, MoveMode], percent: int) -> list[Frame]:
         """0x151 with another speed, 0–100 %, and the modes that the arm is in."""
         return commands.set_mode(

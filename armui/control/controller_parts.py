@@ -36,6 +36,7 @@ from armui.control.requests.transactions import TransactionQueue
 from armui.control.run.player import Player
 from armui.control.run.recorder import Recorder
 from armui.control.run.replayer import Replayer
+from armui.control.run.speed_override import SpeedOverride
 from armui.control.safety.mode_exit import ModeExitCommand
 from armui.control.safety.recovery import Recovery
 from armui.control.sessions.session_recorder import SessionRecorder
@@ -113,6 +114,11 @@ class ControllerParts(QObject):
     def replayer(self) -> Replayer:
         """Replays recordings."""
         return Replayer(self._context, self)
+
+    @cached_property
+    def speed_override(self) -> SpeedOverride:
+        """Slows runs and replays."""
+        return SpeedOverride(self._context, self.motion, (self.player, self.replayer))
 
     @cached_property
     def recorder(self) -> Recorder:
@@ -239,6 +245,7 @@ class ControllerParts(QObject):
             self.motors,
             self.motion,
             self.player,
+            self.speed_override,
             self.cartesian,
             self.gripper,
             self.linkage,
@@ -260,7 +267,7 @@ class ControllerParts(QObject):
         parts = (self.motors, self.joint_errors, self.zeroing, self.lights, self.gripper)
         more = (self.linkage, self.end_reports, self.mounting, self.teaching, self.settings)
         motions = (self.motion, self.cartesian, self.jogging, self.planned_motion)
-        runs = (self.player, self.replayer, self.recorder)
+        runs = (self.player, self.replayer, self.speed_override, self.recorder)
         return Operations((*parts, *more, *motions, *runs))
 
     # What more than one part ends -------------------------------------------------------------

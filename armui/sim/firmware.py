@@ -146,9 +146,9 @@ class Firmware:
             self._schedule,
             self.type,
             flash=self.flash,
-            forget=self._moves.forget,
+            drop_targets=self._moves.drop_targets,
         )
-        self._linkage = ArmRole(self, forget=self._moves.forget, speak=self._speak)
+        self._linkage = ArmRole(self, drop_targets=self._moves.drop_targets, speak=self._speak)
         self._motion_commands = MotionCommandHandler(self, self._moves, self._enter)
         self._linkage.take_effect()
         self.bugs = FirmwareBugs(bugs, self, self._linkage.set)
@@ -266,7 +266,7 @@ class Firmware:
         handler = self._handlers.get(name)
         if handler is not None:
             answers = handler(signals)
-        elif self._moves.take(name, signals):
+        elif self._moves.take_frame(name, signals):
             answers = self._moves.cpv.answers(self._codec)
         else:
             answers = self._parameter_server.handle(name, signals) or []
@@ -341,11 +341,11 @@ class Firmware:
         if dt_s <= 0.0:
             return
         self._now_ns = to_ns
-        self.mechanics.advance(dt_s, self.settings_applier.stops)
+        self.mechanics.step(dt_s, self.settings_applier.stops)
         self.teaching.time_passed(dt_s)
-        self.gripper.advance(dt_s)
+        self.gripper.step(dt_s)
         if self.mechanics.gives_way and self.hand_guiding.gripper_to is not None:
-            self.gripper.lead(self.hand_guiding.gripper_to)
+            self.gripper.lead_to(self.hand_guiding.gripper_to)
         self._moves.time_passed()
         self.bugs.time_passed(dt_s)
 
@@ -367,7 +367,7 @@ class Firmware:
     def _motion_command(self, signals: Signals) -> list[Frame]:
         if signals["EmergencyStop"] == StopCommand.RESUME:
             self.bugs.reset()
-        if not self._motion_commands.take(signals):
+        if not self._motion_commands.obey(signals):
             return []
         # the trajectory point of 0x476 is 0: no transferred trajectory is under way
         return [self._parameter_server.answer(SettingIndex.MOTION_COMMAND)]

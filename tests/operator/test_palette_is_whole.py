@@ -75,6 +75,8 @@ TOLD_ELSEWHERE = {
     "view_handles_button": "view.handles",
     "library_clear_search": "empties the search that it stands in",
     "box_insert": "editor.insert_measured",
+    "box_gripper_close": "gripper.close_fully",
+    "box_gripper_open": "gripper.open_fully",
 }
 """Of buttons that no command presses: why none has to."""
 
@@ -131,6 +133,10 @@ def test_what_a_page_offers_is_found_while_it_is_not_seen(driver, place):
     seen = {name: each for name, each in to_be_told(driver.window).items() if name not in before}
     assert len(seen) >= 4
     assert untold(driver, seen) == set()
+    for source in driver.window.window_actions._sources():
+        if source.owner() is not None:
+            known = {command.name for command in source.commands}
+            assert source.owner().command_targets().keys() <= known
     of_page = {name for name in targets(driver) if name.startswith(f"{place}.")}
     go_away(driver)
     offered = {item.command.name for item in rows(open_palette(driver))}

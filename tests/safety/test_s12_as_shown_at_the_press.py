@@ -1,6 +1,7 @@
 """S12, S14, S16: what is driven is what the widgets show at the press, and what was checked so."""
 
 import math
+from typing import Any
 
 import pytest
 
@@ -208,7 +209,7 @@ def test_another_press_takes_the_place_of_the_question(warned):
 
 def test_an_arm_that_comes_while_a_slow_disk_reads_is_not_the_one_pressed_for(warned):
     bar = warned.window._run_bar
-    reading = []
+    reading: list[Any] = []
     bar._content = reading.append
     warned.click("run_send")
     assert not warned.child("run_send").isEnabled()

@@ -12,7 +12,13 @@ from armui.telemetry.events import REPEAT_S, Asker, EventEntry, EventKind, Event
 
 STREAMS: Final = frozenset(
     {
-        *(EventCode.SENT_SPEED, EventCode.SPEED_WAITS, EventCode.JOGGED, EventCode.STEPPED_TOOL),
+        *(
+            EventCode.SENT_SPEED,
+            EventCode.OVERRIDE_SET,
+            EventCode.SPEED_WAITS,
+            EventCode.JOGGED,
+            EventCode.STEPPED_TOOL,
+        ),
         *(EventCode.SENT_LAMP, EventCode.SENT_LAMPS, EventCode.FRAMES_DROPPED),
     }
 )

@@ -31,7 +31,7 @@ _NUMBERS: Final[Callable[[], int]] = count(1).__next__
 
 
 class Ending(enum.Enum):
-    """How a command ended."""
+    """The way a command ended."""
 
     SENT = enum.auto()
     """The arm says nothing of it: all that is known is that it was sent."""

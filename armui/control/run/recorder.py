@@ -16,6 +16,7 @@ from armui.control.operations.started import Ending, Started
 
 if TYPE_CHECKING:
     from armui.control.run.sample_store import Recorded, SampleStore
+    from armui.trajectory.samples.recording import Array
 
 
 def why_not_record(now: OperatingState) -> Refusal | None:
@@ -73,13 +74,17 @@ class Recorder(QObject, ControllerPart):
         self._samples = SampleStore(self._context.operating_state().model_fit.taught_on)
         self.dropped = 0
         ring = self._context.connection.samples
-        ring.take()
+        ring.take_samples()
         ring.dropped = 0
         ring.wanted = self._recording = True
         self._started = begun(self.start)
         self._context.tell(EventCode.RECORDING_STARTED, self._started)
         self.changed.emit()
         return None
+
+    def rows_from(self, first: int) -> Array | None:
+        """Return a copy of the samples from an index on; ``None`` if there are none."""
+        return None if self._samples is None else self._samples.rows_from(first)
 
     def finish(self, name: str) -> Recorded | None:
         """End recording.
@@ -99,7 +104,7 @@ class Recorder(QObject, ControllerPart):
         """Take in what has come; the controller's tick calls it."""
         if not self._recording:
             return
-        taken = self._context.connection.samples.take()
+        taken = self._context.connection.samples.take_samples()
         if taken and self._samples is not None:
             self._samples.extend(taken)
             self.dropped = self._context.connection.samples.dropped

@@ -1,4 +1,4 @@
-"""What a panel, page or window hands to the command palette: its commands, and where they are."""
+"""The commands that panels, pages and windows hand to the command palette."""
 
 from __future__ import annotations
 
@@ -123,7 +123,7 @@ class Command:
 
     @property
     def keys(self) -> str:
-        """Its shortcut as this system writes it; empty: it has none."""
+        """The shortcut as this system writes it; empty: there is none."""
         shortcut = SHORTCUTS.get(self.name)
         return "" if shortcut is None else shortcut.text()
 
@@ -164,7 +164,7 @@ class Offering(Protocol):
 
     @property
     def commands(self) -> Sequence[Command]:
-        """Its commands, in the order in which they are listed."""
+        """The commands, in the order in which they are listed."""
 
     def command_targets(self) -> Mapping[str, Target]:
         """Return what carries out each command, by the command's name."""

@@ -48,7 +48,7 @@ _TWO_LINES_PX: Final = 50
 
 
 _SIZE_PX: Final = (440, 600)
-"""As wide as the panel it opens over: the picture stays free."""
+"""The palette is as wide as the panel it opens over: the picture stays free."""
 _FOLLOW_MS: Final = 200
 _PLACE: Final = QPoint(184, 72)
 """In the main window: right of the menu, below the stop."""
@@ -200,7 +200,7 @@ class CommandPalette(ArmDialog):
 
     @property
     def knows_names(self) -> bool:
-        """Whether the other language and pinyin are found, too: their file has been read."""
+        """Whether the file of translations and pinyin has been read: both are found, then."""
         return self._names.known
 
     # -- what is offered ----------------------------------------------------------------------

@@ -1,4 +1,4 @@
-"""What the command palette offers: the commands of every part of the window, seen or not."""
+"""The items of the command palette: the commands of every part of the window, seen or not."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ Callback = Callable[[], object]
 
 @dataclass(frozen=True, slots=True)
 class PaletteItem:
-    """One row of the palette.
+    """A row of the palette.
 
     Attributes:
         title, place: In the present language.

@@ -29,7 +29,7 @@ PLACES: Final[Mapping[str, Text]] = {
     "doctor": Text("DoctorDialog", "Diagnosis"),
     "run": Text("Place", "Run"),
 }
-"""By their keys; those of the panels stand where the panels are registered."""
+"""The titles by the keys of the places; `operation_area.PANELS` has those of the panels."""
 
 MOVABLE: Final = ("library", "editor", "recording", "plots", "events", "bus")
 """The pages that can be taken out into a window, by their keys."""

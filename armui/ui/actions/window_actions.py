@@ -1,4 +1,4 @@
-"""What the main window does without a button: the palette, the guide, theme, language, stops."""
+"""The commands of the main window without a button: palette, guide, theme, language, stops."""
 
 from __future__ import annotations
 
@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QAbstractButton, QApplication, QDialog, QWidget
 
 from armui.control.devices.motors import Motors
 from armui.control.operations.operation import operation_of
+from armui.control.run.speed_override import STEP_PERCENT
 from armui.control.safety.recovery_steps import StepKind
 from armui.ui.actions.command import Command, CommandSource, Target, allow, also, new_action
 from armui.ui.actions.commands_button import CommandsButton
@@ -39,6 +40,8 @@ _COMMANDS: Final = (
             synonyms=also("stop estop e-stop emo kill panic 停止 紧急停止 停机")),
     Command("everywhere.halt", Text("HaltButton", "Halt"),
             synonyms=also("hold freeze brake 停下 保持 刹车")),
+    Command("everywhere.slower", synonyms=also("override speed reduce 倍率 降速 慢")),
+    Command("everywhere.faster", synonyms=also("override speed increase 倍率 提速 快")),
     Command("window.resume", Text("TopBar", "Resume after the emergency stop"),
             operation_of(Motors.resume), synonyms=also("recover restart release 恢复 解除 复位")),
     Command(_NEXT_STEP, Text("RecoveryLine", "Next step"),
@@ -103,6 +106,7 @@ class WindowActions(QObject):
             "palette": self.open_palette,
             "guide": self.open_guide,
             "shortcuts": self.open_shortcuts,
+            "faster": self._go_faster,
         }
         everywhere = Qt.ShortcutContext.ApplicationShortcut
         for name, act in openers.items():
@@ -132,6 +136,8 @@ class WindowActions(QObject):
         does: dict[str, Callback] = {
             "everywhere.stop": self._stop,
             "everywhere.halt": self._halt,
+            "everywhere.slower": self._go_slower,
+            "everywhere.faster": self._go_faster,
             "window.resume": ask_to_resume,
             _NEXT_STEP: self._take_step,
             "replay.open": watch.open_replay,
@@ -241,6 +247,12 @@ class WindowActions(QObject):
         if button is None:
             return self.tr("There is no next step now.")
         return "" if button.isEnabled() else button.toolTip()
+
+    def _go_slower(self) -> None:
+        self._controller.speed_override.step(-STEP_PERCENT)
+
+    def _go_faster(self) -> None:
+        self._controller.speed_override.step(STEP_PERCENT)
 
     def _switch_language(self) -> None:
         self._store.change(language="en" if self._store.settings.language == "zh" else "zh")

@@ -48,7 +48,7 @@ class PageActions(QObject):
         diagnosis: Opens the windows that tell what is wrong, and which arm this is.
 
     Attributes:
-        is_done: Whether what was open at the end of the program before is open again.
+        startup_done: Whether what was open at the end of the program before is open again.
     """
 
     commands = (
@@ -75,7 +75,7 @@ class PageActions(QObject):
     ) -> None:
         super().__init__(window)
         self._window = window
-        self.is_done = False
+        self.startup_done = False
         self._workspace = workspace
         self._pages = pages
         self._drawer = drawer
@@ -155,7 +155,7 @@ class PageActions(QObject):
         if left is None:
             self._workspace.note_windows()  # what is not there any more is forgotten
             self._window.activateWindow()
-            self.is_done = True
+            self.startup_done = True
             return
         if left.key == "editor":
             self._pages.open_editor(left.subject)

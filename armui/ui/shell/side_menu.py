@@ -90,11 +90,11 @@ class JointStatusButton(Translated, QAbstractButton):
         self.update()
 
     def sizeHint(self) -> QSize:
-        """As large as it wants to be."""
+        """Return the size it has where there is room."""
         return QSize(_BUTTON_WIDTH_PX, _HEIGHT_PX)
 
     def minimumSizeHint(self) -> QSize:
-        """No smaller than that."""
+        """Return the same size: it is never smaller."""
         return self.sizeHint()
 
     def paintEvent(self, _event: QPaintEvent) -> None:
@@ -127,7 +127,7 @@ class JointStatusButton(Translated, QAbstractButton):
 
 
 class WatchEntry(NamedTuple):
-    """One window.
+    """A window that watches the arm or the bus.
 
     Attributes:
         key: Its icon's name; the button is called ``<key>_button``.
@@ -212,7 +212,7 @@ class LibraryButton(Translated, QToolButton):
 
 
 class MenuEntry(NamedTuple):
-    """One panel of the operation area.
+    """An entry of the menu: a panel of the operation area.
 
     Attributes:
         key: Its name in the program and its icon's; the button is called ``menu_<key>``.
@@ -313,7 +313,7 @@ class SideMenu(Translated, QWidget):
         return area
 
     def _make_room(self, _least: int, most: int) -> None:
-        """Where the entries scroll, the bar stands beside them, not over their right ends."""
+        """Make room for the scroll bar beside the entries, where they scroll."""
         self.setFixedWidth(_WIDTH_PX + (self._bar.sizeHint().width() if most else 0))
 
     def retranslate_ui(self) -> None:

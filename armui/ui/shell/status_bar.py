@@ -82,7 +82,7 @@ class FailureLine(Translated, QWidget):
         self.hide()
 
     def text(self) -> str:
-        """What it says now."""
+        """The text that is shown."""
         return self._message.text()
 
     def show_failure(self, failure: Failure, *, motion_ended: bool) -> None:
@@ -354,7 +354,7 @@ class StatusBar(Translated, QWidget):
             self._draw_warning(self._status_icon, ink_of_alarm)
 
     def _mode(self, code: int, foreign_mode: str) -> str:
-        """How the arm travels; a mode that another program has chosen is told as its."""
+        """Return how the arm travels; a mode that another program has chosen is told as its."""
         if not foreign_mode:
             return words.move_mode(code)
         mode = words.other_mode(foreign_mode)

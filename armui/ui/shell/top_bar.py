@@ -63,7 +63,8 @@ _WIDEST_PX: Final = 620
 class SpeedControl(Translated, QWidget):
     """Slider and field for 0–100 % of the arm's highest speed (manual 1.0.3, 0x151 byte 2).
 
-    Dragging sends when the handle is let go; keys, clicks and the field send at once.
+    Dragging sends a lower speed at once, a higher one when the handle is let go; keys, clicks and
+    the field send at once.
 
     Attributes:
         field: Takes a figure.
@@ -94,6 +95,7 @@ class SpeedControl(Translated, QWidget):
         in_row(*wanted, self._arm_label, self._arm_value, on=self, spacing=8, margins=0)
         self._slider.valueChanged.connect(self._on_chosen)
         self._slider.sliderMoved.connect(self._on_dragged)
+        self._slider.sliderReleased.connect(self._on_released)
         self.field.valueChanged.connect(self._on_chosen)
         controller.state_changed.connect(self._on_state_changed)
         controller.operating_state_changed.connect(self._on_operating_state_changed)
@@ -101,9 +103,15 @@ class SpeedControl(Translated, QWidget):
         self._show_setpoint()
 
     def _on_dragged(self, percent: int) -> None:
-        """While the handle is held the field only says where it is."""
+        """While the handle is held the field says where it is, and the arm only gets slower."""
         with QSignalBlocker(self.field):
             self.field.setValue(percent)
+        if percent < self._controller.operating_state.speed_percent:
+            self._controller.motion.set_speed_percent(percent)
+
+    def _on_released(self) -> None:
+        """The place where the handle was let go counts, also where it was taken."""
+        self._on_chosen(self._slider.sliderPosition())
 
     def _on_chosen(self, percent: int) -> None:
         if percent != self._controller.operating_state.speed_percent:
@@ -173,7 +181,7 @@ class EnableButton(Translated, QAbstractButton):
 
     @property
     def marks(self) -> tuple[bool | None, ...]:
-        """What the six marks show, joint 1 first."""
+        """The state of each mark, joint 1 first."""
         return self._enabled
 
     @property
@@ -407,7 +415,7 @@ _CONNECT: Final = also("open port device adapter can 设备 端口 打开")
 
 
 class TopBar(Translated, QWidget):
-    """What must be seen and reached whatever panel is open.
+    """Connection, speed, motors and stops: seen and reached whatever panel is open.
 
     Args:
         controller: Whom to tell.

@@ -33,7 +33,7 @@ Opener = Callable[[str, Callable[[], ArmDialog]], ArmDialog]
 """Shows a dialog by its name, and makes it at the first time."""
 
 PageOpener = Callable[[str, Callable[[], "Page"]], "Page"]
-"""The same of a page."""
+"""Shows a page by its name, and makes it at the first time."""
 
 _PAGES: Final = ("plots", "events", "bus")
 """They stand in the drawer; the others are windows."""
@@ -119,7 +119,7 @@ class WatchWindows(QObject):
         )
 
     def pages(self) -> tuple[WatchEntry, ...]:
-        """Those that are pages of the drawer."""
+        """Return the entries that are pages of the drawer."""
         return tuple(entry for entry in self.entries() if entry.key in _PAGES)
 
     def show_as_curves(self, keys: Sequence[str]) -> None:

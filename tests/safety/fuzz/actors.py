@@ -112,6 +112,12 @@ class Actors:
     def speed(self, percent: int) -> None:
         self._controller.motion.set_speed_percent(percent)
 
+    def override(self, percent: int) -> None:
+        self._controller.speed_override.set_percent(percent)
+
+    def step_speed(self, by_percent: int) -> None:
+        self._controller.speed_override.step(by_percent)
+
     def plan(self, command: int) -> None:
         if self._controller.planned_motion.command(TrajectoryCommand(command)) is not None:
             return

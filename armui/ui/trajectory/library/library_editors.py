@@ -170,6 +170,8 @@ class LibraryEditors(QObject):
         """The program ends: what is not saved is offered the next time."""
         for editor in self._editors.values():
             editor.keep_draft()
+        if self._recorder is not None:
+            self._recorder.keep_draft()
 
     # Recordings -------------------------------------------------------------------------------
 

@@ -30,13 +30,14 @@ from armui.ui.trajectory.library.library_editors import LibraryEditors
 from armui.ui.trajectory.library.library_exchange import FileDrop, LibraryExchange
 from armui.ui.trajectory.library.library_model import ENTRY_ROLE, LibraryFilter, LibraryModel
 from armui.ui.trajectory.library.library_presence import (
-    LibraryCompany,
     LibraryPresence,
     LibraryWatch,
+    SharedUseBanner,
 )
 from armui.ui.trajectory.library.library_table import LibraryHint, LibraryTable
 from armui.ui.trajectory.library.library_work import LibraryWork
 from armui.ui.trajectory.recording.recording_page import RecordingPage
+from armui.ui.trajectory.recording.unsaved_line import UnsavedRecordingLine
 from armui.ui.trajectory.running.run_bar import RunBar, RunChoices, run_commands
 from armui.ui.trajectory.running.run_request import Checks, Preflight
 from armui.ui.widgets.buttons import named
@@ -89,11 +90,13 @@ class LibraryPage(Page):
         self._work = LibraryWork(library, background, self)
         self._work.do(library.tidy)
         self._presence = LibraryPresence(library.folder)
-        self._company = LibraryCompany()
+        self._shared_use = SharedUseBanner()
         self._choices = RunChoices(self)
         self.editors = LibraryEditors(
             controller, background, self._checks, self._work, choices=self._choices, parent=self
         )
+        self._unsaved = UnsavedRecordingLine(self._work)
+        self._unsaved.look()
         self._model = LibraryModel(self)
         self._shown = LibraryFilter(self._model, self)
         self._bar = LibraryBar()
@@ -135,7 +138,7 @@ class LibraryPage(Page):
             below.push(button)  # at the right, also while there is no message
         self._bar.add_button(self._bin_button)
         # what comes and goes takes its room from the list: 发送 stays where it is
-        fill(self.body, self._bar, self._company, (self._table, 1))
+        fill(self.body, self._bar, self._shared_use, self._unsaved, (self._table, 1))
         fill(self.body, self._findings, below, self._run_bar)
 
     def _connect(self) -> None:
@@ -160,6 +163,9 @@ class LibraryPage(Page):
         self._actions.said.connect(self._say)
         self._actions.changed.connect(self._on_action)
         self._watch.changed.connect(self._on_folder)
+        self._unsaved.kept.connect(self._on_recording_kept)
+        self._unsaved.discarded.connect(self._on_recording_discarded)
+        self._unsaved.refused.connect(self._on_refused)
         FileDrop(self).dropped.connect(self._exchange.import_files)
         self._exchange.said.connect(self._say)
         self._exchange.imported.connect(self._on_imported)
@@ -213,7 +219,7 @@ class LibraryPage(Page):
         self._choices.follow(listing.entries, self.editors.__contains__)
         changed = self._model.show(listing.entries, listing.drafts)
         self._watch.follow(exists=listing.exists)
-        self._company.show_others(others)
+        self._shared_use.show_others(others)
         self._bin_button.refresh()
         self._undo_button.show_step()
         if choose:
@@ -258,6 +264,14 @@ class LibraryPage(Page):
         """The keys go on in the list: the button that was pressed may be disabled by now."""
         self.refresh(names)
         self._table.setFocus()
+
+    def _on_recording_kept(self, name: str) -> None:
+        self.refresh([name])
+        self._say(self.tr("Saved as “{name}”.").format(name=name), Level.DONE)
+
+    def _on_recording_discarded(self, name: str) -> None:
+        self.refresh()
+        self._say(self.tr("Deleted: {names}").format(names=name), Level.DONE)
 
     def _on_imported(self, names: Sequence[str]) -> None:
         self._actions.note_imported(names)

@@ -17,6 +17,7 @@ from armui.control.operating_state import OperatingState, StopState
 from armui.control.operations.operation import operation_of
 from armui.control.run.player import Player
 from armui.control.run.progress import ENDLESS, Progress, sent_percent
+from armui.control.run.speed_override import FULL_PERCENT
 from armui.trajectory.files import Content
 from armui.trajectory.library.run_options import (
     FASTEST_FACTOR,
@@ -29,7 +30,7 @@ from armui.trajectory.planning.timing import APPROACH_PERCENT
 from armui.trajectory.points.program import SpeedsFrom
 from armui.ui import words
 from armui.ui.actions.command import Command, Target, of_place
-from armui.ui.actions.keys import keys_of, listen_for
+from armui.ui.actions.keys import key_text, keys_of, listen_for
 from armui.ui.trajectory.running.run_request import Checks, RequestState, RunRequest
 from armui.ui.trajectory.running.runner import Runner, ended_early
 from armui.ui.widgets.buttons import enable_or_explain, named, push_button, show_primary
@@ -285,12 +286,13 @@ class RunBar(Translated, QWidget):
 
     def _show_effective(self) -> None:
         """Say how fast the arm is told to go: of all speeds on the window, the one that counts."""
-        factor = self._speed.value() / 100.0
+        override = self._controller.operating_state.override_percent
+        factor = self._speed.value() / 100.0 * override / 100.0
         if self._recording:
             text = self.tr("Effective: {percent} % of the recorded speed")
-            text = text.format(percent=self._speed.value())
+            text = text.format(percent=f"{100.0 * factor:.3g}")
             tip = self.tr("The first sample is approached at {percent} %.")
-            tip = tip.format(percent=APPROACH_PERCENT)
+            tip = tip.format(percent=sent_percent(APPROACH_PERCENT, override / 100.0))
         else:
             # further cycles begin with the first row
             row = self._first.value() if self._cycles.currentIndex() == _ONCE else 1
@@ -303,6 +305,13 @@ class RunBar(Translated, QWidget):
                     "The speed of each row × that of the run, 1–100 %; from row {row} on."
                 ).format(row=row)
         lines = [tip, self.tr("The speed in the top bar does not change a run.")]
+        if override != FULL_PERCENT:
+            text = self.tr("{text} · override {percent} %").format(text=text, percent=override)
+            stays = self.tr(
+                "The override was chosen in a run and stays; it can be raised once something runs "
+                "(key {key})."
+            )
+            lines.append(stays.format(key=key_text("everywhere.faster")))
         if not self._shared.has_run(self._name):
             text = self.tr("{text} · first run").format(text=text)
             begin = self.tr(
