@@ -72,10 +72,10 @@ class Build:
             self._call(python, "-m", "pip", "install", "-q", *_TOOLS)
         return python
 
-    def _call(self, *words: str | Path, **more: str) -> None:
-        subprocess.run(  # noqa: S603 - the tools named here
-            [str(each) for each in words], check=True, cwd=ROOT, env={**os.environ, **more}
-        )
+    def _call(self, *words: str | Path) -> None:
+        # not among the sources: Python would find them before the wheel that is to be packed
+        words_ = [str(each) for each in words]
+        subprocess.run(words_, check=True, cwd=self.work)  # noqa: S603 - the tools named here
 
     def wheel(self) -> list[Path]:
         """The wheel and the source archive, checked for an index."""
@@ -103,6 +103,9 @@ class Build:
             "--distpath", place, "--workpath", self.work / "pyinstaller", HERE / "armui.spec",
         )  # fmt: skip
         made = place / "armui"
+        texts = made / "_internal/armui/resources/doctor/texts.toml"
+        if not texts.is_file():
+            raise SystemExit(f"{texts} is missing: the wheel was not what was packed")
         if sys.platform == "linux":
             _strip(made)
             check_libraries(made)

@@ -9,6 +9,8 @@ import re
 import shutil
 import subprocess
 import tomllib
+from datetime import UTC, datetime
+from email.utils import format_datetime
 from pathlib import Path
 from typing import Final
 
@@ -139,9 +141,19 @@ def _lay_out(folder: Path, root: Path, version: str, day: str) -> None:
     (share / f"metainfo/{_ID}.metainfo.xml").write_text(told, encoding="utf-8")
     shutil.copyfile(linux / "copyright", documents / "copyright")
     _write_gzip(documents / "changelog.gz", (ROOT / "CHANGELOG.md").read_bytes())
+    _write_gzip(documents / "changelog.Debian.gz", _debian_changes(version, day).encode())
     overrides = share / "lintian/overrides"
     overrides.mkdir(parents=True)
     shutil.copyfile(linux / "lintian-overrides", overrides / "armui")
+
+
+def _debian_changes(version: str, day: str) -> str:
+    at = datetime.strptime(day, "%Y-%m-%d").replace(tzinfo=UTC)
+    return (
+        f"armui ({version}-1) unstable; urgency=medium\n\n"
+        "  * What has changed stands in changelog.gz.\n\n"
+        f" -- The armui authors <armui@localhost>  {format_datetime(at)}\n"
+    )
 
 
 def _write_gzip(path: Path, data: bytes) -> None:

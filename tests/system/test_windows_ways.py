@@ -3,10 +3,10 @@
 import ctypes
 import sys
 import time
+from pathlib import Path
 
 import pytest
 
-from armui.system import atomic
 from armui.system.atomic import write_whole
 from armui.system.thread_priority import PowerThrottling, end_throttling
 from armui.viewport import process_link
@@ -18,7 +18,7 @@ class Scanner:
     def __init__(self, monkeypatch, refusals):
         self.left = refusals
         self.slept_s: list[float] = []
-        replace = atomic.Path.replace
+        replace = Path.replace
 
         def refused(path, target):
             if self.left:
@@ -26,7 +26,7 @@ class Scanner:
                 raise PermissionError(13, "Access is denied", str(target))
             return replace(path, target)
 
-        monkeypatch.setattr(atomic.Path, "replace", refused)
+        monkeypatch.setattr(Path, "replace", refused)
         monkeypatch.setattr(time, "sleep", self.slept_s.append)
 
 
