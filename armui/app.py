@@ -23,8 +23,11 @@ from PySide6.QtWidgets import QApplication
 from armui.arm.device import DEFAULT_BITRATE, Device, bitrate_is_ours
 from armui.arm.refusal import Refusal
 from armui.control.arm_controller import ArmController
+from armui.control.event_log.keeper import EventKeeper
 from armui.control.events import Event, EventCode
+from armui.control.link.instance_registry import InstanceRegistry
 from armui.control.operating_state import LinkState, OperatingState
+from armui.control.sessions.choices import SessionChoices, choices_of
 from armui.ending import SystemEnd
 from armui.protocol.generation import Generation, PiperModel
 from armui.settings import Choices, Settings, SettingsStore, default_path
@@ -48,15 +51,14 @@ if TYPE_CHECKING:
 
     import can
 
-    from armui.control.event_log.keeper import EventKeeper
-    from armui.control.link.neighbours import Neighbours
-    from armui.control.sessions.choices import SessionChoices
+    from armui.sim.mechanics.mechanics import HandGuiding
+    from armui.ui.picture.target_drag import HandGuide
     from armui.viewport.client import PictureClient
 
 _LOG: Final = logging.getLogger(__name__)
 
 DRIVE_NOTHING: Final = (
-    "armui.bus.tap",
+    "armui.bus.notifier",
     "armui.session",
     "armui.settings",
     "armui.system",
@@ -149,6 +151,7 @@ class Program:
         files: Who does what waits for a disk, in a thread of this process; ended with the program.
             The workers by default.
         events: The folder where events are kept; by default nowhere.
+        hand: Finds the hand that leads the simulated arm of this process; by default none.
 
     Attributes:
         controller, view, window: What its parts are.
@@ -168,6 +171,7 @@ class Program:
         meeting_place: Path | None = None,
         files: Executor | None = None,
         events: Path | None = None,
+        hand: Callable[[], HandGuide | None] = lambda: None,
     ) -> None:
         self._app = app
         self._translator = Translator(app)
@@ -183,7 +187,7 @@ class Program:
         urdf = Path(settings.urdf_path) if settings.urdf_path else None
         self.view = ArmView(urdf, client=pictures)
         self.window = MainWindow(
-            self.controller, self.view, store, workers, trajectories, files=files
+            self.controller, self.view, store, workers, trajectories, files=files, hand=hand
         )
         apply_theme(app, Theme(settings.theme))
         self._stop_shortcut = StopShortcut(app, self.controller, self.window)
@@ -206,7 +210,7 @@ class Program:
         for name in failures.LOGGERS:
             logging.getLogger(name).addHandler(self._failure_handler)
         self._event_keeper: EventKeeper | None = None
-        self._neighbours: Neighbours | None = None
+        self._instances: InstanceRegistry | None = None
         # once the window stands
         if events is not None:
             keep = partial(self._keep_events, events, files or workers)
@@ -223,14 +227,10 @@ class Program:
         return self._files.waiting if isinstance(self._files, FileThread) else ()
 
     def _keep_events(self, folder: Path, files: Executor) -> None:
-        from armui.control.event_log.keeper import EventKeeper  # noqa: PLC0415 - faster start
-
-        self._event_keeper = EventKeeper(self.controller.happenings, folder, files)
+        self._event_keeper = EventKeeper(self.controller.event_collector, folder, files)
 
     def _meet(self, settings: Path, place: Path) -> None:
-        from armui.control.link.neighbours import Neighbours  # noqa: PLC0415 - faster start
-
-        self._neighbours = Neighbours(self.controller, settings, place)
+        self._instances = InstanceRegistry(self.controller, settings, place)
 
     def shutdown(self) -> None:
         """End the motion and every thread.
@@ -255,8 +255,8 @@ class Program:
             self.ended = self.ended and self._files.ended
         self.view.shutdown()
         self._workers.shutdown()
-        if self._neighbours is not None:
-            self._neighbours.close()
+        if self._instances is not None:
+            self._instances.close()
 
     def _on_failed(self, failure: Failure) -> None:
         """Motion ends first; then it is told."""
@@ -287,8 +287,6 @@ class Program:
 
 
 def _session_choices(store: SettingsStore) -> SessionChoices:
-    from armui.control.sessions.choices import choices_of  # noqa: PLC0415 - faster start
-
     return choices_of(store.settings)
 
 
@@ -328,7 +326,8 @@ def _run(options: StartOptions) -> int:
     GarbageSearch(app)  # before any other thread begins
     chosen: Choices = {} if options.language is None else {"language": options.language}
     store = SettingsStore(default_path(), for_this_run=chosen)
-    opener = partial(open_device, sim_firmware=options.sim_firmware)
+    hand = SimulatedHand()
+    opener = partial(open_device, sim_firmware=options.sim_firmware, hand=hand)
     controller = ArmController(opener, SIMULATED)
     program = Program(
         app,
@@ -338,6 +337,7 @@ def _run(options: StartOptions) -> int:
         meeting_place=paths.runtime(),
         files=FileThread(),
         events=paths.logs(),
+        hand=lambda: hand.guiding,
     )
     app.aboutToQuit.connect(program.shutdown)
     with SystemEnd(app, program) as system_end:
@@ -439,13 +439,27 @@ SIMULATED: Final = tuple(
 """The arms made of software; today's protocol first."""
 
 
+class SimulatedHand:
+    """Keeps the hand that leads the simulated arm in this process, while there is such an arm.
+
+    Attributes:
+        guiding: The simulator's own interface for it; set and cleared by the bus thread.
+    """
+
+    def __init__(self) -> None:
+        self.guiding: HandGuiding | None = None
+
+
 @contextmanager
-def open_device(device: Device, sim_firmware: str | None = None) -> Iterator[can.BusABC]:
+def open_device(
+    device: Device, sim_firmware: str | None = None, hand: SimulatedHand | None = None
+) -> Iterator[can.BusABC]:
     """Open a device; behind a simulated one an arm comes to life until it is closed again.
 
     Args:
         device: Which.
         sim_firmware: The version of a simulated arm of generation 2, today's with ``None``.
+        hand: Is given the hand that leads a simulated arm, and loses it when that is closed.
     """
     from armui.bus.adapters import open_bus  # noqa: PLC0415 - python-can, loaded with the first device
 
@@ -460,4 +474,11 @@ def open_device(device: Device, sim_firmware: str | None = None) -> Iterator[can
     generation = Generation(device.generation or 2)
     arm = Firmware(generation, model=device.model, version=sim_firmware)
     with open_bus(device) as arm_side, open_bus(device) as bus, Node(arm, arm_side):
-        yield bus
+        if hand is None:
+            yield bus
+            return
+        hand.guiding = arm.hand_guiding
+        try:
+            yield bus
+        finally:
+            hand.guiding = None

@@ -21,7 +21,7 @@ _COMMANDS: Final = {
     "doctor": ("armui.doctor", "say what is wrong with this computer, the bus and the arm"),
     "export": ("armui.export", "write a recorded CAN log as MCAP, CSV or Parquet"),
     "record": ("armui.record", "record what is on a bus to files, without a window"),
-    "sim": ("armui.sim.command", "run the simulated arm on a CAN bus until Ctrl-C"),
+    "sim": ("armui.sim.sim_command", "run the simulated arm on a CAN bus until Ctrl-C"),
 }
 """Command to its module, which has ``add_arguments(parser)`` and ``run(options)``, and its purpose.
 
@@ -119,7 +119,7 @@ def _replay_parser() -> argparse.ArgumentParser:
 
 
 def _version(text: str) -> str:
-    from armui.protocol.firmware_version import (  # noqa: PLC0415 - faster start
+    from armui.protocol.firmware_version import (  # noqa: PLC0415 - Python 3.10 can't load it
         RECOMMENDED,
         FirmwareVersion,
     )

@@ -13,7 +13,7 @@ from armui.protocol.generation import PiperModel
 Language = Literal["zh", "en"]
 ThemeName = Literal["light", "dark", "system"]
 MountingName = Literal["level", "on_the_left_side", "on_the_right_side", "upside_down"]
-PictureDirection = Literal["iso", "front", "side", "top"]
+PictureDirection = Literal["iso", "front", "side", "top", "below"]
 SessionFormat = Literal[".blf", ".asc", ".log", ".mf4"]
 GamepadMode = Literal["joint", "base", "tool"]
 GamepadButtons = Mapping[str, Mapping[str, str]]

@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import contextlib
 import errno
+import hashlib
 import json
 import os
 import threading
@@ -19,6 +20,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, Final, TypedDict, Unpack
 
 import platformdirs
+from filelock import FileLock, Timeout
 
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
@@ -258,8 +260,6 @@ class SettingsStore:
 
     def _write_choices(self, choices: Mapping[str, Any]) -> Refusal | None:
         """Write what was chosen; what another program has written meanwhile stays."""
-        from filelock import Timeout  # noqa: PLC0415 - faster start
-
         try:
             with _alone_with(self._path):
                 in_file = _entries(self._path)
@@ -284,8 +284,6 @@ def _alone_with(path: Path) -> Iterator[None]:
     Raises:
         Timeout: Another one is writing it.
     """
-    from filelock import FileLock, Timeout  # noqa: PLC0415 - faster start
-
     with contextlib.ExitStack() as locked:
         try:
             locked.enter_context(FileLock(_lock_path(path), timeout=_LOCK_S))
@@ -304,8 +302,6 @@ def _lock_path(path: Path) -> Path:
     """
     folder = paths.runtime()
     paths.make_private(folder)
-    import hashlib  # noqa: PLC0415 - brings OpenSSL, faster start
-
     name = hashlib.sha256(str(path.absolute()).encode("utf-8", "surrogatepass")).hexdigest()[:16]
     return folder / f"settings-{name}.lock"
 

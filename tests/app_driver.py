@@ -18,10 +18,14 @@ from armui.settings import SettingsStore
 from armui.ui import theme
 from armui.ui.dialogs.confirm_dialog import ConfirmDialog
 from armui.ui.dialogs.connect import ConnectDialog
+from armui.ui.shell import operation_area
 from armui.ui.widgets.hold_button import HoldButton
 from armui.ui.widgets.page import Page
 from armui.viewport.client import PictureClient
 from tests.arm_rig import TIMEOUT_MS, ArmRig
+
+PANELS = tuple(entry.key for entry in operation_area.PANELS)
+"""The keys of the panels, in the order of the menu."""
 
 _Dialog = TypeVar("_Dialog", bound=QDialog)
 _Page = TypeVar("_Page", bound=Page)
@@ -147,6 +151,7 @@ class AppDriver(ArmRig):
                 self.library_folder,
                 files=files or AtOnce(),
                 pictures=pictures,
+                hand=lambda: self.firmware.hand_guiding,
             )
         self.window = self.program.window
         self.window.resize(1280, 800)

@@ -179,7 +179,7 @@ class ArmRig:
         bus = self._host_bus
         if bus is None or not bus.is_quiet or not self._sends_nothing or self._adrift:
             return False
-        return not self.controller._connection._worker._intake._next_codecs
+        return not self.controller._connection._worker._processor._next_codecs
 
     @property
     def _sends_nothing(self) -> bool:

@@ -103,11 +103,11 @@ TESTS: dict[str, Judges] = {
         ("tests/control/test_overspeed.py", "tests/control/test_authority_speed.py"),
         ("tests/safety/test_s12*",),
     ),
-    "armui/control/safety/heeding.py": Judges(
-        ("tests/control/test_heeding.py",), ("tests/safety/test_s07_a_motion*",)
+    "armui/control/safety/command_acknowledgement.py": Judges(
+        ("tests/control/test_command_acknowledgement.py",), ("tests/safety/test_s07_a_motion*",)
     ),
-    "armui/control/safety/hearing.py": Judges(
-        ("tests/control/test_hearing.py",), ("tests/safety/test_s09*",)
+    "armui/control/safety/feedback_freshness.py": Judges(
+        ("tests/control/test_feedback_freshness.py",), ("tests/safety/test_s09*",)
     ),
     "armui/control/safety/standstill.py": Judges(
         ("tests/control/test_standstill.py",), ("tests/safety/test_s1[03]*",)

@@ -22,7 +22,7 @@ def name_version(
     if firmware is not None and version is not None:
         firmware.type = replace(firmware.type, version=version)
     connection = controller._connection
-    tracker = connection._worker._intake._tracker
+    tracker = connection._worker._processor._tracker
     tracker._answer.identity = None if version is None else ArmIdentity(version)
     tracker._sequence += 1
     connection.handshake.firmware = version

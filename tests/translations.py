@@ -20,7 +20,6 @@ from pypinyin import lazy_pinyin
 
 from armui.protocol.generation import Generation
 from armui.protocol.layout import load_database
-from armui.ui.actions.catalogue import actions, synonyms
 from armui.ui.words.frames import signal_word
 
 ROOT = Path(__file__).resolve().parent.parent
@@ -91,16 +90,23 @@ def names(ts: Path) -> str:
         has_hanzi = any("\u4e00" <= letter <= "\u9fff" for letter in chinese)
         if has_hanzi and len(chinese) <= LONGEST and not set("{}\n。") & set(chinese):
             found.setdefault(chinese, (_spelled(chinese), set()))[1].add(english)
-    for action in actions():
-        for word in synonyms(action.name):
-            if not word.isascii():
-                found.setdefault(word, (_spelled(word), set()))
+    for word in _synonyms():
+        found.setdefault(word, (_spelled(word), set()))
     rows = (
         f"{json.dumps(chinese, ensure_ascii=False)}: "
         f"{json.dumps([pinyin, sorted(texts)], ensure_ascii=False)}"
         for chinese, (pinyin, texts) in sorted(found.items())
     )
     return "{\n" + ",\n".join(rows) + "\n}\n"
+
+
+def _synonyms() -> Iterator[str]:
+    """Yield the Chinese synonyms of the commands: what stands in ``also(…)``."""
+    for source in sorted((ROOT / "armui" / "ui").rglob("*.py")):
+        for each in ast.walk(ast.parse(source.read_text(encoding="utf-8"))):
+            match each:
+                case ast.Call(func=ast.Name(id="also"), args=[ast.Constant(value=str(text))]):
+                    yield from (word for word in text.split() if not word.isascii())
 
 
 def _spelled(chinese: str) -> str:

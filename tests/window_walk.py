@@ -42,13 +42,12 @@ from armui.protocol.generation import Generation
 from armui.system import failures
 from armui.trajectory.library.store import Library
 from armui.trajectory.points.program import Trajectory
-from armui.ui.actions.places import PANELS
 from armui.ui.actions.window_actions import WindowActions
 from armui.ui.dialogs.confirm_dialog import ConfirmDialog
 from armui.ui.shell.workspace import PageWindow
 from armui.ui.widgets.stop_button import StopButton
 from armui.ui.widgets.text_label import ElidedLabel
-from tests.app_driver import AppDriver
+from tests.app_driver import PANELS, AppDriver
 from tests.operator.library.actions import POINT
 
 SIZES = ((1024, 720), (1280, 800), (1440, 900), (1920, 1080), (2560, 1440), (3840, 2160))

@@ -147,7 +147,7 @@ def _fitting(
     pose: Sequence[float],
     zeros: Callable[[ModelData], Iterable[bool]],
 ) -> frozenset[FittingArm]:
-    from armui.kinematics.arm_kinematics import Kinematics  # noqa: PLC0415 - numpy: faster start
+    from armui.kinematics.arm_kinematics import Kinematics  # noqa: PLC0415 - numpy
     from armui.kinematics.poses import Pose, apart  # noqa: PLC0415 - see above
 
     told = Pose(*pose)

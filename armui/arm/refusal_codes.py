@@ -163,6 +163,7 @@ class RefusalCode(StrEnum):
     OTHER_HOST = "other_host"  # frames
     OTHER_HOST_STREAMS = "other_host_streams"  # frames
     OTHER_MODE = "other_mode"  # other_mode
+    OVERRIDE_ZERO = "override_zero"
     PART_FAILED = "part_failed"
     SYSTEM_ENDS = "system_ends"
     PATH_BEYOND_LIMITS = "path_beyond_limits"  # joint, value, minimum, maximum, gone

@@ -120,7 +120,7 @@ class Tracker:
         self._invalid_frames[kind.name] += 1
         self._sequence += 1
 
-    def pardon_silences(self) -> None:
+    def reset_timeouts(self) -> None:
         """What was taken in so far comes from a log and was not heard one after another."""
         self._silences = self._pauses = 0
         self._before_pause = []

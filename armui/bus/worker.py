@@ -20,7 +20,7 @@ from armui.arm.other_hosts import OtherTraffic
 from armui.arm.refusal import Refusal
 from armui.arm.state import ArmState
 from armui.bus.adapters import explain
-from armui.bus.intake import Intake
+from armui.bus.frame_processor import FrameProcessor
 from armui.bus.link import BusHealth, BusReport, BusState
 from armui.bus.outbox import KEEP_S, Outbox, SendingThread
 from armui.bus.receive_clock import STAMPED, ReceiveClock
@@ -29,7 +29,7 @@ from armui.protocol.codec import Codec
 from armui.protocol.frame import Frame, FrameFlag
 from armui.system.clock import steady_s
 from armui.system.failures import is_our_own
-from armui.telemetry.tap import Tap
+from armui.telemetry.listener import Listener
 
 _MARKS_NEIGHBOURS: Final = frozenset({"socketcan"})
 """Back-ends that mark frames of other programs on the same PC as not received.
@@ -72,7 +72,7 @@ class BusWorker(QThread):
         clock: Monotonic time in seconds.
         listen_only: Nothing is sent but what is urgent: the operator's stop.
         number: Goes into its reports: one that comes late tells whose it is.
-        taps: Who else is told of every frame.
+        listeners: Who else is told of every frame.
 
     Attributes:
         samples: Every joint feedback, while somebody wants them.
@@ -80,7 +80,7 @@ class BusWorker(QThread):
 
     Signals:
         reported: A :class:`BusReport`, whenever the state of the device changes.
-        answered: A :class:`Message` of :data:`armui.bus.intake.ANSWERS`.
+        answered: A :class:`Message` of :data:`armui.bus.frame_processor.ANSWERS`.
     """
 
     reported = Signal(object)
@@ -96,7 +96,7 @@ class BusWorker(QThread):
         *,
         listen_only: bool = False,
         number: int = 0,
-        taps: Sequence[Tap] = (),
+        listeners: Sequence[Listener] = (),
     ) -> None:
         super().__init__(parent)
         self.setObjectName(f"bus {device.name}")
@@ -105,14 +105,14 @@ class BusWorker(QThread):
         self._opener = opener
         self._clock = clock
         self._pictured_s = 0.0
-        self._intake = Intake(codec, taps, self.answered.emit)
-        self._line = self._intake.line
-        self._outbox = Outbox(clock, listen_only=listen_only, sent=self._line.sent)
+        self._processor = FrameProcessor(codec, listeners, self.answered.emit)
+        self._notifier = self._processor.notifier
+        self._outbox = Outbox(clock, listen_only=listen_only, sent=self._notifier.sent)
         self._health = BusHealth(device)
         self._problem: Refusal | None = None
         self._queue = ReceiveQueue()
         self._received = ReceiveClock(clock, stamped=device.interface in STAMPED)
-        self.samples = self._intake.samples
+        self.samples = self._processor.samples
         self._closing = threading.Event()
         self.released = threading.Event()
 
@@ -124,12 +124,12 @@ class BusWorker(QThread):
     @property
     def state(self) -> ArmState:
         """The arm as heard since the last :meth:`use_codec`; may be read from any thread."""
-        return self._intake.state
+        return self._processor.state
 
     @property
     def traffic(self) -> OtherTraffic:
         """What other hosts were heard to send; may be read from any thread."""
-        return self._intake.traffic
+        return self._processor.traffic
 
     @property
     def frames_dropped(self) -> int:
@@ -150,17 +150,17 @@ class BusWorker(QThread):
         """Send at once from the calling thread, past everything that waits; see :class:`Outbox`."""
         return self._outbox.put_urgent(frames)
 
-    def tap(self, taps: Sequence[Tap]) -> None:
+    def set_listeners(self, listeners: Sequence[Listener]) -> None:
         """Who else is told of every frame from now on."""
-        self._line.want(taps)
+        self._notifier.set_listeners(listeners)
 
     def use_codec(self, codec: Codec, *, forget: bool = True) -> None:
         """Forget what was heard; speak this codec from the next frame on.
 
         From this call on :attr:`state` holds nothing that was heard or decoded before it, unless
-        nothing is to be forgotten; see :meth:`armui.bus.intake.Intake.use_codec`.
+        nothing is to be forgotten; see :meth:`armui.bus.frame_processor.FrameProcessor.use_codec`.
         """
-        self._intake.use_codec(codec, forget=forget)
+        self._processor.use_codec(codec, forget=forget)
 
     def close(self, within_ms: int) -> bool:
         """Close the device and end the thread.
@@ -207,18 +207,18 @@ class BusWorker(QThread):
         self._health, self._problem = BusHealth(self._device), None
         sender = SendingThread(self._outbox, bus)
         sender.start()
-        self._line.open(self._intake.codec, self._device.bitrate)
+        self._notifier.open(self._processor.codec, self._device.bitrate)
         self._received.emptied()  # what lies in a device that was just opened came just now
         self._report(BusState.OPEN)
         try:
             while not self._closing.is_set():
-                self._intake.take_codec(self._clock())
+                self._processor.apply_codec(self._clock())
                 self._receive_burst(bus)
                 if sender.failure is not None:
                     raise sender.failure
                 self._look_after_bus()
         finally:
-            self._line.flush(self._intake.codec, self._clock())
+            self._notifier.flush(self._processor.codec, self._clock())
             self._outbox.detach()
             sender.end()
             self._queue.detach()
@@ -237,7 +237,7 @@ class BusWorker(QThread):
         now_s = self._clock()
         taken = 0
         while message is not None:
-            self._intake.take_codec(now_s)
+            self._processor.apply_codec(now_s)
             self._take_in(message, self._received.at_s(message.timestamp, now_s))
             taken += 1
             if taken == _BURST:
@@ -246,10 +246,10 @@ class BusWorker(QThread):
         else:
             self._received.emptied()
         if now_s - self._pictured_s >= _PICTURE_S or taken == 0:
-            # on a real bus frames come one by one: taps are told of some together
+            # on a real bus frames come one by one: listeners are told of some together
             self._pictured_s = now_s
-            self._line.flush(self._intake.codec, now_s)
-            self._intake.show()
+            self._notifier.flush(self._processor.codec, now_s)
+            self._processor.publish()
             self._queue.look(now_s)
 
     def _take_in(self, message: can.Message, now_s: float) -> None:
@@ -262,7 +262,7 @@ class BusWorker(QThread):
             self._health.on_frame(now_s)
         odd = message.is_error_frame or message.is_extended_id or message.is_remote_frame
         frame = Frame(message.arbitration_id, bytes(message.data))
-        self._intake.take(frame, now_s, _flags(message) if odd else 0)
+        self._processor.process(frame, now_s, _flags(message) if odd else 0)
 
     def _report(self, state: BusState, error: Exception | None = None) -> None:
         problem = None if error is None else explain(self._device, error)

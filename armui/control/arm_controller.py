@@ -9,7 +9,7 @@ from __future__ import annotations
 import time
 from collections.abc import Callable, Sequence
 from datetime import datetime
-from typing import TYPE_CHECKING, Final
+from typing import TYPE_CHECKING, Any, Final
 
 from PySide6.QtCore import QObject, Qt, QTimer, Signal
 
@@ -31,7 +31,7 @@ from armui.control.motion.motion_command import End
 from armui.control.motion_end import MotionEnd
 from armui.control.operating_state import Busy, OperatingState
 from armui.control.parts import Parts
-from armui.control.run.run_end import cut_short
+from armui.control.run.run_end import abort_motion
 from armui.control.safety.emergency_stop import is_stopped
 from armui.control.safety.stopping import Stopping
 from armui.protocol.codes import TrajectoryCommand
@@ -190,7 +190,7 @@ class ArmController(ControllerParts):
             return
         self._end_run_because(Refusal(RefusalCode.RUN_LEFT))
         if self._authority.holds:
-            cut_short(self._context)
+            abort_motion(self._context)
         self._forget_arm()
         self._connection.close()
         self._timer.stop()
@@ -239,11 +239,36 @@ class ArmController(ControllerParts):
         """Whether a stop that another host undoes is sent again by itself."""
         self._stop.stop_again = on
 
+    def begin(self, name: str, *arguments: Any, **named: Any) -> Started | Refusal | None:
+        """Carry out an operation by its id, for a client that follows what becomes of it.
+
+        Args:
+            name: The id, a key of :attr:`operations`.
+            *arguments: Those of its method.
+            **named: Those of its method that have names.
+
+        Returns:
+            The record of the command, or why it was refused; ``None`` for a question
+            (``settings.read``), whose answer stands in what was asked for.
+
+        Raises:
+            KeyError: No operation has the id.
+        """
+        carry_out = self.operations[name].carry_out
+        told: list[Event] = []
+        listening = self.noticed.connect(told.append)  # each command tells that it has begun
+        try:
+            refusal: Refusal | None = carry_out(*arguments, **named)
+        finally:
+            self.noticed.disconnect(listening)
+        begun = (each.started for each in told if each.started is not None)
+        return refusal or next((each for each in begun if each.operation == name), None)
+
     def _notice(self, code: EventCode, started: Started | None = None, /, **params: object) -> None:
         self.noticed.emit(Event(self._wall(self._clock()), code.level, code, params, started))
 
     def _on_noticed(self, event: Event) -> None:
-        self.happenings.on_noticed(event)
+        self.event_collector.on_noticed(event)
 
     def tick(self) -> None:
         """Take in what was heard and move on what is under way; the controller's timer calls it."""
@@ -313,7 +338,7 @@ class ArmController(ControllerParts):
     def _end_too_fast(self, reason: Refusal) -> None:
         self._end_run_because(reason)
         self.jogging.stop()
-        cut_short(self._context)
+        abort_motion(self._context)
 
     def _on_connection(self, report: BusReport, code: EventCode) -> None:
         if code == EventCode.LINK_LOST:
@@ -350,7 +375,7 @@ class ArmController(ControllerParts):
         """
         self._end_driven()
         if single and self._authority.may_be_ours:
-            cut_short(self._context)
+            abort_motion(self._context)
         if self._authority.holds:
             self.planned_motion.command(TrajectoryCommand.ABORT)
         self._refresh()

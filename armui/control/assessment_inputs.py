@@ -96,6 +96,7 @@ class Assessor:
             stop_lapsed=emergency_stop.lapsed,
             busy=busy,
             speed_percent=controller.motion.speed_percent,
+            override_percent=controller.speed_override.percent,
             generation=connection.generation,
             offsets=connection.offsets,
             model_fit=controller.model_watch.fit(),

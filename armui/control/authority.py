@@ -20,7 +20,7 @@ from armui.control.motion.motion_command import (
     Observation,
     why_held,
 )
-from armui.control.safety.hearing import limp, taught, why_silent
+from armui.control.safety.feedback_freshness import any_motor_off, in_drag_teaching, why_silent
 from armui.control.safety.interlocks import MOVABLE_STATUSES
 from armui.control.safety.other_command import OtherCommand
 from armui.control.safety.overspeed import OverspeedWatch
@@ -78,6 +78,7 @@ class Authority:
         self._mode_sent: tuple[MoveMode, float] | None = None
         self._limits: tuple[JointLimits | None, ...] = ()
         self._braking: tuple[float, int] | None = None
+        self._stood = False
         self.other = OtherCommand()
         self.command: MotionCommand | None = None
         self.ended: End | None = None
@@ -104,12 +105,15 @@ class Authority:
         if seen.waiting and self.command is not None:
             self.command = self.command._replace(sent_s=now_s)
         self._follow_hold(seen)
+        self._stood = self._stood or self.at_rest
         self._follow_cancel(now_s)
         pace = None if self.command is None else self.command.pace
         shown, braking = self._percent_shown, self._braking
         if shown is not None and braking is not None and now_s < braking[0]:
             shown = max(shown, braking[1])
-        self.overspeed = self._overspeed.observe(state, shown, seen.factory_limits, pace)
+        self.overspeed = self._overspeed.observe(
+            state, shown, seen.factory_limits, seen.accelerations_deg_s2, pace
+        )
 
     @property
     def at_rest(self) -> bool:
@@ -155,10 +159,10 @@ class Authority:
         seen = self._seen
         if seen is None or not seen.online or self._silent is not None:
             return Mover.UNKNOWN
-        no_power = limp(seen.state, seen.now_s)
+        no_power = any_motor_off(seen.state, seen.now_s)
         if no_power is not False:
             return Mover.GRAVITY if no_power else Mover.UNKNOWN
-        if taught(seen.state):
+        if in_drag_teaching(seen.state):
             return Mover.HAND
         if self.other.drives:
             return Mover.LEADER if self.other.is_leader else Mover.OTHER_HOST
@@ -285,7 +289,7 @@ class Authority:
         self.arm_percent, self._mode_sent = speed_percent, (move_mode, now_s)
         self._cancelled_s, self.cancel_unheeded = None, False
         self._limits = (None,) * 6
-        self._overspeed.restart()
+        self._overspeed.change_speed()
         return self.command
 
     def is_current(self, command: MotionCommand) -> bool:
@@ -311,18 +315,29 @@ class Authority:
                 if seen is not None:
                     self._slow_down(percent, seen.now_s)
                 self.command = command._replace(speed_percent=percent)
-                self._overspeed.restart()
+                self._overspeed.change_speed()
         elif seen is not None and (self.under_way or self.moves):
-            self.holds |= {Hold.SPEED_ZERO}
+            self._hold(Hold.SPEED_ZERO, seen.now_s)
             self._zero_since_s = seen.now_s
 
     def paused(self) -> None:
         """Note that a pause was sent (0x150 byte 1 = 1)."""
-        self.holds |= {Hold.PAUSE}
+        if self._seen is None:
+            self.holds |= {Hold.PAUSE}
+        else:
+            self._hold(Hold.PAUSE, self._seen.now_s)
+
+    def _hold(self, hold: Hold, now_s: float) -> None:
+        """Note what holds the motion back: from now on the arm is shown to stand."""
+        self.holds |= {hold}
+        self._slow_down(0, now_s)
+        self._overspeed.change_speed()
+        self._stood = False
 
     def went_on(self, now_s: float) -> None:
         """Note that the arm was told to continue a motion that was held back."""
         self.holds = frozenset()
+        self._overspeed.change_speed()
         if self.command is not None:
             self.command = self.command._replace(sent_s=now_s)
 
@@ -375,11 +390,16 @@ class Authority:
 
     @property
     def _percent_shown(self) -> int | None:
-        """What our motion may be compared with; replays are watched by how far they lag."""
+        """What our motion may be compared with; replays are watched by how far they lag.
+
+        One that is held back comes to a stand; once it has, a hand may move it.
+        """
         command = self.command
         if command is None or command.kind is CommandKind.REPLAY or not self.under_way:
             return None
-        return command.speed_percent
+        if not self.holds:
+            return command.speed_percent
+        return None if self._stood else 0
 
     def _what_ends(self, seen: Observation) -> End | None:
         command = self.command
@@ -409,9 +429,9 @@ class Authority:
             return End.SILENT
         if status.value.arm_status == ArmStatusCode.EMERGENCY_STOP:
             return End.STOPPED
-        if limp(state, now_s):
+        if any_motor_off(state, now_s):
             return End.DISABLED
-        if taught(state):
+        if in_drag_teaching(state):
             return End.TAUGHT
         if status.value.arm_status not in MOVABLE_STATUSES:  # it may move on, but not to there
             self.command = command._replace(joints_deg=None, tool=None)
@@ -443,7 +463,7 @@ class Authority:
             self.holds -= {Hold.SPEED_ZERO}  # it had arrived: nothing is left to hold back
         left = status.value.control_mode != ControlMode.CAN_CONTROL
         stopped = status.value.arm_status == ArmStatusCode.EMERGENCY_STOP
-        if left or stopped or limp(seen.state, seen.now_s):
+        if left or stopped or any_motor_off(seen.state, seen.now_s):
             self.holds = frozenset()
 
     def _follow_cancel(self, now_s: float) -> None:

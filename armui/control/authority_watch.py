@@ -12,14 +12,14 @@ from armui.control.events import EventCode
 from armui.control.motion.motion_command import CommandKind, End, MotionCommand, Observation
 from armui.control.operating_state import LinkState, OtherHostReport
 from armui.control.operations.started import Ending
-from armui.control.safety.heeding import HeedWatch
+from armui.control.safety.command_acknowledgement import AcknowledgementMonitor
 from armui.protocol.addressing import OFFSETS
 from armui.telemetry.events import EventOutcome, Level
 
 if TYPE_CHECKING:
     from armui.control.authority import Authority
-    from armui.control.context import Tell
     from armui.control.link.connection import Connection
+    from armui.control.operations.started import Tell
 
 
 _NAMED_AFTER_S: Final = 0.1
@@ -55,7 +55,7 @@ class AuthorityWatch:
         self._was_commanded = False
         self._was_unheeded = False
         self._voided = 0
-        self._heeding = HeedWatch()
+        self._acknowledgement = AcknowledgementMonitor()
 
     def observe(self, now_s: float) -> None:
         """Let the authority know what is heard by now; frames that are outdated are dropped."""
@@ -93,8 +93,8 @@ class AuthorityWatch:
             self._tell(EventCode.CANCEL_UNHEEDED)
         self._was_unheeded = authority.cancel_unheeded
         if authority.holds:
-            self._heeding.forget()
-        elif self._heeding.observe(
+            self._acknowledgement.reset()
+        elif self._acknowledgement.observe(
             authority.command, authority.ended, self._connection.newest, now_s
         ):
             code = EventCode.MOTION_UNHEEDED
@@ -117,7 +117,7 @@ class AuthorityWatch:
                 cut = EventOutcome(ObservedCode.MOTION_CUT, now_s, level, {"end": end.name})
                 _close(over, Ending.CUT_OFF, cut)
         authority.over.clear()
-        if command is None or authority.under_way or authority.holds or self._heeding.waits:
+        if command is None or authority.under_way or authority.holds or self._acknowledgement.waits:
             return
         status = self._connection.newest.status
         if status is not None and status.value.reached:
@@ -155,7 +155,7 @@ class AuthorityWatch:
     def forget(self, now_s: float) -> None:
         """Another connection begins."""
         self._follow_motion(now_s)
-        self._heeding.forget()
+        self._acknowledgement.reset()
         self._was_commanded = self._was_unheeded = False
         self._began = None
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Protocol
+from typing import TYPE_CHECKING
 
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
@@ -13,12 +13,17 @@ from armui.control.authority import Authority
 from armui.control.events import EventCode
 from armui.control.motion.motion_command import CommandKind, End, MotionCommand
 from armui.control.operating_state import OperatingState, why_unreachable
-from armui.control.operations.started import Ending, Started
+from armui.control.operations.started import (
+    Ending,
+    Started,
+    Tell,
+    close_and_tell,
+    report_and_tell,
+)
 from armui.control.parameters.arm_model import planning_model
 from armui.control.safety.overspeed import tool_pace
 from armui.protocol import commands
 from armui.protocol.codes import ControlMode
-from armui.telemetry.events import EventOutcome
 
 if TYPE_CHECKING:
     from armui.control.link.connection import Connection
@@ -26,15 +31,6 @@ if TYPE_CHECKING:
     from armui.kinematics.poses import Matrix
     from armui.protocol.codes import MoveMode
     from armui.protocol.frame import Frame
-
-
-class Tell(Protocol):
-    """Tells the operator an event: its code, the command that begins with it, and its figures."""
-
-    def __call__(
-        self, code: EventCode, started: Started | None = None, /, **params: object
-    ) -> None:
-        """Tell it; the command is told with its beginning alone."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -80,14 +76,11 @@ class Context:
             code: What the operator is told.
             **params: The figures of that.
         """
-        if started is not None:
-            started.close(ending, EventOutcome(code, self.clock(), code.level, params))
-        self.tell(code, **params)
+        close_and_tell(self.tell, self.clock(), started, ending, code, **params)
 
     def report(self, started: Started, code: EventCode, **params: object) -> None:
         """Tell the operator what is known of a command that has not ended."""
-        started.report(EventOutcome(code, self.clock(), code.level, params))
-        self.tell(code, **params)
+        report_and_tell(self.tell, self.clock(), started, code, **params)
 
     def why_no_motion(self) -> Refusal | None:
         """The reason against a motion frame of ours by who moves the arm now, or ``None``.
@@ -193,6 +186,14 @@ class Context:
         if not self.authority.lowers_speed(speed_percent):
             return []
         return self.speed_frames(mode, speed_percent)
+
+    def tell_percent(self, percent: int) -> bool:
+        """Send another speed percentage in the mode the arm is in; whether that is possible now."""
+        mode = None if self.why_no_motion() is not None else self.authority.mode_in_force()
+        if mode is None or not self.connection.send(self.speed_frames(mode, percent)):
+            return False
+        self.authority.told_percent(percent)
+        return True
 
     def speed_frames(self, mode: tuple[ControlMode, MoveMode], percent: int) -> list[Frame]:
         """0x151 with another speed, 0–100 %, and the modes that the arm is in."""

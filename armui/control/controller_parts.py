@@ -1,4 +1,4 @@
-"""The parts of the controller, each loaded and made when it is first asked for.
+"""The parts of the controller, each made when it is first asked for.
 
 The window that a start shows needs two of them; a device needs them all, and gets them before it
 is opened.
@@ -11,9 +11,35 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, Signal
 
+from armui.control.devices.end_reports import EndReports
+from armui.control.devices.gripper import GripperControl
+from armui.control.devices.joint_errors import JointErrors
+from armui.control.devices.lights import Lights
+from armui.control.devices.linkage import LinkageControl
+from armui.control.devices.motors import Motors
+from armui.control.devices.mounting import MountingControl
+from armui.control.devices.teaching import TeachingControl
+from armui.control.devices.zeroing import Zeroing
+from armui.control.gamepad.pilot import GamepadPilot
+from armui.control.link.bus_access import BusAccess
+from armui.control.link.dropped_frames import DroppedFrames
+from armui.control.link.model_watch import ModelWatch
+from armui.control.motion.cartesian import Cartesian
 from armui.control.motion.jog_floor import JogFloor
+from armui.control.motion.jogging import Jogging
 from armui.control.motion.joint_motion import Motion
 from armui.control.motion.motion_command import End
+from armui.control.motion.planned_motion import PlannedMotion
+from armui.control.operations.operation import Operations
+from armui.control.parameters.arm_settings import ArmSettings
+from armui.control.requests.transactions import TransactionQueue
+from armui.control.run.player import Player
+from armui.control.run.recorder import Recorder
+from armui.control.run.replayer import Replayer
+from armui.control.run.speed_override import SpeedOverride
+from armui.control.safety.mode_exit import ModeExitCommand
+from armui.control.safety.recovery import Recovery
+from armui.control.sessions.session_recorder import SessionRecorder
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -21,36 +47,9 @@ if TYPE_CHECKING:
 
     from armui.arm.refusal import Refusal
     from armui.control.context import Context, ControllerPart
-    from armui.control.devices.end_reports import EndReports
-    from armui.control.devices.gripper import GripperControl
-    from armui.control.devices.joint_errors import JointErrors
-    from armui.control.devices.lights import Lights
-    from armui.control.devices.linkage import LinkageControl
-    from armui.control.devices.motors import Motors
-    from armui.control.devices.mounting import MountingControl
-    from armui.control.devices.teaching import TeachingControl
-    from armui.control.devices.zeroing import Zeroing
     from armui.control.event_log.collector import EventCollector
-    from armui.control.gamepad.pilot import GamepadPilot
-    from armui.control.link.bus_access import BusAccess
-    from armui.control.link.dropped_frames import DroppedFrames
-    from armui.control.link.model_watch import ModelWatch
-    from armui.control.motion.cartesian import Cartesian
-    from armui.control.motion.jogging import Jogging
-    from armui.control.motion.planned_motion import PlannedMotion
-    from armui.control.operations.operation import Operations
-    from armui.control.parameters.arm_settings import ArmSettings
-    from armui.control.requests.transactions import TransactionQueue
-    from armui.control.run.player import Player
-    from armui.control.run.recorder import Recorder
-    from armui.control.run.replayer import Replayer
-    from armui.control.safety.mode_exit import ModeExitCommand
-    from armui.control.safety.recovery import Recovery
     from armui.control.sessions.choices import SessionChoices
-    from armui.control.sessions.session_recorder import SessionRecorder
     from armui.telemetry.events import EventLog
-
-# ruff: noqa: PLC0415 - imported late for a faster start, all of them
 
 
 class ControllerParts(QObject):
@@ -84,100 +83,77 @@ class ControllerParts(QObject):
     @cached_property
     def cartesian(self) -> Cartesian:
         """Moves the tool."""
-        from armui.control.motion.cartesian import Cartesian
-
         return Cartesian(self._context, self.motion, self.jog_floor)
 
     @cached_property
     def jogging(self) -> Jogging:
         """Moves joints and tool while something is held."""
-        from armui.control.motion.jogging import Jogging
-
         return Jogging(self._context, self.motion, self.cartesian, self.jog_floor)
 
     @cached_property
     def gamepad(self) -> GamepadPilot:
         """Jogs by gamepad and SpaceMouse, once it is switched on."""
-        from armui.control.gamepad.pilot import GamepadPilot
-
         return GamepadPilot(self, self._context.clock)
 
     @cached_property
     def motors(self) -> Motors:
         """Switches the motors."""
-        from armui.control.devices.motors import Motors
-
         return Motors(self._context, end_run=self._end_run_because)
 
     @cached_property
     def lights(self) -> Lights:
         """The lamps of the joints."""
-        from armui.control.devices.lights import Lights
-
         return Lights(self._context)
 
     @cached_property
     def player(self) -> Player:
         """Runs trajectories."""
-        from armui.control.run.player import Player
-
         return Player(self._context, self)
 
     @cached_property
     def replayer(self) -> Replayer:
         """Replays recordings."""
-        from armui.control.run.replayer import Replayer
-
         return Replayer(self._context, self)
+
+    @cached_property
+    def speed_override(self) -> SpeedOverride:
+        """Slows runs and replays."""
+        return SpeedOverride(self._context, self.motion, (self.player, self.replayer))
 
     @cached_property
     def recorder(self) -> Recorder:
         """Records where the arm goes."""
-        from armui.control.run.recorder import Recorder
-
         return Recorder(self._context, self)
 
     @cached_property
     def transactions(self) -> TransactionQueue:
         """Carries out the commands that are answered."""
-        from armui.control.requests.transactions import TransactionQueue
-
         return TransactionQueue(self._context)
 
     @cached_property
     def settings(self) -> ArmSettings:
         """Reads and sets the parameters the arm keeps."""
-        from armui.control.parameters.arm_settings import ArmSettings
-
         return ArmSettings(self._context, self.transactions, self)
 
     @cached_property
     def joint_errors(self) -> JointErrors:
         """Clears the errors of the joints' drivers."""
-        from armui.control.devices.joint_errors import JointErrors
-
         return JointErrors(self._context, self.transactions)
 
     @cached_property
     def teaching(self) -> TeachingControl:
         """Commands drag teaching."""
-        from armui.control.devices.teaching import TeachingControl
-
         return TeachingControl(self._context)
 
     @cached_property
     def planned_motion(self) -> PlannedMotion:
         """Pauses, continues and clears motions."""
-        from armui.control.motion.planned_motion import PlannedMotion
-
         tell_speed = self.motion.tell_speed
         return PlannedMotion(self._context, end_all=self._end_driven, tell_speed=tell_speed)
 
     @cached_property
     def recovery(self) -> Recovery:
         """The next step towards an arm that may be moved."""
-        from armui.control.safety.recovery import Recovery
-
         return Recovery(
             self._context,
             motors=self.motors,
@@ -194,36 +170,26 @@ class ControllerParts(QObject):
     @cached_property
     def mode_exit(self) -> ModeExitCommand:
         """Takes the arm out of another host's mode."""
-        from armui.control.safety.mode_exit import ModeExitCommand
-
         return ModeExitCommand(self._context, lambda: self.motion.speed_percent)
 
     @cached_property
     def end_reports(self) -> EndReports:
         """Sets the load, switches the feedback of the end's motion."""
-        from armui.control.devices.end_reports import EndReports
-
         return EndReports(self._context, self.transactions)
 
     @cached_property
     def mounting(self) -> MountingControl:
         """Tells the arm how it is mounted."""
-        from armui.control.devices.mounting import MountingControl
-
         return MountingControl(self._context, lambda: self.motion.speed_percent)
 
     @cached_property
     def linkage(self) -> LinkageControl:
         """Sets the arm's role and its identifiers."""
-        from armui.control.devices.linkage import LinkageControl
-
         return LinkageControl(self._context, self.transactions)
 
     @cached_property
     def gripper(self) -> GripperControl:
         """Moves the gripper."""
-        from armui.control.devices.gripper import GripperControl
-
         gripper = GripperControl(self._context, self.settings, end_run=self._end_run_because)
         for run in (self.player, self.replayer):
             run.gripper_sent.connect(gripper.follow)
@@ -232,22 +198,16 @@ class ControllerParts(QObject):
     @cached_property
     def zeroing(self) -> Zeroing:
         """Sets the zeros of the joints."""
-        from armui.control.devices.zeroing import Zeroing
-
         return Zeroing(self._context, self.transactions, before_zeroing=self._forget_places)
 
     @cached_property
     def bus(self) -> BusAccess:
         """What the bus monitor needs of the bus."""
-        from armui.control.link.bus_access import BusAccess
-
         return BusAccess(self._context)
 
     @cached_property
     def sessions(self) -> SessionRecorder:
         """Records what is on the bus."""
-        from armui.control.sessions.session_recorder import SessionRecorder
-
         recorder = SessionRecorder(self._context, self.events, self)
         if self.session_choices is not None:
             recorder.choose(self.session_choices())
@@ -259,28 +219,24 @@ class ControllerParts(QObject):
             self.sessions.choose(self.session_choices())
 
     @cached_property
-    def happenings(self) -> EventCollector:
+    def event_collector(self) -> EventCollector:
         """Writes down what happens; made with the first thing that does."""
-        from armui.control.event_log.collector import EventCollector
+        from armui.control.event_log.collector import EventCollector  # noqa: PLC0415 - cantools
 
         return EventCollector(self._context, self._wall, self.player, self.recovery)
 
     @property
     def events(self) -> EventLog:
         """What has happened: commands, changes of status, faults."""
-        return self.happenings.log
+        return self.event_collector.log
 
     @cached_property
     def model_watch(self) -> ModelWatch:
         """Compares the chosen model with what the arm tells."""
-        from armui.control.link.model_watch import ModelWatch
-
         return ModelWatch(self._context)
 
     @cached_property
     def _dropped_frames(self) -> DroppedFrames:
-        from armui.control.link.dropped_frames import DroppedFrames
-
         return DroppedFrames(self._context)
 
     def _all_parts(self) -> tuple[ControllerPart, ...]:
@@ -289,6 +245,7 @@ class ControllerParts(QObject):
             self.motors,
             self.motion,
             self.player,
+            self.speed_override,
             self.cartesian,
             self.gripper,
             self.linkage,
@@ -301,18 +258,16 @@ class ControllerParts(QObject):
             self.mode_exit,
             self._dropped_frames,
             self.model_watch,
-            self.happenings,
+            self.event_collector,
         )
 
     @cached_property
     def operations(self) -> Operations:
         """All that an operator can do to the arm, by its ids."""
-        from armui.control.operations.operation import Operations
-
         parts = (self.motors, self.joint_errors, self.zeroing, self.lights, self.gripper)
         more = (self.linkage, self.end_reports, self.mounting, self.teaching, self.settings)
         motions = (self.motion, self.cartesian, self.jogging, self.planned_motion)
-        runs = (self.player, self.replayer, self.recorder)
+        runs = (self.player, self.replayer, self.speed_override, self.recorder)
         return Operations((*parts, *more, *motions, *runs))
 
     # What more than one part ends -------------------------------------------------------------

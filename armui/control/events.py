@@ -74,6 +74,7 @@ class EventCode(StrEnum):
     MODEL_NONE = "model_none", Level.WARNING, EventKind.STATUS  # chosen
     MODEL_RECALLED = "model_recalled", Level.INFO, EventKind.STATUS  # chosen, before, node
     MODEL_WAS_OTHER = "model_was_other", Level.WARNING, EventKind.STATUS  # chosen, before, node
+    OVERRIDE_SET = "override_set", Level.INFO, EventKind.COMMAND  # percent
     SPEED_WAITS = "speed_waits", Level.WARNING, EventKind.COMMAND  # percent
     OTHER_HOST_MOVES = "other_host_moves", Level.WARNING, EventKind.OTHER_HOST  # frames
     LEADER_ARM_MOVES = "leader_arm_moves", Level.WARNING, EventKind.OTHER_HOST  # frames

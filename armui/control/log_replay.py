@@ -26,7 +26,7 @@ if TYPE_CHECKING:
     from armui.protocol.codec import Codec
     from armui.session.frames import Channel
     from armui.session.session import Session
-    from armui.telemetry.tap import Tap
+    from armui.telemetry.listener import Listener
 
 _FILL_AFTER_MS: Final = 120
 """Curves are filled when the operator has come to rest somewhere."""
@@ -92,10 +92,16 @@ class LogReplay(QObject):
         self._fill_timer.timeout.connect(self._fill)
 
     def _make_worker(
-        self, device: Device, codec: Codec, number: int, taps: Sequence[Tap]
+        self, device: Device, codec: Codec, number: int, listeners: Sequence[Listener]
     ) -> LogWorker:
         worker = LogWorker(
-            device, codec, self.session, self.channel, self.clock, number=number, taps=taps
+            device,
+            codec,
+            self.session,
+            self.channel,
+            self.clock,
+            number=number,
+            listeners=listeners,
         )
         worker.found.connect(self._on_found)
         worker.moved.connect(self._on_moved)

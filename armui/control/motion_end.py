@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Final
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.control.operating_state import LinkState
-from armui.control.run.run_end import cut_short
+from armui.control.run.run_end import abort_motion
 from armui.control.safety.standstill import why_not_still
 from armui.protocol import commands
 from armui.protocol.addressing import OFFSETS
@@ -174,7 +174,7 @@ class MotionEnd:
         authority = self._context.authority
         if authority.may_be_ours and not self._stopping():
             self._note()
-            cut_short(self._context)
+            abort_motion(self._context)
 
     def _end_gripper(self) -> None:
         self._controller.gripper.end()

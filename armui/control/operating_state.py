@@ -118,6 +118,7 @@ class OperatingState:
         gripper_heard: The gripper is heard.
         limits: Of each joint, as read from the arm where ``limits_read``, else the factory's.
         speed_percent: What motions are sent with.
+        override_percent: The share of their own speed at which runs and replays go.
         cannot_send_motion: Why no motion frame at all may be sent: the arm is not heard, or
             somebody else moves it.
         mover: Who moves the arm.
@@ -153,6 +154,7 @@ class OperatingState:
     limits: tuple[JointLimits, ...] = field(default_factory=lambda: model_data().limits)
     limits_read: Six[bool] = (False, False, False, False, False, False)
     speed_percent: int = 0
+    override_percent: int = 100
     moving: bool = False
     running: bool = False
     run_phase: RunPhase = RunPhase.IDLE

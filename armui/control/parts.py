@@ -5,8 +5,9 @@ from __future__ import annotations
 import logging
 from collections.abc import Callable, Sequence
 
-from armui.control.context import ControllerPart, Tell
+from armui.control.context import ControllerPart
 from armui.control.events import EventCode
+from armui.control.operations.started import Tell
 
 _LOG = logging.getLogger(__name__)
 

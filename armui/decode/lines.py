@@ -13,8 +13,8 @@ from typing import TYPE_CHECKING, Final, NamedTuple
 import numpy as np
 
 from armui.protocol.codec import InvalidFrame, Message
-from armui.protocol.columns import bit_mask, payload_words, signal_column
 from armui.protocol.frame import Frame, FrameFlag
+from armui.protocol.signal_columns import bit_mask, payload_words, signal_column
 from armui.session.frames import NOT_OF_THE_ARM
 
 if TYPE_CHECKING:

@@ -4,6 +4,6 @@ It runs where the window does not, so nothing here is loaded before it is needed
 numpy nor python-can.
 """
 
-from armui.doctor.command import add_arguments, run
+from armui.doctor.doctor_command import add_arguments, run
 
 __all__ = ["add_arguments", "run"]

@@ -1,31 +1,15 @@
-"""Poses as six figures and as transforms: put together, taken apart, moved and compared.
-
-Their axes have names, and belong to the base or to the tool.
-"""
+"""Poses as six figures and as transforms: put together, taken apart, moved and compared."""
 
 from __future__ import annotations
 
-import enum
 import math
 from collections.abc import Sequence
-from typing import Final, NamedTuple, TypeVar
+from typing import NamedTuple, TypeVar
 
 import numpy as np
 import numpy.typing as npt
 
-AXES: Final = ("X", "Y", "Z", "RX", "RY", "RZ")
-"""Of a pose, in the order of its figures."""
-
-LINEAR_AXES: Final = 3
-"""So many of them are lengths in mm; the others are angles in degrees."""
-
-
-class JogFrame(enum.Enum):
-    """Whose axes a step goes along."""
-
-    BASE = "base"
-    TOOL = "tool"
-
+from armui.kinematics.axes import JogFrame
 
 Matrix = npt.NDArray[np.float64]
 Joints = tuple[float, ...]

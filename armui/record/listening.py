@@ -13,13 +13,13 @@ from armui.bus.adapters import open_bus
 from armui.bus.receive_clock import STAMPED, ReceiveClock
 from armui.protocol.frame import Frame, FrameFlag
 from armui.protocol.generation import Generation
-from armui.session.gather import MESSAGE_FLAGS
+from armui.session.batch_builder import MESSAGE_FLAGS
 from armui.sim.firmware import Firmware
 from armui.sim.node import Node
 
 if TYPE_CHECKING:
     from armui.session.recording.lane import FrameLane
-    from armui.session.recording.rows import TakenFrame
+    from armui.session.recording.rows import RecordedFrame
 
 SIMULATED: Final = "armui-simulated"
 _WAIT_S: Final = 0.05
@@ -76,7 +76,7 @@ class BusListener:
         self._received.begin()
         message = self._bus.recv(_WAIT_S)
         now_s = self._clock()
-        batch: list[TakenFrame] = []
+        batch: list[RecordedFrame] = []
         while message is not None:
             batch.append(_taken(message, self._received.at_s(message.timestamp, now_s)))
             if len(batch) == _AT_ONCE:
@@ -89,7 +89,7 @@ class BusListener:
             self._lane.on_heard(batch)
 
 
-def _taken(message: can.Message, at_s: float) -> TakenFrame:
+def _taken(message: can.Message, at_s: float) -> RecordedFrame:
     flags = FrameFlag(0)
     if message.is_extended_id or message.is_remote_frame or message.is_error_frame or message.is_fd:
         for name, flag in MESSAGE_FLAGS:

@@ -14,8 +14,8 @@ from armui.session.frames import NotALogError
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator
 
+    from armui.session.batch_builder import BatchBuilder
     from armui.session.frames import FrameBatch
-    from armui.session.gather import Gatherer
     from armui.session.source import LogSource
 
 # The objects of a BLF file, one after another, past whatever is damaged between them.
@@ -265,7 +265,7 @@ class _Feed:
         """Called by the reader at its end; the file belongs to whoever opened it."""
 
 
-def read_blf_log(source: LogSource, gatherer: Gatherer) -> Iterator[FrameBatch]:
+def read_blf_log(source: LogSource, builder: BatchBuilder) -> Iterator[FrameBatch]:
     """Frames of a log, in order.
 
     Objects that are no CAN frames are passed over. Frames that stand in the file by themselves,
@@ -273,7 +273,7 @@ def read_blf_log(source: LogSource, gatherer: Gatherer) -> Iterator[FrameBatch]:
 
     Args:
         source: The file.
-        gatherer: Makes the batches, and is told what cannot be read.
+        builder: Makes the batches, and is told what cannot be read.
 
     Raises:
         NotALogError: The file does not begin as a log of this format.
@@ -281,18 +281,18 @@ def read_blf_log(source: LogSource, gatherer: Gatherer) -> Iterator[FrameBatch]:
     header = source.read(_HEADER.size)
     if len(header) < _HEADER.size or not header.startswith(b"LOGG"):
         raise NotALogError("no CAN log: it does not begin as a BLF file")
-    gatherer.header_seen = True
+    builder.header_seen = True
     (header_size,) = struct.unpack_from("<L", header, _HEADER_SIZE_AT)
     rest = header_size - _HEADER.size
     skipped = source.read(rest) if 0 < rest <= _LARGEST_HEADER else b""
     gathered: list[can.Message] = []
 
     def note(byte: int, reason: str) -> None:
-        count = gatherer.frames + len(gathered)
-        gatherer.note(f"byte {byte}", f"{reason}, after {count} frames", len(gathered))
+        count = builder.frames + len(gathered)
+        builder.note(f"byte {byte}", f"{reason}, after {count} frames", len(gathered))
 
     def place(index: int) -> str:
-        return f"frame {gatherer.frames + index + 1}"
+        return f"frame {builder.frames + index + 1}"
 
     own_header = bytearray(header)
     struct.pack_into("<L", own_header, _HEADER_SIZE_AT, _HEADER.size)
@@ -311,7 +311,7 @@ def read_blf_log(source: LogSource, gatherer: Gatherer) -> Iterator[FrameBatch]:
             continue
         gathered.append(message)
         if len(gathered) >= _ROWS:
-            yield gatherer.batch(gathered, place)
+            yield builder.batch(gathered, place)
             gathered.clear()
     if gathered:
-        yield gatherer.batch(gathered, place)
+        yield builder.batch(gathered, place)

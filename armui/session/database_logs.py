@@ -16,8 +16,8 @@ if TYPE_CHECKING:
     from collections.abc import Iterator
     from pathlib import Path
 
+    from armui.session.batch_builder import BatchBuilder
     from armui.session.frames import FrameBatch
-    from armui.session.gather import Gatherer
 
 _ROWS: Final = 4_096
 _MOST_FAILURES: Final = 200
@@ -73,7 +73,7 @@ class _Database(can.SqliteReader):
             return error
 
 
-def read_database(path: Path, gatherer: Gatherer) -> Iterator[FrameBatch]:
+def read_database(path: Path, builder: BatchBuilder) -> Iterator[FrameBatch]:
     """Frames of a log that `can.SqliteWriter` wrote, in the order of its table.
 
     Raises:
@@ -90,11 +90,11 @@ def read_database(path: Path, gatherer: Gatherer) -> Iterator[FrameBatch]:
             raise NotALogError(f"no CAN log: {error}") from error
         if not has_table:
             raise NotALogError("no CAN log: the database has no table «messages»")
-        gatherer.header_seen = True
-        yield from _gathered(database.rows(), gatherer)
+        builder.header_seen = True
+        yield from _gathered(database.rows(), builder)
 
 
-def read_mf4(path: Path, gatherer: Gatherer) -> Iterator[FrameBatch]:
+def read_mf4(path: Path, builder: BatchBuilder) -> Iterator[FrameBatch]:
     """Frames of a bus log in ASAM's format.
 
     Raises:
@@ -111,12 +111,12 @@ def read_mf4(path: Path, gatherer: Gatherer) -> Iterator[FrameBatch]:
             next(read)
         except Mf4ProcessError as error:
             raise NotALogError(f"no CAN log: {error}") from error
-        gatherer.header_seen = True
-        yield from _gathered(chain.from_iterable(read), gatherer)
+        builder.header_seen = True
+        yield from _gathered(chain.from_iterable(read), builder)
 
 
 def _gathered(
-    entries: Iterator[can.Message | Exception], gatherer: Gatherer
+    entries: Iterator[can.Message | Exception], builder: BatchBuilder
 ) -> Iterator[FrameBatch]:
     """Batches of the rows that are frames, up to where the file can be read."""
     gathered: list[can.Message] = []
@@ -132,16 +132,16 @@ def _gathered(
             entry = next(entries, None)
         except Exception as error:  # noqa: BLE001 - a damaged file raises whatever it hits
             reason = f"the file is damaged from here on ({str(error) or type(error).__name__})"
-            gatherer.note(f"row {row}", reason, len(gathered))
+            builder.note(f"row {row}", reason, len(gathered))
             entry = None
         if isinstance(entry, Exception):
-            gatherer.note(f"row {row}", str(entry) or type(entry).__name__, len(gathered))
+            builder.note(f"row {row}", str(entry) or type(entry).__name__, len(gathered))
             continue
         if entry is not None:
             gathered.append(entry)
             places.append(row)
         if gathered and (entry is None or len(gathered) >= _ROWS):
-            yield gatherer.batch(gathered, place)
+            yield builder.batch(gathered, place)
             gathered.clear()
             places.clear()
         if entry is None:

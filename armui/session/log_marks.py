@@ -10,8 +10,8 @@ import numpy as np
 from armui.protocol.addressing import OFFSETS, Addressing
 from armui.protocol.codec import Codec
 from armui.protocol.codes import ArmStatusCode, MotorAction, StopCommand
-from armui.protocol.columns import payload_words, signal_column
 from armui.protocol.frame import FrameFlag
+from armui.protocol.signal_columns import payload_words, signal_column
 from armui.session.session import DataRows, MarkKind, SessionMark
 
 if TYPE_CHECKING:

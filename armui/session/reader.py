@@ -10,10 +10,10 @@ import logging
 import re
 from typing import TYPE_CHECKING, Final
 
+from armui.session.batch_builder import BatchBuilder
 from armui.session.blf_logs import read_blf_log
 from armui.session.database_logs import read_database, read_mf4
 from armui.session.frames import DamageList, FrameBatch, NotALogError
-from armui.session.gather import Gatherer
 from armui.session.source import LogSource
 from armui.session.text_logs import TEXT_FORMATS, NonsenseError, read_text_log
 from armui.system.files import open_file
@@ -68,7 +68,7 @@ class LogFile:
         self.path = path
         self.damages = DamageList()
         self._suffix = _log_suffix(path)
-        self._gatherer = Gatherer(self.damages)
+        self._builder = BatchBuilder(self.damages)
         self._source = LogSource(path, pipes=pipes)
         try:
             self._batches = self._read()
@@ -99,7 +99,7 @@ class LogFile:
     @property
     def frames(self) -> int:
         """Frames read so far."""
-        return self._gatherer.frames
+        return self._builder.frames
 
     def batches(self) -> Iterator[FrameBatch]:
         """The frames, in the order of the file; only once."""
@@ -123,17 +123,17 @@ class LogFile:
             if len(batch):
                 found = True
                 yield batch
-        if not found and not self._gatherer.header_seen:
+        if not found and not self._builder.header_seen:
             raise self._no_log()
 
     def _read_format(self) -> Iterator[FrameBatch]:
         if self._suffix == ".blf":
-            return read_blf_log(self._source, self._gatherer)
+            return read_blf_log(self._source, self._builder)
         if self._suffix == ".db":
-            return read_database(self.path, self._gatherer)
+            return read_database(self.path, self._builder)
         if self._suffix == ".mf4":
-            return read_mf4(self.path, self._gatherer)
-        return read_text_log(self._source, TEXT_FORMATS[self._suffix], self._gatherer)
+            return read_mf4(self.path, self._builder)
+        return read_text_log(self._source, TEXT_FORMATS[self._suffix], self._builder)
 
     def _no_log(self) -> NotALogError:
         looks_like = _looks_like(self.path)

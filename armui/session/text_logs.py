@@ -20,7 +20,7 @@ from armui.session.frames import CLASSIC_BYTES, FrameBatch
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable, Iterator
 
-    from armui.session.gather import Gatherer
+    from armui.session.batch_builder import BatchBuilder
     from armui.session.source import LogSource
 
 _NEVER: Final = r"(?!)"
@@ -149,12 +149,12 @@ _LINE: Final = re.compile(
 _HEX_BYTES: Final = 2 * CLASSIC_BYTES
 
 
-def quick_batch(lines: list[str], gatherer: Gatherer) -> FrameBatch | None:
+def quick_batch(lines: list[str], builder: BatchBuilder) -> FrameBatch | None:
     """The frames of a block of lines.
 
     Args:
         lines: Stripped lines; empty ones are passed over.
-        gatherer: Numbers frames and channels.
+        builder: Numbers frames and channels.
 
     Returns:
         The batch, or None when any line is not a data frame of at most 8 bytes written as
@@ -179,9 +179,9 @@ def quick_batch(lines: list[str], gatherer: Gatherer) -> FrameBatch | None:
     if not (lengths == _HEX_BYTES).all():
         data = tuple(each.ljust(_HEX_BYTES, "0") for each in data)
     names = tuple(int(each) if each.isdigit() else each for each in channels)
-    return gatherer.count(
+    return builder.count(
         FrameBatch(
-            first=gatherer.frames,
+            first=builder.frames,
             times_s=np.array(list(map(float, times)), np.float64),
             ids=id_column,
             flags=flags,
@@ -189,8 +189,8 @@ def quick_batch(lines: list[str], gatherer: Gatherer) -> FrameBatch | None:
             payloads=np.frombuffer(bytes.fromhex("".join(data)), np.uint8).reshape(
                 -1, CLASSIC_BYTES
             ),
-            channels=gatherer.channel_column(names),
-            channel_names=gatherer.channel_names,
+            channels=builder.channel_column(names),
+            channel_names=builder.channel_names,
         )
     )
 
@@ -220,9 +220,9 @@ class _Lines:
         hopeful: A frame has been read, so that nonsense no longer ends the reading.
     """
 
-    def __init__(self, source: LogSource, log_format: TextFormat, gatherer: Gatherer) -> None:
+    def __init__(self, source: LogSource, log_format: TextFormat, builder: BatchBuilder) -> None:
         self._source = source
-        self._gatherer = gatherer
+        self._builder = builder
         self._blocks: Iterable[list[str]] = ()
         self._header = re.compile(log_format.header, re.IGNORECASE)
         self._silent = re.compile(log_format.silent, re.IGNORECASE)
@@ -259,7 +259,7 @@ class _Lines:
                     continue
                 if not self._plain:
                     if self._header.match(line):
-                        self._gatherer.header_seen = True
+                        self._builder.header_seen = True
                         self._opened = self._opened or line.startswith(self._opening)
                         yield line
                         continue
@@ -284,7 +284,7 @@ class _Lines:
         Raises:
             NonsenseError: It has, from its beginning.
         """
-        frames = self._gatherer.frames + self.rows
+        frames = self._builder.frames + self.rows
         if frames > self._frames_before:
             self._frames_before, self._sense_until = frames, self._source.taken
         elif self._source.taken - self._sense_until > _PATIENT_BYTES:
@@ -321,7 +321,7 @@ class _Lines:
     def end(self) -> None:
         """Notes where the file breaks off, if it does."""
         if self._source.broken:
-            self._gatherer.note(f"after line {self.number}", self._source.broken, 0)
+            self._builder.note(f"after line {self.number}", self._source.broken, 0)
 
     def settle(self) -> None:
         """The reader is done with the pending line: it is noted unless it may yield nothing."""
@@ -333,12 +333,12 @@ class _Lines:
         """Notes the pending line as unreadable."""
         if not self.pending:
             return
-        if self._gatherer.damages.full:
-            self._gatherer.damages.count += 1
+        if self._builder.damages.full:
+            self._builder.damages.count += 1
         else:
             text = self.pending
             excerpt = text if len(text) <= _EXCERPT else text[:_EXCERPT] + "..."
-            self._gatherer.note(f"line {self.number}", ascii(excerpt), self.rows)
+            self._builder.note(f"line {self.number}", ascii(excerpt), self.rows)
         self.pending = ""
         self._unreadable += 1
         if not self.hopeful and self._unreadable > _PATIENT_LINES:
@@ -346,38 +346,38 @@ class _Lines:
 
 
 def read_text_log(
-    source: LogSource, log_format: TextFormat, gatherer: Gatherer
+    source: LogSource, log_format: TextFormat, builder: BatchBuilder
 ) -> Iterator[FrameBatch]:
     """Frames of a log in order.
 
     Args:
         source: The file.
         log_format: Its format.
-        gatherer: Makes the batches, and is told what cannot be read.
+        builder: Makes the batches, and is told what cannot be read.
 
     Raises:
         NonsenseError: The file begins with too much that is no frame.
     """
-    lines = _Lines(source, log_format, gatherer)
+    lines = _Lines(source, log_format, builder)
     if log_format is CANDUMP:
-        yield from _read_candump(source, lines, gatherer)
+        yield from _read_candump(source, lines, builder)
     else:
         lines.feed(source.lines())
-        yield from _read(lines, log_format, gatherer)
+        yield from _read(lines, log_format, builder)
         lines.end()
 
 
-def _read_candump(source: LogSource, lines: _Lines, gatherer: Gatherer) -> Iterator[FrameBatch]:
+def _read_candump(source: LogSource, lines: _Lines, builder: BatchBuilder) -> Iterator[FrameBatch]:
     """Blocks of ordinary lines at once, all others through python-can's reader, line by line."""
     for whole in source.lines():
-        batch = quick_batch(whole, gatherer)
+        batch = quick_batch(whole, builder)
         step = _LINES_AT_ONCE if batch is None else len(whole)
         for start in range(0, len(whole), step or 1):
             block = whole[start : start + step]
-            batch = batch or quick_batch(block, gatherer)
+            batch = batch or quick_batch(block, builder)
             if batch is None:
                 lines.feed([block])
-                yield from _read(lines, CANDUMP, gatherer)
+                yield from _read(lines, CANDUMP, builder)
             else:
                 lines.number += len(block)
                 lines.hopeful = lines.hopeful or len(batch) > 0
@@ -387,7 +387,7 @@ def _read_candump(source: LogSource, lines: _Lines, gatherer: Gatherer) -> Itera
     lines.end()
 
 
-def _read(lines: _Lines, log_format: TextFormat, gatherer: Gatherer) -> Iterator[FrameBatch]:
+def _read(lines: _Lines, log_format: TextFormat, builder: BatchBuilder) -> Iterator[FrameBatch]:
     """Whatever python-can's reader makes of the lines."""
     handed_out = iter(lines)
     reader = log_format.reader(handed_out)
@@ -417,10 +417,10 @@ def _read(lines: _Lines, log_format: TextFormat, gatherer: Gatherer) -> Iterator
         places.append(lines.number)
         lines.rows = len(gathered)
         if len(gathered) >= _ROWS:
-            yield gatherer.batch(gathered, place)
+            yield builder.batch(gathered, place)
             gathered.clear()
             places.clear()
             lines.rows = 0
     if gathered:
-        yield gatherer.batch(gathered, place)
+        yield builder.batch(gathered, place)
         lines.rows = 0

@@ -84,13 +84,13 @@ class ArmRole:
     """
 
     def __init__(
-        self, arm: Firmware, *, forget: Callable[[], None], speak: Callable[[], None]
+        self, arm: Firmware, *, drop_targets: Callable[[], None], speak: Callable[[], None]
     ) -> None:
         """Looks after one arm's role.
 
         Args:
             arm: Has the role.
-            forget: Drops the targets it has.
+            drop_targets: Drops the targets it has.
             speak: Takes over the identifiers that the settings ask for.
         """
         self._generation = arm.generation
@@ -99,7 +99,7 @@ class ArmRole:
         self._settings = arm.settings
         self._hand = arm.hand_guiding
         self._flash = arm.flash
-        self._forget = forget
+        self._drop_targets = drop_targets
         self._speak = speak
         self._waits = False
         self._is_quiet = False
@@ -111,7 +111,7 @@ class ArmRole:
         self._waits = self._is_quiet = False
         self._speak()
         if linkage.role is LinkageRole.TEACHING_INPUT:
-            self._forget()
+            self._drop_targets()
             self.leader = LinkedInput(self._generation, linkage.target_offset)
             self._condition.control_mode = ControlMode.LINKED_TEACHING_INPUT
             self._mechanics.give_way(self._hand)

@@ -135,7 +135,7 @@ class Firmware:
             unsupported=self.unsupported,
         )
         self.protection = Protection(
-            self.mechanics, self.drivers, self.condition, self.settings, self._moves.cut_short
+            self.mechanics, self.drivers, self.condition, self.settings, self._moves.abort_motion
         )
         self.feedback_stopped = False
         self.drivers_tell = False
@@ -146,9 +146,9 @@ class Firmware:
             self._schedule,
             self.type,
             flash=self.flash,
-            forget=self._moves.forget,
+            drop_targets=self._moves.drop_targets,
         )
-        self._linkage = ArmRole(self, forget=self._moves.forget, speak=self._speak)
+        self._linkage = ArmRole(self, drop_targets=self._moves.drop_targets, speak=self._speak)
         self._motion_commands = MotionCommandHandler(self, self._moves, self._enter)
         self._linkage.take_effect()
         self.bugs = FirmwareBugs(bugs, self, self._linkage.set)
@@ -266,7 +266,7 @@ class Firmware:
         handler = self._handlers.get(name)
         if handler is not None:
             answers = handler(signals)
-        elif self._moves.take(name, signals):
+        elif self._moves.take_frame(name, signals):
             answers = self._moves.cpv.answers(self._codec)
         else:
             answers = self._parameter_server.handle(name, signals) or []
@@ -307,7 +307,7 @@ class Firmware:
         """Breaks or mends the connection between the controller and a joint (1–6)."""
         self.condition.communication_fault[joint - 1] = present
         if present:
-            self._moves.cut_short()
+            self._moves.abort_motion()
 
     def power_cycle(self) -> None:
         """Takes the power away and gives it back: see `switch_off` and `switch_on`."""
@@ -341,11 +341,11 @@ class Firmware:
         if dt_s <= 0.0:
             return
         self._now_ns = to_ns
-        self.mechanics.advance(dt_s, self.settings_applier.stops)
+        self.mechanics.step(dt_s, self.settings_applier.stops)
         self.teaching.time_passed(dt_s)
-        self.gripper.advance(dt_s)
+        self.gripper.step(dt_s)
         if self.mechanics.gives_way and self.hand_guiding.gripper_to is not None:
-            self.gripper.lead(self.hand_guiding.gripper_to)
+            self.gripper.lead_to(self.hand_guiding.gripper_to)
         self._moves.time_passed()
         self.bugs.time_passed(dt_s)
 
@@ -367,7 +367,7 @@ class Firmware:
     def _motion_command(self, signals: Signals) -> list[Frame]:
         if signals["EmergencyStop"] == StopCommand.RESUME:
             self.bugs.reset()
-        if not self._motion_commands.take(signals):
+        if not self._motion_commands.obey(signals):
             return []
         # the trajectory point of 0x476 is 0: no transferred trajectory is under way
         return [self._parameter_server.answer(SettingIndex.MOTION_COMMAND)]
@@ -408,7 +408,7 @@ class Firmware:
             self._moves.power_on(i for i in indices if self.protection.may_power(i))
         else:
             self._motion_commands.drop_work()
-            self._moves.cut_short()
+            self._moves.abort_motion()
             self.mechanics.power_off(indices, UnpoweredJoints.FREE)
         return [self._parameter_server.answer(SettingIndex.MOTOR_ENABLE)]
 

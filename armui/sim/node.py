@@ -34,7 +34,7 @@ class Node:
     """One simulated arm on one bus. The bus stays the caller's, who closes it after `stop`.
 
     Attributes:
-        firmware: The arm. While the thread runs, only read it.
+        firmware: The arm. While the thread runs, only read it; its `hand_guiding` may be used.
         faults: What is broken; while the thread runs, plan it beforehand.
         link: What happens to the frames on their way; while the thread runs, leave it alone.
         heard: The frames the arm received, newest last.

@@ -18,13 +18,13 @@ from armui.protocol.frame import FrameFlag
 from armui.system.clock import steady_s
 from armui.telemetry.bus_senders import VERSION_ID, Sender, sender_of
 from armui.telemetry.bus_trace import BusTrace
-from armui.telemetry.tap import Tap
+from armui.telemetry.listener import Listener
 
 if TYPE_CHECKING:
     from armui.protocol.codec import Codec, InvalidFrame
     from armui.protocol.frame import Frame
     from armui.protocol.generation import Generation
-    from armui.telemetry.tap import Taken
+    from armui.telemetry.listener import ReceivedFrame
 
 BUS_CYCLES: Final = 256
 """So many of the last cycles are looked at, at most."""
@@ -237,12 +237,12 @@ class _Series:
 
 
 _ALL_BITS: Final = (1 << 8 * _BYTES) - 1
-_OPENED: Final[list[Taken]] = []
+_OPENED: Final[list[ReceivedFrame]] = []
 """Stands in the queue where a device was opened: no cycle goes on over it."""
 
 
-class BusStatistics(Tap):
-    """A tap on the bus (`armui.bus.tap.Tap`), and what was counted since it began.
+class BusStatistics(Listener):
+    """A listener on the bus (`armui.bus.notifier.Listener`), and what was counted since it began.
 
     `on_…` are called by the bus thread, the others by one thread that looks.
 
@@ -255,7 +255,7 @@ class BusStatistics(Tap):
 
     def __init__(self, clock: Callable[[], float] = steady_s) -> None:
         self._clock = clock
-        self._waiting: deque[tuple[Sequence[Taken], bool]] = deque()
+        self._waiting: deque[tuple[Sequence[ReceivedFrame], bool]] = deque()
         self._handed_over = self._taken = 0
         self._left_out = self._left_out_before = 0
         self._codec: Codec | None = None
@@ -278,15 +278,15 @@ class BusStatistics(Tap):
         """How frames are decoded from now on."""
         self._codec = codec
 
-    def on_heard(self, batch: Sequence[Taken]) -> None:
+    def on_heard(self, batch: Sequence[ReceivedFrame]) -> None:
         """Frames that others sent."""
         self._hand_over(batch, own=False)
 
-    def on_sent(self, batch: Sequence[Taken]) -> None:
+    def on_sent(self, batch: Sequence[ReceivedFrame]) -> None:
         """Frames that this program sent."""
         self._hand_over(batch, own=True)
 
-    def _hand_over(self, batch: Sequence[Taken], *, own: bool) -> None:
+    def _hand_over(self, batch: Sequence[ReceivedFrame], *, own: bool) -> None:
         if self._handed_over - self._taken > MOST_WAITING:
             self._left_out += len(batch)
             return
@@ -348,7 +348,7 @@ class BusStatistics(Tap):
             beyond=self._beyond,
         )
 
-    def _count(self, batch: Sequence[Taken], *, own: bool) -> None:
+    def _count(self, batch: Sequence[ReceivedFrame], *, own: bool) -> None:
         if batch is _OPENED:
             for each in self._series.values():
                 each.times_s.clear()
@@ -358,7 +358,7 @@ class BusStatistics(Tap):
         numbers: list[int] = []
         differences: list[int] = []
         words: list[int] = []
-        kept: list[Taken] = []
+        kept: list[ReceivedFrame] = []
         self._frames += len(batch)
         for taken in batch:
             heard, at_s, frame, flags = taken

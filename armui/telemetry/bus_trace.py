@@ -12,7 +12,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from armui.telemetry.bus_senders import Sender
-    from armui.telemetry.tap import Taken
+    from armui.telemetry.listener import ReceivedFrame
 
 TRACE_FRAMES: Final = 10_000
 """Some three seconds of an arm; a view takes in more of them too slowly."""
@@ -125,7 +125,7 @@ class BusTrace:
 
     def extend(
         self,
-        batch: Sequence[Taken],
+        batch: Sequence[ReceivedFrame],
         numbers: Sequence[int],
         words: Sequence[int],
         differences: Sequence[int],

@@ -207,17 +207,19 @@ class EventLog:
 
     # The writing thread -----------------------------------------------------------------------
 
-    def add(self, *, fold: Hashable = None, within_s: float = REPEAT_S, **what: Any) -> EventEntry:
+    def add(
+        self, *, repeat_key: Hashable = None, within_s: float = REPEAT_S, **what: Any
+    ) -> EventEntry:
         """Take in an event, or count it where it repeats one of the last seconds.
 
         Args:
-            fold: What is the same in repeats; ``None``: it is never counted.
+            repeat_key: Equal for an event and its repeats; with ``None`` it is never a repeat.
             within_s: What comes later than this is no repeat.
             **what: The fields of `EventEntry`, but for its number.
         """
         with self._lock:
             at_s: float = what["at_s"]
-            before = self._repeated(fold, at_s, within_s)
+            before = self._repeated(repeat_key, at_s, within_s)
             if before is not None:
                 count = before.count + int(what.get("count", 1))
                 entry = replace(
@@ -234,17 +236,17 @@ class EventLog:
             else:
                 self._number += 1
                 entry = EventEntry(number=self._number, **what)
-                if fold is not None:
-                    self._repeats[fold] = entry.number
+                if repeat_key is not None:
+                    self._repeats[repeat_key] = entry.number
                     if len(self._repeats) > self._most:
                         self._repeats.popitem(last=False)
             self._put(entry)
             return entry
 
-    def _repeated(self, fold: Hashable, at_s: float, within_s: float) -> EventEntry | None:
-        if fold is None:
+    def _repeated(self, repeat_key: Hashable, at_s: float, within_s: float) -> EventEntry | None:
+        if repeat_key is None:
             return None
-        before = self._entries.get(self._repeats.get(fold, 0))
+        before = self._entries.get(self._repeats.get(repeat_key, 0))
         if before is None or before.goes_on or before.unheard:
             return None
         ended_s = before.newest_s if before.ended_s is None else before.ended_s

@@ -14,18 +14,18 @@ from armui.protocol.codec import Message
 from armui.protocol.codes import MotorAction, StopCommand, TrajectoryCommand
 from armui.protocol.frame import Frame, FrameFlag
 from armui.system.clock import steady_s, wall_clock
-from armui.telemetry.columns import NOT_OF_THE_ARM, ColumnWriter, row_of
+from armui.telemetry.listener import Listener
 from armui.telemetry.quantities import BUS, QUANTITIES, RECORDS, Quantity, Record, Source, Space
 from armui.telemetry.series import KEPT_S, Row, Series
-from armui.telemetry.tap import Tap
+from armui.telemetry.series_columns import NOT_OF_THE_ARM, ColumnWriter, row_of
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from armui.protocol.codec import Codec
     from armui.protocol.generation import Generation
-    from armui.telemetry.columns import FrameColumns
-    from armui.telemetry.tap import Taken
+    from armui.telemetry.listener import ReceivedFrame
+    from armui.telemetry.series_columns import FrameColumns
 
 _BUS_EVERY_S: Final = 0.1
 _ROUNDING_S: Final = 1e-4
@@ -51,7 +51,7 @@ ENDS: Final = {
 _Writer = Callable[[Mapping[str, float], float], None]
 
 
-class Telemetry(Tap):
+class Telemetry(Listener):
     """Fed by the thread that owns the bus; read by any thread.
 
     It takes about a microsecond a frame. Nothing that a reader does holds up the bus thread.
@@ -160,7 +160,7 @@ class Telemetry(Tap):
             self._codec = codec
             self._choose()
 
-    def on_heard(self, batch: Sequence[Taken]) -> None:
+    def on_heard(self, batch: Sequence[ReceivedFrame]) -> None:
         """Frames that somebody else sent, in order."""
         self._frames += len(batch)
         find, data_bytes = self._from_others.get, 0
@@ -220,7 +220,7 @@ class Telemetry(Tap):
         """The adapter has reported an error on the bus."""
         self._errors += 1
 
-    def on_sent(self, batch: Sequence[Taken]) -> None:
+    def on_sent(self, batch: Sequence[ReceivedFrame]) -> None:
         """Frames that this program has sent, in order."""
         self._frames += len(batch)
         for said, at_s, frame, _flags in batch:

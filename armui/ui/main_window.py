@@ -2,21 +2,24 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QRect, QSize
 from PySide6.QtGui import QCloseEvent, QContextMenuEvent, QShowEvent
-from PySide6.QtWidgets import QWidget
+from PySide6.QtWidgets import QPushButton, QWidget
 
 from armui.arm.state import ArmState
 from armui.control.devices.joint_monitor import JointMonitor
 from armui.control.operating_state import OperatingState, StopState
+from armui.ui.actions.command import CommandSource, Offering, source_of
+from armui.ui.actions.places import PLACES
 from armui.ui.actions.window_actions import WindowActions
 from armui.ui.background import Background
 from armui.ui.dialogs.backup import BackupDialog
+from armui.ui.dialogs.base import ArmDialog
 from armui.ui.dialogs.connect import ConnectDialog
 from armui.ui.dialogs.help import HelpDialog
 from armui.ui.dialogs.joint_status import JointStatusDialog
@@ -27,6 +30,7 @@ from armui.ui.panels.jogging.motion_panel import MotionPanel
 from armui.ui.picture.picture_work import PictureWork
 from armui.ui.shell.diagnosis_dialogs import DiagnosisDialogs
 from armui.ui.shell.drawer import Drawer
+from armui.ui.shell.first_steps import FirstSteps
 from armui.ui.shell.layout_keeper import LayoutKeeper
 from armui.ui.shell.leaving import (
     KeepsWork,
@@ -61,12 +65,11 @@ from armui.viewport import palette as scene_palette
 if TYPE_CHECKING:
     from concurrent.futures import Executor
 
-    from PySide6.QtWidgets import QDialog
-
     from armui.arm.refusal import Refusal
     from armui.control.arm_controller import ArmController
     from armui.settings import Settings, SettingsStore
     from armui.system.failures import Failure
+    from armui.ui.picture.target_drag import HandGuide
     from armui.viewport.view import ArmView
 
 _FIRST_SIZE: Final = QSize(1440, 900)
@@ -82,9 +85,11 @@ class MainWindow(Translated, KeepsFocus, QWidget):
         workers: Who does what takes long.
         files: Who does what waits for a disk, in a thread of this process; the workers by default.
         trajectories: The folder of the library; the user's own by default.
+        hand: Finds the hand that leads the simulated arm of this process; by default none.
 
     Attributes:
-        page_actions: Opens pages by their names.
+        window_actions: Opens the command palette, and knows what it offers.
+        page_actions: Opens pages by their keys.
     """
 
     def __init__(
@@ -96,13 +101,14 @@ class MainWindow(Translated, KeepsFocus, QWidget):
         trajectories: Path | None = None,
         *,
         files: Executor | None = None,
+        hand: Callable[[], HandGuide | None] = lambda: None,
     ) -> None:
         super().__init__()
         self._controller = controller
         self._view = view
         self._preferences = preferences
         self._settings = preferences.settings
-        self._dialogs: dict[str, QDialog] = {}
+        self._dialogs: dict[str, ArmDialog] = {}
         self._may_close = False
         self._entries = menu_entries(controller, preferences, self.open_backup_dialog)
         self._robot = RobotInView(view, controller, self._settings.urdf_path, self)
@@ -125,7 +131,13 @@ class MainWindow(Translated, KeepsFocus, QWidget):
         self._preview_bar = PreviewBar()
         self._preview = PathPreview(view, self._preview_bar, self)
         self._picture = PictureWork(
-            controller, view, preferences, background, preview=self._preview, window=self
+            controller,
+            view,
+            preferences,
+            background,
+            preview=self._preview,
+            window=self,
+            hand=hand,
         )
         self._view_region = ViewRegion(view, self._preview_bar, self._picture)
         self._pages = PageArea()
@@ -146,13 +158,13 @@ class MainWindow(Translated, KeepsFocus, QWidget):
         )
         self._status_bar = StatusBar(controller)
         self._watch.show_marks_in(self._status_bar)
-        self._actions = WindowActions(self, controller, preferences, background)
+        self.window_actions = WindowActions(self, controller, preferences, background)
         self._status_bar.add_mark(ModelMark(controller, self.open_connect_dialog))
         self.page_actions = PageActions(
-            self, self._workspace, self._trajectory_pages, self._watch, self._drawer
+            *(self, self._workspace, self._trajectory_pages, self._watch, self._drawer),
+            diagnosis=self._diagnosis,
         )
-        offer = self._actions.offer(self._diagnosis, self._watch, self._picture, self.page_actions)
-        self._status_bar.add_mark(offer)
+        self._status_bar.add_mark(self.window_actions.button)
         self._lay_out()
         self._connect()
         WindowLayout(self._keeper, self, self._work_column, _FIRST_SIZE)
@@ -163,20 +175,26 @@ class MainWindow(Translated, KeepsFocus, QWidget):
 
     def _lay_out(self) -> None:
         self._library_button = LibraryButton()
-        below = (
-            self._library_button,
-            WatchMenu(self._watch.entries()),
-            self._joint_status_button,
-        )
+        watch_menu = WatchMenu(self._watch.entries())
+        below = (self._library_button, watch_menu, self._joint_status_button)
         self._menu = SideMenu(self._entries, below)
         self._panels = OperationArea(self._entries)
         self._work_area = WorkArea(StackArea(self._panels), self._pages, self._view_region)
-        run = RunPlace(self._controller)
+        run = self._run = RunPlace(self._controller)
         self._work_column = WorkColumn(self._work_area, run, self._drawer)
 
         top = TopBar(self._controller, self.open_connect_dialog)
         recovery = RecoveryLine(self._controller, self.open_connect_dialog)
-        self._actions.lead_to(self._menu.open_entry, top.ask_to_resume, recovery, run)
+        self.window_actions.link(
+            *(top.ask_to_resume, recovery, run, self._diagnosis, self._watch),
+            buttons={
+                "library.open": self._library_button,
+                "window.joint_status": self._joint_status_button,
+            },
+        )
+        parts = (top, self.window_actions, watch_menu, self._view_region, self._picture.bar)
+        self._offer((*parts, self._preview_bar, self._menu))
+        FirstSteps(self, self._first_jog, self._controller, self._preferences)
         gamepad = GamepadStrip(self._controller, self._preferences)
         self._failure_line = FailureLine()
         work = in_column(recovery, gamepad, (self._work_column, 1), spacing=0)
@@ -184,6 +202,35 @@ class MainWindow(Translated, KeepsFocus, QWidget):
         rest = (self._failure_line, self._status_bar)
         in_column(top, middle, *rest, on=self, spacing=0, margins=0)
         self.setFocus()  # no control has it before the operator takes one
+
+    def _offer(self, parts: Iterable[Offering]) -> None:
+        """Hand what can be done in the window to the palette, the shortcuts and the guide."""
+
+        def sources() -> list[CommandSource]:
+            # loaded when nothing else is to be done, or here
+            from armui.ui.trajectory.running.run_strip import RunStrip  # noqa: PLC0415
+
+            return [
+                *map(source_of, parts),
+                *self._panels.sources(self._menu.open_entry),
+                *self.page_actions.sources(),
+                CommandSource(RunStrip.commands, lambda: self._run.strip),
+            ]
+
+        panels = {entry.key: entry.title for entry in self._entries}
+        self.window_actions.offer(
+            sources,
+            {**PLACES, **panels},
+            lambda: ((self._pages.current, self._drawer.current), self._panels.current_key),
+        )
+
+    def _first_jog(self) -> QPushButton | None:
+        panel = self._panels.panel("motion")
+        return panel.first_jog if isinstance(panel, MotionPanel) else None
+
+    def dialog(self, key: str) -> ArmDialog | None:
+        """Return a dialog by its key; ``None``: it has not been opened yet."""
+        return self._dialogs.get(key)
 
     def _connect(self) -> None:
         self._menu.chosen.connect(self._on_entry_chosen)
@@ -237,7 +284,8 @@ class MainWindow(Translated, KeepsFocus, QWidget):
 
     def _show_in_view(self, state: ArmState) -> None:
         if self.isVisible():
-            show_in_view(self._view, state, self._controller.operating_state)
+            tool = self._preferences.settings.tool
+            show_in_view(self._view, state, self._controller.operating_state, tool)
 
     def _recolor(self) -> None:
         dark = colors_of(self) is DARK
@@ -257,7 +305,7 @@ class MainWindow(Translated, KeepsFocus, QWidget):
     def open_connect_dialog(self) -> None:
         """Show the window 连接机械臂 (manual 1.0.1)."""
 
-        def make() -> QDialog:
+        def make() -> ArmDialog:
             kept = KeptModels(self._preferences)
             dialog = ConnectDialog(
                 self._controller, self, self._leave_arm_then, kept, self._background
@@ -299,7 +347,7 @@ class MainWindow(Translated, KeepsFocus, QWidget):
     def open_settings_dialog(self) -> None:
         """Show the program's settings."""
 
-        def make() -> QDialog:
+        def make() -> ArmDialog:
             dialog = SettingsDialog(self._preferences, self._controller, self)
             self._view.load_failed.connect(dialog.show_robot_problem)
             dialog.diagnosis_wanted.connect(self._diagnosis.open_doctor)
@@ -316,7 +364,7 @@ class MainWindow(Translated, KeepsFocus, QWidget):
         """Say what stood in the program's way, in the status bar."""
         self._status_bar.show_problem(reason)
 
-    def _open(self, name: str, make: Callable[[], QDialog]) -> QDialog:
+    def _open(self, name: str, make: Callable[[], ArmDialog]) -> ArmDialog:
         """Show a dialog, made at the first time."""
         if name not in self._dialogs:
             self._dialogs[name] = make()

@@ -1,4 +1,4 @@
-"""Where the picture is taken from: a turntable camera, without any drawing library. Pure."""
+"""The turntable camera of the 3D picture, without any drawing library. Pure."""
 
 from __future__ import annotations
 
@@ -6,6 +6,8 @@ import enum
 import math
 from dataclasses import dataclass, replace
 from typing import Final
+
+from armui.viewport.vectors import Vector, plus
 
 VIEW_ANGLE_DEG: Final = 30.0
 """Opening angle of the shorter side of the picture."""
@@ -15,8 +17,6 @@ _ZOOM_PER_STEP = 0.88
 _NEAREST_M, _FARTHEST_M = 0.15, 8.0
 _STEEPEST_DEG = 89.0
 
-Vector = tuple[float, float, float]
-
 
 class ViewDirection(enum.Enum):
     """From where the arm is looked at; the values are kept in the settings."""
@@ -25,11 +25,15 @@ class ViewDirection(enum.Enum):
     SIDE = "side"
     TOP = "top"
     ISO = "iso"
+    BELOW = "below"
 
 
 @dataclass(frozen=True, slots=True)
 class OrbitCamera:
     """Looks at a point from a direction; Z stays up, so the arm never tips over on the screen.
+
+    The operator's hand does not bring the eye below the floor: only `turned_to` does, and from
+    there on the hand turns it about below, too, until it has come up again.
 
     Attributes:
         focus_m: the point looked at, in the base frame.
@@ -48,29 +52,36 @@ class OrbitCamera:
 
     def orbit(self, dx_px: float, dy_px: float) -> OrbitCamera:
         """The camera after a drag that turns: the scene follows the pointer."""
+        lowest_deg = 0.0 if self.elevation_deg >= 0.0 else -_STEEPEST_DEG
         elevation_deg = self.elevation_deg + dy_px * _DEG_PER_PIXEL
-        return replace(
+        turned = replace(
             self,
             azimuth_deg=(self.azimuth_deg - dx_px * _DEG_PER_PIXEL) % 360.0,
-            elevation_deg=min(_STEEPEST_DEG, max(-_STEEPEST_DEG, elevation_deg)),
+            elevation_deg=min(_STEEPEST_DEG, max(lowest_deg, elevation_deg)),
         )
+        return self._kept_above_floor(turned)
 
     def pan(self, dx_px: float, dy_px: float, shorter_side_px: float) -> OrbitCamera:
         """The camera after a drag that moves: what is under the pointer stays under it."""
         visible_m = 2.0 * self.distance_m * math.tan(math.radians(VIEW_ANGLE_DEG / 2.0))
         metres_per_px = visible_m / max(shorter_side_px, 1.0)
         _, right, up = self.axes()
-        return replace(
-            self,
-            focus_m=_along(
-                _along(self.focus_m, right, -dx_px * metres_per_px), up, dy_px * metres_per_px
-            ),
-        )
+        focus_m = plus(self.focus_m, right, -dx_px * metres_per_px)
+        focus_m = plus(focus_m, up, dy_px * metres_per_px)
+        return self._kept_above_floor(replace(self, focus_m=focus_m))
 
     def zoom(self, steps: float) -> OrbitCamera:
         """The camera nearer (steps above zero) or farther, within sensible distances."""
         distance_m = self.distance_m * _ZOOM_PER_STEP**steps
-        return replace(self, distance_m=min(_FARTHEST_M, max(_NEAREST_M, distance_m)))
+        distance_m = min(_FARTHEST_M, max(_NEAREST_M, distance_m))
+        return self._kept_above_floor(replace(self, distance_m=distance_m))
+
+    def _kept_above_floor(self, moved: OrbitCamera) -> OrbitCamera:
+        """Return a camera moved by hand, raised where it would sink below the floor."""
+        below_m = -moved.eye_m[2]
+        if below_m <= 0.0 or self.eye_m[2] < 0.0:
+            return moved
+        return replace(moved, focus_m=plus(moved.focus_m, (0.0, 0.0, 1.0), below_m))
 
     def turned_to(self, direction: ViewDirection) -> OrbitCamera:
         """The camera with its eye in another direction from the same point."""
@@ -81,7 +92,7 @@ class OrbitCamera:
     def eye_m(self) -> Vector:
         """Position of the eye in the base frame."""
         outward, _, _ = self.axes()
-        return _along(self.focus_m, outward, self.distance_m)
+        return plus(self.focus_m, outward, self.distance_m)
 
     def axes(self) -> tuple[Vector, Vector, Vector]:
         """Unit vectors: from the focus to the eye, to the right and up on the screen."""
@@ -91,11 +102,6 @@ class OrbitCamera:
         return (ce * ca, ce * sa, se), (-sa, ca, 0.0), (-se * ca, -se * sa, ce)
 
 
-def _along(start: Vector, direction: Vector, distance: float) -> Vector:
-    x, y, z = (a + b * distance for a, b in zip(start, direction, strict=True))
-    return (x, y, z)
-
-
 HOME_CAMERA: Final = OrbitCamera(focus_m=(0.06, 0.0, 0.25), distance_m=1.7)
 """Until the robot is known: about where one of the arm's size stands."""
 
@@ -103,17 +109,19 @@ _DIRECTIONS_DEG: Final = {
     ViewDirection.FRONT: (0.0, 0.0),
     ViewDirection.SIDE: (-90.0, 0.0),
     ViewDirection.TOP: (-90.0, 90.0),
+    ViewDirection.BELOW: (-90.0, -90.0),
     ViewDirection.ISO: (HOME_CAMERA.azimuth_deg, HOME_CAMERA.elevation_deg),
 }
-"""Azimuth and elevation: from +X onto the arm, from its right, from above with X to the right."""
+"""Azimuth and elevation: from +X onto the arm, from its right, from above and from below with X to
+the right."""
 
 
 _SAME_ANGLE_DEG: Final = 0.005
 """Less moves nothing by a pixel: an arm at rest that reports the last digit is not drawn anew."""
 
 
-def look_alike(one: tuple[float, ...] | None, other: tuple[float, ...] | None) -> bool:
-    """Whether two poses of the arm, six angles in degrees each, can't be told apart on a screen."""
+def poses_equal(one: tuple[float, ...] | None, other: tuple[float, ...] | None) -> bool:
+    """Tell whether two poses, six angles in degrees each, look the same on a screen."""
     if one is None or other is None:
         return False
     return all(abs(a - b) < _SAME_ANGLE_DEG for a, b in zip(one, other, strict=True))

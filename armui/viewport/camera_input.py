@@ -1,4 +1,4 @@
-"""What the operator's hand does to the camera: a drag of the mouse, the wheel, a key."""
+"""Camera control by mouse drag, wheel and keys."""
 
 from __future__ import annotations
 
@@ -69,14 +69,14 @@ class Drag:
     def release(self, event: QMouseEvent) -> QPointF | None:
         """The button comes up: the place of a click, or ``None`` after a drag."""
         pressed_at = self._pressed_at
-        self.forget()
+        self.cancel()
         if pressed_at is None:
             return None
         way_px = (event.position() - pressed_at).manhattanLength()
         return event.position() if way_px < QApplication.startDragDistance() else None
 
-    def forget(self) -> None:
-        """What is not seen is not dragged."""
+    def cancel(self) -> None:
+        """End the drag: the view is hidden, or the button came up unnoticed."""
         self._pressed_at = self._last = None
 
 

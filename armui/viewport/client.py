@@ -1,4 +1,4 @@
-"""What to show goes out, finished images come back: the Qt side of the picture's process."""
+"""The Qt side of the render process: view states go out, finished images come back."""
 
 from __future__ import annotations
 
@@ -12,7 +12,14 @@ from PySide6.QtGui import QImage
 
 from armui.viewport import messages
 from armui.viewport.messages import BYTES_PER_PIXEL
-from armui.viewport.process_link import ENTRY, Lost, PictureFrame, ProcessLink, UpToDate, Wanted
+from armui.viewport.process_link import (
+    ENTRY,
+    Lost,
+    PictureFrame,
+    ProcessLink,
+    RenderRequest,
+    UpToDate,
+)
 from armui.viewport.watch import LONGEST_S, PictureAge
 
 if TYPE_CHECKING:
@@ -87,7 +94,7 @@ class PictureClient(QObject):
 
     @property
     def is_running(self) -> bool:
-        """Whether `start` was called and `stop` was not."""
+        """Tell whether `start` was called and `stop` was not."""
         return self._link is not None
 
     @property
@@ -102,12 +109,12 @@ class PictureClient(QObject):
 
     @property
     def looks_old(self) -> bool:
-        """Whether the picture is older than it may be without saying so (S24)."""
+        """Tell whether the picture is older than it may be without saying so (S24)."""
         return self._looks_old
 
     @property
     def is_settled(self) -> bool:
-        """Whether the last picture shows the newest state, with smooth edges."""
+        """Tell whether the last picture shows the newest state, with smooth edges."""
         return self._age.is_newest_shown and not self._is_rough
 
     def start(self) -> None:
@@ -130,7 +137,7 @@ class PictureClient(QObject):
 
     def _show_latest(self) -> None:
         if self._link is not None and self._state is not None:
-            self._link.show(Wanted(self._sequence, self._state))
+            self._link.show(RenderRequest(self._sequence, self._state))
 
     def frame_used(self, picture: Picture) -> None:
         """This picture is on the screen: there is room for another."""

@@ -1,4 +1,4 @@
-"""Where the camera must stand for the arm to fill the room it has, and no more. Pure."""
+"""Fits the camera, so that the arm fills the room it has and no more. Pure."""
 
 from __future__ import annotations
 
@@ -8,8 +8,9 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 from typing import Final
 
-from armui.viewport.camera import OrbitCamera, Vector
-from armui.viewport.projection import Projection, dot
+from armui.viewport.camera import OrbitCamera
+from armui.viewport.projection import Projection
+from armui.viewport.vectors import Vector, dot
 
 Groups = Sequence[Sequence[Vector]]
 """Places that belong together, in metres: those of one link."""
@@ -30,14 +31,14 @@ class Box:
     bottom: float
 
     def overlaps(self, other: Box) -> bool:
-        """Whether the two share any place."""
+        """Tell whether the two share any place."""
         beside = self.right <= other.left or other.right <= self.left
         return not (beside or self.bottom <= other.top or other.bottom <= self.top)
 
 
 @dataclass(frozen=True, slots=True)
 class Room:
-    """What of a picture is free for the arm.
+    """The part of a picture that is free for the arm.
 
     Attributes:
         width_px, height_px: Of the whole picture.
@@ -53,7 +54,7 @@ class Room:
     strip_px: float = 0.0
 
     def with_air(self) -> Room:
-        """The same with some pixels around figures and buttons: the arm may move a little."""
+        """Return it with some pixels around figures and buttons: the arm may move a little."""
         figures, corner = self.figures, self.corner
         if figures.right > 0.0:
             figures = Box(0.0, 0.0, figures.right + _AIR_PX, figures.bottom + _AIR_PX)
@@ -73,7 +74,7 @@ class Room:
 
 
 def is_clear(camera: OrbitCamera, groups: Groups, room: Room, slack_px: float = 0.0) -> bool:
-    """Whether everything is in the picture, and nothing behind figures or buttons.
+    """Tell whether everything is in the picture, and nothing behind figures or buttons.
 
     Args:
         camera: Takes the picture.
@@ -101,7 +102,7 @@ def ball_around(places: Sequence[Vector]) -> Ball:
 
 
 def is_ball_clear(projection: Projection, ball: Ball, room: Room, slack_px: float) -> bool:
-    """Whether a ball is in the picture, and not behind figures or buttons; in doubt it is not."""
+    """Tell whether a ball is in the picture, not behind figures or buttons; in doubt it is not."""
     across, up, towards = projection.relative(ball.centre)
     scale_px = projection.scale_px(towards)
     nearest_px = projection.scale_px(towards + ball.radius_m)
@@ -191,7 +192,7 @@ def _middle(groups: Groups) -> Vector:
 
 
 def _seen(camera: OrbitCamera, groups: Groups, room: Room) -> list[Vector]:
-    """How far each place is to the right of the focus, above it, and nearer to the eye."""
+    """Return how far each place is to the right of the focus, above it, and nearer to the eye."""
     projection = Projection(camera, room.width_px, room.height_px)
     seen = [projection.relative(place) for group in groups for place in group]
     return [(across, up, 0.0) for across, up, _ in seen] if camera.orthographic else seen
@@ -249,7 +250,7 @@ def _within(camera: OrbitCamera, seen: Sequence[Vector], box: Box, room: Room) -
 
 
 def _box(projection: Projection, group: Sequence[Vector]) -> Box | None:
-    """What a group covers; ``None`` if some of it is behind the eye."""
+    """Return the rectangle around a group; ``None`` if some of it is behind the eye."""
     left = top = math.inf
     right = bottom = -math.inf
     for place in group:

@@ -56,11 +56,11 @@ class FrameMemory:
 
     @property
     def name(self) -> MemoryName:
-        """What the other process needs to open it."""
+        """The name and size by which the other process opens it."""
         return MemoryName(self._memory.name, self.slot_bytes)
 
     def suits(self, image_bytes: int) -> bool:
-        """Whether images of a size fit, without most of the memory lying idle."""
+        """Tell whether images of a size fit, without most of the memory lying idle."""
         enough = image_bytes <= self.slot_bytes
         return enough and self.slot_bytes <= max(_TOO_LARGE * image_bytes, _ROUND_UP_BYTES)
 
@@ -72,7 +72,7 @@ class FrameMemory:
             raise ValueError("the memory is closed")
         return whole[start : start + image_bytes]
 
-    def forget_name(self) -> None:
+    def unlink_name(self) -> None:
         """Both processes have it open: nobody needs its name any more; may be called twice."""
         if self._is_named:
             self._is_named = False

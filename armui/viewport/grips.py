@@ -12,40 +12,19 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from typing import Final
 
-from armui.viewport.camera import Vector
 from armui.viewport.palette import ScenePalette
-from armui.viewport.projection import Projection, Ray, dot
-from armui.viewport.robot_shape import RobotShape, Rows, rotation, turned, unit, without_part_along
-
-
-def cross(one: Vector, other: Vector) -> Vector:
-    """The vector product."""
-    return (
-        one[1] * other[2] - one[2] * other[1],
-        one[2] * other[0] - one[0] * other[2],
-        one[0] * other[1] - one[1] * other[0],
-    )
-
-
-def minus(one: Vector, other: Vector) -> Vector:
-    """From the other to the one."""
-    return (one[0] - other[0], one[1] - other[1], one[2] - other[2])
-
-
-def plus(start: Vector, direction: Vector, distance: float) -> Vector:
-    """The place so far from a start in a direction."""
-    return (
-        start[0] + direction[0] * distance,
-        start[1] + direction[1] * distance,
-        start[2] + direction[2] * distance,
-    )
-
-
-def square_to(axis: Vector) -> Vector:
-    """A unit vector square to another."""
-    plain = (1.0, 0.0, 0.0) if abs(axis[0]) < 0.7 else (0.0, 1.0, 0.0)
-    return unit(without_part_along(plain, axis))
-
+from armui.viewport.projection import Projection, Ray
+from armui.viewport.robot_shape import RobotShape, Rows, rotation, turned
+from armui.viewport.vectors import (
+    Vector,
+    cross,
+    dot,
+    minus,
+    plus,
+    square_to,
+    unit,
+    without_part_along,
+)
 
 _LENGTH_PX: Final = 92.0
 _GAP_SHARE: Final = 0.22
@@ -64,7 +43,7 @@ _ARROW_SHARE: Final = 0.09
 
 
 class GripKind(enum.Enum):
-    """What a handle does."""
+    """The motion that a handle stands for."""
 
     AXIS = enum.auto()
     """Moves the tool along an axis."""
@@ -160,7 +139,7 @@ def snapped(value: float, step: float) -> float:
 
 
 def _away_px(grip: Grip, projection: Projection, x_px: float, y_px: float) -> float:
-    """How far the pointer is from a handle's line."""
+    """Return how far the pointer is from a handle's line."""
     pixels = [projection.pixel(place) for place in grip.places]
     nearest = math.inf
     for one, other in itertools.pairwise(pixels):
@@ -172,7 +151,7 @@ def _away_px(grip: Grip, projection: Projection, x_px: float, y_px: float) -> fl
 def from_segment_px(
     at: tuple[float, float], one: tuple[float, float], other: tuple[float, float]
 ) -> float:
-    """How far a pixel is from a line between two others."""
+    """Return how far a pixel is from a line between two others."""
     across, down = other[0] - one[0], other[1] - one[1]
     length_2 = across * across + down * down
     share = 0.0
@@ -255,7 +234,7 @@ class GripDrag:
         self._turns = 0.0
 
     def amount(self, x_px: float, y_px: float) -> float | None:
-        """How far the pointer has carried it: mm along an axis, degrees about one.
+        """Return how far the pointer has carried it: mm along an axis, degrees about one.
 
         Returns:
             None where the pointer leads nowhere, beyond the horizon of the plane it turns in.
@@ -315,7 +294,7 @@ def _wheel_deg(aside: float) -> float:
 
 
 def _is_near(grip: Grip, projection: Projection, ahead: Vector, at_px: tuple[float, float]) -> bool:
-    """Whether the side that faces the eye is taken hold of; where both are there, it is that."""
+    """Tell whether the side that faces the eye is taken; where both are there, it is that."""
     pixels = [projection.pixel(place) for place in grip.places]
     away: list[tuple[float, float]] = []
     for place, (one, other) in zip(grip.places, itertools.pairwise(pixels), strict=False):
@@ -329,7 +308,7 @@ def _is_near(grip: Grip, projection: Projection, ahead: Vector, at_px: tuple[flo
 
 
 def _along(ray: Ray, origin: Vector, axis: Vector) -> float | None:
-    """How far along a line the place is that a ray passes nearest to."""
+    """Return how far along a line the place is that a ray passes nearest to."""
     away = minus(ray.start_m, origin)
     slope = dot(ray.direction, axis)
     square = 1.0 - slope * slope

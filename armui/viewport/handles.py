@@ -19,7 +19,7 @@ _PLAIN_PX, _HELD_PX = 3.0, 5.5
 
 
 class HandleKind(enum.Enum):
-    """What can be taken hold of."""
+    """The kinds of handles."""
 
     TOOL = "tool"
     """The tool, along and about the axes of the base."""
@@ -31,7 +31,7 @@ class HandleKind(enum.Enum):
 
 @dataclass(frozen=True, slots=True)
 class HandlePlace:
-    """Where handles are wanted.
+    """The pose and kind of the handles.
 
     Attributes:
         angles_deg: Of the arm, or of its ghost, that is to be dragged.
@@ -65,12 +65,12 @@ class Handles:
 
     @property
     def place(self) -> HandlePlace | None:
-        """Where they are wanted."""
+        """Their pose and kind; None while there are none."""
         return self._place
 
     @property
     def is_held(self) -> bool:
-        """Whether one of them is held."""
+        """Tell whether one of them is held."""
         return self._drag is not None
 
     def set_place(self, place: HandlePlace | None) -> bool:
@@ -96,7 +96,7 @@ class Handles:
 
     @property
     def key(self) -> object:
-        """What their lines depend on, beside the picture, the robot and its tool."""
+        """A key of all that their lines depend on, beside picture, robot and tool."""
         return self._place, self._outstanding
 
     @property

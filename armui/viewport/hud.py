@@ -1,4 +1,4 @@
-"""What stands over the picture: end pose and joint angles, and why it is old or not there."""
+"""The figures over the picture (end pose, joint angles), and the notice of an old or lost one."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ _BACKDROP_OPACITY = 0.88
 
 @dataclass(frozen=True, slots=True)
 class HudValues:
-    """What the figures say; None: never heard from the arm.
+    """The values of the figures; None: never heard from the arm.
 
     Attributes:
         pose: X, Y, Z in mm, RX, RY, RZ in degrees.
@@ -43,6 +43,7 @@ class HudValues:
         pose_stale: the pose is no longer fresh.
         angles_stale: the angles are no longer fresh.
         too_low: flange or fingertip is below the plane the arm stands on: the height is amber.
+        of_tool: the pose is that of the tool centre point, not of the flange.
     """
 
     pose: tuple[float, ...] | None = None
@@ -50,6 +51,14 @@ class HudValues:
     pose_stale: bool = False
     angles_stale: bool = False
     too_low: bool = False
+    of_tool: bool = False
+
+    @property
+    def point(self) -> str:
+        """The name of the point whose pose it is."""
+        if self.of_tool:
+            return QCoreApplication.translate("ArmView", "Tool centre point")
+        return QCoreApplication.translate("ArmView", "Flange")
 
 
 def hud_font(base: QFont) -> QFont:
@@ -76,7 +85,7 @@ class Hud:
 
     def __init__(self) -> None:
         self._base_font: QFont | None = None
-        self._still_of: tuple[ScenePalette, float] | None = None
+        self._still_of: tuple[ScenePalette, float, str] | None = None
         self._still = QPixmap()
         self._font = QFont()
         self._metrics = QFontMetricsF(self._font)
@@ -93,7 +102,7 @@ class Hud:
             _MARGIN_PX,
             _MARGIN_PX,
             2.0 * (_PADDING_PX + self._column_px) + _GAP_PX,
-            2.0 * _PADDING_PX + 6.0 * metrics.height() * _LINE_SPACING,
+            2.0 * _PADDING_PX + (1 + len(_POSE)) * metrics.height() * _LINE_SPACING,
         )
 
     def paint(
@@ -102,15 +111,16 @@ class Hud:
         """Draw both columns into their frame."""
         frame = self.frame(base_font)
         ratio = painter.device().devicePixelRatio()
-        if self._still_of != (palette, ratio):
-            self._still_of = (palette, ratio)
-            self._draw_still(frame, palette, ratio)
+        still_of = (palette, ratio, values.point)
+        if self._still_of != still_of:
+            self._still_of = still_of
+            self._draw_still(frame, *still_of)
         painter.save()
         painter.drawPixmap(frame.topLeft(), self._still)
         painter.setFont(self._font)
         line_px = self._metrics.height() * _LINE_SPACING
         right = frame.left() + _PADDING_PX + self._figures_end_px
-        top = frame.top() + _PADDING_PX + self._metrics.ascent()
+        top = frame.top() + _PADDING_PX + self._metrics.ascent() + line_px
         for numbers, stale in (
             (values.pose, values.pose_stale),
             (values.angles_deg, values.angles_stale),
@@ -135,7 +145,7 @@ class Hud:
         line = int(
             (place.y() - frame.top() - _PADDING_PX) / (self._metrics.height() * _LINE_SPACING)
         )
-        line = min(max(line, 0), 5)
+        line = min(max(line - 1, 0), 5)  # below the name of the point
         if place.x() < frame.center().x():
             return f"arm.pose_{_POSE[line][0].lower()}"
         return f"arm.joint_angle.{line + 1}"
@@ -167,8 +177,8 @@ class Hud:
                 widths_px[character] = self._metrics.horizontalAdvance(character)
         return sum(widths_px[character] for character in figure)
 
-    def _draw_still(self, frame: QRectF, palette: ScenePalette, ratio: float) -> None:
-        """The frame with the names and the units."""
+    def _draw_still(self, frame: QRectF, palette: ScenePalette, ratio: float, point: str) -> None:
+        """Draw the frame with the names and the units."""
         self._still = QPixmap(round(frame.width() * ratio) + 1, round(frame.height() * ratio) + 1)
         self._still.setDevicePixelRatio(ratio)
         self._still.fill(Qt.GlobalColor.transparent)
@@ -182,12 +192,14 @@ class Hud:
         painter.drawRoundedRect(QRectF(QPointF(), frame.size()), 6.0, 6.0)
         painter.setPen(QColor(palette.muted))
         left = _PADDING_PX
+        line_px = self._metrics.height() * _LINE_SPACING
+        painter.drawText(QPointF(left, _PADDING_PX + self._metrics.ascent()), point)
         for rows in (_POSE, _JOINTS):
-            baseline = _PADDING_PX + self._metrics.ascent()
+            baseline = _PADDING_PX + self._metrics.ascent() + line_px
             for name, unit in rows:
                 painter.drawText(QPointF(left, baseline), name)
                 painter.drawText(QPointF(left + self._figures_end_px, baseline), f" {unit}")
-                baseline += self._metrics.height() * _LINE_SPACING
+                baseline += line_px
             left += self._column_px + _GAP_PX
         painter.end()
 
@@ -201,7 +213,7 @@ _PLATE_OPACITY: Final = 0.85
 
 
 def lost_text(lost: Lost) -> str:
-    """Why there is no picture, and what comes next."""
+    """Say why there is no picture, and what comes next."""
     if lost.reason.code == RefusalCode.NO_OPENGL:
         return QCoreApplication.translate(
             "ArmView",

@@ -1,4 +1,4 @@
-"""What the program and the picture's process tell each other: small, plain data.
+"""Messages between the program and the render process: small, plain data.
 
 The process begins with `Ready`. One request is under way at a time; it is answered with `Drawn`,
 and what else there is to say comes before.
@@ -39,7 +39,7 @@ BYTES_PER_PIXEL: Final = 4
 
 
 class PicturePhase(enum.Enum):
-    """What the picture's process is doing."""
+    """The phases of the render process."""
 
     STARTING = enum.auto()
     """Importing its libraries."""
@@ -163,14 +163,14 @@ class MarkPicked:
 
 @dataclass(frozen=True, slots=True)
 class LoadFailed:
-    """Why a robot description can't be shown; the one before stays."""
+    """A robot description can't be shown, and why; the one before stays."""
 
     reason: Refusal
 
 
 @dataclass(frozen=True, slots=True)
 class Failed:
-    """Why the process ends: this computer can't draw, or an error nobody foresaw.
+    """The process ends, and why: this computer can't draw, or an unexpected error.
 
     Attributes:
         reason: For the operator.

@@ -15,10 +15,10 @@ if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
 
-    from armui.viewport.camera import Vector
     from armui.viewport.palette import ScenePalette
     from armui.viewport.path_picture import FindingMark, PathPicture, Preview
     from armui.viewport.projection import Projection
+    from armui.viewport.vectors import Vector
 
 
 _CELL_PX: Final = (34.0, 20.0)
@@ -28,7 +28,7 @@ _NEAR_PX: Final = 13.0
 
 
 class _Rim(NamedTuple):
-    """How far from each edge of the picture a sign stands at least."""
+    """The least distance of a sign from each edge of the picture."""
 
     left: float
     top: float
@@ -130,7 +130,7 @@ def finding_at(
 
 
 def _seen_px(projection: Projection, place_m: Vector) -> tuple[float, float]:
-    """Where a place is seen; one behind the eye is far off, on the side that it is on."""
+    """Return the pixel of a place; one behind the eye is far off, on the side that it is on."""
     pixel = projection.pixel(place_m)
     if pixel is not None:
         return pixel

@@ -1,4 +1,4 @@
-"""What the picture shows of a motion that has not happened: where the tool would go, and how fast.
+"""The preview in the picture: the tool's path and speed in a motion that has not happened.
 
 No numpy at run time: the view knows these, and the view is made before the libraries are loaded.
 """
@@ -88,7 +88,7 @@ class Preview:
 
 @dataclass(frozen=True, slots=True)
 class Trail:
-    """Where the tool has been, and where it was asked to be; the newest place last.
+    """The measured and the commanded way of the tool; the newest place last.
 
     Attributes:
         driven: places in the base frame, three 32-bit floats each, mm.
@@ -101,7 +101,7 @@ class Trail:
 
 @dataclass(frozen=True, slots=True)
 class Reach:
-    """What the tool's reach is worked out from.
+    """The figures that the tool's reach is worked out from.
 
     Attributes:
         limits_deg: of each joint, the lowest and the highest angle.

@@ -1,4 +1,4 @@
-"""Has pictures drawn in another process, and starts that process again when it is lost.
+"""The link to the render process, which is started again when it is lost.
 
 A thread of the program sends one request after another and waits for each answer. It shares
 nothing with the one that draws: a process that crashes, hangs or is killed costs pictures, and
@@ -18,13 +18,12 @@ import time
 from dataclasses import dataclass, replace
 from multiprocessing.connection import wait
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Final, TypeVar
+from typing import TYPE_CHECKING, Any, Final, Generic, TypeVar
 
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.system.files import read_file
 from armui.viewport.frame_memory import SLOTS, FrameMemory
-from armui.viewport.mailbox import Mailbox
 from armui.viewport.messages import (
     BYTES_PER_PIXEL,
     Draw,
@@ -57,7 +56,7 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True, slots=True)
-class Wanted:
+class RenderRequest:
     """A state to draw, and its number."""
 
     sequence: int
@@ -183,7 +182,7 @@ class ChildProcess:
         return message
 
     def turns(self) -> dict[int, ThreadTurns]:
-        """What its threads have had of the processors so far; nothing where that can't be read.
+        """Return the processor time of its threads so far; nothing where that can't be read.
 
         Source: schedstat and stat of /proc/pid/task/tid of Linux.
         """
@@ -243,8 +242,114 @@ class ProcessLostError(Exception):
         super().__init__(str(reason))
 
 
-class Conversation:
-    """Requests and answers with one process.
+T = TypeVar("T")
+
+MOST_UNUSED: Final = 1
+"""So many results may lie unused when the next item is taken."""
+
+
+class Mailbox(Generic[T]):
+    """Holds the newest item only.
+
+    Items may lead to results, which the receiver uses. While more than `MOST_UNUSED` of them are
+    unused nothing is taken; items put in meanwhile replace each other. So a slow receiver slows
+    the reader down instead of filling a queue.
+    """
+
+    def __init__(self) -> None:
+        self._changed = threading.Condition()
+        self._item: T | None = None
+        self._results = 0
+        self._used = 0
+        self._is_interrupted = False
+        self._is_closed = False
+
+    def put(self, item: T) -> None:
+        """Replace whatever is waiting."""
+        with self._changed:
+            self._item = item
+            self._changed.notify_all()
+
+    @property
+    def is_closed(self) -> bool:
+        """Tell whether `close` was called."""
+        with self._changed:
+            return self._is_closed
+
+    @property
+    def has_item(self) -> bool:
+        """Tell whether an item waits."""
+        with self._changed:
+            return self._item is not None
+
+    def take(self, timeout_s: float | None = None) -> T | None:
+        """Sleep until results were used, then until there is an item.
+
+        Args:
+            timeout_s: how long to wait for an item; by default for ever.
+
+        Returns:
+            The item; None once the box is closed or the reader interrupted, or when time is up.
+        """
+        with self._changed:
+            self._changed.wait_for(lambda: self._is_woken or self._has_room)
+            self._changed.wait_for(lambda: self._is_woken or self._item is not None, timeout_s)
+            return None if self._is_woken else self._pop()
+
+    def take_at_once(self) -> T | None:
+        """The item if there is one, else None; never waits."""
+        with self._changed:
+            return self._pop()
+
+    def result_sent(self) -> int:
+        """The reader has sent a result; its number, from 1."""
+        with self._changed:
+            self._results += 1
+            return self._results
+
+    def acknowledge(self, number: int) -> None:
+        """The receiver has used this result, and needs none of those before it."""
+        with self._changed:
+            self._used = max(self._used, number)
+            self._changed.notify_all()
+
+    def reset_results(self) -> None:
+        """No result is unused: what was sent so far does not count any more."""
+        with self._changed:
+            self._used = self._results
+
+    def interrupt(self) -> None:
+        """Wake the reader, and let it not sleep before `resume`."""
+        with self._changed:
+            self._is_interrupted = True
+            self._changed.notify_all()
+
+    def resume(self) -> None:
+        """The reader may sleep again."""
+        with self._changed:
+            self._is_interrupted = False
+
+    def close(self) -> None:
+        """Wake the reader for the last time."""
+        with self._changed:
+            self._is_closed = True
+            self._changed.notify_all()
+
+    @property
+    def _is_woken(self) -> bool:
+        return self._is_closed or self._is_interrupted
+
+    @property
+    def _has_room(self) -> bool:
+        return self._results - self._used <= MOST_UNUSED
+
+    def _pop(self) -> T | None:
+        item, self._item = self._item, None
+        return item
+
+
+class RenderSession:
+    """Requests to one render process, and its answers.
 
     Attributes:
         is_new: Whether nothing was drawn in it yet.
@@ -259,7 +364,7 @@ class Conversation:
     def __init__(
         self,
         child: ChildProcess,
-        mailbox: Mailbox[Wanted],
+        mailbox: Mailbox[RenderRequest],
         tell: Callable[[object], None],
         asked_serial: int,
         robots: dict[RobotChoice, bytes],
@@ -284,17 +389,17 @@ class Conversation:
         self.failed_robot: RobotChoice | None = None
 
     def begin(self) -> None:
-        """Wait until the process takes requests; raises what `request` raises."""
+        """Wait until the process takes requests; raises what `render` raises."""
         self._await(Ready)
 
-    def request(self, wanted: Wanted | None) -> None:
+    def render(self, request: RenderRequest | None) -> None:
         """Have a state drawn, or without one the last again with smooth edges.
 
         Raises:
             ProcessLostError: the process hangs, or says that it can't go on.
             OSError, EOFError: it has ended.
         """
-        self._send(wanted)
+        self._send(request)
         drawn = self._await(Drawn)
         self.phase = PicturePhase.DRAWING
         self.is_new = False
@@ -304,7 +409,7 @@ class Conversation:
         memory = self._memory
         if memory is None:
             return
-        memory.forget_name()
+        memory.unlink_name()
         if drawn.size_px is None:
             self._tell(UpToDate(drawn.sequence, drawn.is_rough))
             return
@@ -325,7 +430,7 @@ class Conversation:
         self._slot = (self._slot + 1) % SLOTS
 
     def check(self) -> None:
-        """Whether a process that was asked nothing is still there.
+        """Make sure that a process that was asked nothing is still there.
 
         Raises:
             EOFError, OSError: it is not.
@@ -335,14 +440,14 @@ class Conversation:
     def close(self) -> None:
         """Nothing with a name is left."""
         if self._memory is not None:
-            self._memory.forget_name()
+            self._memory.unlink_name()
 
-    def _send(self, wanted: Wanted | None) -> None:
-        if wanted is None:
+    def _send(self, request: RenderRequest | None) -> None:
+        if request is None:
             self._child.send(Draw(self._sequence, None, self._slot))
             return
-        self._sequence = wanted.sequence
-        state = self._unasked(wanted.state)
+        self._sequence = request.sequence
+        state = self._unasked(request.state)
         self.robot = state.robot
         self._image_bytes = state.width_px * state.height_px * BYTES_PER_PIXEL
         memory = self._memory
@@ -356,7 +461,7 @@ class Conversation:
         path = state.preview.path
         is_new_path = path is not None and path is not self._path
         message = Draw(
-            wanted.sequence,
+            request.sequence,
             replace(state, preview=replace(state.preview, path=None)),
             self._slot,
             memory=None if memory is self._memory else memory.name,
@@ -386,7 +491,7 @@ class Conversation:
 
         return replace(state, pick=fresh(state.pick), mark_pick=fresh(state.mark_pick))
 
-    def _hear(self) -> Answer | None:
+    def _receive(self) -> Answer | None:
         """The next message; None: it hangs, for it is silent though it had its turns."""
         message = self._child.receive(LIMITS[self.phase].silent_s)
         if message is not None:
@@ -412,7 +517,7 @@ class Conversation:
         since_s = looked_s = time.monotonic()
         turns: dict[int, ThreadTurns] = {}
         while True:
-            message = self._hear()
+            message = self._receive()
             if message is None:
                 raise ProcessLostError(Refusal(RefusalCode.PICTURE_PROCESS_HUNG))
             if isinstance(message, Ready):
@@ -433,9 +538,9 @@ class Conversation:
                 _LOG.error("The 3D view stopped\n%s", message.traceback)
                 raise ProcessLostError(message.reason)
             else:
-                self._pass_on(message)
+                self._forward(message)
 
-    def _pass_on(self, message: Answer) -> None:
+    def _forward(self, message: Answer) -> None:
         if isinstance(message, LoadFailed):
             self.failed_robot = self.robot
         self._tell(message)
@@ -462,11 +567,11 @@ class ProcessLink:
     def __init__(self, tell: Callable[[object], None], entry: str = ENTRY) -> None:
         self._tell = tell
         self._entry = entry
-        self._mailbox: Mailbox[Wanted] = Mailbox()
+        self._mailbox: Mailbox[RenderRequest] = Mailbox()
         self._lock = threading.Lock()
         self._child: ChildProcess | None = None
         self._restarts = Restarts()
-        self._last: Wanted | None = None
+        self._last: RenderRequest | None = None
         self._proven: RobotChoice = BUILT_IN_ROBOT
         self._put_aside: RobotChoice | None = None
         self._asked_serial = 0
@@ -483,9 +588,9 @@ class ProcessLink:
         """Begin; call once."""
         self._thread.start()
 
-    def show(self, wanted: Wanted) -> None:
+    def show(self, request: RenderRequest) -> None:
         """Ask for a picture; replaces a state that was not drawn yet."""
-        self._mailbox.put(wanted)
+        self._mailbox.put(request)
 
     def frame_used(self, number: int) -> None:
         """This frame is on the screen: there is room for another."""
@@ -525,7 +630,7 @@ class ProcessLink:
     def _draw_in_one_process(self) -> Refusal | None:
         """Draw until the process is lost; why. None: a robot was to blame, and is put aside."""
         self._mailbox.resume()
-        self._mailbox.forget_results()
+        self._mailbox.reset_results()
         try:
             child = ChildProcess(self._entry, self._mailbox.interrupt)
         except OSError as error:
@@ -534,14 +639,14 @@ class ProcessLink:
             self._child = child
             if self._mailbox.is_closed:  # while the process was started
                 child.kill()
-        conversation = Conversation(
+        session = RenderSession(
             child, self._mailbox, self._tell, self._asked_serial, self._robot_read
         )
         reason: Refusal | None = None
         try:
-            conversation.begin()
+            session.begin()
             while not self._mailbox.is_closed:
-                self._draw_one(conversation)
+                self._draw_one(session)
         except ProcessLostError as error:
             reason = error.reason
             child.kill()
@@ -551,41 +656,41 @@ class ProcessLink:
             with self._lock:
                 self._child = None
             how = child.end()
-            conversation.close()
-        self._asked_serial = conversation.asked_serial
+            session.close()
+        self._asked_serial = session.asked_serial
         # the next process has none that could stay in the picture
-        self._put_aside = conversation.failed_robot or self._put_aside
+        self._put_aside = session.failed_robot or self._put_aside
         reason = reason or Refusal(RefusalCode.PICTURE_PROCESS_ENDED, {"text": how})
-        return None if self._blames_robot(conversation, reason) else reason
+        return None if self._blames_robot(session, reason) else reason
 
-    def _draw_one(self, conversation: Conversation) -> None:
-        wanted = self._mailbox.take_at_once() if conversation.is_new else None
-        if wanted is None and conversation.is_new:
-            wanted = self._last
-        if wanted is None:
-            wanted = self._mailbox.take(_REST_S if conversation.is_rough else None)
-            if wanted is None and (self._mailbox.is_closed or not conversation.is_rough):
-                conversation.check()
+    def _draw_one(self, session: RenderSession) -> None:
+        request = self._mailbox.take_at_once() if session.is_new else None
+        if request is None and session.is_new:
+            request = self._last
+        if request is None:
+            request = self._mailbox.take(_REST_S if session.is_rough else None)
+            if request is None and (self._mailbox.is_closed or not session.is_rough):
+                session.check()
                 return
-        if wanted is not None:
-            self._last = wanted
-            wanted = Wanted(wanted.sequence, self._without_bad_robot(wanted.state))
-        conversation.request(wanted)
-        if conversation.proven_robot is not None:
-            self._proven = conversation.proven_robot
+        if request is not None:
+            self._last = request
+            request = RenderRequest(request.sequence, self._without_bad_robot(request.state))
+        session.render(request)
+        if session.proven_robot is not None:
+            self._proven = session.proven_robot
 
     def _without_bad_robot(self, state: ViewState) -> ViewState:
         bad = state.robot == self._put_aside
         return replace(state, robot=self._proven) if bad else state
 
-    def _blames_robot(self, conversation: Conversation, reason: Refusal) -> bool:
+    def _blames_robot(self, session: RenderSession, reason: Refusal) -> bool:
         """Put a robot aside whose loading or first picture was the end of the process."""
-        suspect = conversation.robot
+        suspect = session.robot
         if (
             suspect is None
             or suspect == self._proven
             or suspect.path == BUILT_IN_ROBOT.path
-            or conversation.phase not in _WITH_A_NEW_ROBOT
+            or session.phase not in _WITH_A_NEW_ROBOT
         ):
             return False
         self._put_aside = suspect

@@ -1,4 +1,4 @@
-"""What the window knows of the robot in the picture: its joints and how far its links reach. Pure.
+"""The robot as the window knows it: its joints and the outermost points of its links. Pure.
 
 The picture's process reads the file and its meshes and tells this of it. It is plain data and
 plain arithmetic: the window computes with it before numpy is loaded.
@@ -11,7 +11,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Final
 
-from armui.viewport.camera import Vector
+from armui.viewport.vectors import Vector, unit, without_part_along
 
 Rows = tuple[float, ...]
 """The upper three rows of a 4×4 transform, twelve figures; lengths in metres."""
@@ -84,7 +84,7 @@ class RobotShape:
         return links[next(joint.child for joint in self.joints if joint.number == 6)]
 
     def joint_frame(self, number: int, links: Sequence[Rows]) -> tuple[Vector, Vector]:
-        """Where an arm's joint is in the base frame, and its axis, a unit vector."""
+        """Return the place of a joint in the base frame, and its axis, a unit vector."""
         joint = next(joint for joint in self.joints if joint.number == number)
         rows = composed(links[joint.parent], joint.origin)
         axis = joint.axis or (0.0, 0.0, 1.0)
@@ -177,22 +177,6 @@ def turned(rows: Rows, vector: Vector) -> Vector:
         rows[0] * x + rows[1] * y + rows[2] * z,
         rows[4] * x + rows[5] * y + rows[6] * z,
         rows[8] * x + rows[9] * y + rows[10] * z,
-    )
-
-
-def unit(vector: Vector) -> Vector:
-    """The same direction, of length 1."""
-    length = math.hypot(*vector)
-    return (vector[0] / length, vector[1] / length, vector[2] / length)
-
-
-def without_part_along(vector: Vector, axis: Vector) -> Vector:
-    """What is square to a unit axis of a vector."""
-    along = vector[0] * axis[0] + vector[1] * axis[1] + vector[2] * axis[2]
-    return (
-        vector[0] - along * axis[0],
-        vector[1] - along * axis[1],
-        vector[2] - along * axis[2],
     )
 
 

@@ -11,9 +11,9 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Final
 
-from armui.viewport.camera import Vector
 from armui.viewport.palette import ScenePalette
 from armui.viewport.robot_shape import RobotShape, Rows, moved, rotation, turned
+from armui.viewport.vectors import Vector
 
 FRAME_M: Final = 0.07
 ARC_M: Final = 0.13
@@ -56,15 +56,19 @@ def joint_range(
     number: int,
     limits_deg: tuple[float, float],
     palette: ScenePalette,
+    *,
+    measured_deg: float | None = None,
 ) -> list[Stroke]:
-    """The range of a joint as an arc about its axis, with a hand at where it stands.
+    """The range of a joint as an arc about its axis, with a needle at its angle.
 
     Args:
         shape: The robot.
-        angles_deg: Six joint angles as on the bus.
+        angles_deg: Six joint angles as on the bus: those measured, or those of a target.
         number: Of the joint, 1–6.
         limits_deg: The lowest and the highest angle.
         palette: The theme's colours.
+        measured_deg: The measured angle of the joint, where the six are those of a target: it has
+            a needle, too.
     """
     links = shape.links(angles_deg)
     place, axis = shape.joint_frame(number, links)
@@ -83,8 +87,10 @@ def joint_range(
     steps = max(2, math.ceil((high_deg - low_deg) / _ARC_STEP_DEG))
     arc = tuple(at(low_deg + (high_deg - low_deg) * step / steps) for step in range(steps + 1))
     beyond = not low_deg <= angle_deg <= high_deg
-    hand = palette.fault if beyond else palette.text
     inner, outer = ARC_M * (1.0 - _TICK_SHARE), ARC_M * (1.0 + _TICK_SHARE)
+    is_target = measured_deg is not None
+    hand = palette.fault if beyond else palette.commanded if is_target else palette.text
+    measured = [] if measured_deg is None else [(place, at(measured_deg, outer))]
     return [
         Stroke((place, *arc), palette.accent, 0.0, filled=True),
         Stroke(arc, palette.accent, 2.5),
@@ -94,5 +100,8 @@ def joint_range(
         Stroke(
             (at(high_deg, inner), at(high_deg, outer)), palette.accent, 2.5, label=f"{high_deg:g}°"
         ),
-        Stroke((place, at(angle_deg, outer)), hand, 2.5),
+        *(Stroke(needle, palette.text, 2.5) for needle in measured),
+        Stroke(
+            (place, at(angle_deg, outer)), hand, 2.5, label=f"{angle_deg:.3f}°" if is_target else ""
+        ),
     ]

@@ -1,4 +1,4 @@
-"""Where the tool has been while it moved, and where it was asked to be. Pure."""
+"""Collects the measured and the commanded way of the tool. Pure."""
 
 from __future__ import annotations
 
@@ -7,8 +7,8 @@ from array import array
 from collections import deque
 from typing import Final
 
-from armui.viewport.camera import Vector
 from armui.viewport.path_picture import Trail
+from armui.viewport.vectors import Vector
 
 _STEP_MM: Final = 0.5
 """A place this near to the last one is the same: an arm at rest trembles by some hundredths."""
@@ -37,7 +37,7 @@ class ToolTrail:
 
     @property
     def trail(self) -> Trail | None:
-        """What is to be shown; None where there is nothing."""
+        """The trail to be shown; None while there is none."""
         if len(self._driven) < 2 and len(self._commanded) < 2:
             return None
         return Trail(_packed(self._driven), _packed(self._commanded))

@@ -22,7 +22,7 @@ from PySide6.QtGui import QColor, QHelpEvent, QPainter, QPen
 from PySide6.QtWidgets import QToolTip, QWidget
 
 from armui.arm.limits import JOINTS
-from armui.viewport.camera import look_alike
+from armui.viewport.camera import poses_equal
 from armui.viewport.camera_input import Drag, press_key, turn_wheel
 from armui.viewport.client import Picture, PictureClient
 from armui.viewport.fitting import Box, Room
@@ -82,8 +82,8 @@ class ArmView(QWidget):
     show, or is gone, the widget says so (safety promise S24).
 
     To begin with, the arm fills the room it has, and the camera steps back when the arm would
-    leave it, or come behind the figures. Once the operator has moved the picture, it stays where
-    it was put; a view chosen, `fit` or `reset_view` brings that back.
+    leave it, or come behind the figures. Once the operator has turned or moved the picture, it
+    stays as it was put, until a view is chosen or `fit` or `reset_view` is called.
 
     Left drag turns, middle drag or shift with left drag moves, the wheel zooms, a double click on
     a link picks its joint. With the focus: arrow keys turn, + and − zoom, Home resets.
@@ -189,7 +189,7 @@ class ArmView(QWidget):
 
     @property
     def is_settled(self) -> bool:
-        """Whether the picture on the screen shows the newest state, with smooth edges."""
+        """Tell whether the picture on the screen shows the newest state, with smooth edges."""
         return (
             self._picture is not None
             and not self._is_frame_new
@@ -199,20 +199,20 @@ class ArmView(QWidget):
 
     @property
     def has_given_up(self) -> bool:
-        """Whether there is no picture, and none will come by itself."""
+        """Tell whether there is no picture, and none will come by itself."""
         return self._lost is not None and not self._lost.comes_back
 
     @property
     def is_current(self) -> bool:
-        """Whether what is on the screen may be taken for what is there now."""
+        """Tell whether what is on the screen may be taken for what is there now."""
         return self._picture is not None and not self._notice()
 
     @property
     def is_late(self) -> bool:
-        """Whether the picture lags, or is gone: nothing is aimed at in it."""
+        """Tell whether the picture lags, or is gone: nothing is aimed at in it."""
         return self._client.looks_old or self._lost is not None
 
-    def taken_picture(self) -> QImage | None:
+    def grab_picture(self) -> QImage | None:
         """A copy of the picture with the figures, as it is on the screen; None without one."""
         return None if self._picture is None else self.grab().toImage()
 
@@ -224,12 +224,12 @@ class ArmView(QWidget):
 
     @property
     def camera(self) -> OrbitCamera:
-        """Where the arm is seen from."""
+        """The camera of the next picture."""
         return self._state.camera
 
     @property
     def mode(self) -> ViewMode:
-        """Who moves the camera."""
+        """The camera mode."""
         return self._viewpoint.mode
 
     @property
@@ -266,17 +266,22 @@ class ArmView(QWidget):
         if angles_deg is not None and len(angles_deg) != len(JOINTS):
             raise ValueError(f"{len(angles_deg)} joint angles instead of {len(JOINTS)}")
         angles = None if angles_deg is None else tuple(angles_deg)
-        shown = self._state.angles_deg if look_alike(angles, self._state.angles_deg) else angles
+        shown = self._state.angles_deg if poses_equal(angles, self._state.angles_deg) else angles
         self._look_at(replace(self._state, angles_deg=shown, gripper_mm=gripper_mm, stale=stale))
         self._set_hud(replace(self._hud, angles_deg=angles, angles_stale=stale))
 
-    def forget_joints(self) -> None:
-        """Nothing is known of the angles any more: the arm stays where it was seen last, faded."""
+    def set_joints_unknown(self) -> None:
+        """Fade the arm where it was seen last: its angles are not known any more."""
         self._look_at(replace(self._state, stale=True))
         self._set_hud(replace(self._hud, angles_deg=None, angles_stale=True))
 
     def set_pose(
-        self, pose: Sequence[float] | None, stale: bool = False, *, too_low: bool = False
+        self,
+        pose: Sequence[float] | None,
+        stale: bool = False,
+        *,
+        too_low: bool = False,
+        of_tool: bool = False,
     ) -> None:
         """Show the measured end pose.
 
@@ -284,6 +289,7 @@ class ArmView(QWidget):
             pose: X, Y, Z in mm, RX, RY, RZ in degrees; None: never heard.
             stale: it is no longer fresh.
             too_low: flange or fingertip is below the plane the arm stands on.
+            of_tool: It is that of the tool centre point, not of the flange.
         """
         self._set_hud(
             replace(
@@ -291,6 +297,7 @@ class ArmView(QWidget):
                 pose=None if pose is None else tuple(pose),
                 pose_stale=stale,
                 too_low=too_low,
+                of_tool=of_tool,
             )
         )
 
@@ -316,7 +323,7 @@ class ArmView(QWidget):
         """Show a path, its marks and a ghost beside the arm; `NOTHING` takes them away."""
         path = preview.path
         if path is not self._state.preview.path:
-            self._viewpoint.take_places(() if path is None else path.outermost_m())
+            self._viewpoint.set_places(() if path is None else path.outermost_m())
         self._look_at(replace(self._state, preview=preview))
 
     def set_trail(self, trail: Trail | None) -> None:
@@ -325,13 +332,13 @@ class ArmView(QWidget):
 
     def set_reach(self, reach: Reach | None) -> None:
         """Show how far the tool could reach, or no longer."""
-        self._viewpoint.take_reach(reach)
+        self._viewpoint.set_reach(reach)
         self._show(replace(self._state, reach=reach, camera=self._viewpoint.camera))
 
     def set_tool(self, tool: Sequence[float]) -> None:
-        """The tool centre point in the flange: X, Y, Z in mm, RX, RY, RZ in degrees."""
+        """Set the tool centre point in the flange: X, Y, Z in mm, RX, RY, RZ in degrees."""
         self._tool = pose_rows(tool)
-        self._viewpoint.take_tool((self._tool[3], self._tool[7], self._tool[11]))
+        self._viewpoint.set_tool((self._tool[3], self._tool[7], self._tool[11]))
         self._look_at(self._state)
         self.update()
 
@@ -359,7 +366,7 @@ class ArmView(QWidget):
     # how it is looked at ----------------------------------------------------------------------
 
     def reset_view(self) -> None:
-        """The first view again."""
+        """Return to the first view."""
         self._viewpoint.reset()
         self._take_camera()
 
@@ -406,12 +413,12 @@ class ArmView(QWidget):
         if any(self._corner_px):
             corner = Box(width - self._corner_px[0], height - self._corner_px[1], width, height)
         room = Room(width, height, figures, corner, self._strip_px)
-        self._viewpoint.take_room(room)
+        self._viewpoint.set_room(room)
         self._state = replace(self._state, camera=self._viewpoint.camera)
 
     def _on_robot_shown(self, shape: RobotShape) -> None:
         self._shape = shape
-        self._viewpoint.take_shape(shape)
+        self._viewpoint.set_shape(shape)
         self._take_camera()
 
     def _on_rest(self) -> None:
@@ -433,7 +440,7 @@ class ArmView(QWidget):
 
     def _take_arm(self, state: ViewState) -> None:
         ghost_deg = state.preview.ghost_deg
-        self._viewpoint.take_arm(state.angles_deg, state.gripper_mm or 0.0, ghost_deg)
+        self._viewpoint.set_arm(state.angles_deg, state.gripper_mm or 0.0, ghost_deg)
 
     def _on_glance(self) -> None:
         if self.isVisible():
@@ -445,12 +452,10 @@ class ArmView(QWidget):
         self.view_changed.emit()
 
     def _look_through(self, camera: OrbitCamera | None) -> None:
-        """The operator has moved the camera."""
+        """Take the camera that the operator has moved."""
         if camera is None or self._viewpoint.is_carried:
             return
-        before = self._state.camera
-        turned = (camera.focus_m, camera.distance_m) == (before.focus_m, before.distance_m)
-        self._viewpoint.move_by_hand(camera, only_turned=turned)
+        self._viewpoint.move_by_hand(camera)
         self._take_camera()
 
     # what is asked for, and what comes ---------------------------------------------------------
@@ -524,7 +529,7 @@ class ArmView(QWidget):
         self.give_up_drag()
 
     def _notice(self) -> str:
-        """What is wrong with the picture, in words; empty when nothing is."""
+        """Say what is wrong with the picture; empty when nothing is."""
         if self._lost is not None:
             return lost_text(self._lost)
         if self._picture is None:
@@ -557,12 +562,16 @@ class ArmView(QWidget):
             return
         if self._range is not None:
             number, limits_deg = self._range
-            edited_deg = shown.preview.ghost_deg or angles_deg
+            ghost_deg = shown.preview.ghost_deg
+            edited_deg = ghost_deg or angles_deg
+            measured_deg = None if ghost_deg is None or shown.stale else angles_deg[number - 1]
 
             def its_range() -> list[Stroke]:
-                return joint_range(shape, edited_deg, number, limits_deg, palette)
+                return joint_range(
+                    shape, edited_deg, number, limits_deg, palette, measured_deg=measured_deg
+                )
 
-            depends_on = (shape, edited_deg, self._range)
+            depends_on = (shape, edited_deg, measured_deg, self._range)
             self._range_layer.paint(painter, depends_on, its_range, projection, palette)
         if self._shows_tool and not shown.stale:
             rows = composed(shape.flange(shape.links(angles_deg)), self._tool)
@@ -661,7 +670,7 @@ class ArmView(QWidget):
 
     def give_up_drag(self) -> None:
         """End a drag that is under way; what a handle has changed goes back to what it was."""
-        self._drag.forget()
+        self._drag.cancel()
         self._leave_handle(given_up=True)
         self._viewpoint.hold(held=False)
 
@@ -743,7 +752,7 @@ class ArmView(QWidget):
             self._show(replace(self._state, pick=self._question(event.position())))
 
     def _question(self, at: QPointF) -> PickRequest:
-        """What is seen there?"""
+        """Ask which link or mark is seen at a place."""
         self._pick_serial += 1
         place = at * self._state.pixel_ratio
         return PickRequest(self._pick_serial, place.x(), place.y())

@@ -1,4 +1,4 @@
-"""What the 3D view should show: plain data, handed from the widget to the one who draws."""
+"""The state of the 3D view: plain data, handed from the widget to the render process."""
 
 from __future__ import annotations
 

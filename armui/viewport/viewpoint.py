@@ -1,4 +1,4 @@
-"""From where the arm is seen: the operator's hand, a view that fits, or one that follows. Pure."""
+"""Camera modes: fitted to the arm, moved by the operator, or following the tool. Pure."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import Final
 
-from armui.viewport.camera import HOME_CAMERA, OrbitCamera, Vector, ViewDirection, look_alike
+from armui.viewport.camera import HOME_CAMERA, OrbitCamera, ViewDirection, poses_equal
 from armui.viewport.fitting import (
     Ball,
     Room,
@@ -22,6 +22,7 @@ from armui.viewport.fitting import (
 from armui.viewport.path_picture import Reach
 from armui.viewport.projection import Projection
 from armui.viewport.robot_shape import RobotShape, moved
+from armui.viewport.vectors import Vector
 
 _GROWN: Final = 1.12
 """An arm that leaves the picture gets more room than it needs: it is on its way."""
@@ -35,12 +36,12 @@ _TRIED: Final = 8
 
 
 class ViewMode(enum.Enum):
-    """Who moves the camera."""
+    """The camera modes: who moves the camera."""
 
     FIT = enum.auto()
     """The arm fills the room it has; when it leaves it, the camera steps back."""
     FREE = enum.auto()
-    """The operator has moved the picture or its scale."""
+    """The operator has turned or moved the picture, or changed its scale."""
     FOLLOW = enum.auto()
     """The tool stays in the middle."""
 
@@ -71,56 +72,56 @@ class Viewpoint:
 
     # what there is to see ---------------------------------------------------------------------
 
-    def take_shape(self, shape: RobotShape) -> None:
-        """The robot in the picture is known."""
+    def set_shape(self, shape: RobotShape) -> None:
+        """Set the robot in the picture, once it is known."""
         if shape != self._shape:
             self._shape = shape
             self._balls = [ball_around(points) if points else None for points in shape.points]
             self._reached = self._reached_places()
-            self._look_again(exactly=True)
+            self._refit(exactly=True)
 
-    def take_room(self, room: Room) -> None:
-        """The picture has another size, or something else lies over it."""
+    def set_room(self, room: Room) -> None:
+        """Set the size of the picture, and what lies over it."""
         if room != self._room:
             self._room = room
-            self._look_again(exactly=True)
+            self._refit(exactly=True)
 
-    def take_arm(
+    def set_arm(
         self,
         angles_deg: Sequence[float] | None,
         gripper_mm: float,
         ghost_deg: Sequence[float] | None,
     ) -> None:
-        """The arm stands elsewhere, or its ghost does."""
+        """Set where the arm stands, and its ghost."""
         poses = [(tuple(angles_deg or (0.0,) * 6), gripper_mm)]
         if ghost_deg is not None:
             poses.append((tuple(ghost_deg), 0.0))
         if len(poses) == len(self._poses) and all(
-            look_alike(one[0], other[0]) and one[1] == other[1]
+            poses_equal(one[0], other[0]) and one[1] == other[1]
             for one, other in zip(poses, self._poses, strict=True)
         ):
             return
         self._poses = poses
-        self._look_again(exactly=False)
+        self._refit(exactly=False)
 
-    def take_places(self, places: tuple[Vector, ...]) -> None:
-        """What else shall be in the picture: the outermost places of a path."""
+    def set_places(self, places: tuple[Vector, ...]) -> None:
+        """Set the outermost places of a path, which shall be in the picture, too."""
         if places != self._places:
             self._places = places
-            self._look_again(exactly=False)
+            self._refit(exactly=False)
 
-    def take_reach(self, reach: Reach | None) -> None:
-        """Whether all of what the tool can reach shall be in the picture."""
+    def set_reach(self, reach: Reach | None) -> None:
+        """Set the reach that shall be in the picture, too; None: none."""
         if reach != self._reach:
             self._reach = reach
             self._reached = self._reached_places()
-            self._look_again(exactly=True)
+            self._refit(exactly=True)
 
-    def take_tool(self, tool_m: Vector) -> None:
-        """The tool centre point in the flange, metres."""
+    def set_tool(self, tool_m: Vector) -> None:
+        """Set the tool centre point in the flange, metres."""
         self._tool_m = tool_m
         if self.mode is ViewMode.FOLLOW:
-            self._look_again(exactly=False)
+            self._refit(exactly=False)
 
     # what the operator wants ------------------------------------------------------------------
 
@@ -129,15 +130,15 @@ class Viewpoint:
         self.camera = self.camera.turned_to(direction)
         if self.mode is ViewMode.FREE:
             self.mode = ViewMode.FIT
-        self._look_again(exactly=True)
+        self._refit(exactly=True)
 
     def fit(self) -> None:
         """Look at all of the arm from where the camera stands."""
         self.mode = ViewMode.FIT
-        self._look_again(exactly=True)
+        self._refit(exactly=True)
 
     def reset(self) -> None:
-        """The first view again."""
+        """Return to the first view."""
         self.camera = replace(HOME_CAMERA, orthographic=self.camera.orthographic)
         self.fit()
 
@@ -150,29 +151,29 @@ class Viewpoint:
         self.mode = ViewMode.FOLLOW
         nearer_m = min(self.camera.distance_m, _FOLLOWED_AT_M)
         self.camera = replace(self.camera, distance_m=nearer_m)
-        self._look_again(exactly=False)
+        self._refit(exactly=False)
 
     def set_orthographic(self, *, wanted: bool) -> None:
         """Show parallel lines as such, or with perspective."""
         self.camera = replace(self.camera, orthographic=wanted)
-        self._look_again(exactly=True)
+        self._refit(exactly=True)
 
-    def move_by_hand(self, camera: OrbitCamera, *, only_turned: bool) -> None:
-        """The operator has moved the camera; one that was only turned goes on to fit the arm."""
-        if not only_turned and self.mode is ViewMode.FIT:
-            self.mode = ViewMode.FREE
-        if self.mode is ViewMode.FOLLOW and camera.focus_m != self.camera.focus_m:
+    def move_by_hand(self, camera: OrbitCamera) -> None:
+        """Take the operator's camera, which stays; one that follows is turned, and follows on."""
+        if camera == self.camera:
+            return
+        if self.mode is not ViewMode.FOLLOW or camera.focus_m != self.camera.focus_m:
             self.mode = ViewMode.FREE
         self.camera = camera
 
     def hold(self, *, held: bool) -> None:
-        """While the operator drags, the camera is moved by nobody else."""
+        """Hold the camera still, but for the operator, while he drags."""
         self._is_held = held
         if not held:
-            self._look_again(exactly=False)
+            self._refit(exactly=False)
 
     def come_to_rest(self) -> None:
-        """The arm has stood still for a moment: one that has become small is brought nearer."""
+        """Come nearer to an arm that has stood still for a moment and has become small."""
         if self.mode is not ViewMode.FIT or self._is_held:
             return
         best = fitted(self.camera, self._groups(), self._room)
@@ -183,7 +184,7 @@ class Viewpoint:
 
     # ------------------------------------------------------------------------------------------
 
-    def _look_again(self, *, exactly: bool) -> None:
+    def _refit(self, *, exactly: bool) -> None:
         shape = self._shape
         if shape is None or self._is_held:
             return
@@ -198,7 +199,7 @@ class Viewpoint:
             self._been = outermost(self.camera, [*self._groups(), *self._been])
 
     def _is_all_clear(self, shape: RobotShape) -> bool:
-        """Whether everything is in the picture; asked twelve times a second while the arm moves."""
+        """Tell whether everything is in the picture; asked 12 times a second in a motion."""
         projection = Projection(self.camera, self._room.width_px, self._room.height_px)
         doubtful: list[Sequence[Vector]] = []
         for pose in self._poses:

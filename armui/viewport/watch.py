@@ -1,4 +1,4 @@
-"""When a picture or its process is too old: says so, or starts it again. No clock, no process."""
+"""Time limits of the picture and of the render process. No clock, no process."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from armui.viewport.messages import PictureBusy, PicturePhase
 
 @dataclass(frozen=True, slots=True)
 class Limits:
-    """How long a phase may take.
+    """Time limits of a phase.
 
     Attributes:
         silent_s: Without any sign of life.
@@ -54,7 +54,7 @@ _LONGEST_FACTOR: Final = 20.0
 
 
 def is_stuck(busy: PictureBusy, busy_for_s: float, *, starved: bool = False) -> bool:
-    """Whether a process that gives signs of life gets nowhere.
+    """Tell whether a process that gives signs of life gets nowhere.
 
     One that is starved by others takes long, too; it wants the processor and does not get it. One
     that hangs sleeps beside a free processor, or spins for far longer than the work takes.
@@ -77,7 +77,7 @@ def is_stuck(busy: PictureBusy, busy_for_s: float, *, starved: bool = False) -> 
 
 @dataclass(frozen=True, slots=True)
 class ThreadTurns:
-    """What a thread has had of the processors so far; seconds.
+    """The processor time of a thread so far; seconds.
 
     Attributes:
         ran_s: It ran.
@@ -93,7 +93,7 @@ class ThreadTurns:
 def is_starved(
     before: Mapping[int, ThreadTurns], after: Mapping[int, ThreadTurns], over_s: float
 ) -> bool:
-    """Whether a process that is silent stood in line for a processor, rather than hung.
+    """Tell whether a process that is silent stood in line for a processor, rather than hung.
 
     Args:
         before: By thread; nothing where the system does not tell.
@@ -112,7 +112,7 @@ def _stood_in_line(before: ThreadTurns, now: ThreadTurns, over_s: float) -> bool
 
 
 def silent_too_long(phase: PicturePhase, silent_s: float, ran_s: float) -> bool:
-    """Whether even a starved process would have said something.
+    """Tell whether even a starved process would have said something.
 
     Args:
         phase: What it is at.
@@ -160,7 +160,7 @@ class PictureAge:
 
     @property
     def is_newest_shown(self) -> bool:
-        """Whether the picture shows the newest state."""
+        """Tell whether the picture shows the newest state."""
         return not self._newer
 
     def wanted(self, sequence: int, now_s: float) -> None:
@@ -180,7 +180,7 @@ class PictureAge:
         return max(0.0, now_s - self._newer[0][1]) if self._newer else 0.0
 
     def looks_old(self, now_s: float) -> bool:
-        """Whether the picture must say that it is old."""
+        """Tell whether the picture must say that it is old."""
         if self.age_s(now_s) > LONGEST_S:
             self._looks_old = True
         return self._looks_old

@@ -237,10 +237,6 @@
         <translation>关节状态</translation>
     </message>
     <message>
-        <source>Session recordings</source>
-        <translation>会话记录</translation>
-    </message>
-    <message>
         <source>Replay a recording</source>
         <translation>回放会话记录</translation>
     </message>
@@ -541,6 +537,14 @@
     <message>
         <source>It ended three times in a minute; the arm is not affected.</source>
         <translation>一分钟内结束了三次；机械臂不受影响。</translation>
+    </message>
+    <message>
+        <source>Tool centre point</source>
+        <translation>工具中心点</translation>
+    </message>
+    <message>
+        <source>Flange</source>
+        <translation>法兰</translation>
     </message>
 </context>
 <context>
@@ -1099,6 +1103,10 @@
         <translation>碰撞等级</translation>
     </message>
     <message>
+        <source>Levels 1 to 8 watch for collisions; level 0 does not watch at all. The maker has not published whether 1 or 8 is the more sensitive one.</source>
+        <translation>1–8 级检测碰撞，0 级不检测。厂家未公布 1 级与 8 级哪个更灵敏。</translation>
+    </message>
+    <message>
         <source>Level 0 – no collision detection: {joints} will not stop when they hit something or someone.</source>
         <translation>等级 0 – 不检测碰撞：{joints} 碰到物体或人时不会停止。</translation>
     </message>
@@ -1109,10 +1117,6 @@
     <message>
         <source>no detection</source>
         <translation>不检测</translation>
-    </message>
-    <message>
-        <source>Levels 1 to 8 watch for collisions; level 0 does not watch at all.</source>
-        <translation>等级 1~8 检测碰撞；等级 0 不检测碰撞。</translation>
     </message>
 </context>
 <context>
@@ -4255,13 +4259,6 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
     </message>
 </context>
 <context>
-    <name>LibraryCompany</name>
-    <message>
-        <source>Another program has this library open, too ({names}). What it saves appears in this list. Do not edit the same trajectory in both.</source>
-        <translation>另一个程序也打开了此轨迹库（{names}）。它保存的内容会出现在此列表中。请勿在两个程序中编辑同一条轨迹。</translation>
-    </message>
-</context>
-<context>
     <name>LibraryExchange</name>
     <message>
         <source>Reading {names}…</source>
@@ -4422,6 +4419,14 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
     <message>
         <source>Trajectory library</source>
         <translation>轨迹库</translation>
+    </message>
+    <message>
+        <source>Saved as “{name}”.</source>
+        <translation>已保存为“{name}”。</translation>
+    </message>
+    <message>
+        <source>Deleted: {names}</source>
+        <translation>已删除：{names}</translation>
     </message>
 </context>
 <context>
@@ -5159,6 +5164,10 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>已接管：本程序可以移动机械臂。</translation>
     </message>
     <message>
+        <source>Speed override {percent} %</source>
+        <translation>运行倍率 {percent} %</translation>
+    </message>
+    <message>
         <source>The arm was told to end its motion and still moves. Stop it, or cut its power.</source>
         <translation>已命令机械臂终止运动，但它仍在动。请急停，或切断其电源。</translation>
     </message>
@@ -5884,6 +5893,10 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <source>Go on with the replay</source>
         <translation>继续回放</translation>
     </message>
+    <message>
+        <source>Set the speed override of runs</source>
+        <translation>设置运行倍率</translation>
+    </message>
 </context>
 <context>
     <name>OtherArmLine</name>
@@ -5913,6 +5926,21 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     <message>
         <source>high-follow</source>
         <translation>高跟随</translation>
+    </message>
+</context>
+<context>
+    <name>OverrideControl</name>
+    <message>
+        <source>Override</source>
+        <translation>倍率</translation>
+    </message>
+    <message>
+        <source>Share of the run&apos;s own speed, changed while it runs; 0 % pauses it. Slower {slower}, faster {faster}.</source>
+        <translation>相对于本次运行自身速度的比例，运行中可随时调整；0 % 即暂停。减速 {slower}，加速 {faster}。</translation>
+    </message>
+    <message>
+        <source>Speed override of the run</source>
+        <translation>运行倍率</translation>
     </message>
 </context>
 <context>
@@ -6237,6 +6265,10 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     <message>
         <source>Drawer</source>
         <translation>抽屉</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>运行</translation>
     </message>
 </context>
 <context>
@@ -7109,6 +7141,10 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     <message>
         <source>Keeps {kept} of {count} samples, {time}</source>
         <translation>保留 {kept}/{count} 个采样，{time}</translation>
+    </message>
+    <message>
+        <source>It is in memory alone until it is saved. {reason}</source>
+        <translation>保存前数据只在内存中。{reason}</translation>
     </message>
 </context>
 <context>
@@ -8232,6 +8268,10 @@ The other program must have ended.</source>
         <translation>第 {column} 列：{field}不能使用单位“{value}”。请选择 {choices} 之一。</translation>
     </message>
     <message>
+        <source>The speed override is 0 %: raise it, then hold “Continue” for 1 s.</source>
+        <translation>运行倍率为 0 %：请先调高，再按住“继续”1 秒。</translation>
+    </message>
+    <message>
         <source>{frames} of the arm has not been heard for {seconds} s: nobody knows where it is. Check its power and the CAN cable; nothing is sent until it is heard again.</source>
         <translation>已有 {seconds} 秒未收到机械臂的 {frames}：无法得知其位置。请检查电源与 CAN 线；重新收到之前不发送任何运动指令。</translation>
     </message>
@@ -8816,6 +8856,14 @@ The other program must have ended.</source>
         <translation>顶栏的速度不影响运行。</translation>
     </message>
     <message>
+        <source>{text} · override {percent} %</source>
+        <translation>{text} · 倍率 {percent} %</translation>
+    </message>
+    <message>
+        <source>The override was chosen in a run and stays; it can be raised once something runs (key {key}).</source>
+        <translation>倍率是在运行中设定的，保持有效；开始运行后可调高（按键 {key}）。</translation>
+    </message>
+    <message>
         <source>{text} · first run</source>
         <translation>{text} · 首次运行</translation>
     </message>
@@ -9326,6 +9374,13 @@ The other program must have ended.</source>
     </message>
 </context>
 <context>
+    <name>SharedUseBanner</name>
+    <message>
+        <source>Another program has this library open, too ({names}). What it saves appears in this list. Do not edit the same trajectory in both.</source>
+        <translation>另一个程序也打开了此轨迹库（{names}）。它保存的内容会出现在此列表中。请勿在两个程序中编辑同一条轨迹。</translation>
+    </message>
+</context>
+<context>
     <name>Shortcut</name>
     <message>
         <source>Command palette: find every function by its name</source>
@@ -9334,6 +9389,10 @@ The other program must have ended.</source>
     <message>
         <source>User guide, at the place where you are</source>
         <translation>使用指南，打开当前所在处的章节</translation>
+    </message>
+    <message>
+        <source>Faster: run or motion</source>
+        <translation>加速：运行或运动</translation>
     </message>
     <message>
         <source>This list</source>
@@ -9362,6 +9421,10 @@ The other program must have ended.</source>
     <message>
         <source>Halt: ends any motion, the motors keep their power</source>
         <translation>停住：结束任何运动，电机保持通电</translation>
+    </message>
+    <message>
+        <source>Slower: run or motion</source>
+        <translation>减速：运行或运动</translation>
     </message>
     <message>
         <source>To the next control; with Shift to the one before</source>
@@ -10433,6 +10496,17 @@ The other program must have ended.</source>
     </message>
 </context>
 <context>
+    <name>TargetDrag</name>
+    <message>
+        <source>Preview of the target: it has not been sent</source>
+        <translation>目标预览：尚未发送</translation>
+    </message>
+    <message>
+        <source>Simulated arm in drag teaching: lead it by the handles in the picture, as by hand</source>
+        <translation>仿真机械臂处于拖动示教：在画面中拖动手柄即可用鼠标牵引</translation>
+    </message>
+</context>
+<context>
     <name>Targets</name>
     <message>
         <source>Joint targets</source>
@@ -10797,6 +10871,29 @@ Afterwards the motors must be enabled again.</source>
     </message>
 </context>
 <context>
+    <name>UnsavedRecordingLine</name>
+    <message>
+        <source>Keep</source>
+        <translation>保留</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>丢弃</translation>
+    </message>
+    <message>
+        <source>Saves it in the library.</source>
+        <translation>保存到轨迹库。</translation>
+    </message>
+    <message>
+        <source>For 30 days it is under “Recently deleted…”.</source>
+        <translation>30 天内可在“最近删除…”中恢复。</translation>
+    </message>
+    <message>
+        <source>Unsaved recording of {time}: “{name}”, {count} samples.</source>
+        <translation>{time} 的录制尚未保存：“{name}”，{count} 个采样。</translation>
+    </message>
+</context>
+<context>
     <name>ViewBar</name>
     <message>
         <source>Front view</source>
@@ -10863,6 +10960,10 @@ Afterwards the motors must be enabled again.</source>
         <translation>显示工具中心点的坐标轴</translation>
     </message>
     <message>
+        <source>View from below</source>
+        <translation>仰视</translation>
+    </message>
+    <message>
         <source>Workspace</source>
         <translation>工作空间</translation>
     </message>
@@ -10883,10 +10984,6 @@ Afterwards the motors must be enabled again.</source>
         <translation>将画面连同数值复制到剪贴板</translation>
     </message>
     <message>
-        <source>Way of the tool</source>
-        <translation>末端轨迹</translation>
-    </message>
-    <message>
         <source>Last {seconds} s of motion</source>
         <translation>最近 {seconds} 秒的运动</translation>
     </message>
@@ -10905,6 +11002,10 @@ Afterwards the motors must be enabled again.</source>
     <message>
         <source>No handles</source>
         <translation>不显示手柄</translation>
+    </message>
+    <message>
+        <source>Looks at the arm from below the floor; turning the picture never goes there</source>
+        <translation>从地面以下看机械臂；拖动旋转不会转到地面以下</translation>
     </message>
     <message>
         <source>Tool, along the axes of the base</source>
@@ -10929,6 +11030,14 @@ Afterwards the motors must be enabled again.</source>
     <message>
         <source>Shows what the tool centre point can reach; orange bounds what it can&apos;t within</source>
         <translation>显示工具中心点能到达的空间；橙色是其中到不了的部分的边界</translation>
+    </message>
+    <message>
+        <source>Way of the tool centre point</source>
+        <translation>工具中心点走过的轨迹</translation>
+    </message>
+    <message>
+        <source>Way of the flange</source>
+        <translation>法兰走过的轨迹</translation>
     </message>
 </context>
 <context>

@@ -22,7 +22,7 @@ def recorded() -> list[Frame]:
     return [frame for _ in range(400) for frame in arm.step(0.005)]
 
 
-def take_in(codec: Codec, frames: list[Frame], tap: Any, begin_s: float) -> float:
+def take_in(codec: Codec, frames: list[Frame], listener: Any, begin_s: float) -> float:
     """As the bus thread does; the processor time of one frame in µs."""
     tracker, batch, at_s = Tracker(codec), [], begin_s
     began_s = time.thread_time()
@@ -30,21 +30,21 @@ def take_in(codec: Codec, frames: list[Frame], tap: Any, begin_s: float) -> floa
         at_s += 1 / FRAMES_PER_S
         heard = codec.decode(frame)
         tracker.update(heard, at_s)
-        if tap is not None:
+        if listener is not None:
             batch.append((heard, at_s, frame, 0))
             if len(batch) == BATCH:
-                tap.on_heard(batch)
-                tap.on_look(at_s)
+                listener.on_heard(batch)
+                listener.on_look(at_s)
                 batch = []
     return 1e6 * (time.thread_time() - began_s) / len(frames)
 
 
-def without_and_with(codec: Codec, tap: Any, after: Any = lambda: None) -> tuple[float, float]:
-    """The least processor time of a frame in µs in some rounds, without a tap and with it."""
+def without_and_with(codec: Codec, listener: Any, after: Any = lambda: None) -> tuple[float, float]:
+    """The least processor time of a frame in µs in some rounds, without a listener and with it."""
     frames = recorded()
     bare, watched = [], []
     for number in range(ROUNDS):
         bare.append(take_in(codec, frames, None, 10.0 * number))
-        watched.append(take_in(codec, frames, tap, 10.0 * number))
+        watched.append(take_in(codec, frames, listener, 10.0 * number))
         after()
     return min(bare), min(watched)

@@ -1,8 +1,9 @@
 """What the bus monitor costs: a frame on the bus thread and when it is counted, and a look.
 
 The frames of two seconds of a moving arm as the bus thread takes them in, decoded and folded into
-the picture of the arm, without and with the tap; beside it what counting them costs the window's
-thread. Then the window itself, shown: what it does ten times a second. It states, and fails nobody.
+the picture of the arm, without and with the listener; beside it what counting them costs the
+window's thread. Then the window itself, shown: what it does ten times a second. It states, and
+fails nobody.
 
     python -m pytest tests/benchmarks/test_bus_monitor_cost.py -s
 """

@@ -10,7 +10,7 @@ import statistics
 import time
 from datetime import UTC, datetime
 
-from armui.control.event_log.heard import StatusTap
+from armui.control.event_log.status_listener import StatusListener
 from armui.protocol.codec import Codec
 from armui.protocol.generation import Generation
 from armui.telemetry.events import Asker, EventKind, EventLog, Level
@@ -27,10 +27,10 @@ MOST_PIECE_MS = 10.0
 
 
 def test_a_frame(capsys, benchmark):
-    codec, tap = Codec(Generation.TWO), StatusTap()
-    tap.on_codec(codec)
-    tap.know_generation(Generation.TWO)
-    without, with_it = without_and_with(codec, tap, tap.take)
+    codec, listener = Codec(Generation.TWO), StatusListener()
+    listener.on_codec(codec)
+    listener.know_generation(Generation.TWO)
+    without, with_it = without_and_with(codec, listener, listener.take_changes)
     benchmark.extra_info.update(without_us=without, with_us=with_it)
     benchmark.pedantic(lambda: None, rounds=1)
     with capsys.disabled():
@@ -42,11 +42,11 @@ def test_a_frame(capsys, benchmark):
 
 def timed_ticks(rig, moving):
     """The processor time of a tick in µs, without and with the events, turn by turn."""
-    happenings = rig.controller.happenings
+    event_collector = rig.controller.event_collector
     spent: tuple[list[float], list[float]] = ([], [])
-    act, tick = happenings.advance, rig.controller.tick
+    act, tick = event_collector.advance, rig.controller.tick
     for number in range(TICKS):
-        happenings.advance = act if number % 2 else lambda: None
+        event_collector.advance = act if number % 2 else lambda: None
 
         def timed(into=spent[number % 2]):
             began_ns = time.thread_time_ns()
@@ -57,7 +57,7 @@ def timed_ticks(rig, moving):
         if moving and number % 100 == 0:
             rig.controller.motion.send_joints(ENDS_DEG[number // 100 % 2])
         rig.step()
-    rig.controller.tick, happenings.advance = tick, act
+    rig.controller.tick, event_collector.advance = tick, act
     return [statistics.median(each) for each in spent]
 
 

@@ -40,7 +40,7 @@ class Stamps:
         self._key_of_sequence = {}
         self._told_s, self._heard_s, self._updated_s = {}, {}, {}
         self._snapshots_s: deque[Any] = deque(maxlen=100)
-        tracker = program.controller._connection._worker._intake._tracker
+        tracker = program.controller._connection._worker._processor._tracker
         snapshot = tracker.snapshot
 
         def timed_snapshot():

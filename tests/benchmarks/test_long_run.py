@@ -34,12 +34,12 @@ NEVER_MS = 3_600_000
 
 
 class Worker(LockstepWorker):
-    """The bus thread's work without its thread, telling the taps as the thread does."""
+    """The bus thread's work without its thread, telling the listeners as the thread does."""
 
     def _open(self):
         opened = super()._open()
         if opened:
-            self._line.open(self._intake.codec, self._device.bitrate)
+            self._notifier.open(self._processor.codec, self._device.bitrate)
         return opened
 
 

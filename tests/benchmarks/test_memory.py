@@ -62,7 +62,7 @@ class FullBus(VirtualBus):
         return self.read >= minutes * 60 * FRAMES_A_SECOND
 
 
-class Taken(NamedTuple):
+class MemoryUse(NamedTuple):
     """Memory in MB.
 
     Attributes:
@@ -84,7 +84,7 @@ class Taken(NamedTuple):
 
 def taken_by(controller):
     """What this process takes now."""
-    return Taken(
+    return MemoryUse(
         rig.memory_mb("self"),
         shared_arrays_mb(),
         controller.telemetry.bytes_kept / 2**20,

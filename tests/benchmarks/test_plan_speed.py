@@ -18,7 +18,7 @@ from ruckig import Trajectory as JointPlan
 from armui.arm.reach import check_path, check_pose
 from armui.kinematics.poses import Pose, pose_to_matrix
 from armui.kinematics.tool_path import Line
-from armui.trajectory.planning.check import check
+from armui.trajectory.planning.check import CheckRequest, check
 from armui.trajectory.planning.timing import plan_path
 from armui.trajectory.points.program import Trajectory, Waypoint
 from armui.trajectory.samples.recording import Recording
@@ -105,11 +105,11 @@ def test_planning_move_j_against_ruckig(joints_only, capsys):
 
 def test_checking_a_mixed_trajectory(mixed, capsys):
     plan_s = best_s(lambda: plan_path(mixed, ARM, START))
-    check_s = best_s(lambda: check(mixed, ARM, START))
+    check_s = best_s(lambda: check(CheckRequest(mixed, ARM, START)))
     share = POINTS // 50
     single_s = best_s(lambda: one_by_one(mixed.points[:share])) * POINTS / share
 
-    report = check(mixed, ARM, START)
+    report = check(CheckRequest(mixed, ARM, START))
     assert len(report.path.expected_s) == POINTS
     with capsys.disabled():
         print(
@@ -125,8 +125,8 @@ def test_checking_a_recording_of_half_an_hour(capsys):
     samples = np.hstack((times_s[:, None], angles, np.full((SAMPLES, 1), math.nan)))
     recording = Recording("half an hour", samples=samples)
 
-    check_s = best_s(lambda: check(recording, ARM, START))
+    check_s = best_s(lambda: check(CheckRequest(recording, ARM, START)))
 
-    assert check(recording, ARM, START).path.duration_s > 1799.0
+    assert check(CheckRequest(recording, ARM, START)).path.duration_s > 1799.0
     with capsys.disabled():
         print(f"\nchecking {SAMPLES} samples: {check_s:.2f} s")

@@ -10,7 +10,7 @@ from __future__ import annotations
 import time
 
 from armui.arm.tracker import Tracker
-from armui.bus.tap import TapLine
+from armui.bus.notifier import Notifier
 from armui.protocol.codec import Codec
 from armui.protocol.generation import Generation
 from armui.session.recording.collector import MOST_BYTES, Collector, FrameRing
@@ -102,9 +102,9 @@ def test_recording_cost(capsys, benchmark, tmp_path):
     codec, frames = Codec(Generation.TWO), recorded()
     bare, tapped = [], []
     for number in range(ROUNDS):
-        bare.append(take_in(codec, frames, TapLine(), None, 10.0 * number))
+        bare.append(take_in(codec, frames, Notifier(), None, 10.0 * number))
         lane = FrameLane()
-        tapped.append(take_in(codec, frames, TapLine([lane]), lane, 10.0 * number))
+        tapped.append(take_in(codec, frames, Notifier([lane]), lane, 10.0 * number))
     without, with_it = min(bare), min(tapped)
     taken = [(None, number / FRAMES_PER_S, frame, 0) for number, frame in enumerate(frames)]
     kept, longest_ms = min(collected(taken) for _ in range(ROUNDS))

@@ -32,11 +32,11 @@ MOST_SHARE = 1 / 3
 @contextlib.contextmanager
 def nobody_told(controller):
     """Frames go into the picture of the arm, and nowhere else; nothing is an event."""
-    connection, happenings = controller._connection, controller.happenings
-    worker, taps = connection._worker, connection._taps
-    worker.tap(())
-    advance = happenings.advance
-    happenings.advance = lambda: None
+    connection, event_collector = controller._connection, controller.event_collector
+    worker, listeners = connection._worker, connection._listeners
+    worker.set_listeners(())
+    advance = event_collector.advance
+    event_collector.advance = lambda: None
     sessions = controller.sessions
     sessions._timer.stop()
     collector = sessions._collector
@@ -46,8 +46,8 @@ def nobody_told(controller):
     finally:
         collector.start()
         sessions._timer.start()
-        happenings.advance = advance
-        worker.tap((connection.telemetry, *taps))
+        event_collector.advance = advance
+        worker.set_listeners((connection.telemetry, *listeners))
 
 
 def spent_in(seconds, counted):

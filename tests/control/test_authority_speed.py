@@ -91,17 +91,41 @@ def test_another_speed_shown_is_compared_with_what_comes_after(arm, does):
     arm.turn(4, 2.0)
     assert arm.authority.overspeed is None
     does(arm)
-    arm.turn(4, 2.0)
+    arm.turn(15, 2.0)  # 0.3 s at 100 °/s: time to take it up, and to slow down by 286 °/s²
     assert arm.authority.overspeed is None
-    arm.turn(3, 2.0)
+    arm.turn(5, 2.0)
     assert arm.authority.overspeed is not None
 
 
-def test_zero_percent_is_no_other_speed(arm):
-    """What was moving is braking: it goes on to be compared with the speed it had."""
-    arm.send(HERE, percent=10)
-    arm.status = status(reached=False)
-    arm.turn(4, 2.0)
+def hold_by_zero(arm):
     arm.authority.told_percent(0)
-    arm.turn(2, 2.0)
-    assert arm.authority.overspeed is not None
+
+
+def hold_by_pause(arm):
+    arm.authority.paused()
+
+
+@pytest.mark.parametrize("hold", [hold_by_zero, hold_by_pause])
+def test_what_is_held_back_is_given_the_time_to_brake_and_no_more(arm, hold):
+    arm.send(HERE, percent=100)
+    arm.status = status(reached=False)
+    arm.turn(8, 2.0)
+    hold(arm)
+    arm.turn(15, 2.0)  # 0.3 s at 100 °/s: time to take it up, and to slow down by 286 °/s²
+    assert [arm.authority.overspeed] == [None]
+    arm.turn(15, 2.0)
+    (reason,) = [arm.authority.overspeed]
+    assert reason is not None
+    assert reason.params["maximum"] == 0.0
+
+
+@pytest.mark.parametrize("hold", [hold_by_zero, hold_by_pause])
+def test_a_hand_may_move_what_stands_held_back(arm, hold):
+    arm.send(HERE, percent=100)
+    arm.status = status(reached=False)
+    hold(arm)
+    arm.wait(0.5)
+    assert arm.authority.at_rest
+    arm.turn(15, 2.0)
+    assert arm.authority.overspeed is None
+    assert arm.authority.holds

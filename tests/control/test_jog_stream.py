@@ -35,14 +35,14 @@ class Arm:
 
     def pass_time(self, milliseconds):
         for _ in range(milliseconds):
-            self.motion.advance(0.001)
+            self.motion.step(0.001)
             self.seen = [*self.seen[1:], self.motion.positions_deg]
 
     def rest_ms(self):
         for count in range(300):
             if not self.motion.moving:
                 return count
-            self.motion.advance(0.001)
+            self.motion.step(0.001)
         raise AssertionError("it never rests")
 
 

@@ -11,7 +11,8 @@ from armui.control.motion.jog_pace import REST_S, pace
 from armui.control.motion.jog_path import JointJog, ToolJog
 from armui.control.operations.started import Started
 from armui.kinematics.arm_kinematics import Kinematics
-from armui.kinematics.poses import AXES, JogFrame, matrix_to_pose, shifted, tool_matrix
+from armui.kinematics.axes import AXES, JogFrame
+from armui.kinematics.poses import matrix_to_pose, shifted, tool_matrix
 from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
 from tests.control.jogger import (

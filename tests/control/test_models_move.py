@@ -8,7 +8,8 @@ import pytest
 from armui.arm.models import model_data
 from armui.control.motion.jog_path import ToolJog
 from armui.kinematics.arm_kinematics import Kinematics
-from armui.kinematics.poses import JogFrame, Pose, apart
+from armui.kinematics.axes import JogFrame
+from armui.kinematics.poses import Pose, apart
 from armui.protocol.codes import MoveMode
 from armui.trajectory.planning.collision import collisions
 from tests.family import MODELS, ranges

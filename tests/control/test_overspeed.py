@@ -20,6 +20,9 @@ LIMITS = JointLimits(-180.0, 180.0, 100.0)
 PERCENT = 20
 """20 % of 100 °/s is 20 °/s; half again and 2 °/s of slack make 32 °/s."""
 
+BRAKES = (32.0,) * 6
+"""°/s²: a joint at 100 °/s takes 3.1 s to rest, and is half a degree a second slower a reading."""
+
 
 class Motion:
     """Joints that turn at a speed, and the watch."""
@@ -30,6 +33,7 @@ class Motion:
         self.angles_deg = [0.0] * 6
         self.limits = (None if limits is None else Reading(limits, BEGIN_S),) * 6
         self.factory = FACTORY_LIMITS
+        self.brakes = BRAKES
         self.refusal: Refusal | None = None
 
     def state(self) -> ArmState:
@@ -40,7 +44,7 @@ class Motion:
     def turn(self, speed_deg_s: float, steps: int, joint: int = 1, percent: int | None = PERCENT):
         """Measure so many times, each 1/64 s after the last; what is said at the end."""
         for _ in range(steps):
-            self.refusal = self.watch.observe(self.state(), percent, self.factory)
+            self.refusal = self.watch.observe(self.state(), percent, self.factory, self.brakes)
             self.now_s += STEP_S
             self.angles_deg[joint - 1] += speed_deg_s * STEP_S
         return self.refusal
@@ -132,9 +136,63 @@ def test_nothing_is_compared_without_a_speed_shown(motion):
 
 def test_another_speed_shown_begins_anew(motion):
     motion.turn(100.0, 7)
-    motion.watch.restart()
+    motion.watch.change_speed()
     assert motion.turn(100.0, 7) is None
     assert motion.turn(100.0, 1) is not None
+
+
+def slow_down(motion, begin_deg_s, steps, percent=5):
+    """Turn at 100 %, then be told another speed and brake at 32 °/s²; what was said meanwhile."""
+    motion.turn(begin_deg_s, 9, percent=100)
+    motion.watch.change_speed()
+    speed_deg_s, said = begin_deg_s, []
+    for _ in range(steps):
+        said.append(motion.turn(speed_deg_s, 1, percent=percent))
+        speed_deg_s = max(speed_deg_s - 32.0 * STEP_S, 5.0)
+    return said
+
+
+def test_a_joint_that_brakes_gently_is_on_its_way_all_the_time(motion):
+    """In 0.05 s it gets 1.6 °/s slower, which is no more than 2 % of 100 °/s."""
+    assert not any(slow_down(motion, 100.0, 300))
+
+
+def test_a_joint_that_does_not_slow_down_is_named_within_half_a_second(motion):
+    """0.2 s until it is taken up, twice that and 0.05 s until it must be slower than it was."""
+    motion.turn(100.0, 9, percent=100)
+    motion.watch.change_speed()
+    said = [motion.turn(100.0, 1, percent=5) for _ in range(36)]
+    assert not any(said[:28])  # 0.44 s
+    assert said[-1].params == {"joint": 1, "value": 100.0, "maximum": 5.0}  # 0.55 s
+
+
+def test_one_that_goes_on_from_a_speed_on_its_way_down_is_named(motion):
+    assert not any(slow_down(motion, 100.0, 100))
+    assert motion.turn(52.0, 60, percent=5) is not None
+
+
+def test_slower_still_is_allowed_from_where_it_is_by_then(motion):
+    assert not any(slow_down(motion, 100.0, 60, percent=50))
+    motion.watch.change_speed()
+    speed_deg_s, said = 70.0, []
+    for _ in range(200):
+        said.append(motion.turn(speed_deg_s, 1, percent=5))
+        speed_deg_s = max(speed_deg_s - 32.0 * STEP_S, 5.0)
+    assert not any(said)
+
+
+def test_no_more_is_allowed_than_was_before_the_speed_was_lowered(motion):
+    """What was too fast already is so still: at 20 % that is 32 °/s."""
+    motion.turn(40.0, 7)
+    motion.watch.change_speed()
+    assert motion.turn(40.0, 8, percent=5) is not None
+
+
+def test_what_was_measured_of_an_earlier_motion_allows_the_next_nothing(motion):
+    motion.turn(100.0, 9, percent=100)
+    motion.watch.change_speed()
+    motion.turn(0.0, 1, percent=None)
+    assert motion.turn(40.0, 9, percent=5) is not None
 
 
 @pytest.mark.parametrize("index", [0, 5])
@@ -142,16 +200,19 @@ def test_angles_that_are_not_all_known_are_none(motion, index):
     motion.turn(100.0, 7)
     state = motion.state()
     some = (*state.joints_deg[:index], None, *state.joints_deg[index + 1 :])
-    assert motion.watch.observe(state._replace(joints_deg=some), PERCENT, FACTORY_LIMITS) is None
-    assert motion.watch.observe(state, PERCENT, FACTORY_LIMITS) is None
+    assert (
+        motion.watch.observe(state._replace(joints_deg=some), PERCENT, FACTORY_LIMITS, BRAKES)
+        is None
+    )
+    assert motion.watch.observe(state, PERCENT, FACTORY_LIMITS, BRAKES) is None
     assert motion.turn(100.0, 7) is None
 
 
 def test_the_same_angles_seen_again_are_measured_once(motion):
     motion.turn(50.0, 7)
     state = motion.state()
-    first = motion.watch.observe(state, PERCENT, FACTORY_LIMITS)
-    again = [motion.watch.observe(state, PERCENT, FACTORY_LIMITS) for _ in range(20)]
+    first = motion.watch.observe(state, PERCENT, FACTORY_LIMITS, BRAKES)
+    again = [motion.watch.observe(state, PERCENT, FACTORY_LIMITS, BRAKES) for _ in range(20)]
     assert first is not None
     assert again == [first] * 20
 
@@ -163,7 +224,9 @@ def test_a_measurement_is_complete_with_its_last_frame(motion):
     last = Reading(0.0, float(str(newer - STEP_S)))
     early = (Reading(motion.angles_deg[0] + 2.0, newer), *(Reading(0.0, newer),) * 3, last, last)
     state = motion.state()._replace(joints_deg=early)
-    assert [motion.watch.observe(state, PERCENT, FACTORY_LIMITS) for _ in range(3)] == [None] * 3
+    assert [motion.watch.observe(state, PERCENT, FACTORY_LIMITS, BRAKES) for _ in range(3)] == [
+        None
+    ] * 3
 
 
 def test_a_long_gap_between_two_measurements_is_judged_by_what_lies_between(motion):

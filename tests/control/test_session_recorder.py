@@ -15,9 +15,9 @@ import pytest
 from can.interfaces.virtual import VirtualBus
 
 from armui.arm.refusal_codes import RefusalCode
-from armui.control.sessions import mf4_making
+from armui.control.sessions import mf4_converter
 from armui.control.sessions.choices import SessionChoices
-from armui.control.sessions.mf4_making import Mf4Making
+from armui.control.sessions.mf4_converter import Mf4Converter
 from armui.protocol.frame import Frame, FrameFlag
 from armui.session.recording import mf4, writer
 from armui.session.recording.folder import RecordingEntry, list_recordings, rename
@@ -279,7 +279,7 @@ def as_mf4(sessions, monkeypatch):
     """The operator has chosen MF4; the package for it is a stand-in, in a thread."""
     monkeypatch.setattr(mf4, "can_write", lambda: True)
     monkeypatch.setattr("can.MF4Writer", Mf4InMemory)
-    sessions.mf4 = Mf4Making(lambda: ThreadPoolExecutor(1))
+    sessions.mf4 = Mf4Converter(lambda: ThreadPoolExecutor(1))
     sessions.choose(replace(sessions.choices, as_mf4=True))
     return sessions
 
@@ -347,8 +347,8 @@ def test_an_mf4_file_that_cannot_be_made_is_told(rig, as_mf4, wait_for, monkeypa
 
 
 def test_making_an_mf4_file_is_called_off_and_nothing_is_left(rig, as_mf4, wait_for, monkeypatch):
-    monkeypatch.setattr(mf4_making, "_make", slow_mf4.make)
-    as_mf4.mf4 = Mf4Making()
+    monkeypatch.setattr(mf4_converter, "_make", slow_mf4.make)
+    as_mf4.mf4 = Mf4Converter()
     rig.connect()
     record(rig, as_mf4, wait_for)
     wait_for(lambda: as_mf4.mf4.share == 0.5)
@@ -365,8 +365,8 @@ def test_making_an_mf4_file_is_called_off_and_nothing_is_left(rig, as_mf4, wait_
 
 
 def test_an_mf4_file_in_the_making_ends_with_the_program(rig, as_mf4, wait_for, monkeypatch):
-    monkeypatch.setattr(mf4_making, "_make", slow_mf4.make)
-    as_mf4.mf4 = Mf4Making()
+    monkeypatch.setattr(mf4_converter, "_make", slow_mf4.make)
+    as_mf4.mf4 = Mf4Converter()
     rig.connect()
     record(rig, as_mf4, wait_for)
     wait_for(lambda: as_mf4.mf4.share == 0.5)

@@ -7,12 +7,20 @@ from typing import Any
 import pytest
 
 from armui.arm.parameters import Parameter
+from armui.arm.refusal import Refusal
 from armui.control.motion.jog_path import JointJog
 from armui.control.operations.started import Ending, Started
 from armui.control.run.progress import RunPhase
 from armui.control.run.replay import Replay
-from armui.kinematics.poses import JogFrame
-from armui.protocol.codes import EndLoad, Mounting, MoveMode, TeachingState, TrajectoryCommand
+from armui.kinematics.axes import JogFrame
+from armui.protocol.codes import (
+    EndLoad,
+    LinkageRole,
+    Mounting,
+    MoveMode,
+    TeachingState,
+    TrajectoryCommand,
+)
 from tests.control.jogger import bend
 from tests.control.test_replayer import wave
 from tests.control.under_way import BACK, OUT, POSE, replay_paused, run_of, run_paused, to
@@ -53,47 +61,39 @@ BEFORE: dict[str, Any] = {
 }
 """What is under way, so that the operation may begin."""
 
+NONE: tuple[()] = ()
 BEGIN: dict[str, tuple[Any, Ending]] = {
-    "lamps.set": (lambda c, _rig: c.lights.set_light(1, 2, 3, 4, 5), SENT),
-    "joints.set_zero": (lambda c, _rig: c.zeroing.set_zero(1), DONE),
-    "joints.clear_error": (lambda c, _rig: c.joint_errors.clear(2), ANSWERED),
-    "gripper.move": (lambda c, _rig: c.gripper.move(10.0, 1.0), DONE),
-    "gripper.enable": (lambda c, _rig: c.gripper.enable(1.0), DONE),
-    "gripper.disable": (lambda c, _rig: c.gripper.disable(), DONE),
-    "gripper.clear_error": (lambda c, _rig: c.gripper.clear_error(), DONE),
-    "gripper.set_zero": (lambda c, _rig: c.gripper.set_zero(), DONE),
-    "motors.enable": (lambda c, _rig: c.motors.enable(), DONE),
-    "motors.disable": (lambda c, _rig: c.motors.disable(), DONE),
-    "motors.resume": (lambda c, _rig: c.motors.resume(), DONE),
-    "motion.set_speed": (lambda c, _rig: c.motion.set_speed_percent(40), SENT),
-    "motion.step": (lambda c, _rig: c.motion.jog(1, 5.0), DONE),
-    "motion.send": (lambda c, _rig: c.motion.send_joints(BACK), DONE),
-    "motion.home": (lambda c, _rig: c.motion.go_home(), DONE),
-    "tool.move": (lambda c, _rig: c.cartesian.move(POSE, MoveMode.MOVE_P), DONE),
-    "tool.step": (lambda c, _rig: c.cartesian.step(0, 5.0, JogFrame.BASE), DONE),
-    "tool.arc": (lambda c, rig: c.cartesian.move_arc(*arc(rig)), DONE),
-    "jog.begin": (lambda c, _rig: c.jogging.start(JointJog(1, 1)), DONE),
-    "planned.command": (lambda c, _rig: c.planned_motion.command(TrajectoryCommand.PAUSE), SENT),
-    "run.start": (lambda c, _rig: c.player.start(run_of(to(OUT), to(BACK))), DONE),
-    "run.pause": (lambda c, _rig: c.player.pause(), SENT),
-    "run.go_on": (lambda c, _rig: c.player.go_on(), SENT),
-    "replay.start": (lambda c, _rig: c.replayer.start(Replay(wave())), DONE),
-    "replay.pause": (lambda c, _rig: c.replayer.pause(), SENT),
-    "replay.go_on": (lambda c, _rig: c.replayer.go_on(), SENT),
-    "recorder.start": (lambda c, _rig: c.recorder.start(), DONE),
-    "teaching.command": (lambda c, _rig: c.teaching.command(TeachingState.START_RECORDING), DONE),
-    "mounting.tell": (lambda c, _rig: c.mounting.tell(Mounting.LEVEL), SENT),
-    "end_load.set": (lambda c, _rig: c.end_reports.set_load(EndLoad.FULL), ANSWERED),
-    "end_load.report": (lambda c, _rig: c.end_reports.switch(on=True), DONE),
-    "linkage.set": (lambda c, _rig: c.linkage.release(), ANSWERED),
-    "settings.save": (
-        lambda c, _rig: c.settings.save({Parameter("max_angle_deg", 2): 100.0}),
-        DONE,
-    ),
-    "settings.reset_end_limits": (lambda c, _rig: c.settings.reset_end_limits(), ANSWERED),
-    "settings.reset_joint_limits": (lambda c, _rig: c.settings.reset_joint_limits(), ANSWERED),
+    "lamps.set": ((1, 2, 3, 4, 5), SENT),
+    "joints.set_zero": ((1,), DONE),
+    "joints.clear_error": ((2,), ANSWERED),
+    "gripper.move": ((10.0, 1.0), DONE),
+    "gripper.enable": ((1.0,), DONE),
+    **dict.fromkeys(("gripper.disable", "gripper.clear_error", "gripper.set_zero"), (NONE, DONE)),
+    **dict.fromkeys(("motors.enable", "motors.disable", "motors.resume"), (NONE, DONE)),
+    "motion.set_speed": ((40,), SENT),
+    "motion.step": ((1, 5.0), DONE),
+    "motion.send": ((BACK,), DONE),
+    "motion.home": (NONE, DONE),
+    "tool.move": ((POSE, MoveMode.MOVE_P), DONE),
+    "tool.step": ((0, 5.0, JogFrame.BASE), DONE),
+    "tool.arc": (arc, DONE),
+    "jog.begin": ((JointJog(1, 1),), DONE),
+    "planned.command": ((TrajectoryCommand.PAUSE,), SENT),
+    "run.start": (lambda _rig: (run_of(to(OUT), to(BACK)),), DONE),
+    **dict.fromkeys(("run.pause", "run.go_on", "replay.pause", "replay.go_on"), (NONE, SENT)),
+    "run.override": ((50,), SENT),
+    "replay.start": (lambda _rig: (Replay(wave()),), DONE),
+    "recorder.start": (NONE, DONE),
+    "teaching.command": ((TeachingState.START_RECORDING,), DONE),
+    "mounting.tell": ((Mounting.LEVEL,), SENT),
+    "end_load.set": ((EndLoad.FULL,), ANSWERED),
+    "end_load.report": ({"on": True}, DONE),
+    "linkage.set": ((LinkageRole.MOTION_OUTPUT,), ANSWERED),
+    "settings.save": (({Parameter("max_angle_deg", 2): 100.0},), DONE),
+    "settings.reset_end_limits": (NONE, ANSWERED),
+    "settings.reset_joint_limits": (NONE, ANSWERED),
 }
-"""How each begins, and how it ends where nothing comes in between."""
+"""The arguments each begins with, and how it ends where nothing comes in between."""
 
 GOES_ON = {"jog.begin", "recorder.start"}
 """What goes on until the operator ends it."""
@@ -110,9 +110,20 @@ def begun(rig, name) -> Started:
     bend(rig)
     BEFORE.get(name, lambda _rig: None)(rig)
     since = len(rig.events)
-    assert BEGIN[name][0](rig.controller, rig) is None
-    (started,) = [each.started for each in rig.events[since:] if each.started is not None]
+    started = begin(rig, name)
+    assert [each.started for each in rig.events[since:] if each.started is not None] == [started]
     assert started.operation == name
+    return started
+
+
+def begin(rig, name) -> Started:
+    """The record that whoever begins it by its id is handed."""
+    arguments = BEGIN[name][0]
+    if callable(arguments):
+        arguments = arguments(rig)
+    named = arguments if isinstance(arguments, dict) else {}
+    started = rig.controller.begin(name, *(() if named else arguments), **named)
+    assert isinstance(started, Started)
     return started
 
 
@@ -174,9 +185,7 @@ def test_an_arm_that_obeys_no_more_leaves_nothing_open(rig, name):
     bend(rig)
     BEFORE.get(name, lambda _rig: None)(rig)
     deafen(rig)
-    since = len(rig.events)
-    assert BEGIN[name][0](rig.controller, rig) is None
-    started = next(each.started for each in rig.events[since:] if each.started is not None)
+    started = begin(rig, name)
     let_go(rig, name)
     rig.run_until(lambda: started.ending is not None)
     assert started.ending in {FAILED, CUT_OFF, REFUSED} or name in SHOWN
@@ -185,6 +194,12 @@ def test_an_arm_that_obeys_no_more_leaves_nothing_open(rig, name):
 def deafen(rig):
     """Nothing that is sent reaches the arm; what it says is heard."""
     rig.firmware.on_frame = lambda _frame: []
+
+
+def test_what_is_refused_has_no_record(rig):
+    assert isinstance(rig.controller.begin("motion.home"), Refusal)
+    with pytest.raises(KeyError):
+        rig.controller.begin("motion.fly")
 
 
 def test_a_record_is_closed_once():

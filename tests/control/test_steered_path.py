@@ -15,14 +15,8 @@ from armui.control.motion.jog_stream import JogStream
 from armui.control.motion.jogging import axes_text
 from armui.control.motion.steered_path import SteeredJog, SteeredToolPath
 from armui.kinematics.arm_kinematics import Kinematics
-from armui.kinematics.poses import (
-    JogFrame,
-    matrix_to_pose,
-    moved,
-    pose_to_matrix,
-    rotation,
-    shifted,
-)
+from armui.kinematics.axes import JogFrame
+from armui.kinematics.poses import matrix_to_pose, moved, pose_to_matrix, rotation, shifted
 from tests.control.jogger import BENT_DEG, TICK_S, bend, hold, rest_s
 from tests.family import FACTORY_ACCELERATION_DEG_S2, FACTORY_LIMITS, PIPER
 

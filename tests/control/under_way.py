@@ -9,7 +9,7 @@ from armui.arm.refusal import Refusal
 from armui.control.motion.jog_path import JointJog, ToolJog
 from armui.control.run.progress import Run, RunPhase
 from armui.control.run.replay import Replay
-from armui.kinematics.poses import JogFrame
+from armui.kinematics.axes import JogFrame
 from armui.protocol.codes import (
     EndLoad,
     LinkageRole,

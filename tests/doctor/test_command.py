@@ -17,7 +17,7 @@ import pytest
 
 from armui.cli import main
 from armui.doctor import add_arguments, run
-from armui.doctor.command import Probes
+from armui.doctor.doctor_command import Probes
 from armui.doctor.facts import CanFacts, DeviceFacts, LinkFacts, ProgramFacts, ScreenFacts
 from armui.protocol.codes import LinkageRole
 from armui.protocol.generation import Generation

@@ -17,7 +17,7 @@ _BEGIN = dt.datetime(2026, 1, 15, 9, 30, 12, 480_000, tzinfo=dt.timezone(dt.time
 def live(app_driver: AppDriver) -> None:
     """Connect, move, a driver that cuts out, recovery, a stop that is undone by hand."""
     controller = app_driver.controller
-    controller._wall = controller.happenings._writer._wall = lambda at_s: (
+    controller._wall = controller.event_collector._writer._wall = lambda at_s: (
         _BEGIN + dt.timedelta(seconds=at_s - 1000.0)
     )
     app_driver.ready()

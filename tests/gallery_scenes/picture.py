@@ -59,6 +59,9 @@ def findings(app_driver: AppDriver) -> None:
 
 def trail(app_driver: AppDriver) -> None:
     """A run: the point under way is lit, and the tool's way stands beside the planned one."""
+    app_driver.store.change(picture_trail_s=60)
+    view = app_driver.program.view
+    app_driver.wait(lambda: view.shape is not None)  # before that nobody knows where the tool is
     app_driver.connect()
     app_driver.click("menu_motion")
     app_driver.enable_by_hand()
@@ -78,6 +81,31 @@ def dragging(app_driver: AppDriver) -> None:
     for joint, angle_deg in enumerate((10.0, 80.0, -80.0, 10.0, 50.0, -30.0), start=1):
         app_driver.type_into(f"target_field_{joint}", f"{angle_deg}")
     bar.choose_handles(HandleKind.TOOL)
+
+
+def typed(app_driver: AppDriver) -> None:
+    """A target is typed and not sent: its ghost, and two needles in the range of joint 1."""
+    arm.reached_out(app_driver)
+    for joint, angle_deg in enumerate((40.0, 80.0, -80.0, 10.0, 50.0, -30.0), start=1):
+        app_driver.type_into(f"target_field_{joint}", f"{angle_deg}")
+    window = app_driver.window
+    window.activateWindow()
+    app_driver.wait(window.isActiveWindow)
+    app_driver.find("target_field_1").setFocus()
+
+
+def typed_out_of_reach(app_driver: AppDriver) -> None:
+    """A pose is typed that the arm cannot reach."""
+    arm.reached_out(app_driver)
+    app_driver.click("menu_cartesian")
+    app_driver.run(0.2)
+    app_driver.type_into("pose_field_X", "900")
+
+
+def below(app_driver: AppDriver) -> None:
+    """From below the floor."""
+    arm.reached_out(app_driver)
+    app_driver.program.view.look_from(ViewDirection.BELOW)
 
 
 def dragging_joints(app_driver: AppDriver) -> None:

@@ -152,6 +152,7 @@ class _WindowPictures:
         self._driver.store.change(theme=theme)
         view, longest = self._driver.program.view, QDeadlineTimer(_LONGEST_MS)
         _let_work()
+        self._driver.window._picture.look()  # the ghost of a target, not when its timer says so
         if view.mode is ViewMode.FIT:
             view.fit()  # not as where the arm was seen on its way has it
         # a computer that can't draw shows why

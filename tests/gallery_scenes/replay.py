@@ -115,9 +115,9 @@ def _own_recording(app_driver: AppDriver) -> Path:
     if "session_ended" in app_driver.codes():
         return made
     zero_s = time.time() - app_driver.time_s
-    controller._wall = controller.happenings._writer._wall = lambda at_s: datetime.fromtimestamp(
-        zero_s + at_s
-    ).astimezone()
+    controller._wall = controller.event_collector._writer._wall = lambda at_s: (
+        datetime.fromtimestamp(zero_s + at_s).astimezone()
+    )
     folder = Path(tempfile.mkdtemp(prefix="armui-gallery-"))
     app_driver.store.change(session_folder=str(folder))
     assert sessions.start("cell 3") is None

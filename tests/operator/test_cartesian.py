@@ -9,7 +9,8 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 
 from armui.kinematics.arm_kinematics import Kinematics
-from armui.kinematics.poses import AXES, Pose, pose_to_matrix, tool_pose
+from armui.kinematics.axes import AXES
+from armui.kinematics.poses import Pose, pose_to_matrix, tool_pose
 from armui.protocol.frame import Frame
 from tests.control.jogger import BENT_DEG, bend, hold, rest_s
 from tests.family import PIPER

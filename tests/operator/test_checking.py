@@ -144,7 +144,7 @@ def test_an_arm_that_was_moved_meanwhile_is_checked_anew(operator):
 
 
 def test_after_a_long_check_the_operator_is_asked(operator, monkeypatch):
-    monkeypatch.setattr("armui.ui.trajectory.running.run_bar._SURPRISING_S", -1.0)
+    monkeypatch.setattr("armui.ui.trajectory.running.run_request._SURPRISING_S", -1.0)
     operator.click("run_send")
     operator.workers.work()
     assert not operator.running

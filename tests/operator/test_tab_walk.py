@@ -19,8 +19,8 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from armui.ui.actions.places import PANELS
 from armui.ui.actions.window_actions import WindowActions
+from tests.app_driver import PANELS
 
 pytestmark = pytest.mark.styled
 

@@ -9,10 +9,10 @@ import numpy as np
 import pytest
 
 from armui.protocol.codec import Codec, InvalidFrame
-from armui.protocol.columns import bit_mask, payload_words, signal_column
 from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
 from armui.protocol.layout import load_database
+from armui.protocol.signal_columns import bit_mask, payload_words, signal_column
 
 MESSAGES = [
     (generation, message.frame_id)

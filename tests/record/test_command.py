@@ -17,8 +17,8 @@ from can.interfaces.virtual import VirtualBus
 
 from armui import record
 from armui.protocol.frame import FrameFlag
-from armui.record.command import EXIT_CANNOT_BEGIN, EXIT_CUT_SHORT, EXIT_OK
 from armui.record.listening import BusListener
+from armui.record.record_command import EXIT_CANNOT_BEGIN, EXIT_CUT_SHORT, EXIT_OK
 from armui.session.recording import mf4
 from armui.session.recording.folder import list_recordings
 from armui.session.recording.recorded_session import RecordedSession

@@ -158,11 +158,11 @@ def test_the_library(live_driver, monkeypatch, tmp_path):
         app_driver.wait(
             lambda: (
                 driver.rows()[driver.names().index("one")][4] != "–"
-                and not window._run_bar._checking
+                and not window._run_bar.is_checking
             )
         )
-        window._run_bar._on_send()
-        app_driver.wait(lambda: not window._run_bar._checking)
+        window._run_bar.send()
+        app_driver.wait(lambda: not window._run_bar.is_checking)
         idle(app_driver)
     assert (tmp_path / "two.csv").exists()
     assert forbidden(seen) == []
@@ -182,7 +182,7 @@ def test_the_editor(live_driver, monkeypatch):
         editor._drafts._write_behind()
         idle(app_driver)
         editor._run_bar.check()
-        app_driver.wait(lambda: not editor._run_bar._checking)
+        app_driver.wait(lambda: not editor._run_bar.is_checking)
         editor.save()
         app_driver.wait(lambda: editor.document.saved)
         editor.document.set_note("mine", "note")
@@ -242,7 +242,7 @@ def test_the_events(live_driver, monkeypatch, tmp_path):
     app_driver = live_driver
     app_driver.ready()
     keeper = EventKeeper(
-        app_driver.controller.happenings, tmp_path / "logs", app_driver.program._files
+        app_driver.controller.event_collector, tmp_path / "logs", app_driver.program._files
     )
     with watched(monkeypatch) as seen:
         app_driver.click("events_button")

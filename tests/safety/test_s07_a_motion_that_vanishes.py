@@ -7,7 +7,7 @@ import pytest
 
 from armui.control.events import EventCode
 from armui.control.motion.jog_path import JointJog
-from armui.kinematics.poses import JogFrame
+from armui.kinematics.axes import JogFrame
 from armui.protocol.codes import LinkageRole, MoveMode
 from armui.protocol.frame import Frame
 from armui.sim.parameters.settings import LinkageSettings

@@ -2,7 +2,7 @@
 
 import pytest
 
-from armui.kinematics.poses import JogFrame
+from armui.kinematics.axes import JogFrame
 from armui.protocol.codes import TrajectoryCommand
 
 A = (50.0, 30.0, -30.0, 0.0, 0.0, 0.0)

@@ -17,9 +17,9 @@ from armui.protocol.generation import Generation, PiperModel
 from armui.sim.firmware import Firmware
 from armui.sim.node import Node
 from armui.trajectory.library.run_options import RunOptions
-from armui.trajectory.planning.check import CheckRequest, preflight
+from armui.trajectory.planning.check import CheckRequest, check
 from armui.trajectory.points.program import Trajectory
-from armui.ui.trajectory.running.preflight import CheckBasis, Preflight
+from armui.ui.trajectory.running.run_request import CheckBasis, Preflight
 from armui.viewport.process.urdf_file import load_robot
 from tests.arm_rig import ArmRig
 from tests.control.under_way import OUT, to
@@ -65,7 +65,7 @@ def test_a_check_made_for_the_other_zeros_is_outdated(rig):
     rig.run(1.0)
     arm = arm_model(rig.controller)
     request = CheckRequest(Trajectory("t", points=(to(OUT),)), arm, start_deg(rig.controller))
-    outcome = preflight(request)
+    outcome = check(request)
     basis = CheckBasis.of(rig.controller, RunOptions())
     assert Preflight(request, outcome, basis).why_outdated(rig.controller, basis.options) is None
     todays = replace(arm, kinematics=Kinematics(model_data().geometry))

@@ -3,7 +3,7 @@
 import pytest
 
 from armui.control.motion.jog_path import JointJog
-from armui.kinematics.poses import JogFrame
+from armui.kinematics.axes import JogFrame
 from armui.protocol.codes import MoveMode
 from tests.safety.talk import MOTION_IDS
 

@@ -10,7 +10,7 @@ import pytest
 from armui.arm.models import model_data
 from armui.arm.refusal_codes import RefusalCode
 from armui.control.motion.jog_path import ToolJog
-from armui.kinematics.poses import JogFrame
+from armui.kinematics.axes import JogFrame
 from armui.protocol.codes import MoveMode
 from armui.protocol.generation import PiperModel
 from tests.control.under_way import OUT, run_of, to

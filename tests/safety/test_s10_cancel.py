@@ -3,7 +3,7 @@
 import pytest
 
 from armui.control.safety.recovery_steps import Action, StepKind
-from armui.kinematics.poses import JogFrame
+from armui.kinematics.axes import JogFrame
 from armui.protocol.codes import TrajectoryCommand
 
 FAR = (120.0, 60.0, -60.0, 0.0, 0.0, 0.0)

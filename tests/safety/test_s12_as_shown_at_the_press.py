@@ -1,12 +1,14 @@
 """S12, S14, S16: what is driven is what the widgets show at the press, and what was checked so."""
 
 import math
+from typing import Any
 
 import pytest
 
 from armui.control.run.progress import RunPhase
 from armui.protocol.codes import EndLoad
 from armui.protocol.generation import PiperModel
+from armui.ui.trajectory.running.run_request import RequestState
 from tests.operator.test_running import BACK, OUT, UP, Operator, to
 
 FAR = (90.0, 60.0, -60.0, 0.0, 20.0, 0.0)
@@ -179,3 +181,40 @@ def test_another_arm_or_tool_than_was_checked_is_not_run(warned, change):
     assert math.dist(warned.app_driver.firmware.joints_deg, (0.0,) * 6) < 0.5
     heard = {each.arbitration_id for each in warned.app_driver.node.heard}
     assert not {0x155, 0x156, 0x157} & heard
+
+
+# What is about to begin -----------------------------------------------------------------------
+
+
+def test_a_stop_withdraws_the_question_too(warned):
+    """Whoever stops the arm does not mean to be asked whether it shall set out."""
+    driver, request = warned.app_driver, warned.window._run_bar._request
+    driver.press(driver.find("stop_button"))
+    driver.run(0.5)
+    assert request.state is RequestState.GIVEN_UP
+    assert not warned.warned
+    assert warned.child("findings_list").isVisible()
+    warned.child("accept_warnings").click()
+    assert not warned.running
+
+
+def test_another_press_takes_the_place_of_the_question(warned):
+    first = warned.window._run_bar._request
+    warned.choose(speed=50)
+    warned.click("run_send")
+    first.accept()
+    assert not warned.running
+    assert accepted(warned) == 1
+
+
+def test_an_arm_that_comes_while_a_slow_disk_reads_is_not_the_one_pressed_for(warned):
+    bar = warned.window._run_bar
+    reading: list[Any] = []
+    bar._content = reading.append
+    warned.click("run_send")
+    assert not warned.child("run_send").isEnabled()
+    warned.app_driver.controller._connection._arms += 1
+    reading[0](warned.window.document.trajectory())
+    assert not warned.running
+    assert not warned.warned
+    assert "another arm answers" in warned.text("editor_message")

@@ -14,7 +14,7 @@ from armui.protocol import commands
 from armui.protocol.codes import ControlMode, MoveMode
 from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation, PiperModel
-from armui.trajectory.planning.check import CheckRequest, preflight
+from armui.trajectory.planning.check import CheckRequest, check
 from armui.trajectory.planning.findings import Severity
 from armui.trajectory.points.program import Waypoint
 from tests.family import MODELS
@@ -95,6 +95,51 @@ def test_a_motion_at_its_own_speed_is_left_alone(ready):
         rig.run(1.2)  # the next motion replaces one under way
 
     assert "motion_too_fast" not in rig.codes()
+
+
+@pytest.fixture
+def gentle(any_rig):
+    """J1, of 30 °/s², is on its way at 30 % of its highest speed: 52 °/s, since 0.1 s."""
+    any_rig.firmware.settings.accelerations_deg_s2[0] = 30.0
+    any_rig.ready()
+    any_rig.controller.motion.set_speed_percent(30)
+    assert any_rig.controller.motion.send_joints(FAR) is None
+    any_rig.run(1.85)
+    assert 51.0 < any_rig.firmware.mechanics.speeds_deg_s[0] < 53.0
+    return any_rig
+
+
+@pytest.mark.parametrize("percents", [(5,), (10,), (15, 5)])
+def test_a_joint_of_low_acceleration_is_given_the_time_to_slow_down(gentle, percents):
+    """From 52 °/s it takes 1.4 s to 5 % of its highest speed, 8.6 °/s."""
+    rig = gentle
+    for percent in percents:
+        rig.controller.motion.set_speed_percent(percent)
+        rig.run(0.5)
+    assert rig.firmware.mechanics.speeds_deg_s[0] > 1.5 * 0.05 * 172.0
+    rig.run(2.0)
+
+    assert "motion_too_fast" not in rig.codes()
+    assert 0.0 < rig.firmware.mechanics.speeds_deg_s[0] < percents[-1] / 100.0 * 172.0
+
+
+def test_a_motion_that_takes_the_place_of_a_faster_one_is_given_it_too(gentle):
+    rig = gentle
+    rig.controller.motion.speed_percent = 5
+    assert rig.controller.motion.send_joints(FAR) is None
+    rig.run(2.5)
+
+    assert "motion_too_fast" not in rig.codes()
+    assert 0.0 < rig.firmware.mechanics.speeds_deg_s[0] < 0.05 * 172.0
+
+
+def test_a_joint_of_low_acceleration_that_is_not_slowed_down_is_ended(gentle):
+    rig = gentle
+    rig.node.link.lose_to_arm(0x151, 9)
+    rig.controller.motion.set_speed_percent(5)
+    rig.run(1.0)
+
+    assert "motion_too_fast" in rig.codes()
 
 
 def test_after_a_jog_the_operators_speed_is_back_in_the_arm(ready):
@@ -232,7 +277,7 @@ def test_a_way_at_its_own_speed_is_left_alone(seed):
     request = CheckRequest(
         way.content, driver.arm_model(), way.start_deg, way.speed_factor, way.first, 1
     )
-    checked = preflight(request)
+    checked = check(request)
     assert not [each for each in checked.findings if each.severity is Severity.ERROR]
     assert driver.run(replace(way, cycles=1), checked).reason is None
 

@@ -52,11 +52,11 @@ def test_frames_of_a_backlog_are_not_dated_now(qapp, clock):
     clock[0] += 3.0
     bus.frames = [ANGLES] * 3
     worker._receive_burst(bus)
-    worker._intake.show()
+    worker._processor.publish()
     assert worker.state.last_feedback_s == 1000.0
     bus.frames = [ANGLES]
     worker._receive_burst(bus)
-    worker._intake.show()
+    worker._processor.publish()
     assert worker.state.last_feedback_s == 1003.0
     bus.shutdown()
     assert worker.state.silences == 1

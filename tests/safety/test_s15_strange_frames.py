@@ -13,8 +13,8 @@ import pytest
 
 from armui.arm.limits import JOINTS
 from armui.arm.tracker import Tracker
-from armui.bus.intake import Intake
-from armui.control.event_log.heard import StatusTap
+from armui.bus.frame_processor import FrameProcessor
+from armui.control.event_log.status_listener import StatusListener
 from armui.control.operating_state import LinkState
 from armui.protocol.codec import Codec, InvalidFrame
 from armui.protocol.firmware_version import FirmwareVersion
@@ -66,25 +66,25 @@ def every_byte_of(codec: Codec) -> Iterator[Frame]:
 
 
 class Ear:
-    """An intake with everybody who listens in the program."""
+    """A frame processor with everybody who listens in the program."""
 
     def __init__(self, codec: Codec) -> None:
         self.now_s = 1000.0
         clock = lambda: self.now_s  # noqa: E731
-        self.taps = (Telemetry(clock), BusStatistics(clock), StatusTap())
-        for tap in self.taps:
-            tap.know_generation(codec.generation)
-        self.intake = Intake(codec, self.taps, lambda answer: None)
-        self.intake.line.open(codec, 1_000_000)
-        self.intake.samples.wanted = True
+        self.listeners = (Telemetry(clock), BusStatistics(clock), StatusListener())
+        for listener in self.listeners:
+            listener.know_generation(codec.generation)
+        self.processor = FrameProcessor(codec, self.listeners, lambda answer: None)
+        self.processor.notifier.open(codec, 1_000_000)
+        self.processor.samples.wanted = True
 
     def hear(self, frame: Frame, flags: int = 0) -> None:
         self.now_s += 0.0005
-        self.intake.take(frame, self.now_s, flags)
+        self.processor.process(frame, self.now_s, flags)
 
     def look(self) -> None:
-        self.intake.line.flush(self.intake.codec, self.now_s)
-        self.intake.show()
+        self.processor.notifier.flush(self.processor.codec, self.now_s)
+        self.processor.publish()
 
 
 @EACH_GENERATION
@@ -99,8 +99,8 @@ def test_every_value_of_every_byte_is_taken_in_live(generation, caplog):
             ear.look()
     ear.look()
 
-    assert ear.intake.state.frames == count > 100_000
-    assert ear.intake.line._told == list(ear.taps)  # nobody has failed
+    assert ear.processor.state.frames == count > 100_000
+    assert ear.processor.notifier._told == list(ear.listeners)  # nobody has failed
     assert [record for record in caplog.records if record.levelno >= logging.ERROR] == []
 
 
@@ -217,7 +217,7 @@ def test_every_value_of_every_byte_is_replayed(tmp_path, generation, speed, capl
     player.go_to(session.start_s - 1.0)
     player.play_to(session.end_s + 1.0, speed)
     assert player.player.played == len(told)
-    assert player.player.intake.line._told
+    assert player.player.processor.notifier._told
     assert player.player.step() is None
     for share in (0.3, 0.7, 1.0):
         player.go_to(session.start_s + share * (session.end_s - session.start_s))

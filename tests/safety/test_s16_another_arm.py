@@ -13,7 +13,7 @@ from armui.kinematics.arm_kinematics import Kinematics
 from armui.protocol.generation import PiperModel
 from armui.trajectory.files import csv_file, json_file, log_file, npz_file
 from armui.trajectory.library.store import Library
-from armui.trajectory.planning.check import check
+from armui.trajectory.planning.check import CheckRequest, check
 from armui.trajectory.planning.findings import Severity
 from armui.trajectory.points.edits import turned
 from armui.trajectory.points.program import Trajectory
@@ -62,17 +62,17 @@ def test_older_files_do_not_know():
 def test_another_arm_is_a_warning_of_the_check(taught):
     arm = replace(ARM, kind="PiPER")
     content = replace(run(joint(*HERE, speed=30)), taught_on=taught)
-    (found,) = check(content, arm, HERE).findings
+    (found,) = check(CheckRequest(content, arm, HERE)).findings
     assert (found.code, found.severity, found.row) == ("other_arm", Severity.WARNING, None)
     assert dict(found.params) == {"taught": taught, "arm": "PiPER"}
     for same in ("", "PiPER"):
-        assert not check(replace(content, taught_on=same), arm, HERE).findings
+        assert not check(CheckRequest(replace(content, taught_on=same), arm, HERE)).findings
 
 
 def test_a_recording_of_another_arm_too():
     content = Recording("r", samples=ROWS, taught_on=X)
     assert "other_arm" in {
-        each.code for each in check(content, replace(ARM, kind="P"), HERE).findings
+        each.code for each in check(CheckRequest(content, replace(ARM, kind="P"), HERE)).findings
     }
 
 

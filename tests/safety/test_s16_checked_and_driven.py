@@ -7,7 +7,7 @@ import pytest
 
 from armui.protocol.codes import MoveMode
 from armui.protocol.generation import Generation, PiperModel
-from armui.trajectory.planning.check import CheckRequest, preflight
+from armui.trajectory.planning.check import CheckRequest, check
 from armui.trajectory.planning.findings import FindingCode, Severity
 from armui.trajectory.points.program import Trajectory
 from tests.safety.test_s16_every_way_checked import BACK, OUT, OVER, recording
@@ -22,7 +22,7 @@ def way(*points, cycles=2, first=0, start=HERE):
 
 
 def checked(*points, cycles=2, first=0, start=HERE, arm=ARM):
-    return preflight(CheckRequest(run(*points), arm, start, first=first, cycles=cycles))
+    return check(CheckRequest(run(*points), arm, start, first=first, cycles=cycles))
 
 
 def errors(outcome):
@@ -124,8 +124,8 @@ def test_cycles_of_which_each_turns_the_hand_once_more(most_deg, found):
 
 
 def test_a_recording_is_looked_at_with_its_way_back():
-    path = preflight(CheckRequest(recording(BACK, OVER, OUT), ARM, BACK, cycles=0)).path
-    once = preflight(CheckRequest(recording(BACK, OVER, OUT), ARM, BACK)).path
+    path = check(CheckRequest(recording(BACK, OVER, OUT), ARM, BACK, cycles=0)).path
+    once = check(CheckRequest(recording(BACK, OVER, OUT), ARM, BACK)).path
     assert path.joints_deg[-1] == pytest.approx(BACK)
     assert path.first_cycle_s == once.duration_s < path.duration_s
 

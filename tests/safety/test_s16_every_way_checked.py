@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from armui.protocol.codes import MoveMode
-from armui.trajectory.planning.check import CheckRequest, preflight
+from armui.trajectory.planning.check import CheckRequest, check
 from armui.trajectory.points.program import Trajectory, Waypoint
 from armui.trajectory.samples.recording import Recording
 from tests.trajectory.arms import ARM
@@ -26,7 +26,7 @@ def recording(*corners, seconds=60.0):
 
 
 def codes(content, start, **options):
-    return {one.code for one in preflight(CheckRequest(content, ARM, start, **options)).findings}
+    return {one.code for one in check(CheckRequest(content, ARM, start, **options)).findings}
 
 
 def test_a_recording_once_is_fine():

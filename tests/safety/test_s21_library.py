@@ -68,7 +68,7 @@ def library_page(app_driver):
 
 
 def company(window):
-    return window.findChild(QWidget, "library_company").text()
+    return window.findChild(QWidget, "library_shared_use").text()
 
 
 def test_the_editor_says_that_it_displaced_the_other_s_points(app_driver):

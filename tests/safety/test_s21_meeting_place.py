@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from armui.control.events import Event, EventCode
-from armui.control.link.neighbours import Neighbours
+from armui.control.link.instance_registry import InstanceRegistry
 from armui.settings import SettingsStore
 from armui.system import paths
 from armui.system.presence import Presence
@@ -126,15 +126,15 @@ def test_that_nobody_can_be_met_is_said_once(qapp, qtbot, tmp_path, monkeypatch,
     controller = FakeController()
     told: list[Event] = []
     controller.noticed.connect(told.append)
-    neighbours = Neighbours(controller.as_real, tmp_path / "s.json", place, 0.01)
+    registry = InstanceRegistry(controller.as_real, tmp_path / "s.json", place, 0.01)
     qtbot.waitUntil(lambda: bool(told))
-    again = neighbours._watch(EventCode.SETTINGS_SHARED, "another", "another")
+    again = registry._watch(EventCode.SETTINGS_SHARED, "another", "another")
     again._thread.join(10.0)
     qapp.processEvents()
     assert [each.code for each in told] == ["nobody_met"]
     assert told[0].params["path"] == str(place)
     again.close()
-    neighbours.close()
+    registry.close()
 
 
 def test_two_programs_without_the_variable_meet(tmp_path):

@@ -14,7 +14,7 @@ from filelock import FileLock
 from armui.arm.device import Device
 from armui.arm.refusal_codes import RefusalCode
 from armui.control.events import Event
-from armui.control.link.neighbours import Neighbours
+from armui.control.link.instance_registry import InstanceRegistry
 from armui.control.operating_state import OperatingState
 from armui.settings import SettingsStore, _lock_path
 from armui.system.presence import Presence
@@ -114,7 +114,7 @@ def two(qapp, tmp_path):
         controller.noticed.connect(events.append)
     files = [tmp_path / "one.json", tmp_path / "other.json"]
     programs = [
-        Neighbours(controller.as_real, file, tmp_path / "run", LOOK_S)
+        InstanceRegistry(controller.as_real, file, tmp_path / "run", LOOK_S)
         for controller, file in zip(controllers, files, strict=True)
     ]
     yield controllers, told
@@ -145,7 +145,7 @@ def test_each_says_that_the_other_has_the_settings_file(qapp, qtbot, tmp_path):
     for controller, events in zip(controllers, told, strict=True):
         controller.noticed.connect(events.append)
         programs.append(
-            Neighbours(controller.as_real, tmp_path / "s.json", tmp_path / "run", LOOK_S)
+            InstanceRegistry(controller.as_real, tmp_path / "s.json", tmp_path / "run", LOOK_S)
         )
     qtbot.waitUntil(lambda: all(told))
     assert [[n.code for n in each] for each in told] == [["settings_shared"]] * 2

@@ -19,15 +19,15 @@ from PySide6.QtCore import Qt
 
 from armui import decode, export
 from armui.protocol.generation import Generation
+from armui.session.batch_builder import FURTHER_CHANNELS
 from armui.session.exports.export import export_log
 from armui.session.exports.request import (
-    ArmWishes,
+    ArmOptions,
     ExportCancelledError,
     ExportFormat,
     ExportRequest,
 )
 from armui.session.frames import LATEST_S, NotALogError
-from armui.session.gather import FURTHER_CHANNELS
 from armui.session.log_model import told_firmware, told_model
 from armui.session.reader import LogFile
 from armui.session.recording import index_file, sidecar
@@ -217,7 +217,7 @@ def test_a_large_text_is_looked_up_from_often(suffix, some, tmp_path):
         asked.append(True)
         return len(asked) < 3
 
-    wishes = ArmWishes(None, None, None, None)
+    wishes = ArmOptions(None, None, None, None)
     target = tmp_path / "b.csv"
     request = ExportRequest(path, target, ExportFormat.CSV, 0.0, math.inf, wishes)
     with pytest.raises(ExportCancelledError):

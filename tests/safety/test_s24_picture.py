@@ -7,9 +7,10 @@ from typing import Any
 
 import numpy as np
 import pytest
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QPoint, QPointF, Qt
+from PySide6.QtGui import QMouseEvent
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QPushButton
+from PySide6.QtWidgets import QApplication, QPushButton
 
 from armui.control.motion.jog_path import JointJog
 from armui.protocol.generation import Generation
@@ -135,3 +136,64 @@ def test_nothing_waits_for_a_picture_that_does_not_come(drawing):
     assert press_stop(drawing)[0] == STOP
     view._client.stop()
     assert view._client.pid is None
+
+
+def drag(view, button, by_px, modifiers=Qt.KeyboardModifier.NoModifier):
+    """Drag in the picture, from a place where no handle and no button is."""
+    at = QPoint(view.width() // 2, view.height() - 120)
+    QTest.mousePress(view, button, modifiers, at)
+    for share in (0.5, 1.0):
+        place = QPointF(at) + QPointF(*by_px) * share
+        move = QMouseEvent(
+            QMouseEvent.Type.MouseMove,
+            place,
+            view.mapToGlobal(place),
+            Qt.MouseButton.NoButton,
+            button,
+            modifiers,
+        )
+        QApplication.sendEvent(view, move)
+    QTest.mouseRelease(view, button, modifiers, at + QPoint(*by_px))
+
+
+def fit(app_driver):
+    app_driver.click("view_fit_button")
+
+
+def orbit(app_driver):
+    drag(app_driver.program.view, Qt.MouseButton.LeftButton, (90, 30))
+
+
+def turned_by_keys(app_driver):
+    """Until the arm would leave the picture, which does not bring it back."""
+    for _ in range(6):
+        QTest.keyClick(app_driver.program.view, Qt.Key.Key_Right)
+
+
+def named_view(app_driver):
+    app_driver.click("view_side_button")
+
+
+def zoom_and_pan(app_driver):
+    view = app_driver.program.view
+    QTest.keyClick(view, Qt.Key.Key_Plus)
+    drag(view, Qt.MouseButton.MiddleButton, (40, -20))
+
+
+@pytest.mark.parametrize("look", [fit, orbit, turned_by_keys, named_view, zoom_and_pan])
+def test_the_camera_is_the_same_after_the_process_was_killed(drawing, lost, look):
+    view = drawing.program.view
+    drawing.store.change(picture_trail_s=0)  # which goes on growing shorter
+    move(drawing)  # the camera has stepped back for the arm
+    drawing.run_until(lambda: not drawing.controller.operating_state.moving, seconds=30.0)
+    look(drawing)
+    wait_until(lambda: view.is_settled and not view._rest.isActive())
+    camera, mode = view.camera, view.mode
+    image = view._picture.image.copy()
+    kill(view._client)
+    wait_until(lambda: lost)
+    drawing.run(0.1)
+    wait_until(lambda: view.is_settled and view.is_current)
+    assert (view.camera, view.mode) == (camera, mode)
+    assert view._shown.camera == camera
+    assert view._picture.image == image

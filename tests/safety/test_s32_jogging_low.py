@@ -7,9 +7,9 @@ from armui.arm.refusal_codes import RefusalCode
 from armui.control.motion.jog_path import JointJog, ToolJog
 from armui.control.motion.steered_path import SteeredJog
 from armui.control.safety.recovery_steps import StepKind
+from armui.kinematics.axes import JogFrame
 from armui.kinematics.forward import flange_rows
-from armui.kinematics.poses import JogFrame
-from armui.trajectory.planning.check import check
+from armui.trajectory.planning.check import CheckRequest, check
 from armui.trajectory.planning.findings import Approach
 from armui.ui import words
 from armui.ui.dialogs.settings import SettingsDialog
@@ -107,11 +107,11 @@ def test_below_the_base_plane_is_amber_in_the_line(rig):
 
 def test_the_check_blames_the_way_and_not_the_row():
     assert tip_mm(LOW_DEG) < 0.0 < tip_mm(BENT_DEG)
-    report = check(run(joint(*BENT_DEG), joint(*BENT_DEG)), ARM, LOW_DEG)
+    report = check(CheckRequest(run(joint(*BENT_DEG), joint(*BENT_DEG)), ARM, LOW_DEG))
     (low,) = [each for each in report.findings if each.code == "below_floor"]
     assert low.approach is Approach.WAY
     assert "On the way there from where the arm stands now" in findings.finding(low)
-    report = check(run(joint(*LOW_DEG), joint(*BENT_DEG)), ARM, BENT_DEG)
+    report = check(CheckRequest(run(joint(*LOW_DEG), joint(*BENT_DEG)), ARM, BENT_DEG))
     found = [each for each in report.findings if each.code == "below_floor"]
     assert [(each.row, each.approach) for each in found] == [(0, None), (1, None)]
 

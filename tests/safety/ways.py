@@ -40,9 +40,8 @@ from armui.protocol.codes import ControlMode, MoveMode
 from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation, PiperModel
 from armui.sim.firmware import Firmware
-from armui.trajectory.planning.check import CheckOutcome, CheckRequest, check, preflight
+from armui.trajectory.planning.check import CheckOutcome, CheckRequest, check
 from armui.trajectory.planning.findings import Finding, FindingCode, Severity
-from armui.trajectory.planning.timing import plan_path
 from armui.trajectory.points.program import (
     GripperAngle,
     GripperOpening,
@@ -270,7 +269,7 @@ def judge(way: Way) -> Judged:
     start_deg = driver.state().angles_deg()
     assert start_deg is not None
     arm = driver.arm_model()
-    checked = preflight(
+    checked = check(
         CheckRequest(way.content, arm, start_deg, way.speed_factor, way.first, way.cycles)
     )
     findings, path = checked.findings, checked.path
@@ -369,8 +368,7 @@ class Ways:
         """The points without those that cannot be run once, one after the other."""
         arm = Driver(start_deg, self._model, self._generation).arm_model()
         for _ in range(MOST_POINTS):
-            path = plan_path(Trajectory("way", points=points), arm, start_deg)
-            found = check(Trajectory("way", points=points), arm, start_deg, path).errors
+            found = check(CheckRequest(Trajectory("way", points=points), arm, start_deg)).errors
             bad = [each.row for each in found if each.row is not None]
             if not bad:
                 break

@@ -12,7 +12,7 @@ import pytest
 from armui.protocol.addressing import Addressing
 from armui.protocol.firmware_version import FirmwareBug
 from armui.protocol.generation import Generation, PiperModel
-from armui.sim import command
+from armui.sim import sim_command
 from armui.sim.faults.schedule import FAULTS, Fault
 from armui.sim.firmware import Firmware
 from armui.sim.node import Node
@@ -26,7 +26,7 @@ from tests.sim.talk import ENABLE, frame, mode, tell
 def test_a_bus_that_cannot_be_opened_gives_a_line_and_exit_code_2(
     interface: str, channel: str, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    assert command.run_arm(Firmware(Generation.TWO), interface, channel) == 2
+    assert sim_command.run_arm(Firmware(Generation.TWO), interface, channel) == 2
     out, error = capsys.readouterr()
     assert out == ""
     assert error.startswith(f"armui sim: cannot open {interface}:{channel}: ")
@@ -39,7 +39,9 @@ def test_it_runs_until_told_to_end(capsys: pytest.CaptureFixture[str]) -> None:
         codes: list[int] = []
         thread = threading.Thread(
             target=lambda: codes.append(
-                command.run_arm(Firmware(Generation.ONE), "virtual", "test_it_runs", ending=ending)
+                sim_command.run_arm(
+                    Firmware(Generation.ONE), "virtual", "test_it_runs", ending=ending
+                )
             )
         )
         thread.start()
@@ -57,15 +59,15 @@ def test_ctrl_c_ends_it_in_order(
     def interrupt(*_: object) -> None:
         raise KeyboardInterrupt
 
-    monkeypatch.setattr(command, "_report", interrupt)
-    assert command.run_arm(Firmware(Generation.TWO), "virtual", "test_ctrl_c") == 0
+    monkeypatch.setattr(sim_command, "_report", interrupt)
+    assert sim_command.run_arm(Firmware(Generation.TWO), "virtual", "test_ctrl_c") == 0
     assert not any(thread.name == "simulated-arm" for thread in threading.enumerate())
     assert capsys.readouterr().out.endswith("\n")
 
 
 def read(*words: str) -> argparse.Namespace:
     parser = argparse.ArgumentParser(prog="armui sim")
-    command.add_arguments(parser)
+    sim_command.add_arguments(parser)
     return parser.parse_args(words)
 
 
@@ -109,8 +111,8 @@ def test_bugs_without_names_are_those_of_the_version(
         made.append(arm)
         return 0
 
-    monkeypatch.setattr(command, "run_arm", run_arm)
-    assert command.run(read("--firmware", version, "--bugs")) == 0
+    monkeypatch.setattr(sim_command, "run_arm", run_arm)
+    assert sim_command.run(read("--firmware", version, "--bugs")) == 0
     assert made[0].bugs.present == names
     assert said in capsys.readouterr().err
 
@@ -156,7 +158,7 @@ def test_bad_options_give_a_reason_and_exit_code_2(
 
 
 def test_a_version_for_generation_1_is_refused(capsys: pytest.CaptureFixture[str]) -> None:
-    assert command.run(read("--generation", "1", "--firmware", "S-V1.8-5")) == 2
+    assert sim_command.run(read("--generation", "1", "--firmware", "S-V1.8-5")) == 2
     assert "--firmware and --bugs belong to generation 2" in capsys.readouterr().err
 
 
@@ -177,9 +179,9 @@ def run_with(monkeypatch: pytest.MonkeyPatch, *words: str) -> list[Firmware]:
         raise KeyboardInterrupt
 
     with monkeypatch.context() as patch:
-        patch.setattr(command, "_report", report)
+        patch.setattr(sim_command, "_report", report)
         channel = f"test_command {words}"
-        assert command.run(read("--interface", "virtual", "--channel", channel, *words)) == 0
+        assert sim_command.run(read("--interface", "virtual", "--channel", channel, *words)) == 0
     return arms
 
 
@@ -207,9 +209,9 @@ def test_planned_faults_reach_the_arm(monkeypatch: pytest.MonkeyPatch) -> None:
         broken.extend(each.name for each in node.faults.active)
         raise KeyboardInterrupt
 
-    monkeypatch.setattr(command, "_report", report)
+    monkeypatch.setattr(sim_command, "_report", report)
     place = ("--interface", "virtual", "--channel", "test_planned_faults")
-    assert command.run(read(*place, "--fault", "stall:2@5", "--fault", "latency@5-6")) == 0
+    assert sim_command.run(read(*place, "--fault", "stall:2@5", "--fault", "latency@5-6")) == 0
     assert broken == ["before []", "stall", "latency"]
 
 
@@ -248,7 +250,7 @@ def test_the_status_line_says_what_is_broken() -> None:
     with can.Bus(interface="virtual", channel="test_the_status_line_says") as bus:
         node = Node(Firmware(Generation.TWO), bus, faults=[Fault("stall", 2), Fault("bus-off", 0)])
         node.poll(1.0)
-        line = command.status_line(node, sent=0, received=0, load_percent=0.0)
+        line = sim_command.status_line(node, sent=0, received=0, load_percent=0.0)
     assert line.endswith("enabled 000000  broken: stall:2, bus-off:0\n")
 
 
@@ -257,7 +259,7 @@ def test_the_status_line() -> None:
         node = Node(Firmware(Generation.TWO), bus)
         tell(node.firmware, ENABLE, mode(50))
         node.poll(2.0)
-        line = command.status_line(node, sent=3040, received=200, load_percent=39.9)
+        line = sim_command.status_line(node, sent=3040, received=200, load_percent=39.9)
     assert line == (
         "     2.0 s  sent 3040/s  received 200/s  load 40 %  lost 0  late 0.0 ms  "
         "CAN_CONTROL NORMAL  enabled 111111\n"

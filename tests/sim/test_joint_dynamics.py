@@ -34,7 +34,7 @@ def law(driven: list[int], **values: float) -> DriverLaw:
 
 def step(dynamics, told, joints, speeds, stops=WIDE, dt_s=TICK_S, down=DOWN):
     """One step of the simulated arm's own length."""
-    return dynamics.advance(BODY, told, joints, speeds, stops_rad=stops, dt_s=dt_s, down=down)
+    return dynamics.step(BODY, told, joints, speeds, stops_rad=stops, dt_s=dt_s, down=down)
 
 
 def response(inertia: float, kp: float, kd: float, step: float) -> Callable[[float], float]:
@@ -62,7 +62,7 @@ def test_a_step_of_one_joint_is_the_closed_form_of_its_gains(index, kp, kd) -> N
     dynamics = JointDynamics(LOSSLESS)
     worst = 0.0
     for tick in range(1, 201):
-        joints, speeds = dynamics.advance(
+        joints, speeds = dynamics.step(
             BODY, target, joints, speeds, stops_rad=WIDE, dt_s=TICK_S, down=level
         )
         worst = max(worst, abs(joints[index] - start - expected(tick * TICK_S)))
@@ -90,9 +90,7 @@ def test_a_falling_arm_without_losses_keeps_its_energy_nearly_and_with_them_lose
         energy = first = BODY.potential_energy_j(joints)
         dynamics, limp = JointDynamics(losses), law(list(range(6)))
         for _ in range(60):
-            joints, speeds = dynamics.advance(
-                BODY, limp, joints, speeds, stops_rad=WIDE, dt_s=TICK_S
-            )
+            joints, speeds = dynamics.step(BODY, limp, joints, speeds, stops_rad=WIDE, dt_s=TICK_S)
             now = BODY.potential_energy_j(joints) + BODY.kinetic_energy_j(joints, speeds)
             assert now <= max(energy, first) + gains
             energy = now
@@ -119,9 +117,7 @@ def test_less_torque_than_the_friction_turns_nothing_and_a_little_more_does() ->
         joints, speeds = np.zeros(6), np.zeros(6)
         dynamics, push = JointDynamics(), law([5], torques_nm=torque_nm)
         for _ in range(100):
-            joints, speeds = dynamics.advance(
-                BODY, push, joints, speeds, stops_rad=WIDE, dt_s=TICK_S
-            )
+            joints, speeds = dynamics.step(BODY, push, joints, speeds, stops_rad=WIDE, dt_s=TICK_S)
         assert bool(joints[5] > 0.0) is moves
 
 
@@ -159,7 +155,7 @@ def test_nearly_nothing_in_every_field_never_makes_a_joint_faster() -> None:
     dynamics = JointDynamics()
     energy = BODY.kinetic_energy_j(joints, speeds)
     for _ in range(400):
-        joints, speeds = dynamics.advance(
+        joints, speeds = dynamics.step(
             BODY, nearly, joints, speeds, stops_rad=WIDE, dt_s=TICK_S, down=level
         )
         now = BODY.kinetic_energy_j(joints, speeds)

@@ -28,7 +28,7 @@ angles = st.tuples(
 def duration_s(motion: JointMotion) -> float:
     steps = 0
     while motion.moving:
-        motion.advance(STEP_S)
+        motion.step(STEP_S)
         steps += 1
     return steps * STEP_S
 
@@ -54,7 +54,7 @@ def test_joints_start_and_arrive_together() -> None:
     while motion.moving:
         assert motion.positions_deg[1] == pytest.approx(motion.positions_deg[0] / 10, abs=6.0)
         before = motion.positions_deg
-        motion.advance(STEP_S)
+        motion.step(STEP_S)
     assert all(a != b for a, b in zip(before[:3], motion.positions_deg[:3], strict=True))
 
 
@@ -71,7 +71,7 @@ def test_speed_and_acceleration_stay_within_limits_and_joints_within_range(
     for target, percent, steps in legs:
         motion.move_to(target, [SPEED * percent / 100] * 6, ACCELERATIONS)
         for _ in range(steps):
-            motion.advance(STEP_S)
+            motion.step(STEP_S)
             track.append(motion.positions_deg)
     for joint, limits in enumerate(FACTORY_LIMITS):
         path = [positions[joint] for positions in track]
@@ -90,9 +90,9 @@ def test_the_last_target_is_reached_exactly(
 ) -> None:
     motion = JointMotion((0.0,) * 6)
     motion.move_to(first, SPEEDS, ACCELERATIONS)
-    motion.advance(steps * STEP_S)
+    motion.step(steps * STEP_S)
     motion.move_to(last, SPEEDS, ACCELERATIONS)
-    motion.advance(60.0)
+    motion.step(60.0)
     assert not motion.moving
     assert motion.positions_deg == last
 
@@ -116,7 +116,7 @@ def test_no_limits_a_host_can_set_defeat_the_planner(
     motion = JointMotion((0.0,) * 6)
     for target, speeds, accelerations, dt_s in legs:
         motion.move_to(target, speeds, accelerations)
-        motion.advance(dt_s)
+        motion.step(dt_s)
         for position, limits in zip(motion.positions_deg, FACTORY_LIMITS, strict=True):
             assert limits.min_deg - 1e-6 <= position <= limits.max_deg + 1e-6
 
@@ -140,20 +140,20 @@ def test_planning_anew_every_5_ms_reaches_the_target_too(
     for jitter in jitters:
         nudged = (min(max(goal[0] + jitter * 0.001, -150.0), 150.0), *goal[1:])
         motion.move_to(nudged, SPEEDS, ACCELERATIONS)
-        motion.advance(0.005)
+        motion.step(0.005)
     motion.move_to(goal, SPEEDS, ACCELERATIONS)
-    motion.advance(5.0)
+    motion.step(5.0)
     assert motion.positions_deg == goal
 
 
 def test_less_acceleration_in_the_middle_does_not_run_past_the_target() -> None:
     motion = JointMotion((0.0,) * 6)
     motion.move_to((150.0, 0, 0, 0, 0, 0), SPEEDS, ACCELERATIONS)
-    motion.advance(0.9)
+    motion.step(0.9)
     motion.move_to((150.0, 0, 0, 0, 0, 0), SPEEDS, (1.0,) * 6)
     furthest = 0.0
     while motion.moving:
-        motion.advance(STEP_S)
+        motion.step(STEP_S)
         furthest = max(furthest, motion.positions_deg[0])
     assert furthest <= 150.0
 
@@ -161,7 +161,7 @@ def test_less_acceleration_in_the_middle_does_not_run_past_the_target() -> None:
 def test_braking_takes_speed_over_acceleration_and_stays_there() -> None:
     motion = JointMotion((0.0,) * 6)
     motion.move_to((150.0, 0, 0, 0, 0, 0), SPEEDS, ACCELERATIONS)
-    motion.advance(0.7)
+    motion.step(0.7)
     speed = motion.speeds_deg_s[0]
     assert speed == pytest.approx(SPEED)
     start = motion.positions_deg[0]
@@ -176,7 +176,7 @@ def test_speeds_and_accelerations_are_the_derivatives_of_the_positions() -> None
     motion.move_to((90.0, 45.0, -20.0, 5.0, -5.0, 1.0), SPEEDS, ACCELERATIONS)
     while motion.moving:
         before, speeds_before = motion.positions_deg, motion.speeds_deg_s
-        motion.advance(STEP_S)
+        motion.step(STEP_S)
         if motion.moving:
             for a, b, va, vb in zip(
                 before, motion.positions_deg, speeds_before, motion.speeds_deg_s, strict=True
@@ -199,7 +199,7 @@ def test_braking_at_a_standstill_is_no_motion() -> None:
 def test_no_plan_is_slower_than_the_slowest() -> None:
     motion = JointMotion((0.0,) * 6)
     motion.move_to((1.0, 0, 0, 0, 0, 0), (0.0,) * 6, ACCELERATIONS)
-    motion.advance(1.0 / SLOWEST_DEG_S + 1.0)
+    motion.step(1.0 / SLOWEST_DEG_S + 1.0)
     assert motion.positions_deg[0] == 1.0
 
 

@@ -18,7 +18,7 @@ STEP_S = 0.001
 def duration_s(profile: PathProfile) -> float:
     steps = 0
     while not profile.at_end:
-        profile.advance(STEP_S)
+        profile.step(STEP_S)
         steps += 1
         assert steps < 100_000
     return steps * STEP_S
@@ -41,19 +41,19 @@ def test_the_time_it_takes(end: float, top_speed: float, expected_s: float) -> N
 
 def test_it_does_not_run_unasked_and_a_halted_one_stays() -> None:
     profile = PathProfile(10.0, 25.0)
-    profile.advance(1.0)
+    profile.step(1.0)
     assert profile.position == 0.0
     assert not now(profile.moving)
     profile.run(5.0)
     assert now(profile.moving)
-    profile.advance(0.5)
+    profile.step(0.5)
     halted_at = profile.position + profile.speed**2 / 50.0
     profile.run(0.0)
-    profile.advance(5.0)
+    profile.step(5.0)
     assert profile.position == pytest.approx(halted_at)
     assert not profile.moving
     profile.run(5.0)
-    profile.advance(5.0)
+    profile.step(5.0)
     assert profile.at_end
 
 
@@ -73,7 +73,7 @@ def test_limits_hold_and_the_end_is_exact_whatever_is_asked_on_the_way(
     for top_speed, steps in orders:
         profile.run(top_speed)
         for _ in range(steps):
-            profile.advance(STEP_S)
+            profile.step(STEP_S)
             track.append(profile.position)
     speeds = [(b - a) / STEP_S for a, b in itertools.pairwise(track)]
     slack = 1e-9 * end / STEP_S**2
@@ -82,5 +82,5 @@ def test_limits_hold_and_the_end_is_exact_whatever_is_asked_on_the_way(
         assert abs(b - a) / STEP_S <= acceleration * (1 + 1e-6) + slack
     assert max(track) <= end
     profile.run(1000.0)
-    profile.advance(1e5)
+    profile.step(1e5)
     assert profile.position == end

@@ -11,7 +11,7 @@ from pathlib import Path
 import pytest
 
 from armui.system.helper_process import HelperProcess
-from armui.trajectory.planning.check import CheckRequest, preflight, warm_up
+from armui.trajectory.planning.check import CheckRequest, check, warm_up
 from tests.trajectory.arms import ARM, joint, run
 
 MOST_S = 60.0
@@ -34,7 +34,7 @@ def test_a_check_comes_back_as_it_would_here(helper):
     order = CheckRequest(
         run(joint(0, 0, 0, 0, 0, 0), joint(10, 200, -60, 0, 25, 0)), ARM, (0.0,) * 6
     )
-    there, here = helper.submit(preflight, order).result(MOST_S), preflight(order)
+    there, here = helper.submit(check, order).result(MOST_S), check(order)
     assert there.findings == here.findings
     assert {finding.code for finding in there.findings} >= {"target_beyond_limit"}
     assert there.expected_s == here.expected_s

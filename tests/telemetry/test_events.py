@@ -79,9 +79,9 @@ def test_the_oldest_make_room():
 
 def test_repeats_are_counted_with_the_newest_figures():
     log = EventLog()
-    put(log, "speed", 0.0, fold="speed", params={"percent": 10})
+    put(log, "speed", 0.0, repeat_key="speed", params={"percent": 10})
     put(log, "other", 1.0)
-    again = put(log, "speed", 2.0, fold="speed", params={"percent": 20})
+    again = put(log, "speed", 2.0, repeat_key="speed", params={"percent": 20})
     assert (again.number, again.count, again.at_s, again.last_s) == (1, 2, 0.0, 2.0)
     assert again.params == {"percent": 20}
     assert len(log.entries()) == 2
@@ -89,33 +89,33 @@ def test_repeats_are_counted_with_the_newest_figures():
 
 def test_what_pauses_is_listed_anew():
     log = EventLog()
-    put(log, at_s=0.0, fold="k")
-    assert put(log, at_s=REPEAT_S, fold="k").count == 2
-    assert put(log, at_s=2 * REPEAT_S + 0.1, fold="k").number == 2
+    put(log, at_s=0.0, repeat_key="k")
+    assert put(log, at_s=REPEAT_S, repeat_key="k").count == 2
+    assert put(log, at_s=2 * REPEAT_S + 0.1, repeat_key="k").number == 2
 
 
 def test_a_shorter_time_may_be_named():
     log = EventLog()
-    put(log, at_s=0.0, fold="k", within_s=1.0)
-    assert put(log, at_s=1.0, fold="k", within_s=1.0).count == 2
-    assert put(log, at_s=2.5, fold="k", within_s=1.0).number == 2
+    put(log, at_s=0.0, repeat_key="k", within_s=1.0)
+    assert put(log, at_s=1.0, repeat_key="k", within_s=1.0).count == 2
+    assert put(log, at_s=2.5, repeat_key="k", within_s=1.0).number == 2
 
 
 def test_no_line_hides_more_than_a_minute():
     log = EventLog()
     for second in range(int(REPEATS_SPAN_S) + 20):
-        put(log, at_s=float(second), fold="k")
+        put(log, at_s=float(second), repeat_key="k")
     assert [each.count for each in log.entries()] == [int(REPEATS_SPAN_S) + 1, 19]
 
 
 def test_what_goes_on_or_was_not_heard_to_end_is_not_begun_again():
     log = EventLog()
-    put(log, at_s=0.0, fold="k", lasts=True)
-    assert put(log, at_s=1.0, fold="k", lasts=True).number == 2
+    put(log, at_s=0.0, repeat_key="k", lasts=True)
+    assert put(log, at_s=1.0, repeat_key="k", lasts=True).number == 2
     log.change(2, ended_s=1.5, unheard=True)
-    assert put(log, at_s=2.0, fold="k", lasts=True).number == 3
+    assert put(log, at_s=2.0, repeat_key="k", lasts=True).number == 3
     log.change(3, ended_s=2.5)
-    again = put(log, at_s=3.0, fold="k", lasts=True)
+    again = put(log, at_s=3.0, repeat_key="k", lasts=True)
     assert (again.number, again.count, again.goes_on) == (3, 2, True)
 
 

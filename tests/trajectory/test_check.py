@@ -13,7 +13,7 @@ import pytest
 
 from armui.arm.state import EndLimits
 from armui.kinematics.forward import links
-from armui.trajectory.planning.check import Report, check
+from armui.trajectory.planning.check import CheckOutcome, CheckRequest, check
 from armui.trajectory.planning.collision import collisions, segment_distances
 from armui.trajectory.planning.findings import SEVERITIES, Approach, Severity
 from armui.trajectory.planning.timing import plan_path
@@ -22,12 +22,12 @@ from armui.trajectory.samples.recording import Recording
 from tests.trajectory.arms import ARM, HERE, KINEMATICS, joint, line, pose, pose_near, run
 
 
-def found(report: Report) -> list[tuple[str, int | None]]:
+def found(report: CheckOutcome) -> list[tuple[str, int | None]]:
     return [(finding.code, finding.row) for finding in report.findings]
 
 
-def checked(*points: Waypoint, start: Sequence[float] = HERE) -> Report:
-    return check(run(*points), ARM, start)
+def checked(*points: Waypoint, start: Sequence[float] = HERE) -> CheckOutcome:
+    return check(CheckRequest(run(*points), ARM, start))
 
 
 def recording(times_s: npt.ArrayLike, joints_deg: npt.ArrayLike) -> Recording:
@@ -60,7 +60,7 @@ def test_the_limits_are_those_read_from_the_arm() -> None:
     limits = list(ARM.limits)
     limits[1] = limits[1]._replace(max_deg=60.0)
 
-    report = check(run(joint(*HERE)), replace(ARM, limits=tuple(limits)), HERE)
+    report = check(CheckRequest(run(joint(*HERE)), replace(ARM, limits=tuple(limits)), HERE))
 
     assert ("target_beyond_limit", 0) in found(report)
 
@@ -82,7 +82,7 @@ def test_a_line_that_leaves_the_limits_between_its_ends_is_found() -> None:
     limits = list(ARM.limits)
     limits[2] = limits[2]._replace(max_deg=float(ends_deg) + 1.0)
 
-    report = check(run(chord), replace(ARM, limits=tuple(limits)), HERE)
+    report = check(CheckRequest(run(chord), replace(ARM, limits=tuple(limits)), HERE))
 
     (finding,) = report.errors
     assert (finding.code, finding.row) == ("path_beyond_limit", 0)
@@ -104,7 +104,7 @@ def test_a_line_past_a_singular_pose_is_a_warning() -> None:
     report = checked(joint(*begin), line(KINEMATICS.forward(end)), start=begin)
 
     assert found(report) == [("near_singular", 1)]
-    assert report.warnings == report.findings
+    assert report.errors == ()
     joints = report.findings[0].joints_deg
     assert joints is not None
     assert abs(joints[4]) < 3.0
@@ -154,19 +154,21 @@ def test_the_tip_below_the_floor_is_a_warning_with_the_deepest_place() -> None:
     assert finding.place_mm is not None
     assert finding.place_mm[2] == pytest.approx(tip_mm)
     without = replace(ARM, tool_mm=0.0)
-    assert (matrix[2, 3] < 0.0) == bool(check(run(joint(*low)), without, low).findings)
+    assert (matrix[2, 3] < 0.0) == bool(
+        check(CheckRequest(run(joint(*low)), without, low)).findings
+    )
 
 
 def test_a_gripper_beyond_its_stroke_is_an_error() -> None:
     wide = replace(joint(*HERE), gripper=GripperOpening(70.5))
 
     assert found(checked(wide)) == [("gripper_beyond_stroke", 0)]
-    assert found(check(run(wide), replace(ARM, stroke_mm=None), HERE)) == []
+    assert found(check(CheckRequest(run(wide), replace(ARM, stroke_mm=None), HERE))) == []
 
 
 def test_an_empty_trajectory_is_an_error() -> None:
     assert found(checked()) == [("empty", None)]
-    assert found(check(Recording("r"), ARM, HERE)) == [("empty", None)]
+    assert found(check(CheckRequest(Recording("r"), ARM, HERE))) == [("empty", None)]
 
 
 # The arm against itself ---------------------------------------------------------------------------
@@ -211,7 +213,7 @@ def test_a_collision_on_the_way_is_found_though_both_ends_are_free() -> None:
 FREE = (0.0, 60.0, -60.0, 0.0, 20.0, 0.0)
 
 
-def hits_of(report: Report) -> list[tuple[int | None, Approach | None]]:
+def hits_of(report: CheckOutcome) -> list[tuple[int | None, Approach | None]]:
     return [(one.row, one.approach) for one in report.findings if one.code == "links_collide"]
 
 
@@ -258,19 +260,19 @@ def test_the_distance_of_two_segments_is_the_least_of_all_their_points() -> None
 def test_a_sound_recording_has_no_findings() -> None:
     ways = np.linspace(HERE, np.add(HERE, 20.0), 101)
 
-    assert found(check(recording(np.linspace(0, 5, 101), ways), ARM, HERE)) == []
+    assert found(check(CheckRequest(recording(np.linspace(0, 5, 101), ways), ARM, HERE))) == []
 
 
 def test_a_recording_too_fast_for_the_arm_tells_the_speed_that_would_do() -> None:
     ways = np.linspace(HERE, np.add(HERE, (40.0, 0, 0, 0, 0, 0)), 41)
-    report = check(recording(np.linspace(0, 0.16, 41), ways), ARM, HERE)
+    report = check(CheckRequest(recording(np.linspace(0, 0.16, 41), ways), ARM, HERE))
 
     finding = next(each for each in report.findings if each.code == "joint_too_fast")
     assert finding.params["joint"] == 1
     assert finding.params["value"] == pytest.approx(250.0, abs=1.0)
     assert finding.params["percent"] == 68
-    slower = plan_path(recording(np.linspace(0, 0.16, 41), ways), ARM, HERE, speed_factor=0.68)
-    again = check(recording(np.linspace(0, 0.16, 41), ways), ARM, HERE, slower)
+    slower = CheckRequest(recording(np.linspace(0, 0.16, 41), ways), ARM, HERE, 0.68)
+    again = check(slower)
     assert "joint_too_fast" not in {each.code for each in again.findings}
 
 
@@ -279,18 +281,11 @@ def test_a_jump_and_a_limit_in_a_recording_are_named_once() -> None:
     ways[40:, 0] += 8.0
     ways[60:80, 4] = np.concatenate((np.linspace(26, 70.5, 10), np.linspace(70.5, 26, 10)))
 
-    report = check(recording(np.linspace(0, 10, 100), ways), ARM, HERE)
+    report = check(CheckRequest(recording(np.linspace(0, 10, 100), ways), ARM, HERE))
 
     assert ("sample_jump", 40) in found(report)
     assert found(report).count(("target_beyond_limit", 69)) == 1
     assert sum(code == "target_beyond_limit" for code, _ in found(report)) == 1
-
-
-def test_a_plan_that_is_there_already_is_used() -> None:
-    points = run(joint(*HERE), line(ACROSS))
-    path = plan_path(points, ARM, HERE)
-
-    assert check(points, ARM, HERE, path).path is path
 
 
 def test_errors_come_before_warnings_of_the_same_row() -> None:
@@ -311,30 +306,34 @@ def held(*poses: Sequence[float]) -> Recording:
 def test_a_recording_is_not_blamed_for_where_the_arm_stands_or_the_way_to_it() -> None:
     hit, near = self_hit(), tuple(angle + 5.0 for angle in FREE)
     free = held(FREE, near)
-    assert hits_of(check(free, ARM, FREE)) == []
-    assert hits_of(check(free, ARM, hit)) == [(0, Approach.HERE)]
-    assert hits_of(check(held(hit, FREE), ARM, hit))[0] == (0, None)
-    ((row, approach),) = hits_of(check(held(FREE, hit), ARM, FREE))
+    assert hits_of(check(CheckRequest(free, ARM, FREE))) == []
+    assert hits_of(check(CheckRequest(free, ARM, hit))) == [(0, Approach.HERE)]
+    assert hits_of(check(CheckRequest(held(hit, FREE), ARM, hit)))[0] == (0, None)
+    ((row, approach),) = hits_of(check(CheckRequest(held(FREE, hit), ARM, FREE)))
     assert (row is not None and row > 0, approach) == (True, None)
     start, end = (-16, 81, -2, 51, 31, 59), (9, 93, -7, -63, 70, 117)
-    assert hits_of(check(held(end, end), ARM, start)) == [(0, Approach.WAY)]
+    assert hits_of(check(CheckRequest(held(end, end), ARM, start))) == [(0, Approach.WAY)]
 
 
 def test_the_way_to_a_recording_may_be_low_or_fast_without_its_fault() -> None:
     low = (0.0, 170.0, -20.0, 0.0, 0.0, 0.0)
     (found_low,) = [
-        each for each in check(held(FREE, HERE), ARM, low).findings if each.code == "below_floor"
+        each
+        for each in check(CheckRequest(held(FREE, HERE), ARM, low)).findings
+        if each.code == "below_floor"
     ]
     assert (found_low.row, found_low.approach) == (0, Approach.WAY)
     (of_it,) = [
-        each for each in check(held(low, low), ARM, FREE).findings if each.code == "below_floor"
+        each
+        for each in check(CheckRequest(held(low, low), ARM, FREE)).findings
+        if each.code == "below_floor"
     ]
     assert of_it.approach is None
     slow = replace(ARM, end_limits=EndLimits(0.02, 1.0, 1.0, 1.0))
     swing = (FREE[0] + 60.0, *FREE[1:])
     fast = [
         each
-        for each in check(held(FREE, FREE), slow, swing).findings
+        for each in check(CheckRequest(held(FREE, FREE), slow, swing)).findings
         if each.code == "tool_too_fast"
     ]
     assert [(each.row, each.approach) for each in fast] == [(0, Approach.WAY)]

@@ -61,7 +61,7 @@ class FakeController(QObject):
         self.mounting = FakeMounting(self)
         self.linkage = FakeLinkage(self)
         self.events = EventLog()
-        self.happenings = FakeHappenings(self.events)
+        self.event_collector = FakeHappenings(self.events)
         self.sessions = FakeSessions()
 
     @property

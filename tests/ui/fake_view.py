@@ -38,10 +38,12 @@ class FakeView(QWidget):
     def set_joints(self, angles_deg: Any, gripper_mm: Any, stale: bool = False) -> None:
         self.joints = (angles_deg, gripper_mm, stale)
 
-    def forget_joints(self) -> None:
+    def set_joints_unknown(self) -> None:
         self.joints = None
 
-    def set_pose(self, pose: Any, stale: bool = False, too_low: bool = False) -> None:
+    def set_pose(
+        self, pose: Any, stale: bool = False, too_low: bool = False, of_tool: bool = False
+    ) -> None:
         self.pose = (pose, stale)
 
     def set_theme(self, palette: Any) -> None:

@@ -30,7 +30,7 @@ def test_a_draft_waits_for_a_pause_in_the_edits(qtbot, tmp_path):
         assert keeper._timer.remainingTime() > 500
     assert library.drafts() == []
     qtbot.waitUntil(lambda: library.drafts() == ["Test"])
-    keeper.write()
+    keeper.write_draft()
 
 
 def test_what_is_edited_while_a_draft_is_written_follows(qapp, tmp_path):
@@ -48,7 +48,7 @@ def test_what_is_edited_while_a_draft_is_written_follows(qapp, tmp_path):
     keeper._write_behind()
     files.work()
     assert len(library.draft("Test").points) == 1998
-    keeper.forget()
+    keeper.drop_draft()
     files.work()
 
 
@@ -58,7 +58,7 @@ def test_no_draft_comes_after_it_was_given_up(qapp, tmp_path):
     keeper = DraftKeeper(document, work_on(library, files, document))
     document.edit(document.points[1:], "edit")
     keeper._write_behind()
-    keeper.forget()
+    keeper.drop_draft()
     files.work()
     assert library.drafts() == []
     assert not keeper._timer.isActive()

@@ -15,7 +15,7 @@ from pytestqt.qtbot import QtBot
 from armui.export.process import ExportDone
 from armui.protocol.generation import Generation, PiperModel
 from armui.session.exports.request import (
-    ArmWishes,
+    ArmOptions,
     ExportFormat,
     ExportProblem,
     ExportProgress,
@@ -99,7 +99,7 @@ def test_what_is_entered_is_asked_for(dialog, exports):
     assert exports.requests == [
         ExportRequest(
             LOG, Path("/records/run.csv"), ExportFormat.CSV, 1.5, 20.0,
-            ArmWishes(Generation.ONE, None, "can1", PiperModel.PIPER_X),
+            ArmOptions(Generation.ONE, None, "can1", PiperModel.PIPER_X),
         )
     ]  # fmt: skip
 

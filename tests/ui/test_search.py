@@ -17,13 +17,13 @@ NAMES = Names(
 
 
 def how_well(query: str, title: str, place: str = "") -> tuple[int, ...]:
-    ranked = rank(query, NAMES.search_text(title, place))
+    ranked = rank(query, NAMES.search_text([title], place))
     assert ranked is not None
     return ranked
 
 
 def found(query: str, title: str, place: str = "") -> bool:
-    return rank(query, NAMES.search_text(title, place)) is not None
+    return rank(query, NAMES.search_text([title], place)) is not None
 
 
 @pytest.mark.parametrize("shown", ["运动控制", "Motion control"])
@@ -69,12 +69,12 @@ def test_nothing_asked_finds_everything():
 
 @pytest.mark.parametrize("query", ["guiling", "gl", "gling", "归零", "origin", "guil"])
 def test_synonyms_are_found_by_pinyin_too(query):
-    text = NAMES.search_text("Home", "", ("zero", "origin", "归零"))
+    text = NAMES.search_text(["Home"], "", ("zero", "origin", "归零"))
     found_so = rank(query, text)
     assert found_so is not None
-    assert rank(query, NAMES.search_text("Home", "")) is None
+    assert rank(query, NAMES.search_text(["Home"], "")) is None
     assert how_well("home", "Home") < found_so
 
 
 def test_a_synonym_has_no_other_name():
-    assert NAMES.search_text("归零", "").names == ("归零",)
+    assert NAMES.search_text(["归零"], "").names == ("归零",)

@@ -1,9 +1,11 @@
 """The turntable camera."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
-from armui.viewport.camera import HOME_CAMERA, VIEW_ANGLE_DEG, OrbitCamera
+from armui.viewport.camera import HOME_CAMERA, VIEW_ANGLE_DEG, OrbitCamera, ViewDirection
 
 FRONT = OrbitCamera(focus_m=(0.0, 0.0, 0.0), distance_m=2.0, azimuth_deg=0.0, elevation_deg=0.0)
 
@@ -21,7 +23,37 @@ def test_a_drag_to_the_right_carries_the_eye_to_the_left():
 
 def test_the_eye_never_passes_over_the_pole():
     assert FRONT.orbit(0.0, 1e6).elevation_deg == 89.0
-    assert FRONT.orbit(0.0, -1e6).elevation_deg == -89.0
+    below = FRONT.turned_to(ViewDirection.BELOW)
+    assert below.orbit(0.0, -1e6).elevation_deg == -89.0
+
+
+@pytest.mark.parametrize("direction", [each for each in ViewDirection if each.value != "below"])
+def test_the_hand_never_brings_the_eye_below_the_floor(direction):
+    rng = np.random.default_rng(5)
+    camera = replace(HOME_CAMERA, focus_m=(0.0, 0.0, 0.1)).turned_to(direction)
+    lowest = []
+    for _ in range(400):
+        dx, dy = rng.uniform(-400.0, 400.0, 2)
+        camera = (
+            camera.orbit(dx, dy),
+            camera.pan(dx, dy - 100.0, 500.0),
+            camera.zoom(dy / 100.0),
+        )[rng.integers(3)]
+        lowest.append(camera.eye_m[2])
+        assert camera.elevation_deg >= 0.0
+    assert min(lowest) == pytest.approx(0.0, abs=1e-9)  # it has been tried
+    assert max(lowest) > 0.5
+
+
+def test_the_view_from_below_is_turned_about_and_left_by_hand():
+    below = HOME_CAMERA.turned_to(ViewDirection.BELOW)
+    assert below.eye_m[2] < 0.0
+    turned = below.orbit(50.0, 100.0)
+    assert turned.elevation_deg == -50.0
+    assert turned.focus_m == below.focus_m
+    up = turned.orbit(0.0, 200.0)
+    assert up.elevation_deg == 30.0
+    assert up.orbit(0.0, -1e6).elevation_deg == 0.0
 
 
 def test_what_is_under_the_pointer_stays_there_when_the_view_moves():

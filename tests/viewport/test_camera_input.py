@@ -58,7 +58,7 @@ def test_nothing_is_dragged_without_a_press_or_after_the_end(qapp):
     press(drag, button=RIGHT)
     assert move(drag, 5.0) is None
     press(drag)
-    drag.forget()
+    drag.cancel()
     assert move(drag, 5.0) is None
     assert release(drag, 100.0) is None
 

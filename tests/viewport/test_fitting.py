@@ -82,13 +82,13 @@ class Looking:
 
     def __init__(self, shape):
         self.viewpoint = Viewpoint()
-        self.viewpoint.take_shape(shape)
+        self.viewpoint.set_shape(shape)
         self.room = room_of((840, 660))
-        self.viewpoint.take_room(self.room)
+        self.viewpoint.set_room(self.room)
         self.shape = shape
 
     def move(self, pose):
-        self.viewpoint.take_arm(pose, 0.0, None)
+        self.viewpoint.set_arm(pose, 0.0, None)
         return self.viewpoint.camera
 
     def sees(self, pose):
@@ -114,12 +114,22 @@ def test_the_camera_rests_while_the_arm_is_in_the_picture_and_steps_back_when_it
     assert looking.sees(REST)
 
 
-def test_what_the_operator_has_moved_stays_until_a_view_is_chosen(looking):
-    moved = looking.viewpoint.camera.zoom(3.0)
-    looking.viewpoint.move_by_hand(moved, only_turned=False)
+@pytest.mark.parametrize(
+    "by_hand",
+    [
+        lambda camera: camera.orbit(70.0, 60.0),
+        lambda camera: camera.pan(40.0, 10.0, 500.0),
+        lambda camera: camera.zoom(3.0),
+    ],
+)
+def test_what_the_operator_has_moved_stays_until_a_view_is_chosen(looking, by_hand):
+    moved = by_hand(looking.viewpoint.camera)
+    looking.viewpoint.hold(held=True)
+    looking.viewpoint.move_by_hand(moved)
+    looking.viewpoint.hold(held=False)
     assert looking.move(STRETCHED) == moved
     looking.viewpoint.come_to_rest()
-    looking.viewpoint.take_room(room_of((500, 500)))
+    looking.viewpoint.set_room(room_of((500, 500)))
     assert looking.viewpoint.camera == moved
     looking.viewpoint.look_from(ViewDirection.SIDE)
     looking.room = room_of((500, 500))
@@ -135,9 +145,9 @@ def test_nothing_moves_the_camera_under_the_operator_s_hand(looking):
 
 
 def test_a_ghost_and_a_path_are_shown_with_the_arm(looking):
-    looking.viewpoint.take_arm(REST, 0.0, STRETCHED)
+    looking.viewpoint.set_arm(REST, 0.0, STRETCHED)
     assert looking.sees(STRETCHED)
-    looking.viewpoint.take_places(((0.0, 0.9, 0.1),))
+    looking.viewpoint.set_places(((0.0, 0.9, 0.1),))
     pixel = Projection(looking.viewpoint.camera, 840, 660).pixel((0.0, 0.9, 0.1))
     assert pixel is not None
     assert 0.0 < pixel[0] < 840.0
@@ -150,12 +160,17 @@ def test_following_keeps_the_tool_in_the_middle(looking, shape):
         looking.move(pose)
         rows = shape.flange(shape.links(pose))
         assert looking.viewpoint.camera.focus_m == pytest.approx((rows[3], rows[7], rows[11]))
-    looking.viewpoint.move_by_hand(looking.viewpoint.camera.orbit(30.0, 0.0), only_turned=True)
+    looking.viewpoint.move_by_hand(looking.viewpoint.camera.orbit(30.0, 0.0))
     modes = [looking.viewpoint.mode]
     panned = looking.viewpoint.camera.pan(30.0, 0.0, 500.0)
-    looking.viewpoint.move_by_hand(panned, only_turned=False)
+    looking.viewpoint.move_by_hand(panned)
     modes.append(looking.viewpoint.mode)
     assert modes == [ViewMode.FOLLOW, ViewMode.FREE]
+
+
+def test_a_press_that_moves_nothing_leaves_the_picture_fitting_the_arm(looking):
+    looking.viewpoint.move_by_hand(looking.viewpoint.camera)
+    assert looking.viewpoint.mode is ViewMode.FIT
 
 
 def test_a_ball_that_is_clear_has_nothing_in_it_that_is_not():
@@ -179,8 +194,8 @@ def test_a_ball_that_is_clear_has_nothing_in_it_that_is_not():
 
 def test_whether_the_arm_is_in_the_picture_is_told_as_point_by_point(shape):
     looking = Viewpoint()
-    looking.take_shape(shape)
-    looking.take_room(room_of((840, 660)))
+    looking.set_shape(shape)
+    looking.set_room(room_of((840, 660)))
     rng = np.random.default_rng(4)
     told = []
     for angles in rng.uniform((-150, 0, -170, -90, -70, -90), (150, 180, 0, 90, 70, 90), (150, 6)):

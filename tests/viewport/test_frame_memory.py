@@ -20,8 +20,8 @@ def test_what_one_writes_the_other_reads_and_slots_do_not_overlap():
         memory.slot(number, 1000)[:] = bytes([number + 1]) * 1000
     for number in range(SLOTS):
         assert bytes(other.slot(number, 1000)) == bytes([number + 1]) * 1000
-    memory.forget_name()
-    memory.forget_name()
+    memory.unlink_name()
+    memory.unlink_name()
     with pytest.raises(FileNotFoundError):
         SharedMemory(memory.name.name)
     assert other.slot(2, 1)[0] == 3  # without a name it is there until both have let go
@@ -29,7 +29,7 @@ def test_what_one_writes_the_other_reads_and_slots_do_not_overlap():
 
 def test_a_size_is_kept_while_it_suits():
     memory = FrameMemory.create(3_000_000)
-    memory.forget_name()
+    memory.unlink_name()
     assert memory.suits(3_000_000)
     assert memory.suits(1_000_000)
     assert not memory.suits(memory.slot_bytes + 1)
@@ -48,7 +48,7 @@ def test_its_end_is_silent():
     code = (
         "from armui.viewport.frame_memory import FrameMemory; "
         "memory = FrameMemory.create(1000); memory.slot(0, 10)[:] = bytes(10); "
-        "memory.forget_name()"
+        "memory.unlink_name()"
     )
     ended = subprocess.run(
         [sys.executable, "-c", code], capture_output=True, text=True, check=True, timeout=60

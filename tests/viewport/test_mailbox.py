@@ -4,7 +4,7 @@ import threading
 
 import pytest
 
-from armui.viewport.mailbox import Mailbox
+from armui.viewport.process_link import Mailbox
 
 LIMIT_S = 5.0
 
@@ -72,7 +72,7 @@ def test_what_is_used_last_counts_for_those_before(box):
 def test_results_of_a_process_that_is_gone_do_not_count(box):
     box.result_sent()
     box.result_sent()
-    box.forget_results()
+    box.reset_results()
     box.put("a")
     assert box.take() == "a"
 

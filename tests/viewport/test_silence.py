@@ -11,9 +11,14 @@ from typing import Any
 import pytest
 
 from armui.arm.refusal_codes import RefusalCode
-from armui.viewport.mailbox import Mailbox
 from armui.viewport.messages import Drawn, PicturePhase, Ready
-from armui.viewport.process_link import ChildProcess, Conversation, ProcessLostError, Wanted
+from armui.viewport.process_link import (
+    ChildProcess,
+    Mailbox,
+    ProcessLostError,
+    RenderRequest,
+    RenderSession,
+)
 from armui.viewport.view_state import BUILT_IN_ROBOT, ViewState
 from armui.viewport.watch import ThreadTurns
 
@@ -47,14 +52,14 @@ class SilentChild:
 
 
 def draw(child: SilentChild) -> None:
-    mailbox: Mailbox[Wanted] = Mailbox()
-    conversation = Conversation(child, mailbox, print, 0, {})  # type: ignore[arg-type]
-    conversation.begin()
-    conversation.phase = PicturePhase.DRAWING
+    mailbox: Mailbox[RenderRequest] = Mailbox()
+    session = RenderSession(child, mailbox, print, 0, {})  # type: ignore[arg-type]
+    session.begin()
+    session.phase = PicturePhase.DRAWING
     try:
-        conversation.request(Wanted(1, ViewState(BUILT_IN_ROBOT, width_px=2, height_px=2)))
+        session.render(RenderRequest(1, ViewState(BUILT_IN_ROBOT, width_px=2, height_px=2)))
     finally:
-        conversation.close()
+        session.close()
 
 
 def test_one_that_stands_in_line_is_waited_for():

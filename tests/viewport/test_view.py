@@ -80,7 +80,7 @@ def test_a_left_drag_turns(view, qtbot):
     # 40 px to the right and 20 px down at 0.4° a pixel
     assert view.camera.azimuth_deg == pytest.approx((first.azimuth_deg - 16.0) % 360.0)
     assert view.camera.elevation_deg == pytest.approx(first.elevation_deg + 8.0)
-    assert view.mode is ViewMode.FIT
+    assert view.mode is ViewMode.FREE
 
 
 @pytest.mark.parametrize(

@@ -207,7 +207,7 @@ def test_an_arm_of_which_nothing_is_known_any_more_stays_faded_where_it_was(view
     stale = view._state
     view.set_joints(RAISED, 35.0)
     settle(view, qtbot)
-    view.forget_joints()
+    view.set_joints_unknown()
     settle(view, qtbot)
     assert view._state == stale
     assert view._hud.angles_deg is None

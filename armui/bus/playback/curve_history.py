@@ -12,8 +12,8 @@ import numpy as np
 from armui.arm.other_hosts import MOTION_IDS, OTHER_COMMAND_IDS
 from armui.bus.playback.log_cursor import LogCursor
 from armui.protocol.frame import FrameFlag
-from armui.telemetry.columns import joined
-from armui.telemetry.tap import Tap
+from armui.telemetry.listener import Listener
+from armui.telemetry.series_columns import joined
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
@@ -22,9 +22,9 @@ if TYPE_CHECKING:
     from armui.protocol.generation import Generation
     from armui.session.frames import Channel
     from armui.session.session import Session
-    from armui.telemetry.columns import FrameColumns
+    from armui.telemetry.listener import ReceivedFrame
+    from armui.telemetry.series_columns import FrameColumns
     from armui.telemetry.store import Telemetry
-    from armui.telemetry.tap import Taken
 
 # Between a replay and the series of its curves: frame by frame, or many frames at once.
 
@@ -39,8 +39,8 @@ def is_own_command(arbitration_id: int, flags: int) -> bool:
     return arbitration_id in COMMAND_IDS and bool(flags & FrameFlag.TRANSMITTED)
 
 
-class SeriesTap(Tap):
-    """Stands for the telemetry among the taps of a replay.
+class SeriesListener(Listener):
+    """Stands for the telemetry among the listeners of a replay.
 
     Args:
         telemetry: The series of the replay, its alone.
@@ -60,34 +60,34 @@ class SeriesTap(Tap):
         self.telemetry.on_columns(frames, own=own)
 
     def know_generation(self, generation: Generation | None) -> None:
-        """See `armui.bus.tap.Tap`."""
+        """See `armui.bus.notifier.Listener`."""
         self.telemetry.know_generation(generation)
 
     def on_open(self, bitrate: int | None) -> None:
-        """See `armui.bus.tap.Tap`."""
+        """See `armui.bus.notifier.Listener`."""
         self.telemetry.on_open(bitrate)
 
     def on_codec(self, codec: Codec) -> None:
-        """See `armui.bus.tap.Tap`."""
+        """See `armui.bus.notifier.Listener`."""
         self.telemetry.on_codec(codec)
 
-    def on_heard(self, batch: Sequence[Taken]) -> None:
-        """See `armui.bus.tap.Tap`."""
+    def on_heard(self, batch: Sequence[ReceivedFrame]) -> None:
+        """See `armui.bus.notifier.Listener`."""
         if not self.by_columns:
             self.telemetry.on_heard(batch)
 
-    def on_sent(self, batch: Sequence[Taken]) -> None:
-        """See `armui.bus.tap.Tap`."""
+    def on_sent(self, batch: Sequence[ReceivedFrame]) -> None:
+        """See `armui.bus.notifier.Listener`."""
         if not self.by_columns:
             self.telemetry.on_sent(batch)
 
     def on_error_frame(self) -> None:
-        """See `armui.bus.tap.Tap`."""
+        """See `armui.bus.notifier.Listener`."""
         if not self.by_columns:
             self.telemetry.on_error_frame()
 
     def on_look(self, now_s: float) -> None:
-        """See `armui.bus.tap.Tap`."""
+        """See `armui.bus.notifier.Listener`."""
         if not self.by_columns:
             self.telemetry.on_look(now_s)
 
@@ -102,7 +102,7 @@ _LONGEST_REST_S: Final = 0.02
 
 
 def fill(
-    series: SeriesTap,
+    series: SeriesListener,
     frames: LogCursor,
     begin_s: float,
     end_s: float,
@@ -175,9 +175,9 @@ class CurveHistory:
             self._thread.join()
 
     def _run(self) -> None:
-        tap = SeriesTap(self.telemetry)
+        listener = SeriesListener(self.telemetry)
         try:
-            self.is_whole = fill(tap, self._cursor, self.begin_s, self.end_s, self._goes_on)
+            self.is_whole = fill(listener, self._cursor, self.begin_s, self.end_s, self._goes_on)
         except Exception:  # noqa: BLE001 - whatever is wrong with a file: what is near is shown
             _LOG.exception("The curves of a log could not be read")
         self.is_over = True

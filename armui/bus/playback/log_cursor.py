@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Final, NamedTuple
 import numpy as np
 
 from armui.protocol.frame import Frame
-from armui.telemetry.columns import FrameColumns, joined
+from armui.telemetry.series_columns import FrameColumns, joined
 
 if TYPE_CHECKING:
     from collections.abc import Iterator

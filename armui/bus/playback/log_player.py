@@ -1,4 +1,4 @@
-"""Plays a log into the intake that live frames take: at any speed, or frame by frame. No Qt."""
+"""Plays a log the way live frames go: at any speed, or frame by frame. No Qt."""
 
 from __future__ import annotations
 
@@ -9,13 +9,13 @@ from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
-from armui.bus.intake import Intake
-from armui.bus.playback.curve_history import CurveHistory, SeriesTap, fill, is_own_command
+from armui.bus.frame_processor import FrameProcessor
+from armui.bus.playback.curve_history import CurveHistory, SeriesListener, fill, is_own_command
 from armui.bus.playback.log_cursor import LogCursor, ReplayedFrame
-from armui.protocol.columns import bit_mask, payload_words
 from armui.protocol.frame import Frame
-from armui.telemetry.columns import NOT_OF_THE_ARM, joined
+from armui.protocol.signal_columns import bit_mask, payload_words
 from armui.telemetry.series import KEPT_S
+from armui.telemetry.series_columns import NOT_OF_THE_ARM, joined
 from armui.telemetry.store import Telemetry
 
 if TYPE_CHECKING:
@@ -27,8 +27,8 @@ if TYPE_CHECKING:
     from armui.protocol.codec import Codec, Message
     from armui.session.frames import Channel
     from armui.session.session import Session
-    from armui.telemetry.columns import FrameColumns
-    from armui.telemetry.tap import Tap
+    from armui.telemetry.listener import Listener
+    from armui.telemetry.series_columns import FrameColumns
 
 # Which frames of a slice of a log must be looked at one by one when it is played fast.
 
@@ -110,12 +110,12 @@ class LogPlayer:
         channel: What is seen of it.
         clock: Is moved along.
         codec: Protocol to begin with.
-        taps: Who else is told of every frame; curves are filled at once around a place.
-        answered: As for `Intake`.
+        listeners: Who else is told of every frame; curves are filled at once around a place.
+        answered: As for `FrameProcessor`.
 
     Attributes:
         lock: Held while frames are taken in.
-        intake: Where they go.
+        processor: Where they go.
         last: The frame that was taken in last.
         played: How many frames were passed since the last :meth:`enter`.
         curves_from_s: Log time from which on everything is in the curves.
@@ -128,7 +128,7 @@ class LogPlayer:
         clock: LogClock,
         *,
         codec: Codec,
-        taps: Sequence[Tap],
+        listeners: Sequence[Listener],
         answered: Callable[[Message], object],
     ) -> None:
         self._session = session
@@ -136,9 +136,9 @@ class LogPlayer:
         self._clock = clock
         self._cursor = LogCursor(session, channel)
         self._look_up = LogCursor(session, channel)
-        self._series: dict[int, SeriesTap] = {}
+        self._series: dict[int, SeriesListener] = {}
         self.lock = threading.RLock()
-        self.intake = Intake(codec, self._for_log(taps), answered)
+        self.processor = FrameProcessor(codec, self._for_log(listeners), answered)
         self._folding: Folding | None = None
         self._recalled: Sequence[ReplayedFrame] = ()
         self._at_entry = True
@@ -148,18 +148,18 @@ class LogPlayer:
         self.played = 0
         self.curves_from_s = math.inf
 
-    def _for_log(self, taps: Sequence[Tap]) -> list[Tap]:
-        """The same taps; the series of the curves can take in many frames at once."""
-        found: list[Tap] = []
-        for tap in taps:
-            if isinstance(tap, Telemetry):
-                tap = self._series.setdefault(id(tap), SeriesTap(tap))  # noqa: PLW2901
-            found.append(tap)
+    def _for_log(self, listeners: Sequence[Listener]) -> list[Listener]:
+        """The same listeners; the series of the curves can take in many frames at once."""
+        found: list[Listener] = []
+        for listener in listeners:
+            if isinstance(listener, Telemetry):
+                listener = self._series.setdefault(id(listener), SeriesListener(listener))  # noqa: PLW2901
+            found.append(listener)
         return found
 
-    def tap(self, taps: Sequence[Tap]) -> None:
+    def set_listeners(self, listeners: Sequence[Listener]) -> None:
         """Who else is told of every frame from now on."""
-        self.intake.line.want(self._for_log(taps))
+        self.processor.notifier.set_listeners(self._for_log(listeners))
 
     def use_codec(self, codec: Codec, *, forget: bool = True) -> None:
         """Forget what was heard, if that is wanted, as a bus thread does; any thread.
@@ -168,15 +168,15 @@ class LogPlayer:
         the same: it is no silence of the arm that makes it unknown.
         """
         with self.lock:
-            self.intake.use_codec(codec, forget=forget)
+            self.processor.use_codec(codec, forget=forget)
             if self._at_entry and forget:
                 self._take_codec()
-                self.intake.recall([each[:3] for each in self._recalled])
+                self.processor.recall([each[:3] for each in self._recalled])
 
     def _take_codec(self) -> None:
-        before = self.intake.codec
-        self.intake.take_codec(self._clock())
-        if self.intake.codec is not before:
+        before = self.processor.codec
+        self.processor.apply_codec(self._clock())
+        if self.processor.codec is not before:
             self._folding = None
 
     # Another place ----------------------------------------------------------------------------
@@ -196,14 +196,14 @@ class LogPlayer:
             self._cursor.go_behind(at_s)
             self._recalled, self._at_entry = recalled, True
             self._folding = None
-            self.intake.forget_others()
+            self.processor.reset_other_hosts()
             self._waiting = []
             self.last = recalled[-1] if recalled else None
             self.played = 0
             self.curves_from_s = math.inf
             self._clock.set(at_s)
-            for tap in self._series.values():
-                tap.telemetry.release()
+            for listener in self._series.values():
+                listener.telemetry.release()
 
     def fill(self, is_wanted: Callable[[], bool]) -> None:
         """Show in the curves what led to this place.
@@ -213,8 +213,8 @@ class LogPlayer:
         """
         end_s = self._clock()
         begin_s = max(self._session.start_s, end_s - FILLED_S)
-        for tap in self._series.values():
-            if not fill(tap, self._look_up, begin_s, end_s, lambda _at_s: is_wanted()):
+        for listener in self._series.values():
+            if not fill(listener, self._look_up, begin_s, end_s, lambda _at_s: is_wanted()):
                 return
         self.curves_from_s = begin_s
 
@@ -229,10 +229,10 @@ class LogPlayer:
         """
         end_s = self._clock()
         begin_s = max(self._session.start_s, end_s - KEPT_S)
-        tap = next(iter(self._series.values()), None)
-        if tap is None or begin_s >= self.curves_from_s:
+        listener = next(iter(self._series.values()), None)
+        if listener is None or begin_s >= self.curves_from_s:
             return None
-        empty = tap.telemetry.alike()
+        empty = listener.telemetry.alike()
         return CurveHistory(self._session, self._channel, empty, (begin_s, end_s), then)
 
     def take_history(self, history: CurveHistory, is_wanted: Callable[[], bool]) -> None:
@@ -243,9 +243,9 @@ class LogPlayer:
             is_wanted: Whether this is still the place it was read for.
         """
         self.settle()
-        tap, end_s = SeriesTap(history.telemetry), self._clock()
+        listener, end_s = SeriesListener(history.telemetry), self._clock()
         behind_s = math.nextafter(history.end_s, math.inf)
-        if not fill(tap, self._look_up, behind_s, end_s, lambda _at_s: is_wanted()):
+        if not fill(listener, self._look_up, behind_s, end_s, lambda _at_s: is_wanted()):
             return
         with self.lock:
             if is_wanted():
@@ -255,8 +255,8 @@ class LogPlayer:
     def _fill_series(self, pieces: list[FrameColumns]) -> None:
         if pieces:
             frames = joined(pieces)
-            for tap in self._series.values():
-                tap.take(frames)
+            for listener in self._series.values():
+                listener.take(frames)
 
     def settle(self) -> None:
         """Show in the curves what was played fast, up to here."""
@@ -310,8 +310,8 @@ class LogPlayer:
             self._flush(until_s)
 
     def _go_by_columns(self, *, wanted: bool) -> None:
-        for tap in self._series.values():
-            tap.by_columns = wanted
+        for listener in self._series.values():
+            listener.by_columns = wanted
 
     def _take_slice(self, frames: FrameColumns) -> None:
         self._take_codec()
@@ -319,7 +319,7 @@ class LogPlayer:
         self._waiting.append(frames)
         folding = self._folding
         if folding is None:
-            folding = self._folding = Folding(self.intake.codec)
+            folding = self._folding = Folding(self.processor.codec)
         for row in folding.rows(frames).tolist():
             data = frames.payloads[row, : frames.lengths[row]].tobytes()
             frame = Frame(int(frames.ids[row]), data)
@@ -361,11 +361,11 @@ class LogPlayer:
         self.played += 1
         frame, at_s, flags = timed.frame, timed.at_s, timed.flags
         if is_own_command(frame.arbitration_id, flags):
-            self.intake.line.sent.append((frame, at_s))
+            self.processor.notifier.sent.append((frame, at_s))
         else:
-            self.intake.take(frame, at_s, flags)
+            self.processor.process(frame, at_s, flags)
 
     def _flush(self, at_s: float) -> None:
-        self.intake.line.flush(self.intake.codec, at_s)
-        self.intake.show()
+        self.processor.notifier.flush(self.processor.codec, at_s)
+        self.processor.publish()
         self._clock.set(at_s)

@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     from armui.protocol.frame import Frame
     from armui.session.frames import Channel
     from armui.session.session import Session
-    from armui.telemetry.tap import Tap
+    from armui.telemetry.listener import Listener
 
 SLOWEST, FASTEST = 0.1, 20.0
 _TURN_S: Final = 0.01
@@ -45,7 +45,7 @@ class LogWorker(QThread):
         channel: What is seen of it.
         clock: Is moved along.
         number: Goes into its reports.
-        taps: Who else is told of every frame.
+        listeners: Who else is told of every frame.
 
     Attributes:
         samples: Every joint feedback, while somebody wants them.
@@ -75,7 +75,7 @@ class LogWorker(QThread):
         clock: LogClock,
         *,
         number: int = 0,
-        taps: Sequence[Tap] = (),
+        listeners: Sequence[Listener] = (),
     ) -> None:
         super().__init__()
         self.setObjectName(f"replay {device.name}")
@@ -84,9 +84,9 @@ class LogWorker(QThread):
         self._session = session
         self._clock = clock
         self._player = LogPlayer(
-            session, channel, clock, codec=codec, taps=taps, answered=self.answered.emit
+            session, channel, clock, codec=codec, listeners=listeners, answered=self.answered.emit
         )
-        self.samples: SampleRing = self._player.intake.samples
+        self.samples: SampleRing = self._player.processor.samples
         self.speed = 1.0
         self.released = threading.Event()
         self._wake = threading.Condition()
@@ -108,12 +108,12 @@ class LogWorker(QThread):
     @property
     def state(self) -> ArmState:
         """The arm as heard; see `BusWorker.state`."""
-        return self._player.intake.state
+        return self._player.processor.state
 
     @property
     def traffic(self) -> OtherTraffic:
         """What hosts were heard to send."""
-        return self._player.intake.traffic
+        return self._player.processor.traffic
 
     @property
     def frames_dropped(self) -> int:
@@ -136,9 +136,9 @@ class LogWorker(QThread):
         """Nothing can be sent to a log: always false."""
         return False
 
-    def tap(self, taps: Sequence[Tap]) -> None:
+    def set_listeners(self, listeners: Sequence[Listener]) -> None:
         """Who else is told of every frame from now on."""
-        self._player.tap(taps)
+        self._player.set_listeners(listeners)
 
     def use_codec(self, codec: Codec, *, forget: bool = True) -> None:
         """Forget what was heard; see `LogPlayer.use_codec`."""
@@ -252,9 +252,9 @@ class LogWorker(QThread):
     def run(self) -> None:
         """Play until :meth:`close`."""
         self._report(BusState.OPENING)
-        intake = self._player.intake
+        processor = self._player.processor
         with self._player.lock:
-            intake.line.open(intake.codec, None)
+            processor.notifier.open(processor.codec, None)
         self._report(BusState.OPEN)
         try:
             self._run()

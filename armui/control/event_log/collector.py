@@ -7,9 +7,9 @@ from datetime import datetime
 from typing import TYPE_CHECKING, Any, Final
 
 from armui.control.context import ControllerPart
-from armui.control.event_log.heard import StatusTap
 from armui.control.event_log.observed import ObservedCode
 from armui.control.event_log.observer import EventObserver
+from armui.control.event_log.status_listener import StatusListener
 from armui.control.event_log.writer import STREAMS, EventWriter
 from armui.control.events import Event, EventCode
 from armui.control.motion.motion_command import CommandKind
@@ -65,13 +65,13 @@ class EventCollector(ControllerPart):
         self._writer = EventWriter(self.log, wall)
         self._player = player
         self._recovery = recovery
-        self._tap = StatusTap()
+        self._listener = StatusListener()
         self._observer = EventObserver()
         self._followed: dict[int, Started] = {}
         self._lasting: dict[EventCode, int] = {}
         self._run_point = 0
         self._told: tuple[Event, int] | None = None
-        context.connection.add_tap(self._tap)
+        context.connection.add_listener(self._listener)
 
     def number_of(self, event: Event) -> int | None:
         """The entry of the newest notice; ``None`` of any other."""
@@ -85,7 +85,7 @@ class EventCollector(ControllerPart):
             Asker.PROGRAM,
             Level.WARNING,
             params={"reason": reason},
-            fold=(ObservedCode.PROBLEM, str(reason)),
+            repeat_key=(ObservedCode.PROBLEM, str(reason)),
         )
 
     def on_not_kept(self, text: str | None) -> EventEntry:
@@ -96,7 +96,7 @@ class EventCollector(ControllerPart):
             Asker.PROGRAM,
             Level.WARNING,
             params={} if text is None else {"text": text},
-            fold=ObservedCode.NOT_KEPT,
+            repeat_key=ObservedCode.NOT_KEPT,
         )
 
     # A part of the controller -----------------------------------------------------------------
@@ -128,11 +128,11 @@ class EventCollector(ControllerPart):
         if code in self._lasting:
             self._told = event, self._lasting[code]
             return
-        fold: Hashable = None
+        repeat_key: Hashable = None
         if code in STREAMS:
-            fold = code
+            repeat_key = code
         elif code == EventCode.REFUSED or code.kind is EventKind.PROGRAM:
-            fold = (code, repr(sorted(params.items(), key=lambda each: each[0])))
+            repeat_key = (code, repr(sorted(params.items(), key=lambda each: each[0])))
         by_recovery = code.kind is EventKind.COMMAND and self._recovery.acts
         entry = self._add(
             code,
@@ -142,7 +142,7 @@ class EventCollector(ControllerPart):
             at_s=now_s,
             wall=event.at,
             params=params,
-            fold=fold,
+            repeat_key=repeat_key,
             lasts=code in _LASTING,
         )
         self._told = event, entry.number
@@ -173,7 +173,7 @@ class EventCollector(ControllerPart):
             Level.INFO,
             at_s=own.sent_s,
             params={"row": self._player.progress.index + 1},
-            fold=ObservedCode.RUN_POINT,
+            repeat_key=ObservedCode.RUN_POINT,
         )
         if own.started is not None:
             self._followed[entry.number] = own.started
@@ -185,7 +185,10 @@ class EventCollector(ControllerPart):
         if connection.device is None:
             return
         changes = self._observer.observe(
-            self._tap.take(), connection.newest, connection.traffic, self._context.clock()
+            self._listener.take_changes(),
+            connection.newest,
+            connection.traffic,
+            self._context.clock(),
         )
         for change in changes:
             self._writer.write(change)

@@ -98,7 +98,7 @@ def _gathered(
     session: Session, channel: Channel, arm: RecordedArm, is_wanted: Callable[[], bool]
 ) -> IdRows:
     """The frames that tell what happened."""
-    from armui.control.event_log.heard import WATCHED  # noqa: PLC0415 - with such a log
+    from armui.control.event_log.status_listener import WATCHED  # noqa: PLC0415 - with such a log
     from armui.session.log_marks import IdRows, marked_ids  # noqa: PLC0415 - numpy
 
     generation = Generation(arm.generation)

@@ -1,6 +1,6 @@
 """What the frames of a whole log say of the arm's status, change by change, as if live: pure.
 
-The same as `StatusTap` notes of them one by one, looked for in all frames of a message at once.
+The same as `StatusListener` notes of them one by one, found in all frames of a message at once.
 """
 
 from __future__ import annotations
@@ -11,8 +11,15 @@ from typing import TYPE_CHECKING, Any, Final
 import numpy as np
 
 from armui.arm.state import FRESH_FOR_S
-from armui.control.event_log.heard import GAP, RATE, RATE_SPAN_S, STATUS, WATCHED, Heard
-from armui.protocol.columns import payload_words, signal_column
+from armui.control.event_log.status_listener import (
+    GAP,
+    RATE,
+    RATE_SPAN_S,
+    STATUS,
+    WATCHED,
+    StatusChange,
+)
+from armui.protocol.signal_columns import payload_words, signal_column
 from armui.session.session import DataRows
 
 if TYPE_CHECKING:
@@ -29,7 +36,7 @@ _BEFORE_ALL, _BEFORE = -0.5, -0.25
 """Of what one frame tells, a silence before it comes first, then how many came, then itself."""
 
 
-def status_changes(session: HasDataRows, channel: Channel, codec: Codec) -> list[Heard]:
+def status_changes(session: HasDataRows, channel: Channel, codec: Codec) -> list[StatusChange]:
     """The changes of everything in `WATCHED`, silences and rates, in the order of the frames.
 
     Args:
@@ -49,9 +56,9 @@ def status_changes(session: HasDataRows, channel: Channel, codec: Codec) -> list
     times_s = np.sort(np.concatenate([rows.times_s for _layout, rows in found]))
     silences = np.flatnonzero(np.diff(times_s) > FRESH_FOR_S)
     begins = numbers[silences + 1]
-    told: list[tuple[float, Heard]] = []
+    told: list[tuple[float, StatusChange]] = []
     for begin, last_s in zip(begins.tolist(), times_s[silences].tolist(), strict=True):
-        told.append((begin + _BEFORE_ALL, Heard(last_s, GAP, {})))
+        told.append((begin + _BEFORE_ALL, StatusChange(last_s, GAP, {})))
     for layout, rows in found:
         told += _changes(layout, rows, begins)
         if layout.name == STATUS:
@@ -73,7 +80,7 @@ def _understood(rows: DataRows | None, layout: MessageLayout) -> DataRows | None
 
 def _changes(
     layout: MessageLayout, rows: DataRows, begins: NDArray[np.int64]
-) -> Iterator[tuple[float, Heard]]:
+) -> Iterator[tuple[float, StatusChange]]:
     """Where a frame says something else than the one before, or is the first one."""
     names = [name for name in WATCHED[layout.name] if name in layout.signals]
     words = payload_words(rows.payloads)
@@ -85,7 +92,7 @@ def _changes(
     for row in np.flatnonzero(is_new)[:MOST].tolist():
         values = {name: column[row].item() for name, column in zip(names, columns, strict=True)}
         number = float(rows.numbers[row])
-        yield number, Heard(float(rows.times_s[row]), layout.name, values)
+        yield number, StatusChange(float(rows.times_s[row]), layout.name, values)
 
 
 def _firsts(rows: DataRows, begins: NDArray[np.int64]) -> NDArray[np.int64]:
@@ -94,7 +101,7 @@ def _firsts(rows: DataRows, begins: NDArray[np.int64]) -> NDArray[np.int64]:
     return np.unique(np.concatenate([[0], places[places < rows.numbers.size]])).astype(np.int64)
 
 
-def _rates(rows: DataRows, begins: NDArray[np.int64]) -> Iterator[tuple[float, Heard]]:
+def _rates(rows: DataRows, begins: NDArray[np.int64]) -> Iterator[tuple[float, StatusChange]]:
     """How many frames a second come, counted anew after each silence."""
     firsts = _firsts(rows, begins)
     for first, end in zip(firsts.tolist(), [*firsts[1:].tolist(), rows.numbers.size], strict=True):
@@ -107,5 +114,5 @@ def _rates(rows: DataRows, begins: NDArray[np.int64]) -> Iterator[tuple[float, H
                 break
             hz = (place - here) / float(span_s[place])
             number = float(rows.numbers[first + place]) + _BEFORE
-            yield number, Heard(float(times_s[place]), RATE, {"hz": hz})
+            yield number, StatusChange(float(times_s[place]), RATE, {"hz": hz})
             here = place

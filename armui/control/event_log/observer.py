@@ -10,9 +10,9 @@ from typing import TYPE_CHECKING, Final
 from armui.arm.joint_status import Item, Word
 from armui.arm.limits import JOINTS, plausible
 from armui.arm.state import GripperFault
-from armui.control.event_log import heard as h
-from armui.control.event_log.heard import Heard, InvalidFrames
+from armui.control.event_log import status_listener as h
 from armui.control.event_log.observed import EventChange, EventPhase, ObservedCode
+from armui.control.event_log.status_listener import InvalidFrames, StatusChange
 from armui.protocol.codes import ArmStatusCode
 from armui.telemetry.events import Asker, EventKind, Level
 
@@ -98,7 +98,7 @@ class EventObserver:
 
     def observe(
         self,
-        noted: Sequence[Heard | InvalidFrames],
+        noted: Sequence[StatusChange | InvalidFrames],
         state: ArmState,
         traffic: OtherTraffic,
         now_s: float,
@@ -106,7 +106,7 @@ class EventObserver:
         """Take in what was noted since the last look.
 
         Args:
-            noted: By :class:`StatusTap`.
+            noted: By :class:`StatusListener`.
             state: The arm as heard.
             traffic: What other hosts were heard to send.
             now_s: Monotonic time.
@@ -137,7 +137,7 @@ class EventObserver:
 
     # What the arm says ------------------------------------------------------------------------
 
-    def _on_heard(self, heard: Heard) -> Iterator[EventChange]:
+    def _on_heard(self, heard: StatusChange) -> Iterator[EventChange]:
         if heard.name == h.STATUS:
             yield from self._on_status(heard.values, heard.at_s)
         elif heard.name in h.DRIVERS:

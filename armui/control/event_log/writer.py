@@ -12,7 +12,13 @@ from armui.telemetry.events import REPEAT_S, Asker, EventEntry, EventKind, Event
 
 STREAMS: Final = frozenset(
     {
-        *(EventCode.SENT_SPEED, EventCode.SPEED_WAITS, EventCode.JOGGED, EventCode.STEPPED_TOOL),
+        *(
+            EventCode.SENT_SPEED,
+            EventCode.OVERRIDE_SET,
+            EventCode.SPEED_WAITS,
+            EventCode.JOGGED,
+            EventCode.STEPPED_TOOL,
+        ),
         *(EventCode.SENT_LAMP, EventCode.SENT_LAMPS, EventCode.FRAMES_DROPPED),
     }
 )
@@ -47,7 +53,10 @@ class EventWriter:
         wall: datetime | None = None,
         **more: Any,
     ) -> EventEntry:
-        """An event; ``more`` are further fields of `EventEntry`, and ``fold`` of `EventLog.add`."""
+        """Add an event.
+
+        ``more`` are further fields of `EventEntry`, and ``repeat_key`` of `EventLog.add`.
+        """
         wall = self._wall(at_s) if wall is None else wall
         flows = code in STREAMS or code == ObservedCode.MOTION
         return self._log.add(
@@ -75,7 +84,7 @@ class EventWriter:
             params=change.params,
             count=change.count,
             lasts=change.phase is EventPhase.BEGAN,
-            fold=None if change.phase is EventPhase.HAPPENED else (change.code, change.key),
+            repeat_key=None if change.phase is EventPhase.HAPPENED else (change.code, change.key),
         )
         self._numbers.pop(change.key, None)
         self._numbers[change.key] = entry.number, entry.count - change.count

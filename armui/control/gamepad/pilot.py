@@ -21,7 +21,7 @@ from armui.gamepad.dead_man import UNATTENDED_S, DeadMan, HoldPhase, Loss
 from armui.gamepad.device_reader import OnButtons, Reader, read_devices
 from armui.gamepad.device_state import DeviceInfo, DeviceSnapshot, DeviceState
 from armui.gamepad.layout import Assignment, JogMode, assignment
-from armui.kinematics.poses import JogFrame
+from armui.kinematics.axes import JogFrame
 
 if TYPE_CHECKING:
     from armui.control.controller_parts import ControllerParts

@@ -21,7 +21,7 @@ from armui.protocol.addressing import OFFSETS
 if TYPE_CHECKING:
     from armui.control.context import Context
     from armui.protocol.frame import Frame
-    from armui.telemetry.tap import Tap
+    from armui.telemetry.listener import Listener
 
 _KEEP_S: Final = 0.2
 """A frame that could not be sent within this time is dropped: what was meant may be over."""
@@ -47,13 +47,13 @@ class BusAccess:
         """Frames lost by the system or the adapter before they could be read."""
         return self._context.connection.frames_dropped
 
-    def add_tap(self, tap: Tap) -> None:
+    def add_listener(self, listener: Listener) -> None:
         """Have every frame told to somebody."""
-        self._context.connection.add_tap(tap)
+        self._context.connection.add_listener(listener)
 
-    def remove_tap(self, tap: Tap) -> None:
+    def remove_listener(self, listener: Listener) -> None:
         """Tell it no more."""
-        self._context.connection.remove_tap(tap)
+        self._context.connection.remove_listener(listener)
 
     def why_not_send(self, frame: Frame | None = None) -> Refusal | None:
         """The reason against sending a frame by hand now, or ``None``.

@@ -28,13 +28,13 @@ if TYPE_CHECKING:
     from armui.bus.worker import BusWorker, Opener
     from armui.control.link.handshake import Handshake
     from armui.protocol.codec import Codec
+    from armui.telemetry.listener import Listener
     from armui.telemetry.store import Telemetry
-    from armui.telemetry.tap import Tap
 
 
 Worker: TypeAlias = "BusWorker | LogWorker"
 """What stands between the program and its frames."""
-MakeWorker: TypeAlias = "Callable[[Device, Codec, int, Sequence[Tap]], Worker]"
+MakeWorker: TypeAlias = "Callable[[Device, Codec, int, Sequence[Listener]], Worker]"
 """Makes it for a device, with the codec to begin with, its number, and who is told of frames."""
 
 _CLOSE_MS: Final = 100
@@ -82,7 +82,7 @@ class Connection(QObject):
         super().__init__(parent)
         self._make_worker = make_worker or self._bus_worker
         self._telemetry: Telemetry | None = None
-        self._taps: tuple[Tap, ...] = ()
+        self._listeners: tuple[Listener, ...] = ()
         self._opener = opener
         self._clock = clock
         self._worker: Worker | None = None
@@ -111,19 +111,19 @@ class Connection(QObject):
             self._telemetry = Telemetry(self._clock)
         return self._telemetry
 
-    def add_tap(self, tap: Tap) -> None:
+    def add_listener(self, listener: Listener) -> None:
         """Have every frame on the bus told to somebody, also of a device that is open already."""
-        self._set_taps((*self._taps, tap))
-        tap.know_generation(self.generation)
+        self._set_listeners((*self._listeners, listener))
+        listener.know_generation(self.generation)
 
-    def remove_tap(self, tap: Tap) -> None:
+    def remove_listener(self, listener: Listener) -> None:
         """Tell it no more; frames that are on their way to it may still reach it."""
-        self._set_taps(tuple(each for each in self._taps if each is not tap))
+        self._set_listeners(tuple(each for each in self._listeners if each is not listener))
 
-    def _set_taps(self, taps: tuple[Tap, ...]) -> None:
-        self._taps = taps
+    def _set_listeners(self, listeners: tuple[Listener, ...]) -> None:
+        self._listeners = listeners
         if self._worker is not None:
-            self._worker.tap((self.telemetry, *taps))
+            self._worker.set_listeners((self.telemetry, *listeners))
 
     @property
     def codec(self) -> Codec:
@@ -203,15 +203,15 @@ class Connection(QObject):
         self.offsets = OffsetFollower(Addressing(offset))
         self._bus_state = BusState.OPENING
         self._worker_number = next(self._worker_numbers)
-        taps = (self.telemetry, *self._taps)
-        self._worker = self._make_worker(device, self._codec, self._worker_number, taps)
+        listeners = (self.telemetry, *self._listeners)
+        self._worker = self._make_worker(device, self._codec, self._worker_number, listeners)
         self._tell_generation()
         self._worker.reported.connect(self._on_report)
         self._worker.answered.connect(self.answered)
         self._worker.start()
 
     def _bus_worker(
-        self, device: Device, codec: Codec, number: int, taps: Sequence[Tap]
+        self, device: Device, codec: Codec, number: int, listeners: Sequence[Listener]
     ) -> BusWorker:
         from armui.bus.worker import BusWorker, opener_after  # noqa: PLC0415 - see open()
 
@@ -223,7 +223,7 @@ class Connection(QObject):
             self._clock,
             listen_only=device.listen_only,
             number=number,
-            taps=taps,
+            listeners=listeners,
         )
 
     def close(self) -> None:
@@ -335,8 +335,8 @@ class Connection(QObject):
         return self.newest
 
     def _tell_generation(self) -> None:
-        for tap in (self.telemetry, *self._taps):
-            tap.know_generation(self.generation)
+        for listener in (self.telemetry, *self._listeners):
+            listener.know_generation(self.generation)
 
     def _understood(self, state: ArmState) -> ArmState:
         """What can be told of the arm as long as it is not known which protocol it speaks."""

@@ -10,8 +10,8 @@ from armui.control.requests import reports
 
 if TYPE_CHECKING:
     from armui.arm.state import ArmState
-    from armui.control.context import Tell
     from armui.control.link.connection import Connection
+    from armui.control.operations.started import Tell
 
 
 class LinkWatch:

@@ -19,7 +19,7 @@ from armui.control.motion.joint_motion import why_not_move
 from armui.control.motion.motion_command import CommandKind
 from armui.control.motion.point_frames import leading_mode
 from armui.control.operations.operation import begun, operation
-from armui.kinematics.poses import AXES, LINEAR_AXES, JogFrame
+from armui.kinematics.axes import AXES, LINEAR_AXES, JogFrame
 from armui.protocol import commands
 from armui.protocol.codes import MoveMode
 

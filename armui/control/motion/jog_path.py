@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Final, Protocol
 from armui.arm.limits import JOINTS, JointLimits, check_joints
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
-from armui.kinematics.poses import LINEAR_AXES, JogFrame
+from armui.kinematics.axes import LINEAR_AXES, JogFrame
 
 if TYPE_CHECKING:
     from armui.control.motion.jog_pace import Pace

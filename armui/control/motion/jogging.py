@@ -30,7 +30,7 @@ from armui.control.motion.steered_path import SteeredJog, SteeredToolPath
 from armui.control.operations.operation import Consent, begun, operation
 from armui.control.operations.started import Ending, Started
 from armui.control.safety.standstill import QUIET_DEG, QUIET_S, RestWatch
-from armui.kinematics.poses import AXES, JogFrame
+from armui.kinematics.axes import AXES, JogFrame
 from armui.protocol import commands
 from armui.protocol.codes import MoveMode
 

@@ -90,13 +90,7 @@ class Motion(ControllerPart):
 
     def tell_speed(self) -> bool:
         """Send the speed in the mode the arm is in; whether that is possible now."""
-        context = self._context
-        authority, percent = context.authority, self.speed_percent
-        mode = None if context.why_no_motion() is not None else authority.mode_in_force()
-        if mode is None or not context.connection.send(context.speed_frames(mode, percent)):
-            return False
-        authority.told_percent(percent)
-        return True
+        return self._context.tell_percent(self.speed_percent)
 
     @operation("motion.step", "Move a joint by a step", why_not_move, moves=True)
     def jog(self, joint: int, delta_deg: float) -> Refusal | None:
@@ -161,11 +155,18 @@ class Motion(ControllerPart):
         return None
 
     def advance(self) -> None:
-        """A motion goes on by itself; afterwards the arm gets the operator's speed back."""
+        """A motion goes on by itself; afterwards the arm gets the operator's speed back.
+
+        A lower speed that could not be told, as while the arm was not heard, does not wait for the
+        end of the motion.
+        """
         context = self._context
         authority = context.authority
         given = authority.arm_percent
-        if given is None or given == self.speed_percent or not authority.at_rest:
+        if given is None or given == self.speed_percent:
+            return
+        slower = given > self.speed_percent and authority.may_be_ours
+        if not authority.at_rest and not slower:
             return
         operating_state = context.operating_state()
         occupied = operating_state.occupied is not None or authority.mode_in_force() is None

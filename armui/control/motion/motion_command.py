@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, NamedTuple
 from armui.arm.models import model_data
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
+from armui.control.motion.jog_pace import accelerations
 from armui.protocol.generation import PiperModel
 
 if TYPE_CHECKING:
@@ -133,5 +134,11 @@ class Observation(NamedTuple):
 
     @property
     def factory_limits(self) -> tuple[JointLimits, ...]:
-        """Of its model."""
+        """The limits of its model."""
         return model_data(self.model).limits
+
+    @property
+    def accelerations_deg_s2(self) -> tuple[float, ...]:
+        """The accelerations to rely on for braking; see :func:`accelerations`."""
+        factory = model_data(self.model).accelerations_deg_s2
+        return accelerations(self.state.accelerations_deg_s2, factory)

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from armui.arm.limits import JointLimits
 from armui.arm.refusal import Refusal
 from armui.control.motion.jog_path import TOOL_DEG_S, TOOL_MM_S, HeldToolPath
-from armui.kinematics.poses import LINEAR_AXES, JogFrame
+from armui.kinematics.axes import LINEAR_AXES, JogFrame
 
 if TYPE_CHECKING:
     from armui.control.motion.jog_pace import Pace

@@ -1,1 +1,1 @@
-"""What an operator can do to the arm: a declaration for each action, beside what sends it."""
+"""Operations: each action of the operator on the arm is declared once, beside what sends it."""

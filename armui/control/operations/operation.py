@@ -19,7 +19,7 @@ WhyNot = Callable[..., Refusal | None]
 
 
 class Consent(enum.Enum):
-    """How the operator agrees to an operation before it is carried out."""
+    """The way the operator agrees to an operation before it is carried out."""
 
     NONE = enum.auto()
     PRESS = enum.auto()
@@ -100,7 +100,7 @@ class BoundOperation:
 
 
 class Operations(Mapping[str, BoundOperation]):
-    """All operations of the parts of a controller, by their ids.
+    """The registry: the operations of the parts of a controller, by their ids.
 
     Args:
         parts: The parts.

@@ -5,7 +5,7 @@ from __future__ import annotations
 import enum
 from dataclasses import dataclass, field
 from itertools import count
-from typing import TYPE_CHECKING, Final
+from typing import TYPE_CHECKING, Final, Protocol
 
 from armui.arm.refusal_codes import RefusalCode
 from armui.control.event_log.observed import ObservedCode
@@ -15,6 +15,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable
 
     from armui.arm.refusal import Refusal
+    from armui.control.events import EventCode
 
 _CUT_OFF: Final = frozenset(
     {RefusalCode.LINK_LOST, RefusalCode.ENDED_BY_STOP, RefusalCode.ARM_CHANGED}
@@ -30,7 +31,7 @@ _NUMBERS: Final[Callable[[], int]] = count(1).__next__
 
 
 class Ending(enum.Enum):
-    """How a command ended."""
+    """The way a command ended."""
 
     SENT = enum.auto()
     """The arm says nothing of it: all that is known is that it was sent."""
@@ -88,6 +89,46 @@ class Started:
         """
         if self.ending is None:
             self.ending, self.result = ending, result or self.result
+
+
+class Tell(Protocol):
+    """Tells the operator an event: its code, the command that begins with it, and its figures."""
+
+    def __call__(
+        self, code: EventCode, started: Started | None = None, /, **params: object
+    ) -> None:
+        """Tell it; the command is told with its beginning alone."""
+
+
+def report_and_tell(
+    tell: Tell, at_s: float, started: Started | None, code: EventCode, **params: object
+) -> None:
+    """Tell the operator what is known of a command that has not ended, and note it there.
+
+    Args:
+        tell: Takes the event.
+        at_s: Monotonic time.
+        started: The command; ``None``: the event is of none.
+        code: What the operator is told.
+        **params: The figures of that.
+    """
+    if started is not None:
+        started.report(EventOutcome(code, at_s, code.level, params))
+    tell(code, **params)
+
+
+def close_and_tell(
+    tell: Tell,
+    at_s: float,
+    started: Started | None,
+    ending: Ending,
+    code: EventCode,
+    **params: object,
+) -> None:
+    """Note how a command ended, and tell the operator so; see :func:`report_and_tell`."""
+    if started is not None:
+        started.close(ending, EventOutcome(code, at_s, code.level, params))
+    tell(code, **params)
 
 
 def ending_of(refusal: Refusal) -> Ending:

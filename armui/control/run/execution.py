@@ -12,8 +12,10 @@ from armui.arm.refusal_codes import RefusalCode
 from armui.control.context import Context, ControllerPart
 from armui.control.operations.started import Ending
 from armui.control.run.progress import OVER, Progress, RunPhase
-from armui.control.run.run_end import cut_short, cut_short_for
+from armui.control.run.run_end import abort_motion, abort_motion_for
 from armui.control.safety.standstill import RestWatch
+from armui.protocol import commands
+from armui.protocol.codes import TrajectoryCommand
 
 if TYPE_CHECKING:
     from armui.control.operations.started import Started
@@ -43,6 +45,9 @@ class Execution(QObject, ControllerPart):
         self._rest = RestWatch()
         self._since_s = 0.0
         self._started: Started | None = None
+        self._override_percent = 100
+        self._untold = False
+        """The speed of now could not be told the arm yet."""
 
     @property
     def progress(self) -> Progress:
@@ -75,6 +80,20 @@ class Execution(QObject, ControllerPart):
 
     # What each of the two does its own way ----------------------------------------------------
 
+    def set_override(self, percent: int) -> None:
+        """Go at another share of its own speed from now on; at 0 % it is paused.
+
+        A run that is paused does not go on by it.
+
+        Args:
+            percent: 0–100.
+        """
+        raise NotImplementedError
+
+    def tell_speed(self) -> None:
+        """Tell the arm the speed of the motion under way once more, where there is one to tell."""
+        raise NotImplementedError
+
     def _snapshot(self, reason: Refusal | None) -> Progress:
         """How far it has come by now.
 
@@ -94,7 +113,7 @@ class Execution(QObject, ControllerPart):
     # What both do the same way ----------------------------------------------------------------
 
     def _fail(self, reason: Refusal, ending: Ending = Ending.FAILED) -> None:
-        cut_short_for(self._context, reason)
+        abort_motion_for(self._context, reason)
         self._end(RunPhase.FAILED)
         self._progress = self._snapshot(reason)
         self._tell_failed(reason, ending)
@@ -102,7 +121,7 @@ class Execution(QObject, ControllerPart):
 
     def _abort_motion(self) -> None:
         """Have the arm end its motion and stay powered; wait until it rests."""
-        cut_short(self._context)
+        abort_motion(self._context)
         self._await_rest()
 
     def _await_rest(self) -> None:
@@ -115,6 +134,33 @@ class Execution(QObject, ControllerPart):
         if progress != self._progress:
             self._progress = progress
             self.progressed.emit(progress)
+
+    @property
+    def _share(self) -> float:
+        """How fast it goes, of its own speed."""
+        return self._override_percent / 100.0
+
+    def _hold_back(self) -> None:
+        """Have the arm hold a planned motion back where it is (0x150 byte 1 = 1)."""
+        self._send(commands.trajectory_command(self._codec, TrajectoryCommand.PAUSE))
+        self._context.authority.paused()
+
+    def _let_go_on(self, percent: int) -> bool:
+        """Have the arm go on with what it holds back (0x150 byte 1 = 2), no faster than shown.
+
+        Args:
+            percent: Told before, where the arm was told another one last.
+
+        Returns:
+            Whether it is on the bus; else the motion stays held back.
+        """
+        context = self._context
+        authority, holds = context.authority, context.authority.holds
+        authority.went_on(context.clock())
+        if authority.arm_percent != percent and not context.tell_percent(percent):
+            authority.holds = holds
+            return False
+        return self._send(commands.trajectory_command(self._codec, TrajectoryCommand.CONTINUE))
 
     def _rests(self) -> bool:
         """Whether the arm is measured to have come to rest since the motion was ended."""

@@ -23,9 +23,14 @@ from armui.control.operations.operation import Consent, begun, operation
 from armui.control.operations.started import Ending
 from armui.control.run.arrival import Arrival, ArrivalWatch
 from armui.control.run.execution import Execution
-from armui.control.run.progress import ENDLESS, Progress, Run, RunPhase, RunSchedule
-from armui.protocol import commands
-from armui.protocol.codes import TrajectoryCommand
+from armui.control.run.progress import (
+    ENDLESS,
+    Progress,
+    Run,
+    RunPhase,
+    RunSchedule,
+    sent_percent,
+)
 
 _REST_WITHIN_S: Final = 2.0
 """An arm told to end its motion stands within this time, or the operator is warned."""
@@ -45,6 +50,8 @@ def why_not_run(now: OperatingState) -> Refusal | None:
 
 def why_not_go_on(now: OperatingState) -> Refusal | None:
     """Tell why the run that is paused cannot go on."""
+    if now.running and now.override_percent == 0:
+        return Refusal(RefusalCode.OVERRIDE_ZERO)
     return now.cannot_run if now.running else Refusal(RefusalCode.NOT_PAUSED)
 
 
@@ -67,6 +74,7 @@ class Player(Execution):
         self._has_lights = False
         self._paused_phase = RunPhase.IDLE
         self._paused_s = 0.0
+        self._looked_s = 0.0
         self._known_s = 0.0
         self._known = True
         self._index = 0
@@ -105,8 +113,7 @@ class Player(Execution):
         if self._phase not in {RunPhase.MOVING, RunPhase.DWELLING}:
             return self._context.refuse(Refusal(RefusalCode.NOT_RUNNING))
         if self._phase is RunPhase.MOVING:
-            self._send(commands.trajectory_command(self._codec, TrajectoryCommand.PAUSE))
-            self._context.authority.paused()
+            self._hold_back()
         self._paused_phase, self._phase = self._phase, RunPhase.PAUSED
         self._paused_s = self._context.clock()
         started = begun(self.pause)
@@ -118,24 +125,50 @@ class Player(Execution):
     @operation("run.go_on", "Go on with the run", why_not_go_on, moves=True, consent=Consent.HELD)
     def go_on(self) -> Refusal | None:
         """End a pause (0x150 byte 1 = 2), or take the next step."""
-        if self._phase is RunPhase.WAITING:
+        waits = self._phase is RunPhase.WAITING
+        if not waits and self._phase is not RunPhase.PAUSED:
+            return self._context.refuse(Refusal(RefusalCode.NOT_PAUSED))
+        refusal = why_not_go_on(self._context.refresh())
+        if waits and (refusal is None or refusal.code != RefusalCode.OVERRIDE_ZERO):
             self._next_point()
             return None
-        if self._phase is not RunPhase.PAUSED:
-            return self._context.refuse(Refusal(RefusalCode.NOT_PAUSED))
-        refusal = self._context.refresh().cannot_run
         if refusal is not None:
             return self._context.refuse(refusal)
-        if self._paused_phase is RunPhase.MOVING:
-            self._send(commands.trajectory_command(self._codec, TrajectoryCommand.CONTINUE))
-            self._context.authority.went_on(self._context.clock())
+        if self._paused_phase is RunPhase.MOVING and not self._let_go_on(self._percent):
+            return self._context.refuse(Refusal(RefusalCode.LINK_LOST))
         self._phase = self._paused_phase
         self._since_s += self._context.clock() - self._paused_s
+        self._looked_s = self._context.clock()
         started = begun(self.go_on)
         started.close(Ending.SENT)
         self._context.tell(EventCode.RUN_CONTINUED, started, row=self._index + 1)
         self._publish()
         return None
+
+    def set_override(self, percent: int) -> None:
+        """Go at another share of the points' speeds: the arm is told at once, mid-motion, too."""
+        self._keep_time()
+        self._override_percent = percent
+        if percent == 0 and self._phase in {RunPhase.MOVING, RunPhase.DWELLING}:
+            self.pause()
+        elif self._phase is RunPhase.MOVING:
+            self.tell_speed()
+        if self.running:
+            self._publish()
+
+    def tell_speed(self) -> None:
+        """Tell the arm the speed of the point under way once more."""
+        if self._phase is RunPhase.MOVING:
+            self._untold = not self._context.tell_percent(self._percent)
+
+    @property
+    def _percent(self) -> int:
+        """What the point under way is sent with."""
+        run = self._run
+        if run is None:
+            return 0
+        own = run.points[self._index].speed_percent
+        return sent_percent(own, run.speed_factor * self._share)
 
     def stop(self) -> None:
         """End the run: the arm ends its motion where it is and stays powered (0x150 byte 1 = 6)."""
@@ -184,6 +217,9 @@ class Player(Execution):
         run, watch, schedule = self._run, self._watch, self._schedule
         if run is None or watch is None or schedule is None:
             return
+        self._keep_time()
+        if self._untold:
+            self.tell_speed()
         now_s = self._context.clock()
         arrival = watch.look(self._context.state(), now_s)
         if isinstance(arrival, Refusal):
@@ -192,6 +228,13 @@ class Player(Execution):
             self._arrive(run, now_s)
         elif now_s - self._since_s > (limit_s := schedule.time_limit_s(self._index)):
             self._fail(Refusal(RefusalCode.RUN_TOO_SLOW, {"seconds": round(limit_s)}))
+
+    def _keep_time(self) -> None:
+        """The time that a motion is expected to take goes by as slowly as the arm goes."""
+        now_s = self._context.clock()
+        if self._phase is RunPhase.MOVING:
+            self._since_s += (now_s - self._looked_s) * (1.0 - self._share)
+        self._looked_s = now_s
 
     def _arrive(self, run: Run, now_s: float) -> None:
         point = run.points[self._index]
@@ -235,7 +278,7 @@ class Player(Execution):
         if run is None:
             return
         point = run.points[self._index]
-        percent = run.speed_percent(self._index)
+        percent = self._percent
         frames = point_frames(self._codec, point, self._context.state(), percent)
         if isinstance(frames, Refusal):
             self._fail(frames)
@@ -252,7 +295,8 @@ class Player(Execution):
         if isinstance(sent, Refusal):
             self._fail(sent)
             return
-        self._since_s = self._context.clock()
+        self._since_s = self._looked_s = self._context.clock()
+        self._untold = False
         self._watch = ArrivalWatch(point, self._since_s)
         self._phase = RunPhase.MOVING
         self._publish()
@@ -288,7 +332,9 @@ class Player(Execution):
             done=1.0
             if over
             else schedule.in_cycle_s(self._index, elapsed_s) / (schedule.cycle_s or 1),
-            remaining_s=0.0 if over else schedule.remaining_s(self._index, self._cycle, elapsed_s),
+            remaining_s=0.0
+            if over
+            else schedule.remaining_s(self._index, self._cycle, elapsed_s, self._share),
             reason=reason,
         )
 

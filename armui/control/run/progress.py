@@ -64,10 +64,6 @@ class Run:
     speed_factor: float = 1.0
     step_by_step: bool = False
 
-    def speed_percent(self, index: int) -> int:
-        """What a point is sent with."""
-        return sent_percent(self.points[index].speed_percent, self.speed_factor)
-
 
 @dataclass(frozen=True, slots=True)
 class Progress:
@@ -80,7 +76,8 @@ class Progress:
         count: How many points a cycle has.
         cycle, cycles: Which cycle, from 1, of how many; 0 endless.
         done: Share of the cycle that is done, 0–1.
-        remaining_s: Of the whole run as planned; ``None`` if it has no end.
+        remaining_s: Of the whole run at the override of now; ``None`` if it has no end, or is held
+            back at 0 %.
         reason: Why it failed.
     """
 
@@ -108,6 +105,7 @@ class RunSchedule:
         ]
         self._ends_s = list(accumulate(lengths_s))
         self._lengths_s = lengths_s
+        self._dwells_end_s = list(accumulate(point.dwell_s for point in run.points))
 
     @property
     def cycle_s(self) -> float:
@@ -123,9 +121,23 @@ class RunSchedule:
         length_s = self._lengths_s[index]
         return self._ends_s[index] - length_s + min(elapsed_s, length_s)
 
-    def remaining_s(self, index: int, cycle: int, elapsed_s: float) -> float | None:
-        """How long the rest of the run takes; ``None`` if it has no end."""
-        if self._run.cycles == ENDLESS:
+    def remaining_s(
+        self, index: int, cycle: int, elapsed_s: float, share: float = 1.0
+    ) -> float | None:
+        """Return how long the rest of the run takes; ``None`` if it has no end.
+
+        Args:
+            index: The point under way.
+            cycle: Which cycle, from 1.
+            elapsed_s: Since that point was sent, as planned.
+            share: How fast the arm moves, of what was planned; dwells stay as long as they are.
+        """
+        if self._run.cycles == ENDLESS or share <= 0.0:
             return None
         cycles_left = self._run.cycles - cycle
-        return self.cycle_s * (cycles_left + 1) - self.in_cycle_s(index, elapsed_s)
+        rest_s = self.cycle_s * (cycles_left + 1) - self.in_cycle_s(index, elapsed_s)
+        dwell_s = self._run.points[index].dwell_s
+        here_s = max(0.0, min(dwell_s, self._lengths_s[index] - elapsed_s))
+        per_cycle_s = self._dwells_end_s[-1]
+        dwells_s = here_s + per_cycle_s * (cycles_left + 1) - self._dwells_end_s[index]
+        return dwells_s + (rest_s - dwells_s) / share

@@ -16,6 +16,7 @@ from armui.control.operations.started import Ending, Started
 
 if TYPE_CHECKING:
     from armui.control.run.sample_store import Recorded, SampleStore
+    from armui.trajectory.samples.recording import Array
 
 
 def why_not_record(now: OperatingState) -> Refusal | None:
@@ -68,7 +69,7 @@ class Recorder(QObject, ControllerPart):
         refusal = why_not_record(self._context.refresh())
         if refusal is not None:
             return self._context.refuse(refusal)
-        from armui.control.run.sample_store import SampleStore  # noqa: PLC0415 - numpy, faster start
+        from armui.control.run.sample_store import SampleStore  # noqa: PLC0415 - numpy
 
         self._samples = SampleStore(self._context.operating_state().model_fit.taught_on)
         self.dropped = 0
@@ -80,6 +81,10 @@ class Recorder(QObject, ControllerPart):
         self._context.tell(EventCode.RECORDING_STARTED, self._started)
         self.changed.emit()
         return None
+
+    def rows_from(self, first: int) -> Array | None:
+        """Return a copy of the samples from an index on; ``None`` if there are none."""
+        return None if self._samples is None else self._samples.rows_from(first)
 
     def finish(self, name: str) -> Recorded | None:
         """End recording.

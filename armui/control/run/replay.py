@@ -74,6 +74,21 @@ class Replay:
         opening_mm = self._cursor.gripper_mm_at(at_s * self.factor)
         return None if math.isnan(opening_mm) else opening_mm
 
+    def braking_s(self, at_s: float, state: ArmState) -> float:
+        """How long the joint takes that takes longest to brake from how fast it went of late."""
+        speeds = self._speeds_deg_s(at_s)
+        return max(
+            speed / (heard.value if heard is not None else _ACCELERATION_DEG_S2)
+            for speed, heard in zip(speeds, state.accelerations_deg_s2, strict=True)
+        )
+
+    def _speeds_deg_s(self, at_s: float) -> list[float]:
+        """The fastest of each joint in the last second."""
+        last = self._cursor.index_at(at_s * self.factor)
+        first = self._cursor_behind.index_at((at_s - _LAG_MEMORY_S) * self.factor)
+        highest = self.known.speeds_deg_s[first : last + 1].max(axis=0)
+        return [float(speed) for speed in self.factor * highest]
+
     def lag_allowed_deg(self, at_s: float, state: ArmState) -> tuple[float, ...]:
         """How far an arm that follows may be behind: what its own braking explains, and a bit.
 
@@ -81,15 +96,11 @@ class Replay:
         the fastest of the last second counts. Joints arrive together: all take as long to brake as
         the one that takes longest.
         """
-        last = self._cursor.index_at(at_s * self.factor)
-        first = self._cursor_behind.index_at((at_s - _LAG_MEMORY_S) * self.factor)
-        highest = self.known.speeds_deg_s[first : last + 1].max(axis=0)
-        speeds = (self.factor * highest).tolist()
-        braking_s = max(
-            speed / (heard.value if heard is not None else _ACCELERATION_DEG_S2)
-            for speed, heard in zip(speeds, state.accelerations_deg_s2, strict=True)
+        braking_s = self.braking_s(at_s, state)
+        return tuple(
+            _LAG_SLACK_DEG + (_LAG_S + braking_s / 2.0) * speed
+            for speed in self._speeds_deg_s(at_s)
         )
-        return tuple(_LAG_SLACK_DEG + (_LAG_S + braking_s / 2.0) * speed for speed in speeds)
 
 
 def why_not(replay: Replay, operating_state: OperatingState) -> Refusal | None:

@@ -16,7 +16,7 @@ from armui.control.operations.started import Ending
 from armui.control.run.arrival import Arrival, ArrivalWatch
 from armui.control.run.execution import Execution
 from armui.control.run.player import why_not_go_on, why_not_pause, why_not_run
-from armui.control.run.progress import ENDLESS, Progress, RunPhase
+from armui.control.run.progress import ENDLESS, Progress, RunPhase, sent_percent
 from armui.protocol import commands
 from armui.protocol.codes import MoveMode
 from armui.trajectory.points.program import Waypoint
@@ -36,6 +36,8 @@ _GRIPPER_TORQUE_NM: Final = 1.0
 _GAP_S: Final = 0.08
 """After a longer pause of the program the recorded time goes on by one period only, so that the arm
 is never asked to catch up; jogs end after the same time."""
+_SLOWED_WITHIN_S: Final = 0.2
+"""The recorded time goes over to another pace no faster than this, from full to none."""
 _LONGEST_GAP_S: Final = 0.5
 """After a pause this long, or a sleep of the computer, a replay does not go on by itself."""
 
@@ -44,7 +46,8 @@ class Replayer(Execution):
     """One replay at a time.
 
     If the program stops sending, for whatever reason, the arm ends in the target sent last, which
-    is never more than a period ahead of what was recorded.
+    is never more than a period ahead of what was recorded. An override slows the recorded time: the
+    way stays the one that was checked.
 
     Args:
         context: What the parts of the controller share.
@@ -57,7 +60,9 @@ class Replayer(Execution):
         self._ending = RunPhase.DONE
         self._watch: ArrivalWatch | None = None
         self._at_s = 0.0
+        self._pace = 0.0
         self._cycle = 1
+        self._looked_s = self._waited_s = 0.0
         self._gripper_mm: float | None = None
         self._timer = QTimer(self)
         self._timer.setTimerType(Qt.TimerType.PreciseTimer)
@@ -86,15 +91,21 @@ class Replayer(Execution):
 
     @operation("replay.pause", "Pause the replay", why_not_pause)
     def pause(self) -> Refusal | None:
-        """Hold where the arm is: nothing more is sent."""
-        if self._phase is not RunPhase.MOVING or self._watch is not None:
+        """Hold where the arm is: by 0x150 on the way to the first sample, later by silence."""
+        if self._phase is not RunPhase.MOVING:
             return self._context.refuse(Refusal(RefusalCode.NOT_RUNNING))
+        self._pace = 0.0
+        self._pause()
+        return None
+
+    def _pause(self) -> None:
+        if self._watch is not None:
+            self._hold_back()
         self._phase = RunPhase.PAUSED
         started = begun(self.pause)
         started.close(Ending.SENT)
         self._context.tell(EventCode.REPLAY_PAUSED, started)
         self._publish()
-        return None
 
     @operation(
         "replay.go_on", "Go on with the replay", why_not_go_on, moves=True, consent=Consent.HELD
@@ -103,16 +114,37 @@ class Replayer(Execution):
         """End a pause."""
         if self._phase is not RunPhase.PAUSED:
             return self._context.refuse(Refusal(RefusalCode.NOT_PAUSED))
-        refusal = self._context.refresh().cannot_run
+        refusal = why_not_go_on(self._context.refresh())
         if refusal is not None:
             return self._context.refuse(refusal)
+        if self._watch is not None and not self._let_go_on(self._approach_percent):
+            return self._context.refuse(Refusal(RefusalCode.LINK_LOST))
         self._phase = RunPhase.MOVING
-        self._since_s = self._context.clock()
+        self._since_s = self._looked_s = self._context.clock()
         started = begun(self.go_on)
         started.close(Ending.SENT)
         self._context.tell(EventCode.REPLAY_CONTINUED, started)
         self._publish()
         return None
+
+    def set_override(self, percent: int) -> None:
+        """Let the recorded time go by at another pace; at 0 % it comes to a stand: a pause."""
+        self._override_percent = percent
+        if percent == 0 and self._phase is RunPhase.MOVING:
+            self._pause()
+        elif self._watch is not None:
+            self.tell_speed()
+        if self.running:
+            self._publish()
+
+    def tell_speed(self) -> None:
+        """Tell the arm the speed of the way to the first sample; later the targets tell it."""
+        if self._phase is RunPhase.MOVING and self._watch is not None:
+            self._untold = not self._context.tell_percent(self._approach_percent)
+
+    @property
+    def _approach_percent(self) -> int:
+        return sent_percent(_APPROACH_PERCENT, self._share)
 
     def stop(self) -> None:
         """End the replay: the arm comes to rest and stays powered."""
@@ -136,15 +168,21 @@ class Replayer(Execution):
             self._follow_rest(replay)
         elif self._phase is RunPhase.MOVING and self._watch is not None:
             self._follow_approach(self._watch)
-        elif self._phase is RunPhase.MOVING:
+        elif self._phase is RunPhase.MOVING or self._comes_to_a_stand(replay):
             self._stream(replay)
         self._publish()
 
+    def _comes_to_a_stand(self, replay: Replay) -> bool:
+        """Whether it has been paused by 0 %, and the recorded time still slows down."""
+        paused = self._phase is RunPhase.PAUSED and self._watch is None
+        return paused and self._pace > 0.0 and self._at_s < replay.duration_s
+
     def _approach(self, replay: Replay) -> None:
         """Set out for the first sample, slowly: the arm may stand anywhere."""
-        self._since_s = self._context.clock()
+        self._since_s = self._looked_s = self._context.clock()
+        self._waited_s, self._untold = 0.0, False
         self._watch = ArrivalWatch(Waypoint(MoveMode.MOVE_J, replay.first_deg), self._since_s)
-        sent = self._send_first(replay, CommandKind.RUN, _APPROACH_PERCENT)
+        sent = self._send_first(replay, CommandKind.RUN, self._approach_percent)
         if isinstance(sent, Refusal):
             self._fail(sent)
             return
@@ -153,12 +191,17 @@ class Replayer(Execution):
 
     def _follow_approach(self, watch: ArrivalWatch) -> None:
         now_s = self._context.clock()
+        # what it may take grows as the arm slows down
+        self._waited_s += (now_s - self._looked_s) * self._share
+        self._looked_s = now_s
+        if self._untold:
+            self.tell_speed()
         arrival = watch.look(self._context.state(), now_s)
         if isinstance(arrival, Refusal):
             self._fail(arrival)
         elif arrival is Arrival.REACHED:
             self._begin_stream(now_s)
-        elif now_s - self._since_s > _APPROACH_WITHIN_S:
+        elif self._waited_s > _APPROACH_WITHIN_S:
             self._fail(Refusal(RefusalCode.RUN_TOO_SLOW, {"seconds": round(_APPROACH_WITHIN_S)}))
 
     def _begin_stream(self, now_s: float) -> None:
@@ -171,7 +214,7 @@ class Replayer(Execution):
             self._fail(sent)
             return
         self._command, self._watch = sent, None
-        self._since_s, self._at_s = now_s, 0.0
+        self._since_s, self._at_s, self._pace = now_s, 0.0, self._share
 
     def _send_first(
         self, replay: Replay, kind: CommandKind, speed_percent: int
@@ -203,7 +246,8 @@ class Replayer(Execution):
             return
         gap_s, self._since_s = now_s - self._since_s, now_s
         gone_s = gap_s if gap_s <= _GAP_S else PERIOD_MS / 1e3
-        self._at_s = min(self._at_s + gone_s, replay.duration_s)
+        self._change_pace(replay, gone_s)
+        self._at_s = min(self._at_s + gone_s * self._pace, replay.duration_s)
         behind = why_behind(replay, self._at_s, self._context.state())
         if behind is not None:
             self._fail(behind)
@@ -212,8 +256,16 @@ class Replayer(Execution):
         if not self._send_target(target_deg):
             return
         self._move_gripper(replay.gripper_mm_at(self._at_s))
-        if self._at_s >= replay.duration_s:
+        if self._at_s >= replay.duration_s and self._phase is RunPhase.MOVING:
             self._end_cycle(replay)
+
+    def _change_pace(self, replay: Replay, gone_s: float) -> None:
+        """Let the recorded time go over to the override, as fast as the joints can follow."""
+        if self._pace == self._share:
+            return
+        braking_s = replay.braking_s(self._at_s, self._context.state())
+        most = gone_s / max(braking_s, _SLOWED_WITHIN_S)
+        self._pace += min(max(self._share - self._pace, -most), most)
 
     def _send_target(self, target_deg: tuple[float, ...]) -> bool:
         command = self._command
@@ -278,6 +330,7 @@ class Replayer(Execution):
         done = 1.0 if self._phase is RunPhase.DONE else self._at_s / replay.duration_s
         cycles_left = replay.cycles - self._cycle
         rest_s = replay.duration_s * (1.0 - done + cycles_left)
+        endless = replay.cycles == ENDLESS or not self._override_percent
         return Progress(
             phase=self._phase,
             name=replay.recording.name,
@@ -285,6 +338,6 @@ class Replayer(Execution):
             cycle=self._cycle,
             cycles=replay.cycles,
             done=done,
-            remaining_s=None if replay.cycles == ENDLESS else rest_s,
+            remaining_s=None if endless else rest_s / self._share,
             reason=reason,
         )

@@ -32,7 +32,7 @@ _LEFT_ALONE: Final = frozenset(
 """Reasons for a run to end after which the arm is told nothing more."""
 
 
-def cut_short(context: Context) -> bool:
+def abort_motion(context: Context) -> bool:
     """Have the arm end its motion where it is, powered, and drop its target (0x150 byte 1 = 6).
 
     It goes past everything that waits to be sent: half a target must not follow it. Returns
@@ -46,11 +46,11 @@ def cut_short(context: Context) -> bool:
     return connection.send_urgent(frames)
 
 
-def cut_short_for(context: Context, reason: Refusal) -> None:
+def abort_motion_for(context: Context, reason: Refusal) -> None:
     """The same for a run that cannot go on, unless its reason makes sending pointless.
 
     An arm that is blocked, or whose run took too long, would otherwise set out for the point of a
     run long over as soon as it can.
     """
     if reason.code not in _LEFT_ALONE:
-        cut_short(context)
+        abort_motion(context)

@@ -85,6 +85,12 @@ class SampleStore:
             self._chunk[self._used] = (self.duration_s, *sample.joints_deg, opening_mm)
             self._used += 1
 
+    def rows_from(self, first: int) -> Array:
+        """Return a copy of the samples from an index on."""
+        skipped, rest = divmod(first, _CHUNK)
+        chunks = (*self._full, self._chunk[: self._used])[skipped:]
+        return np.concatenate((chunks[0][rest:], *chunks[1:]))
+
     def recorded(self, name: str) -> Recorded | None:
         """What there is; ``None`` if that is nothing."""
         if not len(self):

@@ -28,7 +28,7 @@ _TAKEN_UP_S: Final = 0.2
 _FOR_S: Final = 0.1
 _HALF_S: Final = 0.05
 _BRAKING: Final = 0.95
-"""A joint that gets slower is on its way to the speed it was told."""
+"""A joint that gets this much slower in 0.05 s is on its way to the speed it was told."""
 
 
 class ToolPace(NamedTuple):
@@ -56,21 +56,64 @@ class _Sample(NamedTuple):
     joints_deg: tuple[float, ...]
 
 
+class _SpeedChange(NamedTuple):
+    """How fast the joints were measured when another speed was told.
+
+    Attributes:
+        at_s: When that was.
+        measured_deg_s: The speed of each joint then.
+        allowed_deg_s: The highest speed each was allowed until then.
+    """
+
+    at_s: float
+    measured_deg_s: Sequence[float]
+    allowed_deg_s: Sequence[float]
+
+    def allowed_now_deg_s(
+        self, at_s: float, accelerations_deg_s2: Sequence[float]
+    ) -> tuple[float, ...]:
+        """Return how fast each joint may still be: it speeds up until the change is taken up.
+
+        From then on it slows down by its acceleration; what is measured lags behind by half of
+        the time it is measured over.
+        """
+        since_s = at_s - self.at_s
+        faster_s = _FOR_S / 2 + min(since_s, _TAKEN_UP_S)
+        slower_s = max(0.0, since_s - _TAKEN_UP_S)
+        return tuple(
+            min(allowed, measured + acceleration * faster_s) - acceleration * slower_s
+            for measured, allowed, acceleration in zip(
+                self.measured_deg_s, self.allowed_deg_s, accelerations_deg_s2, strict=True
+            )
+        )
+
+
 class OverspeedWatch:
     """Measures the speeds of joints and tool over the last tenth of a second."""
 
     def __init__(self) -> None:
         self._samples: deque[_Sample] = deque()
+        self._change: _SpeedChange | None = None
+        self._allowed_deg_s: Sequence[float] = ()
 
-    def restart(self) -> None:
-        """Another speed is shown from now on."""
-        self._samples.clear()
+    def change_speed(self) -> None:
+        """Note that another speed is shown from now on.
+
+        Joints that turn go over to it from the speed they are measured at, by their acceleration:
+        a joint of 30 °/s² takes more than five seconds from its highest speed to rest.
+        """
+        samples = self._samples
+        if len(samples) > 1 and samples[-1].at_s - samples[0].at_s >= _HALF_S:
+            measured_deg_s = _speeds_deg_s(samples[0], samples[-1])
+            self._change = _SpeedChange(samples[-1].at_s, measured_deg_s, self._allowed_deg_s)
+        samples.clear()
 
     def observe(
         self,
         state: ArmState,
         percent: int | None,
         factory: Sequence[JointLimits],
+        accelerations_deg_s2: Sequence[float],
         pace: ToolPace | None = None,
     ) -> Refusal | None:
         """Take in what is measured.
@@ -80,6 +123,7 @@ class OverspeedWatch:
             percent: The speed shown for the motion under way, of its highest; ``None``: there is
                 nothing to compare with.
             factory: Of the arm's model: they stand in where the arm has told none.
+            accelerations_deg_s2: Of the six joints: how they slow down.
             pace: Of a line or an arc: how fast the tool goes at 100 %.
 
         Returns:
@@ -88,7 +132,14 @@ class OverspeedWatch:
         angles_deg, last = state.angles_deg(), state.joints_deg[-1]
         if percent is None or angles_deg is None or last is None:
             self._samples.clear()
+            self._change = None
             return None
+        shown_deg_s = _shown_deg_s(state, percent, factory)
+        allowed_deg_s = tuple(_TOO_FAST * shown for shown in shown_deg_s)
+        if self._change is not None:
+            still_deg_s = self._change.allowed_now_deg_s(last.at_s, accelerations_deg_s2)
+            allowed_deg_s = tuple(map(max, allowed_deg_s, still_deg_s))
+        self._allowed_deg_s = allowed_deg_s
         samples = self._samples
         if not samples or last.at_s > samples[-1].at_s:
             samples.append(_Sample(last.at_s, angles_deg))
@@ -99,7 +150,7 @@ class OverspeedWatch:
             return None
         middle = next(each for each in samples if each.at_s >= newest.at_s - _HALF_S)
         window = _Window(first, middle, newest)
-        refusal = _joint_too_fast(window, state, percent, factory)
+        refusal = _joint_too_fast(window, shown_deg_s, allowed_deg_s)
         if refusal is None and pace is not None:
             refusal = _tool_too_fast(window, percent / 100.0, pace)
         return refusal
@@ -139,26 +190,28 @@ def tool_pace(
     return most if planned is None else ToolPace(arm.kinematics, *planned)
 
 
+def _shown_deg_s(
+    state: ArmState, percent: int, factory: Sequence[JointLimits]
+) -> tuple[float, ...]:
+    """Return what the speed shown means for each joint."""
+    highest = (
+        limits.value if limits is not None and plausible(limits.value) else stands_in
+        for limits, stands_in in zip(state.limits, factory, strict=True)
+    )
+    return tuple(each.max_speed_deg_s * percent / 100.0 for each in highest)
+
+
 def _joint_too_fast(
-    window: _Window, state: ArmState, percent: int, factory: Sequence[JointLimits]
+    window: _Window, shown_deg_s: Sequence[float], allowed_deg_s: Sequence[float]
 ) -> Refusal | None:
     speeds = _speeds_deg_s(window.first, window.newest)
     before = _speeds_deg_s(window.first, window.middle)
     after = _speeds_deg_s(window.middle, window.newest)
-    for index, (limits, stands_in) in enumerate(zip(state.limits, factory, strict=True)):
-        known = limits is not None and plausible(limits.value)
-        highest = limits.value if limits is not None and known else stands_in
-        shown_deg_s = highest.max_speed_deg_s * percent / 100.0
-        too_fast = speeds[index] > _TOO_FAST * shown_deg_s + _SLACK_DEG_S
+    for index, (shown, allowed) in enumerate(zip(shown_deg_s, allowed_deg_s, strict=True)):
+        too_fast = speeds[index] > allowed + _SLACK_DEG_S
         if too_fast and after[index] >= _BRAKING * before[index]:
-            return Refusal(
-                RefusalCode.TOO_FAST,
-                {
-                    "joint": index + 1,
-                    "value": round(speeds[index], 1),
-                    "maximum": round(shown_deg_s, 1),
-                },
-            )
+            figures = {"value": round(speeds[index], 1), "maximum": round(shown, 1)}
+            return Refusal(RefusalCode.TOO_FAST, {"joint": index + 1, **figures})
     return None
 
 

@@ -10,9 +10,12 @@ from typing import TYPE_CHECKING, Final
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.control.context import Context, ControllerPart
-from armui.control.devices.joint_errors import why_not_clear
+from armui.control.devices.joint_errors import JointErrors
+from armui.control.devices.motors import Motors
+from armui.control.devices.teaching import TeachingControl
 from armui.control.events import EventCode
-from armui.control.motion.planned_motion import why_not_plan
+from armui.control.motion.planned_motion import PlannedMotion
+from armui.control.operations.operation import Operation, operation_of
 from armui.control.operations.started import Ending, Started
 from armui.control.requests.request import Request, RequestOutcome
 from armui.control.safety.recovery_rules import next_step
@@ -32,11 +35,7 @@ from armui.protocol.frame import Frame
 from armui.telemetry.events import EventOutcome
 
 if TYPE_CHECKING:
-    from armui.control.devices.joint_errors import JointErrors
-    from armui.control.devices.motors import Motors
-    from armui.control.devices.teaching import TeachingControl
     from armui.control.link.arm_mark import ArmMark
-    from armui.control.motion.planned_motion import PlannedMotion
     from armui.control.safety.mode_exit import ModeExitCommand
     from armui.protocol.codec import Message
 
@@ -50,10 +49,19 @@ _MAY_BE_BRIEF: Final = frozenset(
 """Drivers and controller report one after the other: what lasts shorter than ``_SETTLE_S`` is no
 step, and a line that flickers leads to wrong clicks."""
 
-_NEEDS_IDENTIFIERS: Final = frozenset(
-    {Action.RESUME, Action.STOP_RECORDING, Action.ABORT_REPLAY, Action.LEAD_BY_HAND, Action.STANDBY}
-)
-"""What is said on 0x150 and 0x151, which another arm may listen to (0x470)."""
+_TEACH: Final = operation_of(TeachingControl.command)
+_PLAN: Final = operation_of(PlannedMotion.command)
+_OPERATIONS: Final[Mapping[Action | None, tuple[Operation, Mapping[str, object]]]] = {
+    Action.RESUME: (operation_of(Motors.resume), {}),
+    Action.ENABLE: (operation_of(Motors.enable), {}),
+    Action.CLEAR_ERRORS: (operation_of(JointErrors.clear), {}),
+    Action.STOP_RECORDING: (_TEACH, {"command": TeachingState.STOP_RECORDING}),
+    Action.ABORT_REPLAY: (_TEACH, {"command": TeachingState.ABORT}),
+    Action.LEAD_BY_HAND: (_TEACH, {"command": TeachingState.START_RECORDING}),
+    Action.GO_ON: (_PLAN, {"command": TrajectoryCommand.CONTINUE}),
+    Action.GIVE_UP: (_PLAN, {"command": TrajectoryCommand.ABORT}),
+}
+"""The actions that are operations: they may not be taken for the operation's own reason."""
 
 _AT_ONCE: Final = frozenset(
     {
@@ -198,15 +206,14 @@ class Recovery(ControllerPart):
             action: Its alternative, where that is meant.
         """
         action, now = action or step.action, self._context.operating_state()
-        if action is Action.CLEAR_ERRORS:
-            return why_not_clear(now)
-        if action is Action.GO_ON:
-            return why_not_plan(now, TrajectoryCommand.CONTINUE)
         if action is Action.TAKE_OVER:
             return self._why_not_take_over()
         if action is Action.LEAVE_MODE:
             return self._mode_exit.why_not()
-        if not now.control_certain and action in _NEEDS_IDENTIFIERS:
+        if action in _OPERATIONS:
+            operation, arguments = _OPERATIONS[action]
+            return operation.why_not(now, **arguments)
+        if not now.control_certain and action is Action.STANDBY:
             return Refusal(RefusalCode.CONTROL_OFFSET_UNKNOWN)
         return None
 

@@ -16,17 +16,21 @@ from armui.control.operating_state import (
     why_only_heard,
     why_unreachable,
 )
-from armui.control.operations.started import Ending, Started
+from armui.control.operations.started import (
+    Ending,
+    Started,
+    Tell,
+    close_and_tell,
+    report_and_tell,
+)
 from armui.control.safety.emergency_stop import EmergencyStop, StopWatch
 from armui.protocol import commands
 from armui.protocol.addressing import OFFSETS
 from armui.protocol.codes import TeachingState, TrajectoryCommand
 from armui.protocol.frame import Frame
-from armui.telemetry.events import EventOutcome
 
 if TYPE_CHECKING:
     from armui.arm.device import Device
-    from armui.control.context import Tell
     from armui.control.link.connection import Connection
 
 _AT_REST_S: Final = 1.3
@@ -214,13 +218,9 @@ class Stopping:
         return self._stop_started
 
     def _report_stop(self, code: EventCode) -> None:
-        if self._stop_started is not None:
-            self._stop_started.report(EventOutcome(code, self._clock(), code.level))
-        self._tell(code)
+        report_and_tell(self._tell, self._clock(), self._stop_started, code)
 
     def _close(
         self, started: Started | None, ending: Ending, code: EventCode, **params: object
     ) -> None:
-        if started is not None:
-            started.close(ending, EventOutcome(code, self._clock(), code.level, params))
-        self._tell(code, **params)
+        close_and_tell(self._tell, self._clock(), started, ending, code, **params)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import time
 from collections import deque
 from collections.abc import Callable
-from concurrent.futures import Future, ThreadPoolExecutor
+from concurrent.futures import Future, ThreadPoolExecutor, wait
 from datetime import datetime
 from pathlib import Path
 from typing import TYPE_CHECKING, Final
@@ -18,7 +18,7 @@ from armui.control.events import EventCode
 from armui.control.operations.started import Ending, Started
 from armui.control.sessions.choices import SessionChoices
 from armui.control.sessions.event_feed import EventFeed
-from armui.control.sessions.mf4_making import Mf4Making
+from armui.control.sessions.mf4_converter import Mf4Converter
 from armui.control.sessions.progress import RecordingProgress, RingContent
 from armui.control.sessions.ring_saving import SaveAtFaults
 from armui.control.sessions.sidecar_lines import SidecarLines
@@ -80,14 +80,14 @@ class SessionRecorder(QObject):
         self._saver: ThreadPoolExecutor | None = None
         self._saving: Future[Path] | None = None
         self._saving_plan: RecordingPlan | None = None
-        self.mf4 = Mf4Making()
+        self.mf4 = Mf4Converter()
         self._at_faults = SaveAtFaults(KEPT_S)
         self._lost_told = self._dropped_before = 0
         self._device: object = None
         self.choices = SessionChoices(paths.sessions())
         self._timer = QTimer(self, interval=_LOOK_MS)
         self._timer.timeout.connect(self.look)
-        context.connection.add_tap(self._lane)
+        context.connection.add_listener(self._lane)
         context.connection.changed.connect(self._on_connection)
 
     # What there is ----------------------------------------------------------------------------
@@ -215,7 +215,7 @@ class SessionRecorder(QObject):
         Returns:
             Whether all have ended within a second: a disk may hang.
         """
-        self._context.connection.remove_tap(self._lane)
+        self._context.connection.remove_listener(self._lane)
         if self._recording is not None:
             self._end(self._recording, "program ended")
         self._timer.stop()
@@ -368,7 +368,7 @@ _WORDS: Final = {"operator": "saved"}
 
 
 def _line(each: FedEvent, shift_s: float) -> Line:
-    from armui.session.recording.sidecar import event_line  # noqa: PLC0415 - faster start
+    from armui.session.recording.sidecar import event_line  # noqa: PLC0415 - numpy
 
     return event_line(each.at_s + shift_s, each.mark, each.entry)
 
@@ -385,13 +385,11 @@ def _save(
     Raises:
         OSError: It could not be written.
     """
-    from armui.session.recording.session_recording import write_at_once  # noqa: PLC0415 - faster start
+    from armui.session.recording.session_recording import write_at_once  # noqa: PLC0415 - numpy
 
     collector.collect(everything=True)
     return write_at_once(plan, ring.snapshot(), lines, {"reason": plan.name}, clock)
 
 
 def _is_done(future: Future[Path], within_s: float) -> bool:
-    from concurrent.futures import wait  # noqa: PLC0415 - faster start
-
     return bool(wait([future], within_s).done)

@@ -15,7 +15,7 @@ from armui.kinematics.poses import pose_to_matrix
 from armui.protocol.addressing import OFFSETS, Addressing
 from armui.protocol.codec import Codec
 from armui.protocol.firmware_version import VERSION_ID, FirmwareVersion, find_version
-from armui.session.exports.columns import table_rows
+from armui.session.exports.export_columns import table_rows
 from armui.session.exports.history import ArmFrameReader, History, TimeSpan
 from armui.session.exports.ros.streams import signals_at
 from armui.session.frames import NOT_OF_THE_ARM
@@ -29,7 +29,7 @@ if TYPE_CHECKING:
 
     from armui.protocol.generation import PiperModel
     from armui.session.exports.history import ArmFrames
-    from armui.session.exports.request import ArmWishes
+    from armui.session.exports.request import ArmOptions
     from armui.session.frames import Channel, FrameBatch
 
 _FEEDBACK: Final = range(0x2A1, 0x2A9)
@@ -70,7 +70,7 @@ class ExportedArm(NamedTuple):
 
 
 def look_at(
-    batches: Iterator[FrameBatch], wishes: ArmWishes, lines: Sequence[Mapping[str, Any]] = ()
+    batches: Iterator[FrameBatch], wishes: ArmOptions, lines: Sequence[Mapping[str, Any]] = ()
 ) -> tuple[ExportedArm | None, Iterator[FrameBatch]]:
     """Reads a log's beginning.
 

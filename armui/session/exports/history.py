@@ -13,9 +13,9 @@ import numpy as np
 
 from armui.arm.state import FRESH_FOR_S
 from armui.protocol.codes import MotorAction
-from armui.protocol.columns import payload_words, signal_column
+from armui.protocol.signal_columns import payload_words, signal_column
 from armui.session.frames import NOT_OF_THE_ARM
-from armui.telemetry.columns import joined
+from armui.telemetry.series_columns import joined
 from armui.telemetry.store import ENDS
 
 if TYPE_CHECKING:

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any, BinaryIO, Final
 
 import numpy as np
 
-from armui.session.exports.columns import ExportColumn, RowTimes, TableColumns, table_rows
+from armui.session.exports.export_columns import ExportColumn, RowTimes, TableColumns, table_rows
 
 if TYPE_CHECKING:
     from armui.session.exports.history import ExportFacts, History, TimeSpan

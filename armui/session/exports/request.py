@@ -12,7 +12,7 @@ from armui.protocol.generation import Generation, PiperModel
 from armui.session.frames import Damage
 
 
-class ArmWishes(NamedTuple):
+class ArmOptions(NamedTuple):
     """What whoever exports says of the arm; `None` where it is to be found out.
 
     Attributes:
@@ -106,7 +106,7 @@ class ExportRequest:
     format: ExportFormat
     begin_s: float = 0.0
     end_s: float = math.inf
-    wishes: ArmWishes = field(default_factory=ArmWishes)
+    wishes: ArmOptions = field(default_factory=ArmOptions)
     replace: bool = False
 
 

@@ -10,16 +10,16 @@ from collections import deque
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Final
 
-from armui.telemetry.tap import Tap
+from armui.telemetry.listener import Listener
 
 if TYPE_CHECKING:
-    from armui.session.recording.rows import TakenFrame
+    from armui.session.recording.rows import RecordedFrame
 
 MOST_WAITING: Final = 65_536
 """Frames that may wait; a bus that is full has some 8,000 a second."""
 
 
-class FrameLane(Tap):
+class FrameLane(Listener):
     """Takes frames as they are, whoever sent them and however they are decoded.
 
     Args:
@@ -31,7 +31,7 @@ class FrameLane(Tap):
 
     def __init__(self, most: int = MOST_WAITING) -> None:
         self._most = most
-        self._batches: deque[Sequence[TakenFrame]] = deque()
+        self._batches: deque[Sequence[RecordedFrame]] = deque()
         self._put = self._taken = 0  # each is written by one thread only
         self.dropped = 0
 
@@ -40,9 +40,9 @@ class FrameLane(Tap):
         """Frames that wait to be taken out."""
         return self._put - self._taken
 
-    def take(self) -> list[TakenFrame]:
+    def take(self) -> list[RecordedFrame]:
         """All that wait, batch by batch."""
-        frames: list[TakenFrame] = []
+        frames: list[RecordedFrame] = []
         batches = self._batches
         while batches:
             frames += batches.popleft()
@@ -51,7 +51,7 @@ class FrameLane(Tap):
 
     # The bus thread ---------------------------------------------------------------------------
 
-    def on_heard(self, batch: Sequence[TakenFrame]) -> None:
+    def on_heard(self, batch: Sequence[RecordedFrame]) -> None:
         """Frames that others sent."""
         if self._put - self._taken + len(batch) > self._most:
             self.dropped += len(batch)
@@ -59,6 +59,6 @@ class FrameLane(Tap):
         self._put += len(batch)
         self._batches.append(batch)
 
-    def on_sent(self, batch: Sequence[TakenFrame]) -> None:
+    def on_sent(self, batch: Sequence[RecordedFrame]) -> None:
         """Frames that this program sent; their flags say so."""
         self.on_heard(batch)

@@ -16,6 +16,7 @@ import numpy as np
 from can.io import blf
 
 from armui.protocol.frame import FrameFlag
+from armui.session.batch_builder import BatchBuilder
 from armui.session.blf_logs import read_blf_log
 from armui.session.frames import (
     CLASSIC_BYTES,
@@ -25,7 +26,6 @@ from armui.session.frames import (
     FrameBatch,
     NotALogError,
 )
-from armui.session.gather import Gatherer
 from armui.session.recording import index_file, sidecar
 from armui.session.recording.counted import counts_in, counts_of, is_over, keep
 from armui.session.recording.formats import MESSAGE, BlfFormat
@@ -63,11 +63,11 @@ def read_block(
     quick = _quick_batch(data, start_s, names) if kind is RecordingFormat.BLF else None
     if quick is not None:
         return [quick]
-    gatherer = Gatherer(damages)
+    builder = BatchBuilder(damages)
     if kind is not RecordingFormat.BLF:
-        data = _whole_lines(data, gatherer)
+        data = _whole_lines(data, builder)
     found = []
-    for batch in _batches(data, kind, start_s, gatherer):
+    for batch in _batches(data, kind, start_s, builder):
         times_s = batch.times_s + start_s if kind is RecordingFormat.ASC else batch.times_s
         found.append(
             FrameBatch(
@@ -85,23 +85,23 @@ def read_block(
     return found
 
 
-def _whole_lines(data: bytes, gatherer: Gatherer) -> bytes:
+def _whole_lines(data: bytes, builder: BatchBuilder) -> bytes:
     """Without a last line that was cut: what is left of it may look like a shorter frame."""
     end = data.rfind(b"\n") + 1
     if end < len(data):
-        gatherer.note(f"byte {end} of a block", "the file breaks off in a line", 0)
+        builder.note(f"byte {end} of a block", "the file breaks off in a line", 0)
     return data[:end]
 
 
 def _batches(
-    data: bytes, kind: RecordingFormat, start_s: float, gatherer: Gatherer
+    data: bytes, kind: RecordingFormat, start_s: float, builder: BatchBuilder
 ) -> Iterator[FrameBatch]:
     if kind is RecordingFormat.BLF:
         source = LogSource(BlfFormat(start_s).opening() + data)
-        return read_blf_log(source, gatherer)
+        return read_blf_log(source, builder)
     if kind is RecordingFormat.ASC:
-        return read_text_log(LogSource(_ASC_OPENING + data), ASC, gatherer)
-    return read_text_log(LogSource(data), CANDUMP, gatherer)
+        return read_text_log(LogSource(_ASC_OPENING + data), ASC, builder)
+    return read_text_log(LogSource(data), CANDUMP, builder)
 
 
 def _quick_batch(data: bytes, start_s: float, names: tuple[Channel, ...]) -> FrameBatch | None:

@@ -25,7 +25,7 @@ ROW: Final = np.dtype(
 )
 """A frame: time in seconds, identifier, `FrameFlag` bits, bytes of data, the first 8 of them."""
 
-TakenFrame = tuple[object, float, "Frame", int]
+RecordedFrame = tuple[object, float, "Frame", int]
 """A frame as the bus thread tells it: decoded, time in seconds, the frame, `FrameFlag` bits."""
 
 
@@ -74,7 +74,7 @@ class FrameRows:
 EMPTY: Final = FrameRows(np.zeros(0, ROW))
 
 
-def rows_of(taken: Sequence[TakenFrame]) -> FrameRows:
+def rows_of(taken: Sequence[RecordedFrame]) -> FrameRows:
     """Frames as they were told, in their order."""
     count = len(taken)
     if not count:

@@ -96,7 +96,7 @@ class DriverLoop:
             self._speeds_rad_s[index] = 0.0
         self.torques_nm = {i: self.torques_nm[i] for i in self._setpoints}
 
-    def advance(
+    def step(
         self, positions_deg: SixValues, stops: Sequence[JointLimits], dt_s: float
     ) -> tuple[SixValues, SixValues]:
         """Where the joints are some time later, and how fast they turn then.
@@ -115,7 +115,7 @@ class DriverLoop:
         if resting and all(map(is_, resting[:3], conditions)) and resting[3] == loads:
             return positions_deg, STANDSTILL
         zeros_rad = self._zeros_rad
-        joints, speeds = self._dynamics.advance(
+        joints, speeds = self._dynamics.step(
             weight.body,
             self._with_weight(told, positions_deg),
             np.radians(positions_deg) + zeros_rad,

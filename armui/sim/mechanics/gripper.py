@@ -100,11 +100,11 @@ class SimulatedGripper:
         self.errors.add(error)
         self.release()
 
-    def lead(self, travel: float) -> None:
+    def lead_to(self, travel: float) -> None:
         """Puts the jaws where a hand holds them."""
         self.travel = self._target = min(max(travel, 0.0), self.widest)
 
-    def advance(self, dt_s: float) -> None:
+    def step(self, dt_s: float) -> None:
         """Lets time pass."""
         self.speed = self.torque_nm = 0.0
         if not self.enabled:

@@ -89,7 +89,7 @@ class JointDynamics:
         self._no_load = np.array(self.losses.no_load_rad_s, dtype=float)
         self.torques_nm: Values = np.zeros(6)
 
-    def advance(
+    def step(
         self,
         body: RigidBody,
         law: DriverLaw,

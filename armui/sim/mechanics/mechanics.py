@@ -41,7 +41,7 @@ class HandGuiding:
         self._speeds_deg_s = STANDSTILL
         self.gripper_to = None
 
-    def advance(
+    def step(
         self, positions_deg: SixValues, stops: Sequence[JointLimits], dt_s: float
     ) -> tuple[SixValues, SixValues]:
         """Where the joints are some time later, and how fast they turned in it.
@@ -94,7 +94,7 @@ class JointPath(Protocol):
         """Goes on with a share of its speed; 0 brakes."""
         ...
 
-    def advance(self, dt_s: float) -> None:
+    def step(self, dt_s: float) -> None:
         """Lets time pass."""
         ...
 
@@ -213,7 +213,7 @@ class Mechanics:
         self._path = None
         self._motion.move_to(targets_deg, speeds_deg_s, accelerations_deg_s2)
 
-    def follow(self, path: JointPath) -> None:
+    def follow_path(self, path: JointPath) -> None:
         """Moves all joints along a path that begins at their setpoints; it says how fast."""
         self._take_up()
         self._path = path
@@ -263,31 +263,31 @@ class Mechanics:
         self._place()
         self._read_motion()
 
-    def advance(self, dt_s: float, limits: Sequence[JointLimits]) -> None:
+    def step(self, dt_s: float, limits: Sequence[JointLimits]) -> None:
         """Lets time pass."""
         if self._hand is not None:
-            led_to, speeds_deg_s = self._hand.advance(self.positions_deg, limits, dt_s)
+            led_to, speeds_deg_s = self._hand.step(self.positions_deg, limits, dt_s)
             self._motion.carry(self._without_sag(led_to), speeds_deg_s, STANDSTILL)
             self._read_motion()
             return
         was_moving = self.moving or bool(self._loop)
         self._advance_motion(dt_s, limits)
         if self._limp:
-            self.positions_deg = self._limp.advance(self._driven_and_limp(), limits, dt_s)
+            self.positions_deg = self._limp.step(self._driven_and_limp(), limits, dt_s)
             self._read_speeds()
         elif was_moving:
             self._read_motion()
 
     def _advance_motion(self, dt_s: float, stops: Sequence[JointLimits]) -> None:
         if self._loop:
-            there, speeds_deg_s = self._loop.advance(self.positions_deg, stops, dt_s)
+            there, speeds_deg_s = self._loop.step(self.positions_deg, stops, dt_s)
             self._motion.carry(self._without_sag(there), speeds_deg_s, STANDSTILL)
             return
         path = self._path
         if path is None:
-            self._motion.advance(dt_s)
+            self._motion.step(dt_s)
             return
-        path.advance(dt_s)
+        path.step(dt_s)
         self._motion.carry(path.positions_deg, path.speeds_deg_s, path.accelerations_deg_s2)
         if not path.moving:
             self._path = None

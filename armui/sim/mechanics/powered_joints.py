@@ -116,7 +116,7 @@ class JointMotion:
         self._start(request, end_deg=None)
         self._asked = None
 
-    def advance(self, dt_s: float) -> None:
+    def step(self, dt_s: float) -> None:
         """Lets time pass along the plan."""
         if not self.moving:
             return

@@ -66,7 +66,7 @@ class LimpJoints:
         self._limp[index] = None
         self.speeds_deg_s[index] = 0.0
 
-    def advance(
+    def step(
         self, positions_deg: Sequence[float], limits: Sequence[JointLimits], dt_s: float
     ) -> SixValues:
         """Where all joints are after some time; those not limp stay where they are."""

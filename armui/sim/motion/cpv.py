@@ -83,7 +83,7 @@ class JointProfile:
         """Turns at a speed, 0 to halt."""
         self._goal, self._wanted_speed = None, speed
 
-    def advance(
+    def step(
         self, dt_s: float, top: float, speeding_up: float, slowing: float, limits: JointLimits
     ) -> None:
         """Lets time pass.
@@ -173,7 +173,7 @@ class CpvMotion:
             for each in self._joints:
                 each.turn(0.0)
 
-    def advance(self, dt_s: float) -> None:
+    def step(self, dt_s: float) -> None:
         """Lets time pass."""
         for joint, values, limits in zip(
             self._joints, self.values, self._settings.limits, strict=True
@@ -187,7 +187,7 @@ class CpvMotion:
                 )
             )
             if joint.moving and dt_s > 0.0:
-                joint.advance(dt_s, top, speeding_up, slowing, limits)
+                joint.step(dt_s, top, speeding_up, slowing, limits)
             else:
                 joint.acceleration = 0.0
 
@@ -235,7 +235,7 @@ class CpvControl:
         elif was_in_cpv and not self._in_cpv and self._mechanics.follows(self._motion):
             self._motion.run(0.0)
 
-    def take(self, name: str, signals: dict[str, float]) -> bool:
+    def take_frame(self, name: str, signals: dict[str, float]) -> bool:
         """Takes a frame of CPV; whether it was one that this firmware knows."""
         if name not in NAMES or not self._quirks.has_cpv:
             return False
@@ -277,7 +277,7 @@ class CpvControl:
             motion.go_to(index, self._quirks.cpv_position_signs[index] * value)
         else:
             motion.turn(index, self._quirks.cpv_speed_signs[index] * value)
-        self._mechanics.follow(motion)
+        self._mechanics.follow_path(motion)
 
     @property
     def _may_move(self) -> bool:

@@ -87,13 +87,13 @@ class MotionExecutor:
         condition.no_solution = planning_error.status is ArmStatusCode.NO_SOLUTION
         condition.singular = planning_error.status is ArmStatusCode.SINGULARITY
         condition.beyond_limit = list(planning_error.beyond)
-        self.cut_short()
+        self.abort_motion()
         self._order, self._settled = order, self._conditions()
 
     def mode_changed(self) -> None:
         """Ends or changes the motion as the mode and speed in `condition` now ask."""
         if not self._condition.obeys(self._move_mode):
-            self.cut_short()
+            self.abort_motion()
         else:
             self.drive()
 
@@ -108,12 +108,12 @@ class MotionExecutor:
         self.paused = False
         self.drive()
 
-    def cut_short(self) -> None:
+    def abort_motion(self) -> None:
         """Brakes; the order counts as not reached. A pause ends with it."""
-        self.forget()
+        self.drop_order()
         self._brake()
 
-    def forget(self) -> None:
+    def drop_order(self) -> None:
         """Drops the order and a pause; what moves is left to the caller."""
         self._legs.clear()
         self._running = None
@@ -182,7 +182,7 @@ class MotionExecutor:
             self.targets_deg = path.end_deg
         self._condition.motion_state = MotionState.NOT_REACHED
         self._running.run(self._share)
-        self._mechanics.follow(self._running)
+        self._mechanics.follow_path(self._running)
 
     def _next_leg(self) -> None:
         self._running = None
@@ -234,7 +234,7 @@ class JointMoves:
         self._fresh: set[frozenset[int]] = set()
         self._waiting: SixValues | None = None
 
-    def take(self, angles_deg: Mapping[int, float]) -> None:
+    def take_angles(self, angles_deg: Mapping[int, float]) -> None:
         """Takes one frame of a target: angles by joint number."""
         if not self._executor.may_move:
             return
@@ -252,7 +252,7 @@ class JointMoves:
             target_deg, self._waiting = self._waiting, None
             self._pursue(target_deg)
 
-    def forget(self) -> None:
+    def drop_targets(self) -> None:
         """Drops every target, whole or in parts."""
         self._waiting = None
         self.drop_parts()
@@ -268,7 +268,7 @@ class JointMoves:
             planning_error = PlanningError(ArmStatusCode.TARGET_BEYOND_LIMIT, beyond)
             self._executor.refuse(target_deg, planning_error)
         elif self._condition.direct:
-            self._executor.forget()
+            self._executor.drop_order()
             self._condition.accept_target()
             self._follow(target_deg)
         else:

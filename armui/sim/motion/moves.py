@@ -56,7 +56,7 @@ class MotionCommandHandler:
         self._moves = moves
         self._enter = enter
 
-    def take(self, signals: dict[str, float]) -> bool:
+    def obey(self, signals: dict[str, float]) -> bool:
         """Obeys one command; whether it asks for an answer."""
         if signals["EmergencyStop"] == StopCommand.EMERGENCY_STOP:
             self.drop_work()
@@ -75,12 +75,12 @@ class MotionCommandHandler:
 
     def drop_work(self) -> None:
         """Forgets targets and replays; what moves is left to the caller."""
-        self._moves.forget()
+        self._moves.drop_targets()
         self._teaching.interrupt()
 
     def _teach(self, command: TeachingState) -> None:
         if command is TeachingState.START_RECORDING:
-            self._moves.forget()
+            self._moves.drop_targets()
         self._teaching.command(command)
 
     def _trajectory(self, command: TrajectoryCommand) -> bool:
@@ -136,7 +136,7 @@ class DirectControl:
         if was_direct or condition.direct:
             self._mechanics.let_go(range(JOINT_COUNT))
 
-    def take(self, name: str, signals: dict[str, float]) -> bool:
+    def take_frame(self, name: str, signals: dict[str, float]) -> bool:
         """Takes a frame 0x15A–0x15F; whether it was one. Outside MIT it does nothing."""
         if name not in NAMES:
             return False
@@ -145,7 +145,7 @@ class DirectControl:
             self._set(NAMES.index(name), signals)
         return True
 
-    def follow(self, target_deg: SixValues) -> None:
+    def follow_target(self, target_deg: SixValues) -> None:
         """Hands a complete joint target of high-follow to the drivers."""
         for index, angle_deg in enumerate(target_deg):
             kp, kd = _FOLLOW_GAINS[index]
@@ -208,7 +208,7 @@ class Moves:
         self._direct = DirectControl(mechanics, condition, arm_type)
         self.cpv = CpvControl(mechanics, condition, settings, arm_type.quirks, unsupported)
         self._executor = MotionExecutor(mechanics, condition, settings)
-        self._joints = JointMoves(self._executor, condition, settings, self._direct.follow)
+        self._joints = JointMoves(self._executor, condition, settings, self._direct.follow_target)
         self._tool = ToolMotions(self._executor, condition, settings, kinematics)
         self._takers: dict[str, Callable[[dict[str, float]], None]] = {
             **dict.fromkeys(_JOINT_TARGETS, self._take_joints),
@@ -234,11 +234,11 @@ class Moves:
         """Where the last pose of MOVE P leads the joints; None before the first."""
         return self._tool.ik_solution_deg
 
-    def take(self, name: str, signals: dict[str, float]) -> bool:
+    def take_frame(self, name: str, signals: dict[str, float]) -> bool:
         """Takes a frame that is part of a target; whether it was one."""
         taker = self._takers.get(name)
         if taker is None:
-            return self._direct.take(name, signals) or self.cpv.take(name, signals)
+            return self._direct.take_frame(name, signals) or self.cpv.take_frame(name, signals)
         taker(signals)
         return True
 
@@ -276,15 +276,15 @@ class Moves:
         """Takes a 0x151 that keeps the modes."""
         self._executor.mode_changed()
 
-    def cut_short(self) -> None:
+    def abort_motion(self) -> None:
         """Brakes; the target counts as not reached. One that waits goes on waiting."""
-        self._executor.cut_short()
+        self._executor.abort_motion()
 
-    def forget(self) -> None:
+    def drop_targets(self) -> None:
         """Drops every target, whole or in parts; what moves is left to the caller."""
-        self._executor.forget()
-        self._joints.forget()
-        self._tool.forget()
+        self._executor.drop_order()
+        self._joints.drop_targets()
+        self._tool.drop_poses()
 
     def time_passed(self) -> None:
         """Advances in time: notes the targets that have been reached."""
@@ -293,17 +293,19 @@ class Moves:
     def _abort(self) -> None:
         self._joints.drop_parts()
         self._tool.drop_parts()
-        self._executor.cut_short()
+        self._executor.abort_motion()
 
     def _clear_all(self) -> None:
-        self.forget()
-        self._executor.cut_short()
+        self.drop_targets()
+        self._executor.abort_motion()
 
     def _take_joints(self, signals: dict[str, float]) -> None:
-        self._joints.take({int(name[1:]): angle_deg for name, angle_deg in signals.items()})
+        self._joints.take_angles({int(name[1:]): angle_deg for name, angle_deg in signals.items()})
 
     def _take_pose(self, signals: dict[str, float]) -> None:
-        self._tool.take(signals, self._mechanics.positions_deg)
+        self._tool.take_pose(signals, self._mechanics.positions_deg)
 
     def _take_arc_point(self, signals: dict[str, float]) -> None:
-        self._tool.mark(ArcPointNumber(int(signals["Point"])), self._mechanics.positions_deg)
+        self._tool.mark_arc_point(
+            ArcPointNumber(int(signals["Point"])), self._mechanics.positions_deg
+        )

@@ -172,7 +172,7 @@ class SimulatedTeaching:
             return
         self._path, self._phase = path, _Phase.RUNNING
         path.run(1.0)
-        self._mechanics.follow(path)
+        self._mechanics.follow_path(path)
 
     def _pause(self) -> bool:
         if self._phase is not _Phase.RUNNING or self._path is None:
@@ -186,7 +186,7 @@ class SimulatedTeaching:
         if self._phase is not _Phase.PAUSED or self._path is None:
             return False
         self._path.run(1.0)
-        self._mechanics.follow(self._path)
+        self._mechanics.follow_path(self._path)
         self._phase = _Phase.RUNNING
         self._condition.activity = ArmStatusCode.TEACHING_RUNNING
         return True

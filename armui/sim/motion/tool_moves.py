@@ -56,7 +56,7 @@ class ToolMotions:
         self._arc: dict[ArcPointNumber, Pose] = {}
         self.ik_solution_deg: SixValues | None = None
 
-    def take(self, values: Mapping[str, float], joints_deg: SixValues) -> None:
+    def take_pose(self, values: Mapping[str, float], joints_deg: SixValues) -> None:
         """Takes one frame of a pose.
 
         Args:
@@ -74,13 +74,13 @@ class ToolMotions:
             )
             self.mode_changed(joints_deg)
 
-    def mark(self, point: ArcPointNumber, joints_deg: SixValues) -> None:
+    def mark_arc_point(self, point: ArcPointNumber, joints_deg: SixValues) -> None:
         """Makes the pose that came last a point of an arc; a first point begins a new arc."""
         pose = self._latest
         if point is ArcPointNumber.NONE or pose is None:
             return
         if any(self._executor.pursues((mode, (pose,))) for mode in _POSE_MODES):
-            self._executor.cut_short()
+            self._executor.abort_motion()
         self._latest = self._waiting = None
         if point is ArcPointNumber.START:
             self._arc.clear()
@@ -98,7 +98,7 @@ class ToolMotions:
             self._arc.clear()
             self._pursue((MoveMode.MOVE_C, points), joints_deg)
 
-    def forget(self) -> None:
+    def drop_poses(self) -> None:
         """Drops every pose, whole or in parts, and every point of an arc."""
         self.drop_parts()
         self._latest = self._waiting = None

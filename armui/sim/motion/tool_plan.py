@@ -63,7 +63,7 @@ class PathProfile:
         """Goes on with this speed; 0 halts."""
         self._top_speed = top_speed
 
-    def advance(self, dt_s: float) -> None:
+    def step(self, dt_s: float) -> None:
         """Lets time pass."""
         while dt_s > 0.0 and not self.at_end:
             acceleration, lasts_s = self._phase()
@@ -168,10 +168,10 @@ class PathMotion:
         """Goes on with a share of the highest speed; 0 brakes along the path."""
         self._profile.run(share * self._top_speed)
 
-    def advance(self, dt_s: float) -> None:
+    def step(self, dt_s: float) -> None:
         """Lets time pass."""
         profile = self._profile
-        profile.advance(dt_s)
+        profile.step(dt_s)
         if profile.at_end:
             self.positions_deg = self.end_deg
             self.speeds_deg_s = self.accelerations_deg_s2 = STANDSTILL

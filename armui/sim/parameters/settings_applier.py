@@ -33,9 +33,9 @@ class SettingsApplier:
         arm_type: ArmType,
         *,
         flash: Flash,
-        forget: Callable[[], None],
+        drop_targets: Callable[[], None],
     ) -> None:
-        """Takes care of the parts of one arm; `forget` drops the targets it has."""
+        """Takes care of the parts of one arm; `drop_targets` drops the targets it has."""
         self.model = arm_type.model
         self._quirks = arm_type.quirks
         self._settings = settings
@@ -43,7 +43,7 @@ class SettingsApplier:
         self._mechanics = mechanics
         self._condition = condition
         self._schedule = schedule
-        self._forget = forget
+        self._drop_targets = drop_targets
         self._hanging_kg: float | None = None
         self._slips_deg = [0.0] * len(self.model.limits)
         self.stops: tuple[JointLimits, ...] = self.model.limits
@@ -100,7 +100,7 @@ class SettingsApplier:
             mechanics.speeds_deg_s[i] or self._condition.communication_fault[i] for i in indices
         ):
             return False
-        self._forget()
+        self._drop_targets()
         angles_deg, zeros_deg = list(mechanics.positions_deg), list(self._settings.zeros_deg)
         for i in indices:
             zeros_deg[i] += angles_deg[i]
@@ -131,7 +131,7 @@ class SettingsApplier:
                 a + b for a, b in zip(self._mechanics.positions_deg, self._slips_deg, strict=True)
             ]
             self._slips_deg = [0.0] * len(self._slips_deg)
-            self._forget()
+            self._drop_targets()
             self._refresh()
             self._mechanics.count_anew(there)
 

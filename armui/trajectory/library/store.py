@@ -26,6 +26,11 @@ from armui.trajectory.library.bin import Bin, Deleted
 from armui.trajectory.library.drafts import Drafts, is_draft
 from armui.trajectory.library.file_names import file_stem, folded, free_stem
 from armui.trajectory.library.index import Check, IndexEntry, Listing, Stamp, entry_of
+from armui.trajectory.library.recording_drafts import (
+    RecordingDraft,
+    RecordingDrafts,
+    UnsavedRecording,
+)
 from armui.trajectory.library.run_options import RunOptions
 from armui.trajectory.library.stored_files import (
     Call,
@@ -39,7 +44,7 @@ from armui.trajectory.library.stored_files import (
     write_content,
 )
 from armui.trajectory.points.program import LONGEST_NAME, Trajectory, check_name, check_trajectory
-from armui.trajectory.samples.recording import Recording, check_recording
+from armui.trajectory.samples.recording import Array, Recording, check_recording
 
 
 class LibraryError(Exception):
@@ -72,6 +77,7 @@ def on_disk(code: RefusalCode, name: str) -> Iterator[None]:
 __all__ = ["Check", "Deleted", "IndexEntry", "Library", "LibraryError", "Listing"]
 
 _BIN: Final = ".deleted"
+_RECORDINGS: Final = ".recordings"
 _ROOM_FOR_NUMBER: Final = 8
 
 
@@ -101,6 +107,7 @@ class Library:
         self._file_store = FileStore(folder, call)
         self._bin = Bin(folder / _BIN)
         self._drafts = Drafts(folder, call)
+        self._recordings = RecordingDrafts(folder / _RECORDINGS, call)
         self._met: dict[str, Stamp] = {}
         """The files as they were loaded to be edited, by the name of what they hold."""
         self._bases: dict[str, datetime] = {}
@@ -434,6 +441,64 @@ class Library:
     def drafts(self) -> list[str]:
         """The names of all trajectories that have an unsaved state."""
         return self._drafts.names()
+
+    # Recordings that are not saved ----------------------------------------------------------------
+
+    def begin_recording(self, name: str, taught_on: str) -> RecordingDraft:
+        """Return what keeps a recording through a crash; any thread may call this."""
+        return self._recordings.begin(name, taught_on)
+
+    def append_recording(self, draft: RecordingDraft, samples: Array) -> None:
+        """Keep further samples of a recording.
+
+        Raises:
+            LibraryError: The disk refuses.
+        """
+        with on_disk(RefusalCode.LIBRARY_NOT_SAVED, draft.name):
+            draft.append(samples)
+
+    def drop_recording(self, draft: RecordingDraft) -> None:
+        """Forget a recording that is saved, or not wanted.
+
+        Raises:
+            LibraryError: The disk refuses.
+        """
+        with on_disk(RefusalCode.LIBRARY_NOT_DELETED, draft.name):
+            draft.drop()
+
+    def unsaved_recordings(self) -> list[UnsavedRecording]:
+        """Return the recordings that killed programs have left, the oldest first.
+
+        Raises:
+            LibraryError: The folder cannot be read.
+        """
+        with on_disk(RefusalCode.LIBRARY_UNREADABLE, str(self._folder)):
+            return self._recordings.abandoned()
+
+    def keep_recording(self, unsaved: UnsavedRecording) -> str:
+        """Save a recording that a killed program has left.
+
+        Returns:
+            Its name.
+
+        Raises:
+            LibraryError: It is gone, it cannot be kept, or the disk refuses.
+        """
+        with on_disk(RefusalCode.LIBRARY_NOT_SAVED, unsaved.name):
+            recording = self._recordings.load(unsaved)
+        name = self.free_name(recording.name)
+        self.save(replace(recording, name=name))
+        with on_disk(RefusalCode.LIBRARY_NOT_DELETED, unsaved.name):
+            self._recordings.drop(unsaved)
+        return name
+
+    def discard_recording(self, unsaved: UnsavedRecording) -> Deleted:
+        """Put a recording that a killed program has left where `restore` finds it.
+
+        Raises:
+            LibraryError: As of `keep_recording`.
+        """
+        return self.delete([self.keep_recording(unsaved)])
 
     # Files ----------------------------------------------------------------------------------------
 

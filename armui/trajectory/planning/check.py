@@ -59,49 +59,80 @@ _COLLISION_STEP_DEG: Final = 2.0
 
 
 @dataclass(frozen=True, slots=True)
-class Report:
-    """What a check has found.
+class CheckRequest:
+    """What is to be checked.
 
     Attributes:
-        findings: By row; what concerns the whole comes first.
-        path: The way that was checked, for the preview.
+        content: What shall be run.
+        arm: By which arm.
+        start_deg: From where.
+        speed_factor: On the speed of each point, or on the recorded one.
+        first: The index of the point to begin with, in the first cycle.
+        cycles: How often it shall be run; 0 until it is ended.
     """
 
-    findings: tuple[Finding, ...]
+    content: Content
+    arm: ArmModel
+    start_deg: Sequence[float]
+    speed_factor: float = 1.0
+    first: int = 0
+    cycles: int = 1
+
+
+@dataclass(frozen=True, slots=True)
+class CheckOutcome:
+    """How a check has ended.
+
+    Attributes:
+        path: Where the arm would go.
+        expected_s: How long each point takes at its own speed; of a recording empty.
+        findings: What was found, errors first, then by row.
+        profile: What a replay must know of a recording; ``None`` for points.
+    """
+
     path: PlannedPath
+    expected_s: tuple[float, ...]
+    findings: tuple[Finding, ...]
+    profile: ReplayProfile | None = None
 
     @property
     def errors(self) -> tuple[Finding, ...]:
-        """What forbids a run."""
+        """The findings that forbid a run."""
         return tuple(each for each in self.findings if each.severity is Severity.ERROR)
 
-    @property
-    def warnings(self) -> tuple[Finding, ...]:
-        """What the operator may accept."""
-        return tuple(each for each in self.findings if each.severity is Severity.WARNING)
+
+def warm_up() -> None:
+    """Load this module and its libraries where it is called."""
 
 
-def check(
-    content: Trajectory | Recording,
-    arm: ArmModel,
-    start_deg: Sequence[float],
-    path: PlannedPath | None = None,
-) -> Report:
-    """Checks whether this arm can do all of it, and whether it should.
+def check(request: CheckRequest) -> CheckOutcome:
+    """Plan a trajectory or recording, and look whether this arm can do all of it, and should."""
+    content, arm, start_deg = request.content, request.arm, request.start_deg
+    plan = partial(plan_path, content, arm, start_deg, first=request.first, cycles=request.cycles)
+    path = plan(speed_factor=request.speed_factor)
+    found = _findings(content, arm, path)
+    expected_s = path.expected_s
+    if isinstance(content, Trajectory) and request.speed_factor != 1.0:
+        # a run shortens what is planned at the points' own speeds by itself
+        expected_s = plan().expected_s
+    profile = replay_profile(content) if isinstance(content, Recording) else None
+    by_place = {(one.code, one.row, one.approach): one for one in reversed(found)}
+    return CheckOutcome(path, expected_s, tuple(sorted(by_place.values(), key=_rank)), profile)
 
-    Args:
-        content: What shall be run.
-        arm: The arm.
-        start_deg: Where its joints are.
-        path: The plan of it from there, if there is one already.
-    """
-    path = plan_path(content, arm, start_deg) if path is None else path
+
+def _rank(finding: Finding) -> tuple[bool, int]:
+    """Errors come first, and what concerns the whole before its rows."""
+    return finding.severity is not Severity.ERROR, -1 if finding.row is None else finding.row
+
+
+def _findings(content: Content, arm: ArmModel, path: PlannedPath) -> list[Finding]:
+    """Return what speaks against a path, by row; what concerns the whole comes first."""
     findings = list(path.problems)
     if content.taught_on and arm.kind and content.taught_on != arm.kind:
         kinds = {"taught": content.taught_on, "arm": arm.kind}
         findings.append(Finding(FindingCode.OTHER_ARM, kinds))
     if isinstance(content, Recording):
-        findings += check_recorded(content, path, arm)
+        findings += _recorded(content, path, arm)
         slow = np.zeros(len(path.rows), dtype=bool)
     elif not len(path.times_s):
         findings += _empty(content.points)
@@ -125,7 +156,7 @@ def check(
         # what ends a later cycle says why they do not repeat
         findings = [each for each in findings if each.code is not FindingCode.NEVER_REPEATS]
     findings.sort(key=lambda each: (-1 if each.row is None else each.row, each.severity.value))
-    return Report(tuple(findings), path)
+    return findings
 
 
 def _tell_approach(findings: Sequence[Finding], path: PlannedPath) -> list[Finding]:
@@ -329,8 +360,8 @@ def _at(
     )
 
 
-def check_recorded(recording: Recording, path: PlannedPath, arm: ArmModel) -> Iterator[Finding]:
-    """Checks the samples, at the speed the path was planned with.
+def _recorded(recording: Recording, path: PlannedPath, arm: ArmModel) -> Iterator[Finding]:
+    """Check the samples, at the speed the path was planned with.
 
     Of samples on end with the same problem, the first is named.
     """
@@ -384,65 +415,3 @@ def _at_sample(
     recording: Recording, row: int, code: FindingCode, figures: dict[str, float | int | str]
 ) -> Finding:
     return Finding(code, figures, row, tuple(recording.joints_deg[row].tolist()))
-
-
-@dataclass(frozen=True, slots=True)
-class CheckRequest:
-    """What is to be checked.
-
-    Attributes:
-        content: What shall be run.
-        arm: By which arm.
-        start_deg: From where.
-        speed_factor: On the speed of each point, or on the recorded one.
-        first: The index of the point to begin with, in the first cycle.
-        cycles: How often it shall be run; 0 until it is ended.
-    """
-
-    content: Content
-    arm: ArmModel
-    start_deg: tuple[float, ...]
-    speed_factor: float = 1.0
-    first: int = 0
-    cycles: int = 1
-
-
-@dataclass(frozen=True, slots=True)
-class CheckOutcome:
-    """How a check has ended.
-
-    Attributes:
-        path: Where the arm would go.
-        expected_s: How long each point takes at its own speed; of a recording empty.
-        findings: What was found, errors first, then by row.
-        profile: What a replay must know of a recording; ``None`` for points.
-    """
-
-    path: PlannedPath
-    expected_s: tuple[float, ...]
-    findings: tuple[Finding, ...]
-    profile: ReplayProfile | None = None
-
-
-def warm_up() -> None:
-    """Nothing: but where it has run, this module and its libraries are loaded."""
-
-
-def preflight(order: CheckRequest) -> CheckOutcome:
-    """Plan and check a trajectory or recording."""
-    content, arm, start_deg = order.content, order.arm, order.start_deg
-    plan = partial(plan_path, content, arm, start_deg, first=order.first, cycles=order.cycles)
-    path = plan(speed_factor=order.speed_factor)
-    found = check(content, arm, start_deg, path).findings
-    expected_s = path.expected_s
-    if isinstance(content, Trajectory) and order.speed_factor != 1.0:
-        # a run shortens what is planned at the points' own speeds by itself
-        expected_s = plan().expected_s
-    profile = replay_profile(content) if isinstance(content, Recording) else None
-    by_place = {(one.code, one.row, one.approach): one for one in reversed(found)}
-    return CheckOutcome(path, expected_s, tuple(sorted(by_place.values(), key=_rank)), profile)
-
-
-def _rank(finding: Finding) -> tuple[bool, int]:
-    """Errors come first, and what concerns the whole before its rows."""
-    return finding.severity is not Severity.ERROR, -1 if finding.row is None else finding.row

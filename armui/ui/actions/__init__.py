@@ -1,1 +1,1 @@
-"""What the operator can do, by name and by key: shortcuts, their list, the command palette."""
+"""Commands by name and by key: shortcuts, their list, the command palette."""

@@ -14,7 +14,7 @@ from armui.ui.widgets.translated import Translated
 
 _ICON_PX: Final = 14
 _HIGHEST_PX: Final = 20
-"""No higher than the line of text beside it."""
+"""The button is no higher than the line of text beside it."""
 
 
 class CommandsButton(Translated, QToolButton):

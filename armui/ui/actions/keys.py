@@ -29,11 +29,11 @@ class Shortcut(NamedTuple):
 
     @property
     def place(self) -> str:
-        """Where they count, a key of :data:`armui.ui.actions.places.PLACES`."""
+        """The key of the place where they count."""
         return self.name.partition(".")[0]
 
     def text(self) -> str:
-        """The keys as this system writes them."""
+        """Return the keys as this system writes them."""
         if not self.by_qt:
             return self.keys
         return QKeySequence(self.keys).toString(QKeySequence.SequenceFormat.NativeText)
@@ -48,12 +48,15 @@ _ONE_PRESS: Final = (
     ("everywhere.palette", "Ctrl+K",
      Text("Shortcut", "Command palette: find every function by its name")),
     ("everywhere.guide", "F1", Text("Shortcut", "User guide, at the place where you are")),
+    ("everywhere.faster", "F7",
+     Text("Shortcut", "Faster: run or motion")),
     ("everywhere.shortcuts", "?", Text("Shortcut", "This list")),
     ("window.settings", "Ctrl+,", Text("ViewRegion", "Settings")),
     ("window.reset_view", "Ctrl+0", Text("ViewRegion", "Reset view")),
     ("view.front", "Ctrl+1", Text("ViewBar", "Front view")),
     ("view.side", "Ctrl+2", Text("ViewBar", "Side view")),
     ("view.top", "Ctrl+3", Text("ViewBar", "Top view")),
+    ("view.below", "Ctrl+Alt+3", Text("ViewBar", "View from below")),
     ("view.iso", "Ctrl+4", Text("ViewBar", "Oblique view")),
     ("view.fit", "Ctrl+9", Text("ViewBar", "Fit")),
     ("view.follow", "Ctrl+5", Text("ViewBar", "Follow the tool")),
@@ -115,6 +118,8 @@ _TOLD: Final = (
     ("everywhere.stop", "F12, Pause", Text("StopButton", "Emergency stop")),
     ("everywhere.halt", "F9",
      Text("Shortcut", "Halt: ends any motion, the motors keep their power")),
+    ("everywhere.slower", "F8",
+     Text("Shortcut", "Slower: run or motion")),
     ("everywhere.next", "Tab",
      Text("Shortcut", "To the next control; with Shift to the one before")),
     ("everywhere.close", "Esc", Text("Shortcut", "Close the dialog")),
@@ -134,11 +139,11 @@ SHORTCUTS: Final[Mapping[str, Shortcut]] = {
     **{name: Shortcut(name, keys, title) for name, keys, title in _ONE_PRESS},
     **{name: Shortcut(name, keys, title, by_qt=False) for name, keys, title in _TOLD},
 }
-"""By their names."""
+"""The shortcuts by their names."""
 
 
 def keys_of(name: str) -> str:
-    """The keys of an action, as Qt writes them on every system.
+    """Return the keys of an action, as Qt writes them on every system.
 
     Raises:
         KeyError: No shortcut has the name.
@@ -152,7 +157,7 @@ def listen_for(
     act: Callable[[], object],
     context: Qt.ShortcutContext = Qt.ShortcutContext.WidgetWithChildrenShortcut,
 ) -> QShortcut:
-    """Have the keys of an action do it.
+    """Have the keys of an action carry it out; return the shortcut.
 
     Args:
         name: Of the action.
@@ -167,6 +172,6 @@ def listen_for(
 
 
 def key_text(name: str) -> str:
-    """The keys of an action as they are written on this system; empty: it has none."""
+    """Return the keys of an action as this system writes them; empty: it has none."""
     shortcut = SHORTCUTS.get(name)
     return "" if shortcut is None else shortcut.text()

@@ -1,4 +1,4 @@
-"""What the program's texts are called in the other language, and how the Chinese ones are spelled.
+"""The program's texts in the other language, and the pinyin of the Chinese ones.
 
 The file is made by ``python -m tests.translations``, so that no dictionary of pinyin is needed by
 the program. Pure.
@@ -18,7 +18,7 @@ _FILE: Final = paths.RESOURCES / "i18n" / "names.json"
 
 
 class Names:
-    """Looks texts up.
+    """Finds the names of a text in both languages, and in pinyin.
 
     Args:
         rows: Chinese, English ("": a synonym, which has none), and the pinyin of the Chinese with a
@@ -36,18 +36,21 @@ class Names:
 
     @property
     def known(self) -> bool:
-        """Whether there are any."""
+        """Whether the names have been read."""
         return bool(self._pinyin)
 
-    def search_text(self, title: str, place: str, synonyms: Sequence[str] = ()) -> SearchText:
-        """All that something can be found by.
+    def search_text(
+        self, titles: Sequence[str], place: str, synonyms: Sequence[str] = ()
+    ) -> SearchText:
+        """Return everything that a command can be found by.
 
         Args:
-            title: What it is called, in the language that is shown.
-            place: Where it is done, likewise.
-            synonyms: What else it is called, in any language; lower case.
+            titles: Its titles, in the language that is shown.
+            place: The title of its place, likewise.
+            synonyms: Other names, in any language; lower case.
         """
-        names, more = self._called(title), self._called(place)
+        names = [name for title in titles for name in self._called(title)]
+        more = self._called(place)
         return SearchText(
             names=tuple(name.lower() for name in names),
             more=tuple(name.lower() for name in more),
@@ -58,7 +61,7 @@ class Names:
         )
 
     def _called(self, text: str) -> list[str]:
-        """The text, and what it is in the other language; a suffix like J3 stays with it."""
+        """Return a text and its translations; a suffix like J3 stays with each."""
         if text in self._others or not text:
             return [text, *sorted(self._others.get(text, ()))] if text else []
         stem, _, suffix = text.rpartition(" ")
@@ -76,7 +79,7 @@ class Names:
 
 
 def read_names() -> Names:
-    """Read them from the file; not in the GUI thread.
+    """Read the names from their file; not in the GUI thread.
 
     Raises:
         OSError: It cannot be read.

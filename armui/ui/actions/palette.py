@@ -2,36 +2,150 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
-from typing import TYPE_CHECKING, Final
+from typing import TYPE_CHECKING, Any, Final
 
-from PySide6.QtCore import QEvent, QObject, QPoint, Qt, QTimer
-from PySide6.QtGui import QKeyEvent, QShowEvent
-from PySide6.QtWidgets import QAbstractItemView, QLineEdit, QListView, QWidget
+from PySide6.QtCore import (
+    QAbstractListModel,
+    QEvent,
+    QObject,
+    QPoint,
+    QRect,
+    QSize,
+    Qt,
+    QTimer,
+)
+from PySide6.QtGui import QColor, QFontMetrics, QKeyEvent, QPainter, QShowEvent
+from PySide6.QtWidgets import (
+    QAbstractItemView,
+    QLineEdit,
+    QListView,
+    QStyledItemDelegate,
+    QStyleOptionViewItem,
+    QWidget,
+)
 
 from armui.arm.refusal import Refusal
 from armui.control.events import Level
-from armui.ui.actions.catalogue import synonyms
 from armui.ui.actions.names import Names, read_names
-from armui.ui.actions.offer import Doing, Offer, Offers, nothing_to_do
-from armui.ui.actions.offer_list import OfferDelegate, OfferModel
+from armui.ui.actions.palette_items import PaletteItem, PaletteItems, nothing_to_do
 from armui.ui.actions.search import SearchText, rank
 from armui.ui.background import Background, Job
 from armui.ui.dialogs.base import ArmDialog
+from armui.ui.theme import colors_of, scaled_font
 from armui.ui.widgets.buttons import named
 from armui.ui.widgets.message_line import MessageLine
+from armui.ui.widgets.table_model import Index
 
 if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
 
+_SIDE_PX: Final = 12
+_GAP_PX: Final = 10
+_ONE_LINE_PX: Final = 32
+_TWO_LINES_PX: Final = 50
+
+
 _SIZE_PX: Final = (440, 600)
-"""As wide as the panel it opens over: the picture stays free."""
+"""The palette is as wide as the panel it opens over: the picture stays free."""
 _FOLLOW_MS: Final = 200
 _PLACE: Final = QPoint(184, 72)
 """In the main window: right of the menu, below the stop."""
 _TO_THE_LIST: Final = frozenset(
     {Qt.Key.Key_Up, Qt.Key.Key_Down, Qt.Key.Key_PageUp, Qt.Key.Key_PageDown}
 )
+
+
+class PaletteModel(QAbstractListModel):
+    """The items that the search has found, best first."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._items: list[PaletteItem] = []
+
+    def show_items(self, items: Sequence[PaletteItem]) -> None:
+        """Show these items."""
+        self.beginResetModel()
+        self._items = list(items)
+        self.endResetModel()
+
+    def item(self, row: int) -> PaletteItem | None:
+        """Return the item of a row; ``None`` if there is no such row."""
+        return self._items[row] if 0 <= row < len(self._items) else None
+
+    def row_of(self, name: str) -> int:
+        """Return the row of a command by its name; 0 if it is not there."""
+        rows = (row for row, each in enumerate(self._items) if each.command.name == name)
+        return next(rows, 0)
+
+    def rowCount(self, parent: Index | None = None) -> int:  # noqa: N802 - the name Qt calls
+        """Return the number of items."""
+        return 0 if parent is not None and parent.isValid() else len(self._items)
+
+    def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> Any:
+        """Return the words of an item; under ``UserRole`` the item itself."""
+        item = self.item(index.row())
+        if item is None:
+            return None
+        if role in {Qt.ItemDataRole.DisplayRole, Qt.ItemDataRole.AccessibleTextRole}:
+            return "  ".join(filter(None, (item.title, item.place, item.command.keys, item.reason)))
+        if role == Qt.ItemDataRole.ToolTipRole:
+            return item.reason or None
+        return item if role == Qt.ItemDataRole.UserRole else None
+
+
+class PaletteDelegate(QStyledItemDelegate):
+    """Title, place and keys in one line; the reason of what cannot be done below them."""
+
+    def __init__(self, view: QWidget) -> None:
+        super().__init__(view)
+        self._view = view
+
+    def sizeHint(self, _option: QStyleOptionViewItem, index: Index) -> QSize:
+        """Keep room for the reason where there is one."""
+        item: PaletteItem = index.data(Qt.ItemDataRole.UserRole)
+        return QSize(200, _TWO_LINES_PX if item.reason else _ONE_LINE_PX)
+
+    def paint(self, painter: QPainter, option: QStyleOptionViewItem, index: Index) -> None:
+        """Draw a row."""
+        item: PaletteItem = index.data(Qt.ItemDataRole.UserRole)
+        colors = colors_of(self._view)
+        rect: QRect = option.rect
+        chosen = index == self._view.currentIndex()  # type: ignore[attr-defined]
+        painter.save()
+        if chosen:
+            painter.fillRect(rect, QColor(colors.accent_pale))
+            painter.fillRect(QRect(rect.left(), rect.top(), 3, rect.height()), colors.accent)
+        line = QRect(rect.left() + _SIDE_PX, rect.top(), rect.width() - 2 * _SIDE_PX, _ONE_LINE_PX)
+        middle = Qt.AlignmentFlag.AlignVCenter
+        plain, small = scaled_font(self._view, 1.0), scaled_font(self._view, 0.9)
+        if item.command.keys:
+            painter.setFont(small)
+            painter.setPen(QColor(colors.muted))
+            painter.drawText(line, middle | Qt.AlignmentFlag.AlignRight, item.command.keys)
+            taken = QFontMetrics(small).horizontalAdvance(item.command.keys) + _GAP_PX
+            line.setRight(line.right() - taken)
+        painter.setFont(scaled_font(self._view, 1.0, bold=chosen))
+        painter.setPen(QColor(colors.muted if item.reason else colors.text))
+        metrics = QFontMetrics(painter.font())
+        title = metrics.elidedText(item.title, Qt.TextElideMode.ElideRight, line.width())
+        painter.drawText(line, middle, title)
+        line.setLeft(line.left() + metrics.horizontalAdvance(title) + _GAP_PX)
+        painter.setFont(plain)
+        painter.setPen(QColor(colors.muted))
+        place = QFontMetrics(plain).elidedText(
+            item.place, Qt.TextElideMode.ElideRight, max(0, line.width())
+        )
+        painter.drawText(line, middle, place)
+        if item.reason:
+            below = rect.adjusted(_SIDE_PX, _ONE_LINE_PX - 6, -_SIDE_PX, -4)
+            painter.setFont(small)
+            reason = QFontMetrics(small).elidedText(
+                item.reason, Qt.TextElideMode.ElideRight, below.width()
+            )
+            painter.drawText(below, middle, reason)
+        painter.restore()
 
 
 class CommandPalette(ArmDialog):
@@ -42,26 +156,30 @@ class CommandPalette(ArmDialog):
 
     Args:
         controller: Whom the emergency stop tells, and who knows why something cannot be done.
-        offers: What is offered.
+        items: What is offered.
         background: Where names are read from their file.
         parent: The main window.
     """
 
     def __init__(
-        self, controller: ArmController, offers: Offers, background: Background, parent: QWidget
+        self,
+        controller: ArmController,
+        items: PaletteItems,
+        background: Background,
+        parent: QWidget,
     ) -> None:
         super().__init__(controller, parent)
         self.setObjectName("command_palette")
-        self._source = offers
+        self._source = items
         self._names = Names()
-        self._offers: list[tuple[Offer, SearchText]] = []
+        self._items: list[tuple[PaletteItem, SearchText]] = []
         self.search = named("palette_search", QLineEdit())
         self.search.setClearButtonEnabled(True)
         self.search.installEventFilter(self)
         self.list = named("palette_list", QListView())
-        self._model = OfferModel()
+        self._model = PaletteModel()
         self.list.setModel(self._model)
-        self.list.setItemDelegate(OfferDelegate(self.list))
+        self.list.setItemDelegate(PaletteDelegate(self.list))
         self.list.setUniformItemSizes(False)
         self.list.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
         self.list.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
@@ -82,7 +200,7 @@ class CommandPalette(ArmDialog):
 
     @property
     def knows_names(self) -> bool:
-        """Whether the other language and pinyin are found, too: their file has been read."""
+        """Whether the file of translations and pinyin has been read: both are found, then."""
         return self._names.known
 
     # -- what is offered ----------------------------------------------------------------------
@@ -101,78 +219,76 @@ class CommandPalette(ArmDialog):
         """Ask anew what can be done; what is chosen stays chosen."""
         if not self.isVisible():
             return
-        self._offers = [
-            (
-                offer,
-                self._names.search_text(offer.title, offer.place, synonyms(offer.name)),
-            )
-            for offer in self._source.now(self)
-        ]
+        self._items = [(item, self._search_text(item)) for item in self._source.now()]
         self._show_found(keep=True)
+
+    def _search_text(self, item: PaletteItem) -> SearchText:
+        command = item.command
+        also = () if command.operation is None else (command.operation_title.text(),)
+        return self._names.search_text((item.title, *also), item.place, command.synonyms)
 
     def _show_found(self, *_args: object, keep: bool = False) -> None:
         query = self.search.text()
         before = self._chosen() if keep else None
         told = self._message.isVisible() and before is not None
-        ranked = [(rank(query, text), place) for place, (_, text) in enumerate(self._offers)]
+        ranked = [(rank(query, text), place) for place, (_, text) in enumerate(self._items)]
         found = [
             # nobody comes upon what is dangerous by Enter while anything else is called so
-            (bool(query.strip()) and self._offers[place][0].dangerous, how, place)
+            (bool(query.strip()) and self._items[place][0].command.dangerous, how, place)
             for how, place in ranked
             if how is not None
         ]
         found.sort()
-        self._model.show_offers([self._offers[place][0] for _, _, place in found])
-        self.list.setCurrentIndex(self._model.index(self._model.row_like(before), 0))
+        self._model.show_items([self._items[place][0] for _, _, place in found])
+        row = 0 if before is None else self._model.row_of(before.command.name)
+        self.list.setCurrentIndex(self._model.index(row, 0))
         chosen = self._chosen()
         if chosen is None:
             self._show_reason(None)
         else:  # the reason that was told stays as long as what it was told of is chosen
-            self._message.setVisible(told and before is not None and chosen.is_like(before))
+            same = before is not None and chosen.command.name == before.command.name
+            self._message.setVisible(told and same)
 
-    def _chosen(self) -> Offer | None:
-        return self._model.offer(self.list.currentIndex().row())
+    def _chosen(self) -> PaletteItem | None:
+        return self._model.item(self.list.currentIndex().row())
 
-    def _show_reason(self, offer: Offer | None) -> None:
+    def _show_reason(self, item: PaletteItem | None) -> None:
         """Say why what is wanted cannot be done, or that nothing was found."""
-        if offer is None:
+        if item is None:
             text = self.tr("Nothing is called so. Chinese, English, pinyin and initials are found.")
             self._message.show_message(text)
         else:
-            self._message.show_message(offer.reason, Level.WARNING)
+            self._message.show_message(item.reason, Level.WARNING)
         self._message.show()
 
     # -- what the operator does ---------------------------------------------------------------
 
     def _on_chosen(self) -> None:
-        offer = self._chosen()
-        if offer is not None and not offer.reason and offer.show is not None:
-            offer = self._look(offer.show, offer.point_out)
-        if offer is None or offer.reason or not self.isVisible():
-            self._show_reason(offer)
+        chosen = self._chosen()
+        if chosen is None:
+            self._show_reason(None)
+            return
+        item = self._source.again(chosen)
+        was_seen = chosen.seen and item.seen
+        if not item.reason and item.must_be_opened:
+            item = self._show_page(item)
+        if item.reason or not self.isVisible():
+            self._show_reason(item)
             return
         self.close()
-        offer.do()
+        self._source.carry_out(item, was_seen=was_seen)
 
-    def _look(self, show: Doing, point_out: Doing | None) -> Offer | None:
-        """Open the page on which something is done; the same offer, as it stands there.
-
-        Args:
-            show: Opens it.
-            point_out: What is done then instead of it, if anything.
-        """
-        show()
+    def _show_page(self, item: PaletteItem) -> PaletteItem:
+        """Open the page on which something is done; return the item as it stands there."""
+        item = self._source.show(item)
         self._gather()
-        offer = self._chosen()
-        if offer is not None and offer.show is not None:  # its button is not there just now
-            offer = replace(offer, reason=nothing_to_do())
-        if offer is not None and offer.reason:
+        if not item.seen and not item.reason:
+            item = replace(item, reason=nothing_to_do())
+        if item.reason:
             self.raise_()
             self.activateWindow()
             self.search.setFocus()
-        if offer is not None and point_out is not None:
-            offer = replace(offer, do=point_out)
-        return offer
+        return item
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         """In the search the arrows move through the list, and Enter does what is chosen."""

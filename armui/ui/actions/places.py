@@ -1,4 +1,4 @@
-"""Where something is done: the windows and panels, by the names the operator reads."""
+"""The titles of the pages and windows, by their keys."""
 
 from __future__ import annotations
 
@@ -11,19 +11,7 @@ PLACES: Final[Mapping[str, Text]] = {
     "everywhere": Text("Place", "In every window"),
     "window": Text("Place", "Main window"),
     "view": Text("Place", "3D view"),
-    "motion": Text("SideMenu", "Motion control"),
-    "cartesian": Text("SideMenu", "Tool control"),
     "jogging": Text("Place", "Jogging by keys"),
-    "light": Text("SideMenu", "Light control"),
-    "linkage": Text("SideMenu", "Linkage control"),
-    "joint_settings": Text("SideMenu", "Joint settings"),
-    "end_limits": Text("SideMenu", "End speed limits"),
-    "collision": Text("SideMenu", "Collision level"),
-    "motor": Text("SideMenu", "Motor settings"),
-    "gripper": Text("SideMenu", "Gripper control"),
-    "gripper_settings": Text("SideMenu", "Gripper settings"),
-    "end_load": Text("SideMenu", "End load"),
-    "teaching": Text("SideMenu", "Drag teaching"),
     "parameters": Text("Place", "Panels with parameters"),
     "library": Text("LibraryButton", "Trajectory library"),
     "editor": Text("Place", "Trajectory editor"),
@@ -36,14 +24,12 @@ PLACES: Final[Mapping[str, Text]] = {
     "replay": Text("Place", "Replay"),
     "connect": Text("ConnectDialog", "Connect arm"),
     "settings": Text("SettingsDialog", "Settings"),
+    "joint_status": Text("JointStatusDialog", "Joint status"),
+    "about_arm": Text("AboutArmDialog", "About this arm"),
+    "doctor": Text("DoctorDialog", "Diagnosis"),
+    "run": Text("Place", "Run"),
 }
-"""By their keys, in the order in which they are listed."""
-
-PANELS: Final = (
-    *("motion", "cartesian", "light", "linkage", "joint_settings", "end_limits", "collision"),
-    *("motor", "gripper", "gripper_settings", "end_load", "teaching"),
-)
-"""The panels of the operation area, in the order of the menu."""
+"""The titles by the keys of the places; `operation_area.PANELS` has those of the panels."""
 
 MOVABLE: Final = ("library", "editor", "recording", "plots", "events", "bus")
 """The pages that can be taken out into a window, by their keys."""

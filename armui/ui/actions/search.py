@@ -7,16 +7,16 @@ from dataclasses import dataclass
 from typing import Final
 
 _EXACT, _INITIALS, _START, _WORD, _WITHIN = range(5)
-"""How good: the whole name, the initials of its pinyin, its start, that of a word, anywhere."""
+"""Ranks: the whole name, the initials of its pinyin, its start, the start of a word, anywhere."""
 
 _NONE: Final = 99
 _SHORTEST_LATIN: Final = 3
-"""Of the beginning of a synonym."""
+"""Fewer Latin letters are not taken for the beginning of a synonym."""
 
 
 @dataclass(frozen=True, slots=True)
 class SearchText:
-    """One thing's names.
+    """The names of a command, to be searched.
 
     Attributes:
         names: Its own, in whatever languages they are known; lower case.
@@ -36,7 +36,7 @@ class SearchText:
 
 
 def rank(query: str, text: SearchText) -> tuple[int, ...] | None:
-    """How well a query fits; the lower, the better. ``None``: it does not.
+    """Return how well a query fits, the lower the better; ``None``: it does not.
 
     Every word of the query must be found: in a name, or in that of the place where it is done. A
     word may be Chinese, English, pinyin in full, its initials, or the two mixed: «ydkz», «yundkz».
@@ -73,7 +73,7 @@ def _in_names(word: str, names: Sequence[str]) -> int:
 
 
 def _in_synonyms(word: str, text: SearchText) -> int:
-    """As good as the start of a name where it is the whole word; its beginning, as within one."""
+    """Rank a whole synonym as the start of a name, and its beginning as a part of one."""
     spelled = _in_pinyin(word, text.synonym_pinyin)
     if word in text.synonyms or spelled == _INITIALS:
         return _START
@@ -96,7 +96,7 @@ def _in_pinyin(word: str, names: Sequence[tuple[str, ...]]) -> int:
 
 
 def _spells(word: str, syllables: Sequence[str]) -> bool:
-    """Whether a word is made of beginnings of the syllables, one after another."""
+    """Return whether a word consists of beginnings of the syllables, one after another."""
     if not word:
         return True
     if not syllables:

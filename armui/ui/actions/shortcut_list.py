@@ -2,16 +2,17 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import TYPE_CHECKING, Final
 
 from PySide6.QtWidgets import QWidget
 
 from armui.ui.actions.keys import SHORTCUTS
-from armui.ui.actions.places import PLACES
 from armui.ui.dialogs.sections import HelpSection, SectionsDialog
 
 if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
+    from armui.ui.words.text import Text
 
 _SIZE_PX: Final = (980, 640)
 _GAPS_PX: Final = (16, 6)
@@ -27,12 +28,15 @@ class ShortcutList(SectionsDialog):
 
     Args:
         controller: Whom the emergency stop tells.
+        places: The titles of all places by their keys.
         parent: The main window.
     """
 
-    def __init__(self, controller: ArmController, parent: QWidget | None = None) -> None:
-        left = [_section(place) for place in _LEFT]
-        right = [_section(place) for place in PLACES if place not in _LEFT]
+    def __init__(
+        self, controller: ArmController, places: Mapping[str, Text], parent: QWidget | None = None
+    ) -> None:
+        left = [_section(place, places[place]) for place in _LEFT]
+        right = [_section(place, title) for place, title in places.items() if place not in _LEFT]
         super().__init__(
             controller,
             parent,
@@ -49,6 +53,6 @@ class ShortcutList(SectionsDialog):
         self.set_title(self.tr("Keyboard shortcuts"))
 
 
-def _section(place: str) -> HelpSection:
+def _section(place: str, title: Text) -> HelpSection:
     shortcuts = (each for each in SHORTCUTS.values() if each.place == place)
-    return HelpSection(PLACES[place], [(each.text(), each.title) for each in shortcuts])
+    return HelpSection(title, [(each.text(), each.title) for each in shortcuts])

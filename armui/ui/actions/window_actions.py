@@ -1,27 +1,29 @@
-"""Of the main window: the keys that count in every window, and what they open."""
+"""The commands of the main window without a button: palette, guide, theme, language, stops."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QObject, Qt
-from PySide6.QtWidgets import QApplication, QDialog, QWidget
+from PySide6.QtWidgets import QAbstractButton, QApplication, QDialog, QWidget
 
+from armui.control.devices.motors import Motors
+from armui.control.operations.operation import operation_of
+from armui.control.run.speed_override import STEP_PERCENT
 from armui.control.safety.recovery_steps import StepKind
+from armui.ui.actions.command import Command, CommandSource, Target, allow, also, new_action
 from armui.ui.actions.commands_button import CommandsButton
 from armui.ui.actions.keys import listen_for
-from armui.ui.shell.first_steps import FirstSteps
+from armui.ui.actions.palette_items import Callback, PaletteItems, lead_to, use
+from armui.ui.words.text import Text
 
 if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
     from armui.settings import SettingsStore
-    from armui.ui.actions.offer import Doing, Doings
     from armui.ui.background import Background
     from armui.ui.main_window import MainWindow
-    from armui.ui.picture.picture_work import PictureWork
     from armui.ui.shell.diagnosis_dialogs import DiagnosisDialogs
-    from armui.ui.shell.page_actions import PageActions
     from armui.ui.shell.recovery_line import RecoveryLine
     from armui.ui.shell.watch_windows import WatchWindows
     from armui.ui.shell.work_area import RunPlace
@@ -29,6 +31,45 @@ if TYPE_CHECKING:
 
 _IN_THE_RUN_STRIP: Final = frozenset({StepKind.RUN_PAUSED, StepKind.RUN_WAITS})
 """The steps that the line above the panels has no button for."""
+_NEXT_STEP: Final = "window.next_step"
+
+
+# fmt: off
+_COMMANDS: Final = (
+    Command("everywhere.stop",
+            synonyms=also("stop estop e-stop emo kill panic 停止 紧急停止 停机")),
+    Command("everywhere.halt", Text("HaltButton", "Halt"),
+            synonyms=also("hold freeze brake 停下 保持 刹车")),
+    Command("everywhere.slower", synonyms=also("override speed reduce 倍率 降速 慢")),
+    Command("everywhere.faster", synonyms=also("override speed increase 倍率 提速 快")),
+    Command("window.resume", Text("TopBar", "Resume after the emergency stop"),
+            operation_of(Motors.resume), synonyms=also("recover restart release 恢复 解除 复位")),
+    Command(_NEXT_STEP, Text("RecoveryLine", "Next step"),
+            synonyms=also("fix help recover 怎么办")),
+    Command("window.joint_status", Text("Action", "Joint status"),
+            synonyms=also("temperature current voltage errors 温度 电流 电压 故障")),
+    Command("library.open", Text("LibraryButton", "Trajectory library"),
+            synonyms=also("program programs trajectories 程序 轨迹")),
+    Command("replay.open", Text("Action", "Replay a recording"),
+            synonyms=also("playback play log 播放")),
+    Command("window.export", Text("Action", "Export a recording"),
+            synonyms=also("csv mcap parquet rosbag 导出")),
+    Command("window.backup", Text("Action", "Back up, compare, restore parameters"), risky=True,
+            synonyms=also("restore factory 恢复 出厂")),
+    Command("window.diagnosis", Text("DoctorDialog", "Diagnosis"),
+            synonyms=also("doctor troubleshoot problem 排查 自检")),
+    Command("window.about_arm", Text("AboutArmDialog", "About this arm"),
+            synonyms=also("version firmware serial 版本 固件 序列号")),
+    Command("window.language", Text("Action", "Language: Chinese or English")),
+    Command("window.theme", Text("Action", "Theme: light or dark"),
+            synonyms=also("dark light night 深色 浅色 夜间")),
+    Command("everywhere.guide", Text("Action", "User guide"),
+            synonyms=also("manual help documentation 帮助 手册 说明书")),
+    Command("everywhere.shortcuts", Text("Action", "Keyboard shortcuts"),
+            synonyms=also("keys hotkeys 热键")),
+    Command("window.close", Text("Action", "Close the program"), synonyms=also("quit exit 退出")),
+)
+# fmt: on
 
 
 class WindowActions(QObject):
@@ -39,7 +80,12 @@ class WindowActions(QObject):
         controller: Who stops, and knows why something cannot be done.
         store: The operator's settings.
         background: Where files are read.
+
+    Attributes:
+        button: Opens the command palette.
     """
+
+    commands = _COMMANDS
 
     def __init__(
         self,
@@ -53,56 +99,85 @@ class WindowActions(QObject):
         self._controller = controller
         self._store = store
         self._background = background
-        self._doings: dict[str, Doing] = {}
         self._opened: dict[str, QDialog] = {}
-        self._pages: PageActions | None = None
-        FirstSteps(window, controller, store)
-        self._button = CommandsButton()
-        self._button.clicked.connect(self.open_palette)
-        openers: dict[str, Doing] = {
+        self.button = CommandsButton()
+        self.button.clicked.connect(self.open_palette)
+        openers: dict[str, Callback] = {
             "palette": self.open_palette,
             "guide": self.open_guide,
             "shortcuts": self.open_shortcuts,
+            "faster": self._go_faster,
         }
         everywhere = Qt.ShortcutContext.ApplicationShortcut
         for name, act in openers.items():
             listen_for(f"everywhere.{name}", window, act, everywhere).setAutoRepeat(False)
 
-    def lead_to(
+    def link(
         self,
-        show_panel: Callable[[str], object],
-        ask_to_resume: Callable[[], object],
+        ask_to_resume: Callback,
         recovery: RecoveryLine,
         run: RunPlace,
+        diagnosis: DiagnosisDialogs,
+        watch: WatchWindows,
+        *,
+        buttons: Mapping[str, QAbstractButton],
     ) -> None:
         """Take in what the parts of the window do.
 
         Args:
-            show_panel: Goes to a panel, by its key.
             ask_to_resume: Asks whether to end the emergency stop.
             recovery: Takes the next step.
             run: Goes on with a run that pauses or waits.
+            diagnosis: Opens the windows that tell what is wrong, and which arm this is.
+            watch: Opens the windows for recordings.
+            buttons: The buttons below the menu, by the names of their commands.
         """
-        self._show_panel, self._ask_to_resume = show_panel, ask_to_resume
         self._recovery, self._run = recovery, run
+        does: dict[str, Callback] = {
+            "everywhere.stop": self._stop,
+            "everywhere.halt": self._halt,
+            "everywhere.slower": self._go_slower,
+            "everywhere.faster": self._go_faster,
+            "window.resume": ask_to_resume,
+            _NEXT_STEP: self._take_step,
+            "replay.open": watch.open_replay,
+            "window.export": watch.open_export,
+            "window.backup": self._window.open_backup_dialog,
+            "window.diagnosis": diagnosis.open_doctor,
+            "window.about_arm": diagnosis.open_about_arm,
+            "window.language": self._switch_language,
+            "window.theme": self._switch_theme,
+            "everywhere.guide": self.open_guide,
+            "everywhere.shortcuts": self.open_shortcuts,
+            "window.close": self._window.close,
+        }
+        actions = {name: new_action(self, do) for name, do in does.items()}
+        self._targets: dict[str, Target] = {**actions, **buttons}
+        self._next_step = actions[_NEXT_STEP]
 
     def offer(
         self,
-        diagnosis: DiagnosisDialogs,
-        watch: WatchWindows,
-        picture: PictureWork,
-        pages: PageActions,
-    ) -> CommandsButton:
-        """Offer what these windows do and no button in the main window; the palette's button."""
-        self._doings |= {
-            "window.diagnosis": diagnosis.open_doctor,
-            "window.about_arm": diagnosis.open_about_arm,
-            "window.export": watch.open_export,
-            "replay.open": watch.open_replay,
-            **picture.doings(),
-        }
-        self._pages = pages
-        return self._button
+        sources: Callable[[], Sequence[CommandSource]],
+        places: Mapping[str, Text],
+        where: Callable[[], tuple[Iterable[QWidget | None], str]],
+    ) -> None:
+        """Take in what the palette, the list of shortcuts and the guide have to know.
+
+        Args:
+            sources: Returns what each part of the window offers.
+            places: The titles of all places by their keys.
+            where: Returns the pages that stand in the window, and the key of its panel.
+        """
+        self._sources, self._places, self._where = sources, places, where
+
+    def command_targets(self) -> Mapping[str, Target]:
+        """Return what carries out each of its commands, by the command's name."""
+        allow(self._next_step, self._why_no_step())
+        return self._targets
+
+    def palette_items(self) -> PaletteItems:
+        """Return what the palette offers."""
+        return PaletteItems(self._controller, self._sources(), self._places)
 
     # -- windows ------------------------------------------------------------------------------
 
@@ -110,14 +185,11 @@ class WindowActions(QObject):
         """Show the command palette."""
 
         def make() -> QDialog:
-            from armui.ui.actions.offer import Offers  # noqa: PLC0415 - faster start
-            from armui.ui.actions.palette import CommandPalette  # noqa: PLC0415 - as above
+            from armui.ui.actions.palette import CommandPalette  # noqa: PLC0415 - faster start
 
-            openers = {} if self._pages is None else self._pages.openers()
-            offers = Offers(
-                *(self._window, self._controller, self._all_doings(), openers, self._show_panel)
+            return CommandPalette(
+                self._controller, self.palette_items(), self._background, self._window
             )
-            return CommandPalette(self._controller, offers, self._background, self._window)
 
         self._open("palette", make)
 
@@ -127,7 +199,7 @@ class WindowActions(QObject):
         def make() -> QDialog:
             from armui.ui.actions.shortcut_list import ShortcutList  # noqa: PLC0415 - faster start
 
-            return ShortcutList(self._controller, self._window)
+            return ShortcutList(self._controller, self._places, self._window)
 
         self._open("shortcuts", make)
 
@@ -138,7 +210,7 @@ class WindowActions(QObject):
 
         if isinstance(QApplication.activeWindow(), GuideWindow):
             return
-        section = section_of(self._window)
+        section = section_of(*self._where())
         window = self._open(
             "guide", lambda: GuideWindow(self._controller, self._background, self._window)
         )
@@ -153,30 +225,17 @@ class WindowActions(QObject):
 
     # -- what has no button -------------------------------------------------------------------
 
-    def _all_doings(self) -> Doings:
-        """By name: what does it, and why that is not possible now."""
-        own: dict[str, tuple[Doing, Callable[[], str]]] = {
-            "everywhere.stop": (self._controller.emergency_stop, _always),
-            "everywhere.halt": (self._controller.halt_and_hold, _always),
-            "everywhere.guide": (self.open_guide, _always),
-            "everywhere.shortcuts": (self.open_shortcuts, _always),
-            "window.resume": (self._ask_to_resume, _always),
-            "window.next_step": (self._take_step, self._why_no_step),
-            "window.language": (self._switch_language, _always),
-            "window.theme": (self._switch_theme, _always),
-            "window.close": (self._window.close, _always),
-            "window.backup": (self._window.open_backup_dialog, _always),
-        }
-        simple = {name: (do, _always) for name, do in self._doings.items()}
-        return {**simple, **own, **({} if self._pages is None else self._pages.doings())}
+    def _stop(self) -> None:
+        self._controller.emergency_stop()
+
+    def _halt(self) -> None:
+        self._controller.halt_and_hold()
 
     def _step_button(self) -> QWidget | None:
         in_strip = self._controller.recovery.step.kind in _IN_THE_RUN_STRIP
         return self._run.go_on_button if in_strip else self._recovery.step_button
 
     def _take_step(self) -> None:
-        from armui.ui.actions.offer import lead_to, use  # noqa: PLC0415 - faster start
-
         button = self._step_button()
         if button is not None and button is self._run.go_on_button:
             lead_to(button)  # it sets the arm moving: with a press of its own
@@ -189,12 +248,14 @@ class WindowActions(QObject):
             return self.tr("There is no next step now.")
         return "" if button.isEnabled() else button.toolTip()
 
+    def _go_slower(self) -> None:
+        self._controller.speed_override.step(-STEP_PERCENT)
+
+    def _go_faster(self) -> None:
+        self._controller.speed_override.step(STEP_PERCENT)
+
     def _switch_language(self) -> None:
         self._store.change(language="en" if self._store.settings.language == "zh" else "zh")
 
     def _switch_theme(self) -> None:
         self._store.change(theme="light" if self._store.settings.theme == "dark" else "dark")
-
-
-def _always() -> str:
-    return ""

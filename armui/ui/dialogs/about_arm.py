@@ -6,7 +6,7 @@ Each value is one that was heard, read or set; what the arm does not tell is sai
 from __future__ import annotations
 
 import platform
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import Final, NamedTuple
 
 from PySide6.QtCore import QCoreApplication, QObject, Qt
@@ -27,13 +27,14 @@ from armui.protocol.addressing import Addressing
 from armui.protocol.generation import Generation
 from armui.ui import format as fmt
 from armui.ui import words
+from armui.ui.actions.command import Command, Target
 from armui.ui.background import Background, Job
 from armui.ui.dialogs.base import ArmDialog, CloseButton
 from armui.ui.widgets.buttons import named, push_button
 from armui.ui.widgets.layouts import empty_grid, fill
 from armui.ui.widgets.seen_timer import SeenTimer
 from armui.ui.widgets.text_label import text_label
-from armui.ui.words.text import Texts
+from armui.ui.words.text import Text, Texts
 
 _SIZE_PX: Final = (720, 720)
 _REFRESH_MS: Final = 1000
@@ -320,6 +321,8 @@ class AboutArmDialog(ArmDialog):
         parent: The main window.
     """
 
+    commands = (Command("about_arm.copy", Text("AboutArmDialog", "Copy as text")),)
+
     def __init__(
         self,
         controller: ArmController,
@@ -343,6 +346,10 @@ class AboutArmDialog(ArmDialog):
         self.copy_button.clicked.connect(self._on_copy)
         controller.operating_state_changed.connect(self._on_state_changed)
         self.retranslate_ui()
+
+    def command_targets(self) -> Mapping[str, Target]:
+        """Return what carries out each command, by the command's name."""
+        return {"about_arm.copy": self.copy_button}
 
     def _build(self) -> None:
         self._grid_widget = QWidget()

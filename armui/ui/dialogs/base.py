@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
 from typing import Final, Protocol, runtime_checkable
 
 from PySide6.QtCore import QEvent, QMargins, QRect, Qt
@@ -9,6 +10,7 @@ from PySide6.QtGui import QContextMenuEvent, QGuiApplication, QMoveEvent, QShowE
 from PySide6.QtWidgets import QDialog, QPushButton, QWidget
 
 from armui.control.arm_controller import ArmController
+from armui.ui.actions.command import Command, Target
 from armui.ui.shell.workspace_layout import Place, fitted
 from armui.ui.widgets.curve_menu import offer_curves
 from armui.ui.widgets.halt_button import HaltButton
@@ -115,7 +117,10 @@ class ArmDialog(Translated, KeepsFocus, QDialog):
     Attributes:
         body: Where its own content goes.
         footer: Where its buttons go, from left to right.
+        commands: What the command palette offers of it.
     """
+
+    commands: Sequence[Command] = ()
 
     def __init__(self, controller: ArmController, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -131,6 +136,10 @@ class ArmDialog(Translated, KeepsFocus, QDialog):
         self.body = in_column(spacing=_GAP_PX)
         self.footer = in_row(spacing=_GAP_PX // 2)
         in_column(header, (self.body, 1), self.footer, on=self, spacing=_GAP_PX, margins=_MARGIN_PX)
+
+    def command_targets(self) -> Mapping[str, Target]:
+        """Return what carries out each of its commands, by the command's name."""
+        return {}
 
     def add_to_header(self, widget: QWidget) -> None:
         """Put something between the title and the stops."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from typing import Final
 
@@ -28,6 +28,7 @@ from armui.control.operating_state import LinkState, OperatingState
 from armui.doctor.facts import Diagnosis
 from armui.doctor.report import Words, adapter_trouble
 from armui.ui import words
+from armui.ui.actions.command import Command, Target
 from armui.ui.background import Background, Job
 from armui.ui.dialogs.base import ArmDialog, CloseButton
 from armui.ui.dialogs.confirm_dialog import confirm
@@ -49,6 +50,7 @@ from armui.ui.widgets.progress import quiet_progress
 from armui.ui.widgets.table_model import list_rows
 from armui.ui.widgets.text_label import text_label
 from armui.ui.widgets.translated import Translated
+from armui.ui.words.text import Text
 
 _BITRATES: Final = (DEFAULT_BITRATE, 500_000)
 """Today's hardware, and what generation 1's protocol text says."""
@@ -192,6 +194,10 @@ class ConnectDialog(ArmDialog):
         diagnosis_wanted: The operator wants to know why a device, or no arm, answers.
     """
 
+    commands = (
+        Command("connect.model", Text("Action", "Model of the arm")),
+        Command("connect.listen_only", Text("ConnectDialog", "Listen only")),
+    )
     diagnosis_wanted = Signal(object)
 
     def __init__(
@@ -230,6 +236,13 @@ class ConnectDialog(ArmDialog):
         controller.operating_state_changed.connect(self._on_operating_state_changed)
         self._on_operating_state_changed(controller.operating_state)
         self.retranslate_ui()
+
+    def command_targets(self) -> Mapping[str, Target]:
+        """Return what carries out each command, by the command's name."""
+        return {
+            "connect.model": self.model_choice.box,
+            "connect.listen_only": self.listen_only_box,
+        }
 
     # Layout -----------------------------------------------------------------------------------
 

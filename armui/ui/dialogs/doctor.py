@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from functools import partial
 from typing import Any, Final, Protocol
@@ -24,12 +24,14 @@ from armui.doctor.process import DoctorProcess
 from armui.doctor.report import Words, as_text
 from armui.protocol.codec import Codec
 from armui.protocol.generation import Generation
+from armui.ui.actions.command import Command, Target
 from armui.ui.dialogs.base import ArmDialog, CloseButton
 from armui.ui.dialogs.finding_row import FindingRow
 from armui.ui.widgets.buttons import enable_or_explain, named, push_button
 from armui.ui.widgets.layouts import STRETCH, bare_area, fill, in_column
 from armui.ui.widgets.message_line import MessageLine
 from armui.ui.widgets.text_label import text_label
+from armui.ui.words.text import Text
 
 _SIZE_PX: Final = (860, 640)
 _GAP_PX: Final = 12
@@ -94,6 +96,10 @@ class DoctorDialog(ArmDialog):
         examine: Begins an examination.
     """
 
+    commands = (
+        Command("doctor.copy", Text("DoctorDialog", "Copy report")),
+        Command("doctor.again", Text("DoctorDialog", "Examine again")),
+    )
     _told = Signal(object, object)
 
     def __init__(
@@ -118,6 +124,10 @@ class DoctorDialog(ArmDialog):
         # queued, for an answer may come while the examination is being begun
         self._told.connect(self._on_told, Qt.ConnectionType.QueuedConnection)
         self.retranslate_ui()
+
+    def command_targets(self) -> Mapping[str, Target]:
+        """Return what carries out each command, by the command's name."""
+        return {"doctor.copy": self.copy_button, "doctor.again": self.again_button}
 
     # Layout -----------------------------------------------------------------------------------
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
 from typing import Any, Final
@@ -24,13 +24,15 @@ from PySide6.QtWidgets import (
 from armui.arm.joint_status import UNITS, Item, StatusCell, Word, rows
 from armui.arm.limits import JOINTS
 from armui.control.arm_controller import ArmController
-from armui.control.devices.joint_errors import why_not_clear
+from armui.control.devices.joint_errors import JointErrors, why_not_clear
 from armui.control.devices.joint_monitor import JointMonitor
 from armui.control.events import Event, EventCode, Level
 from armui.control.operating_state import OperatingState
+from armui.control.operations.operation import operation_of
 from armui.protocol.generation import Generation
 from armui.ui import format as fmt
 from armui.ui import words
+from armui.ui.actions.command import Command, Target
 from armui.ui.dialogs.base import ArmDialog, CloseButton
 from armui.ui.theme import Colors, colors_of, scaled_font
 from armui.ui.widgets import state_mark
@@ -40,6 +42,7 @@ from armui.ui.widgets.message_line import MessageLine
 from armui.ui.widgets.state_mark import Mark
 from armui.ui.widgets.table_model import Index, TableModel
 from armui.ui.widgets.text_label import text_label
+from armui.ui.words.text import Text
 
 _HEADER_PAD_PX: Final = 20
 _FRAME_PX: Final = 1
@@ -266,6 +269,9 @@ def cell_width(table: QWidget, words: list[str]) -> int:
     return int(_TEXT_LEFT_PX + max(widest, small) + _GAP_PX)
 
 
+_CLEAR: Final = Text("JointStatusDialog", "Clear error")
+
+
 class JointStatusDialog(ArmDialog):
     """Stays open beside the work; looks at the joints only while it is shown.
 
@@ -274,6 +280,15 @@ class JointStatusDialog(ArmDialog):
         monitor: Knows the joints.
         parent: The main window.
     """
+
+    commands = tuple(
+        Command(
+            f"joint_status.clear_{joint}",
+            _CLEAR._replace(suffix=f"J{joint}"),
+            operation_of(JointErrors.clear),
+        )
+        for joint in JOINTS
+    )
 
     def __init__(
         self, controller: ArmController, monitor: JointMonitor, parent: QWidget | None = None
@@ -297,6 +312,11 @@ class JointStatusDialog(ArmDialog):
         self.retranslate_ui()
         self.ensurePolished()
         self.resize(self.sizeHint())
+
+    def command_targets(self) -> Mapping[str, Target]:
+        """Return what carries out each command, by the command's name."""
+        names = (command.name for command in self.commands)
+        return dict(zip(names, self.clear_buttons, strict=True))
 
     # Layout -----------------------------------------------------------------------------------
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Final
 
@@ -26,6 +27,7 @@ from armui.control.events import Level
 from armui.settings import SettingsStore
 from armui.ui import format as fmt
 from armui.ui import words
+from armui.ui.actions.command import Command, Target
 from armui.ui.dialogs.base import ArmDialog, CloseButton
 from armui.ui.dialogs.files import choose_file
 from armui.ui.gamepad.gamepad_dialog import GamepadDialog
@@ -34,6 +36,7 @@ from armui.ui.widgets.layouts import STRETCH, empty_grid, fill, in_row
 from armui.ui.widgets.message_line import MessageLine
 from armui.ui.widgets.painting import repolish
 from armui.ui.widgets.text_label import ElidedLabel
+from armui.ui.words.text import Text
 
 if TYPE_CHECKING:
     from armui.control.operating_state import OperatingState
@@ -57,6 +60,17 @@ class SettingsDialog(ArmDialog):
         about_arm_wanted: The operator wants to know which arm this is.
     """
 
+    commands = (
+        Command("settings.gamepad", Text("SettingsDialog", "Gamepad…")),
+        Command(
+            "settings.stop_again",
+            Text("SettingsDialog", "Stop again if another host undoes an emergency stop"),
+        ),
+        Command(
+            "settings.jog_floor",
+            Text("SettingsDialog", "Jogs end at a lowest height of the fingertip"),
+        ),
+    )
     diagnosis_wanted = Signal()
     about_arm_wanted = Signal()
 
@@ -89,6 +103,14 @@ class SettingsDialog(ArmDialog):
     def show_robot_problem(self, reason: Refusal) -> None:
         """Say why the robot description chosen cannot be shown; the old one stays in view."""
         self._show_problem(reason)
+
+    def command_targets(self) -> Mapping[str, Target]:
+        """Return what carries out each command, by the command's name."""
+        return {
+            "settings.gamepad": self.gamepad_button,
+            "settings.stop_again": self.stop_again_box,
+            "settings.jog_floor": self.jog_floor_box,
+        }
 
     # Layout -----------------------------------------------------------------------------------
 

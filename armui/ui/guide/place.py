@@ -2,13 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from typing import Final
 
-from PySide6.QtWidgets import QAbstractButton, QApplication, QWidget
-
-from armui.ui.actions.places import PANELS
-from armui.ui.widgets.page import Page
+from PySide6.QtWidgets import QApplication, QWidget
 
 FIRST: Final = "start"
 
@@ -52,11 +49,12 @@ _REGIONS: Final[Mapping[str, str]] = {
 """By the class of a part of the main window that has the keyboard."""
 
 
-def section_of(window: QWidget) -> str:
-    """The section of the place that has the keyboard.
+def section_of(pages: Iterable[QWidget | None], panel: str) -> str:
+    """Return the section of the place that has the keyboard.
 
     Args:
-        window: The main window.
+        pages: The pages that stand in the main window.
+        panel: The key of the panel that is chosen there.
     """
     focus = QApplication.focusWidget()
     each = focus or QApplication.activeWindow()
@@ -66,21 +64,8 @@ def section_of(window: QWidget) -> str:
         if section is not None:
             return section
         each = each.parentWidget()
-    return _page(window) or _panel(window)
-
-
-def _page(window: QWidget) -> str:
-    """Of the page beside the picture, if one is shown there."""
-    pages = (each for each in window.findChildren(Page) if each.isVisible())
-    return next((_WINDOWS.get(type(each).__name__, "") for each in pages), "")
-
-
-def _panel(window: QWidget) -> str:
-    for panel in PANELS:
-        entry = window.findChild(QAbstractButton, f"menu_{panel}")
-        if entry is not None and entry.isChecked():
-            return panel
-    return FIRST
+    seen = (page for page in pages if page is not None and page.isVisible())
+    return next((_WINDOWS.get(type(page).__name__, "") for page in seen), "") or panel
 
 
 def windows_named() -> set[str]:
@@ -89,5 +74,5 @@ def windows_named() -> set[str]:
 
 
 def sections_named() -> set[str]:
-    """Every section that some place leads to."""
-    return {FIRST, *PANELS, *_WINDOWS.values(), *_REGIONS.values()}
+    """Return every section that a place other than a panel leads to."""
+    return {*_WINDOWS.values(), *_REGIONS.values()}

@@ -2,22 +2,30 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from functools import partial
 from typing import Final
 
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtWidgets import QButtonGroup, QFrame, QLabel, QSizePolicy, QWidget
+from PySide6.QtWidgets import QAbstractButton, QButtonGroup, QFrame, QLabel, QSizePolicy, QWidget
 
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import ArmState, GripperState, Reading
 from armui.control.arm_controller import ArmController
-from armui.control.devices.gripper import why_not_gripper, why_not_let_go, why_not_move_gripper
+from armui.control.devices.gripper import (
+    GripperControl,
+    why_not_gripper,
+    why_not_let_go,
+    why_not_move_gripper,
+)
 from armui.control.devices.gripper_ranges import Figure, check, figures_of
 from armui.control.operating_state import OperatingState
+from armui.control.operations.operation import operation_of
 from armui.protocol.generation import Generation
 from armui.ui import format as fmt
 from armui.ui import words
+from armui.ui.actions.command import Command, Target
 from armui.ui.actions.keys import keys_of
 from armui.ui.freshness import is_stale
 from armui.ui.panels.motor_row import PowerMark
@@ -38,6 +46,7 @@ from armui.ui.widgets.layouts import STRETCH, empty_grid, in_column, in_row, scr
 from armui.ui.widgets.state_mark import Mark
 from armui.ui.widgets.text_label import ValueLabel, text_label
 from armui.ui.widgets.track_slider import TrackSlider
+from armui.ui.words.text import Text
 
 """As wide as those of the figures below."""
 
@@ -64,6 +73,11 @@ class MeasureChoice(QWidget):
             self._group.addButton(button, place)
             layout.addWidget(button, 1)
         self._group.idClicked.connect(lambda place: self.chosen.emit(place == 1))
+
+    @property
+    def buttons(self) -> list[QAbstractButton]:
+        """The two buttons."""
+        return self._group.buttons()
 
     def show_choice(self, *, by_angle: bool, why_not: str) -> None:
         """Show what counts now.
@@ -222,8 +236,23 @@ class GripperRow(QWidget):
         self.plus.setAccessibleName(self.tr("{figure} plus").format(figure=name))
 
 
+_COMMANDS: Final = (
+    ("enable", Text("GripperAct", "Enable"), operation_of(GripperControl.enable)),
+    ("disable", Text("GripperAct", "Disable"), operation_of(GripperControl.disable)),
+    ("clear", Text("GripperAct", "Clear error"), operation_of(GripperControl.clear_error)),
+    ("zero", Text("GripperAct", "Set zero"), operation_of(GripperControl.set_zero)),
+)
+
+
 class GripperPanel(Panel):
     """Target and measured values of the gripper, the buttons for its power, its errors in words."""
+
+    commands = (
+        Command("gripper.send", operation=operation_of(GripperControl.move)),
+        *(Command(f"gripper.{act}", title, does) for act, title, does in _COMMANDS),
+        Command("gripper.opening", Text("MeasureChoice", "Opening (mm)")),
+        Command("gripper.angle", Text("MeasureChoice", "Angle (°)")),
+    )
 
     def __init__(self, controller: ArmController) -> None:
         super().__init__(controller, "gripper_message")
@@ -249,6 +278,16 @@ class GripperPanel(Panel):
         self._lay_out()
         self._connect()
         self.retranslate_ui()
+
+    def command_targets(self) -> Mapping[str, Target]:
+        """Return what carries out each command, by the command's name."""
+        opening, angle = self._measure.buttons
+        return {
+            "gripper.send": self._send,
+            **{f"gripper.{act}": button for act, button in self._acts.items()},
+            "gripper.opening": opening,
+            "gripper.angle": angle,
+        }
 
     # -- layout -------------------------------------------------------------------------------
 

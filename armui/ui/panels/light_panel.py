@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import Final
 
 from PySide6.QtCore import QRectF, QSignalBlocker, QSize, Qt, Signal
@@ -21,11 +22,13 @@ from armui.arm.limits import JOINTS
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.control.arm_controller import ArmController
-from armui.control.devices.lights import RANGES, check_light, why_no_lamps
+from armui.control.devices.lights import RANGES, Lights, check_light, why_no_lamps
 from armui.control.operating_state import OperatingState
+from armui.control.operations.operation import operation_of
 from armui.protocol.codes import ALL_LAMPS
 from armui.ui import format as fmt
 from armui.ui import words
+from armui.ui.actions.command import Command, Target
 from armui.ui.actions.keys import keys_of
 from armui.ui.dialogs.base import ArmDialog, CloseButton
 from armui.ui.panels.panel import Panel
@@ -44,6 +47,7 @@ from armui.ui.widgets.figure_field import FigureField
 from armui.ui.widgets.layouts import STRETCH, empty_grid, in_row, scrolled
 from armui.ui.widgets.text_label import text_label
 from armui.ui.widgets.track_slider import TrackSlider
+from armui.ui.words.text import Text
 
 FULL: Final = 255
 """The highest grey value."""
@@ -211,12 +215,22 @@ class ColorDialog(ArmDialog):
         self.set_title(self.tr("Colour of the lamps"))
 
 
+_LAMPS: Final = Text("Action", "Lamps of")
+
+
 class LightPanel(Panel):
     """What is to be sent to the lamps; it never claims to know what colour they have.
 
     Fields, sliders and a picker are three ways to the same colour. Everything stays as it was left
     while another panel is used.
     """
+
+    commands = (
+        Command("light.all", Text("LightPanel", "All lamps of the joint")),
+        Command("light.pick", Text("LightPanel", "Colour of the lamps")),
+        Command("light.confirm", operation=operation_of(Lights.set_light)),
+        *(Command(f"light.joint_{j}", _LAMPS._replace(suffix=f"J{j}")) for j in JOINTS),
+    )
 
     def __init__(self, controller: ArmController) -> None:
         super().__init__(controller, "light_message")
@@ -242,6 +256,15 @@ class LightPanel(Panel):
         self._connect()
         self._show_color(QColor(FULL, FULL, FULL))
         self.retranslate_ui()
+
+    def command_targets(self) -> Mapping[str, Target]:
+        """Return what carries out each command, by the command's name."""
+        return {
+            "light.all": self._all_lamps,
+            "light.pick": self._pick,
+            "light.confirm": self._confirm,
+            **{f"light.joint_{joint}": self._joints.button(joint) for joint in JOINTS},
+        }
 
     # -- layout -------------------------------------------------------------------------------
 

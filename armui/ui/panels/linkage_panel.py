@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from functools import partial
 from typing import Final
 
@@ -10,11 +11,13 @@ from PySide6.QtWidgets import QButtonGroup, QComboBox, QFrame, QLabel
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.control.arm_controller import ArmController
-from armui.control.devices.linkage import why_not_link
+from armui.control.devices.linkage import LinkageControl, why_not_link
 from armui.control.operating_state import LinkState, OperatingState
+from armui.control.operations.operation import operation_of
 from armui.protocol.addressing import OFFSETS
 from armui.protocol.codes import LinkageRole
 from armui.ui import words
+from armui.ui.actions.command import Command, Target
 from armui.ui.dialogs.confirm_dialog import confirm
 from armui.ui.panels.panel import Panel
 from armui.ui.widgets.buttons import (
@@ -27,6 +30,7 @@ from armui.ui.widgets.buttons import (
 )
 from armui.ui.widgets.layouts import empty_grid, scrolled
 from armui.ui.widgets.text_label import text_label
+from armui.ui.words.text import Text
 
 _TALLEST_CARD_PX: Final = 400
 _BASES: Final = {"feedback": (0x2A1, 0x2A8), "control": (0x150, 0x15F), "target": (0x150, 0x15F)}
@@ -34,6 +38,14 @@ _BASES: Final = {"feedback": (0x2A1, 0x2A8), "control": (0x150, 0x15F), "target"
 
 class LinkagePanel(Panel):
     """What is to be set, which identifiers are in use, and how a teaching input is led back."""
+
+    commands = (
+        Command("linkage.input", Text("Action", "Master arm (teaching input arm)"), risky=True),
+        Command("linkage.output", Text("Action", "Slave arm (motion output arm)"), risky=True),
+        Command(
+            "linkage.confirm", Text("LinkagePanel", "Confirm"), operation_of(LinkageControl.set)
+        ),
+    )
 
     def __init__(self, controller: ArmController) -> None:
         super().__init__(controller, "linkage_message")
@@ -59,6 +71,14 @@ class LinkagePanel(Panel):
         self._back.clicked.connect(lambda: self._accepted(controller.linkage.release()))
         self._listen("linkage_")
         self.retranslate_ui()
+
+    def command_targets(self) -> Mapping[str, Target]:
+        """Return what carries out each command, by the command's name."""
+        return {
+            "linkage.input": self._role_buttons[LinkageRole.TEACHING_INPUT],
+            "linkage.output": self._role_buttons[LinkageRole.MOTION_OUTPUT],
+            "linkage.confirm": self._confirm,
+        }
 
     def _lay_out(self) -> None:
         card = QFrame()

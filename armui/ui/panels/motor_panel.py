@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from functools import partial
 from typing import Final
 
@@ -13,12 +14,14 @@ from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import ArmState
 from armui.control.arm_controller import ArmController
-from armui.control.devices.joint_errors import why_not_clear
-from armui.control.devices.motors import why_not_disable, why_not_enable
-from armui.control.devices.zeroing import why_not_zero
+from armui.control.devices.joint_errors import JointErrors, why_not_clear
+from armui.control.devices.motors import Motors, why_not_disable, why_not_enable
+from armui.control.devices.zeroing import Zeroing, why_not_zero
 from armui.control.operating_state import OperatingState
+from armui.control.operations.operation import operation_of
 from armui.protocol.codes import ALL_JOINTS
 from armui.ui import words
+from armui.ui.actions.command import Command, Target
 from armui.ui.freshness import is_stale
 from armui.ui.panels.motor_row import (
     COLUMN_GAP_PX,
@@ -29,8 +32,17 @@ from armui.ui.panels.motor_row import (
 )
 from armui.ui.panels.panel import Panel
 from armui.ui.widgets.layouts import STRETCH, fill, in_column, in_row, scrolled
+from armui.ui.words.text import Text
 
 _TALLEST_CARD_PX: Final = 520
+
+
+_ACTS: Final = (
+    (MotorAct.ENABLE, Text("ActButtons", "Enable"), operation_of(Motors.enable)),
+    (MotorAct.DISABLE, Text("ActButtons", "Disable"), operation_of(Motors.disable)),
+    (MotorAct.ZERO, Text("ActButtons", "Set zero"), operation_of(Zeroing.set_zero)),
+    (MotorAct.CLEAR, Text("ActButtons", "Clear error"), operation_of(JointErrors.clear)),
+)
 
 
 class MotorPanel(Panel):
@@ -39,6 +51,12 @@ class MotorPanel(Panel):
     Disabling lets the arm drop and a wrong zero makes it run into its stops: both say so and must
     be confirmed by holding a button.
     """
+
+    commands = tuple(
+        Command(f"motor.{act.value}_{joint}", title._replace(suffix=whose), operation)
+        for joint, whose in ((ALL_JOINTS, "J1–J6"), *((joint, f"J{joint}") for joint in JOINTS))
+        for act, title, operation in _ACTS
+    )
 
     def __init__(self, controller: ArmController) -> None:
         super().__init__(controller, "motor_message")
@@ -68,6 +86,15 @@ class MotorPanel(Panel):
 
     def _all_acts(self) -> list[ActButtons]:
         return [*(row.acts for row in self._rows), self._all]
+
+    def command_targets(self) -> Mapping[str, Target]:
+        """Return what carries out each command, by the command's name."""
+        numbers = (*JOINTS, ALL_JOINTS)
+        return {
+            f"motor.{act.value}_{number}": button
+            for number, acts in zip(numbers, self._all_acts(), strict=True)
+            for act, button in acts.buttons.items()
+        }
 
     def focus_joint(self, joint: int) -> None:
         """Bring the operator to the buttons of a joint."""

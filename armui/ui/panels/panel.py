@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping, Sequence
 from typing import Final
 
 from PySide6.QtGui import QResizeEvent, QShowEvent
@@ -16,6 +16,7 @@ from armui.control.events import Event, Level
 from armui.control.operating_state import LinkState, OperatingState
 from armui.control.safety.recovery_steps import UNHINDERED, Step, StepKind
 from armui.ui import words
+from armui.ui.actions.command import Command, Target
 from armui.ui.dialogs.confirm_dialog import confirm
 from armui.ui.widgets.buttons import named
 from armui.ui.widgets.layouts import in_column
@@ -51,7 +52,12 @@ class Panel(Translated, QWidget):
     Args:
         controller: Whom to ask and to tell.
         message_name: The object name of the message.
+
+    Attributes:
+        commands: What the command palette offers of it.
     """
+
+    commands: Sequence[Command] = ()
 
     def __init__(self, controller: ArmController, message_name: str) -> None:
         super().__init__()
@@ -84,6 +90,10 @@ class Panel(Translated, QWidget):
 
     def _forget_outdated(self, old: OperatingState) -> None:
         """Drop what was said, if the operating state that is left explains it no more."""
+
+    def command_targets(self) -> Mapping[str, Target]:
+        """Return what carries out each of its commands, by the command's name."""
+        return {}
 
     # -- what it finds here -------------------------------------------------------------------
 

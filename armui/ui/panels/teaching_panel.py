@@ -10,14 +10,17 @@ from PySide6.QtWidgets import QFrame, QGridLayout, QLabel, QPushButton, QToolBut
 
 from armui.arm.state import ArmState
 from armui.control.arm_controller import ArmController
+from armui.control.devices.teaching import TeachingControl
 from armui.control.devices.teaching_phase import TeachingPhase, phase_of, why_not_teach
 from armui.control.events import Event, EventCode, Level
-from armui.control.motion.planned_motion import why_not_plan
+from armui.control.motion.planned_motion import PlannedMotion, why_not_plan
 from armui.control.operating_state import OperatingState
+from armui.control.operations.operation import operation_of
 from armui.control.safety.recovery_steps import UNHINDERED, Action, Step, StepKind
 from armui.protocol.codes import TeachingState, TrajectoryCommand
 from armui.ui import format as fmt
 from armui.ui import words
+from armui.ui.actions.command import Command, Target
 from armui.ui.dialogs.confirm_dialog import confirm
 from armui.ui.freshness import is_stale
 from armui.ui.panels.panel import Panel
@@ -26,7 +29,7 @@ from armui.ui.widgets.buttons import caption, enable_or_explain, named
 from armui.ui.widgets.hold_button import HoldButton
 from armui.ui.widgets.layouts import STRETCH, empty_grid, in_column, in_row, scrolled
 from armui.ui.widgets.text_label import text_label
-from armui.ui.words.text import Texts
+from armui.ui.words.text import Text, Texts
 
 _Key = TypeVar("_Key")
 
@@ -136,8 +139,41 @@ class TeachingExitSteps(QFrame):
         self._mark()
 
 
+_TEACH: Final = operation_of(TeachingControl.command)
+_PLAN: Final = operation_of(PlannedMotion.command)
+_TEACHING_TITLES: Final = (
+    (TeachingState.START_RECORDING, Text("TeachingCommand", "Start recording"), False),
+    (TeachingState.STOP_RECORDING, Text("TeachingCommand", "Stop recording"), False),
+    (TeachingState.RUN_RECORDING, Text("TeachingCommand", "Replay"), True),
+    (TeachingState.MOVE_TO_START, Text("TeachingCommand", "Move to start"), True),
+    (TeachingState.PAUSE, Text("TeachingCommand", "Pause"), False),
+    (TeachingState.CONTINUE, Text("TeachingCommand", "Continue"), False),
+    (TeachingState.ABORT, Text("TeachingCommand", "Terminate"), False),
+)
+"""Each command, its title, and whether it sets the arm moving: then it is shown first."""
+_PLAN_TITLES: Final = (
+    (TrajectoryCommand.PAUSE, Text("Action", "Pause the planned motion")),
+    (TrajectoryCommand.CONTINUE, Text("Action", "Continue the held motion")),
+    (TrajectoryCommand.ABORT, Text("Action", "Terminate the planned motion")),
+    (TrajectoryCommand.CLEAR_CURRENT, Text("TrajectoryCommand", "Clear current")),
+    (TrajectoryCommand.CLEAR_ALL, Text("TrajectoryCommand", "Clear all")),
+)
+
+
 class TeachingPanel(Panel):
     """Offers the commands that make sense now; the others say why they do not."""
+
+    commands = (
+        *(
+            Command(f"teaching.{each.name.lower()}", title, _TEACH, {"command": each}, leads=leads)
+            for each, title, leads in _TEACHING_TITLES
+        ),
+        *(
+            Command(f"teaching.plan_{each.name.lower()}", title, _PLAN, {"command": each})
+            for each, title in _PLAN_TITLES
+        ),
+        Command("teaching.assistance", Text("TeachingPanel", "Drag assistance…")),
+    )
 
     def __init__(self, controller: ArmController, open_backup: Callable[[], object]) -> None:
         super().__init__(controller, "teaching_message")
@@ -169,6 +205,17 @@ class TeachingPanel(Panel):
         self._lay_out()
         self._connect()
         self.retranslate_ui()
+
+    def command_targets(self) -> Mapping[str, Target]:
+        """Return what carries out each command, by the command's name."""
+        return {
+            **{f"teaching.{each.name.lower()}": button for each, button in self._buttons.items()},
+            **{
+                f"teaching.plan_{plan.name.lower()}": button
+                for plan, button in self._plan_buttons.items()
+            },
+            "teaching.assistance": self._assistance_button,
+        }
 
     @staticmethod
     def _make_button(name: str) -> QPushButton:

@@ -1,1 +1,1 @@
-"""What stands over and around the 3D picture: views, what is shown in it, dragging."""
+"""The tools of the 3D picture: views, overlays, dragging."""

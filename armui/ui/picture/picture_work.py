@@ -10,7 +10,6 @@ from PySide6.QtCore import QBuffer, QByteArray, QEvent, QIODevice, QObject, Qt, 
 from PySide6.QtGui import QGuiApplication, QImage
 from PySide6.QtWidgets import QApplication, QLabel, QWidget
 
-from armui.arm.models import model_data
 from armui.control.events import Level
 from armui.control.run.progress import OVER
 from armui.system.atomic import write_whole
@@ -18,10 +17,10 @@ from armui.ui.dialogs.files import FileExport
 from armui.ui.freshness import is_stale
 from armui.ui.panels.jogging.cartesian_panel import CartesianPanel
 from armui.ui.panels.jogging.motion_panel import JointRow, MotionPanel
-from armui.ui.picture.target_drag import CartesianTarget, MotionTarget, TargetDrag
+from armui.ui.picture.target_drag import CartesianTarget, LedArm, MotionTarget, TargetDrag
 from armui.ui.picture.view_bar import ViewBar
 from armui.ui.theme import colors_of
-from armui.viewport.camera import ViewDirection, look_alike
+from armui.viewport.camera import ViewDirection, poses_equal
 from armui.viewport.path_picture import Reach
 from armui.viewport.robot_shape import moved
 from armui.viewport.tool_trail import ToolTrail
@@ -35,11 +34,10 @@ if TYPE_CHECKING:
     from armui.control.operating_state import OperatingState
     from armui.settings import Settings, SettingsStore
     from armui.ui.background import Background
-    from armui.ui.picture.target_drag import DragTarget
+    from armui.ui.picture.target_drag import DragTarget, HandGuide
     from armui.ui.trajectory.preview.path_preview import PathPreview
     from armui.ui.trajectory.preview.preview_link import PreviewLink
-    from armui.viewport.camera import Vector
-    from armui.viewport.handles import HandleKind
+    from armui.viewport.vectors import Vector
     from armui.viewport.view import ArmView
 
 
@@ -81,7 +79,7 @@ class PictureExport(FileExport):
             text = self.tr("There is no picture of now to be taken: wait until it is drawn.")
             self.said.emit(text, Level.WARNING)
             return None
-        return self._view.taken_picture()
+        return self._view.grab_picture()
 
 
 def _write(image: QImage, path: Path) -> None:
@@ -106,8 +104,8 @@ _BETWEEN_S: Final = 0.1
 class TrailKeeper:
     """Follows the arm while the picture is seen; what went by hidden is not made up.
 
-    The place is the one whose path is planned: the tool centre point, or the tip of the gripper
-    where no tool is set.
+    The place is the one of the figures, the frame and the planned path in the picture: the tool
+    centre point, which is the flange where no tool is set.
 
     Args:
         controller: Knows the arm and what was sent to it.
@@ -152,7 +150,7 @@ class TrailKeeper:
             self._is_new, self._handed_over_s = False, now_s
             self._view.set_trail(self._trail.trail)
         setpoint_deg = self._controller.motion.setpoint_deg
-        if look_alike(tuple(angles_deg), self._seen[0]) and setpoint_deg == self._seen[1]:
+        if poses_equal(tuple(angles_deg), self._seen[0]) and setpoint_deg == self._seen[1]:
             return
         self._seen = (tuple(angles_deg), setpoint_deg)
         driven_mm = self._tool_mm(angles_deg)
@@ -162,20 +160,21 @@ class TrailKeeper:
         self._is_new |= self._trail.add(now_s, driven_mm, commanded_mm)
 
     def _tool_mm(self, angles_deg: Sequence[float]) -> Vector | None:
-        """Where the picture has the tool at six angles."""
+        """Return the place of the tool at six angles, in the base frame."""
         shape = self._view.shape
         if shape is None:
             return None
         x, y, z = self._controller.cartesian.tool[:3]
-        model = self._controller.operating_state.model
-        reach_mm = model_data(model).tool_mm(z)
         rows = shape.flange(shape.links(angles_deg))
-        place = moved(rows, (x / _MM_PER_M, y / _MM_PER_M, reach_mm / _MM_PER_M))
+        place = moved(rows, (x / _MM_PER_M, y / _MM_PER_M, z / _MM_PER_M))
         return (place[0] * _MM_PER_M, place[1] * _MM_PER_M, place[2] * _MM_PER_M)
 
 
 _LONG_MS: Final = 6000
 _WIDEST_PX: Final = 420
+_NARROW_PX: Final = 240
+"""So wide a line stands beside the buttons at the lower right."""
+_NOTE_RIM_PX: Final = 11
 
 
 class PictureNote(QLabel):
@@ -187,6 +186,7 @@ class PictureNote(QLabel):
         self.setWordWrap(True)
         self.setTextFormat(Qt.TextFormat.PlainText)
         self.setMaximumWidth(_WIDEST_PX)
+        self.setIndent(0)  # beside the rim of the style sheet
         self.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
         self._words: str | Callable[[], str] = ""
         self._level = Level.INFO
@@ -211,17 +211,24 @@ class PictureNote(QLabel):
         self._end.stop()
         self._words, self._level = words, level
         text = words if isinstance(words, str) else words()
-        self.setText(text)
-        self.setAccessibleName(text)
+        self._write(text)
         self._color()
         self.setVisible(bool(text))
         if text and not stays:
             self._end.start()
 
+    def _write(self, text: str) -> None:
+        """Show a text, in one line where it is a short one."""
+        self.setText(text)
+        self.setAccessibleName(text)
+        self.ensurePolished()  # as wide as the theme's font has it
+        line_px = self.fontMetrics().horizontalAdvance(text) + 2 * _NOTE_RIM_PX
+        self.setMinimumWidth(min(line_px, _NARROW_PX) if text else 0)
+
     def changeEvent(self, event: QEvent) -> None:
         """Follow the language and the colours."""
         if event.type() == QEvent.Type.LanguageChange and not isinstance(self._words, str):
-            self.setText(self._words())
+            self._write(self._words())
         elif event.type() == QEvent.Type.PaletteChange and self.text():
             self._color()
         super().changeEvent(event)
@@ -234,7 +241,7 @@ class PictureNote(QLabel):
         }.get(self._level, (colors.surface, colors.border))
         sheet = (
             f"#picture_note {{ background: {ground}; border: 1px solid {line}; "
-            f"border-radius: 6px; padding: 6px 10px; color: {colors.text}; }}"
+            f"border-radius: 6px; padding: 6px {_NOTE_RIM_PX - 1}px; color: {colors.text}; }}"
         )
         if sheet != self.styleSheet():  # which is itself a change of the palette
             self.setStyleSheet(sheet)
@@ -244,7 +251,9 @@ _M_PER_MM: Final = 0.001
 
 
 class PictureWork(QObject):
-    """Shows around the arm what the operator wants to see of it. Nothing it does moves the arm.
+    """Shows around the arm what the operator wants to see of it. It sends nothing to any arm.
+
+    A simulated arm of this process that is in drag teaching is led by the mouse, as by a hand.
 
     Args:
         controller: Knows the limits and the tool.
@@ -253,6 +262,7 @@ class PictureWork(QObject):
         background: Writes files.
         preview: Shows the path of a trajectory.
         window: The main window.
+        hand: Finds the hand that leads the simulated arm of this process.
 
     Attributes:
         bar: Buttons and menu for the picture.
@@ -268,6 +278,7 @@ class PictureWork(QObject):
         *,
         preview: PathPreview,
         window: QWidget,
+        hand: Callable[[], HandGuide | None] = lambda: None,
     ) -> None:
         super().__init__(window)
         self._controller = controller
@@ -281,7 +292,7 @@ class PictureWork(QObject):
         self._reach.toggled.connect(self._show_reach)
         self.bar.view_actions["save"].triggered.connect(self._export.save)
         self.bar.view_actions["copy"].triggered.connect(self._export.copy)
-        self._tool = preferences.settings.tool
+        self._tool = controller.cartesian.tool = preferences.settings.tool
         view.set_tool(self._tool)
         view.look_from(ViewDirection(preferences.settings.picture_direction))
         self._unsubscribe = preferences.subscribe(self._on_settings)
@@ -294,9 +305,10 @@ class PictureWork(QObject):
         self._link: PreviewLink | None = None
         self._panel: Callable[[], QWidget | None] | None = None
         self._targets: dict[QWidget, DragTarget] = {}
-        self._drag: TargetDrag | None = None
-        self.bar.handles_wanted.connect(self._choose_handles)
-        preview.row_shown.connect(self.look)
+        self._led_arm = LedArm(controller, hand)
+        self._drag = TargetDrag(controller, view, preview, self.note, self._target)
+        self.bar.handles_wanted.connect(self._drag.set_kind)
+        preview.row_shown.connect(self._drag.look)
         application = QApplication.instance()
         if isinstance(application, QApplication):
             application.focusChanged.connect(self._on_focus)
@@ -311,24 +323,17 @@ class PictureWork(QObject):
         """Say which panel is shown: its target can be dragged."""
         self._panel = panel
 
-    def doings(self) -> dict[str, Callable[[], object]]:
-        """What the picture offers without a button, by the name of its shortcut."""
-        return {f"view.{name}": action.trigger for name, action in self.bar.without_button.items()}
-
     def look(self) -> None:
-        """Stand the handles where the target is now."""
-        if self._drag is not None:
-            self._drag.look()
-
-    def _choose_handles(self, kind: HandleKind | None) -> None:
-        if self._drag is None:
-            self._drag = TargetDrag(
-                self._controller, self._view, self._preview, self.note, self._target
-            )
-        self._drag.set_kind(kind)
+        """Stand ghost and handles where the target is now."""
+        self._drag.look()
 
     def _target(self) -> DragTarget | None:
-        """The chosen point while an editor is seen, else the target of the panel that is shown."""
+        """Return what can be dragged: a simulated arm that gives way, a point, or a target.
+
+        The point is the chosen one while an editor is seen; the target is that of the panel.
+        """
+        if self._led_arm.gives_way():
+            return self._led_arm
         point = None if self._link is None else self._link.target
         if point is not None or self._panel is None:
             return point
@@ -337,14 +342,14 @@ class PictureWork(QObject):
             return None
         if panel not in self._targets:
             if isinstance(panel, MotionPanel):
-                self._targets[panel] = MotionTarget(panel)
+                self._targets[panel] = MotionTarget(panel, self._controller)
             elif isinstance(panel, CartesianPanel):
                 self._targets[panel] = CartesianTarget(panel, self._controller)
         return self._targets.get(panel)
 
     def _on_settings(self, settings: Settings) -> None:
         if settings.tool != self._tool:
-            self._tool = settings.tool
+            self._tool = self._controller.cartesian.tool = settings.tool
             self._view.set_tool(settings.tool)
             self._trail.clear()
             self._show_reach()

@@ -1,4 +1,4 @@
-"""Dragging in the picture: a handle moves a ghost and what it stands for, never the arm."""
+"""Targets in the picture: a ghost stands at one that was typed or dragged; the arm stays."""
 
 from __future__ import annotations
 
@@ -12,9 +12,10 @@ from PySide6.QtCore import QObject, QTimer
 from armui.arm.limits import ANGLE_STEP_DEG, check_joints
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
+from armui.control.devices.teaching_phase import TeachingPhase, phase_of
 from armui.control.events import Level
-from armui.kinematics import poses
-from armui.kinematics.poses import JogFrame, flange_pose
+from armui.control.operating_state import LinkState, StopState
+from armui.kinematics.axes import JogFrame
 from armui.ui import words
 from armui.viewport.grips import GripKind, snapped
 from armui.viewport.handles import HandleKind, HandlePlace
@@ -39,7 +40,7 @@ FINE: Final = {GripKind.AXIS: 1.0, GripKind.RING: 1.0, GripKind.JOINT: 1.0}
 
 @dataclass(frozen=True)
 class DragBase:
-    """What a drag begins with.
+    """The state at the beginning of a drag.
 
     Attributes:
         angles_deg: Of the arm, or of its ghost.
@@ -89,6 +90,7 @@ def dragged_to(
         return check_joints(angles, base.limits) or tuple(angles)
 
     from armui.arm.reach import check_pose  # noqa: PLC0415 - scipy, loaded when needed
+    from armui.kinematics import poses  # noqa: PLC0415 - numpy, likewise
 
     tool_point = poses.tool_matrix(base.kinematics.matrix(base.angles_deg), base.tool)
     own = base.kind is HandleKind.TOOL_FRAME
@@ -116,8 +118,15 @@ class DragTarget(Protocol):
     def angles_deg(self) -> tuple[float, ...] | None:
         """The six angles it stands for now; None: it stands for none."""
 
+    def typed_deg(self) -> tuple[float, ...] | Refusal | None:
+        """Return the angles of a target that was given and not sent, or why there are none.
+
+        Returns:
+            None: nothing was given, or somebody else shows it.
+        """
+
     def begin(self) -> None:
-        """It is taken hold of."""
+        """Begin a drag: a handle of it was taken."""
 
     def is_as_begun(self) -> bool:
         """Tell whether it still is what was taken hold of."""
@@ -137,10 +146,12 @@ class MotionTarget:
 
     Args:
         panel: The panel.
+        controller: Knows the limits of the joints.
     """
 
-    def __init__(self, panel: MotionPanel) -> None:
+    def __init__(self, panel: MotionPanel, controller: ArmController) -> None:
         self._panel = panel
+        self._controller = controller
         self._given = panel.given()
 
     def begin(self) -> None:
@@ -152,15 +163,21 @@ class MotionTarget:
         return True
 
     def angles_deg(self) -> tuple[float, ...] | None:
-        """What stands in the six fields."""
+        """Return the figures of the six fields."""
         return self._panel.targets()
+
+    def typed_deg(self) -> tuple[float, ...] | Refusal | None:
+        """Return the angles in the fields, or which of them is beyond its limits."""
+        typed = self._panel.typed()
+        limits = self._controller.operating_state.limits
+        return None if typed is None else check_joints(typed, limits) or typed
 
     def carry(self, angles_deg: tuple[float, ...]) -> None:
         """Into the fields."""
         self._panel.take_targets(angles_deg)
 
     def drop(self, angles_deg: tuple[float, ...]) -> Refusal | None:
-        """It stands there already."""
+        """Leave it in the fields."""
         self._panel.take_targets(angles_deg)
         return None
 
@@ -180,7 +197,7 @@ class CartesianTarget:
     def __init__(self, panel: CartesianPanel, controller: ArmController) -> None:
         self._panel = panel
         self._controller = controller
-        self._solved: tuple[tuple[float, ...], tuple[float, ...] | None] | None = None
+        self._solved: tuple[object, tuple[float, ...] | Refusal] | None = None
         self._given = panel.given()
         self._pose = panel.targets()
 
@@ -194,23 +211,27 @@ class CartesianTarget:
         return True
 
     def angles_deg(self) -> tuple[float, ...] | None:
-        """Angles for what stands in the six fields, near to where the arm is, if there are any."""
+        """Return angles for what stands in the six fields, near to where the arm is, if any."""
         pose = self._panel.targets()
-        measured_deg = self._controller.state.angles_deg()
-        if pose is None or measured_deg is None:
-            return None
-        if self._solved is None or self._solved[0] != pose:
-            self._solved = (pose, self._solve(pose, measured_deg))
-        return self._solved[1]
+        answer = None if pose is None else self._solve(pose)
+        return None if isinstance(answer, Refusal) else answer
+
+    def typed_deg(self) -> tuple[float, ...] | Refusal | None:
+        """Return angles for what stands in the six fields, or why the arm can't stand there."""
+        pose = self._panel.typed()
+        return None if pose is None else self._solve(pose)
 
     def carry(self, angles_deg: tuple[float, ...]) -> None:
         """Into the fields, as the pose of the tool centre point."""
+        from armui.kinematics import poses  # noqa: PLC0415 - numpy, loaded when needed
+
         cartesian = self._controller.cartesian
         tool_point = poses.tool_matrix(cartesian.kinematics().matrix(angles_deg), cartesian.tool)
         self._panel.take_targets(poses.matrix_to_pose(tool_point))
         pose = self._panel.targets()
         if pose is not None:
-            self._solved = (pose, angles_deg)  # what leads there is known: it was dragged there
+            # what leads there is known: it was dragged there
+            self._solved = (self._key(pose), angles_deg)
 
     def drop(self, angles_deg: tuple[float, ...]) -> Refusal | None:
         """It stands there already."""
@@ -222,16 +243,96 @@ class CartesianTarget:
         if self._pose is not None:
             self._panel.take_targets(self._pose, self._given)
 
-    def _solve(
-        self, pose: tuple[float, ...], near_deg: Sequence[float]
-    ) -> tuple[float, ...] | None:
-        from armui.arm.reach import check_pose  # noqa: PLC0415 - scipy, loaded when needed
+    def _key(self, pose: tuple[float, ...]) -> object:
+        """Return all that a solution depends on, but where the arm was when it was asked for."""
+        cartesian, state = self._controller.cartesian, self._controller.operating_state
+        return pose, cartesian.tool, state.model_fit.geometry, state.limits
 
-        cartesian = self._controller.cartesian
-        limits = self._controller.operating_state.limits
-        flange = flange_pose(pose, cartesian.tool)
-        answer = check_pose(cartesian.kinematics(), flange, near_deg, limits)
-        return None if isinstance(answer, Refusal) else tuple(answer)
+    def _solve(self, pose: tuple[float, ...]) -> tuple[float, ...] | Refusal | None:
+        """Return the solution near to where the arm was then; None while it is not heard."""
+        key, near_deg = self._key(pose), self._controller.state.angles_deg()
+        if near_deg is None:
+            return None
+        if self._solved is None or self._solved[0] != key:
+            from armui.arm.reach import check_pose  # noqa: PLC0415 - scipy, loaded when needed
+            from armui.kinematics.poses import flange_pose  # noqa: PLC0415 - numpy, likewise
+
+            cartesian = self._controller.cartesian
+            limits = self._controller.operating_state.limits
+            flange = flange_pose(pose, cartesian.tool)
+            answer = check_pose(cartesian.kinematics(), flange, near_deg, limits)
+            self._solved = (key, answer if isinstance(answer, Refusal) else tuple(answer))
+        return self._solved[1]
+
+
+class HandGuide(Protocol):
+    """The hand that leads a simulated arm where it gives way (`armui.sim`)."""
+
+    def lead_to(self, joints_deg: Sequence[float], speed_deg_s: float = ...) -> None:
+        """Lead all joints to six angles; the one with the longest way turns at this speed."""
+
+    def let_go(self) -> None:
+        """Leave the arm where it is."""
+
+
+_LEAD_DEG_S: Final = 30.0
+"""As a careful hand does: far below the speed at which drag teaching gives up."""
+
+
+class LedArm:
+    """A simulated arm in drag teaching, led by the mouse as a real one is by the hand.
+
+    No frame is sent for it: only the simulator in this process is told, and only of an arm that
+    gives way. A real arm is never moved by it.
+
+    Args:
+        controller: Knows which arm is connected, and what it says of drag teaching.
+        hand: Finds the hand of the simulated arm in this process; None: there is none.
+    """
+
+    def __init__(self, controller: ArmController, hand: Callable[[], HandGuide | None]) -> None:
+        self._controller = controller
+        self._hand = hand
+        self._held: HandGuide | None = None
+
+    def gives_way(self) -> bool:
+        """Tell whether the connected arm is the simulated one, and says that it gives way."""
+        now = self._controller.operating_state
+        device, status = now.device, now.status
+        if device is None or not device.simulated or now.link is not LinkState.ONLINE:
+            return False
+        records = status is not None and phase_of(status) is TeachingPhase.RECORDING
+        return records and now.stop is StopState.RUNNING and self._hand() is not None
+
+    def angles_deg(self) -> tuple[float, ...] | None:
+        """Return the measured angles."""
+        return self._controller.state.angles_deg()
+
+    def typed_deg(self) -> None:
+        """Nothing is typed: what is led is the arm itself."""
+
+    def begin(self) -> None:
+        """Take the arm by the hand."""
+        self._held = self._hand()
+
+    def is_as_begun(self) -> bool:
+        """Tell whether it is the same arm, and still gives way."""
+        return self._held is not None and self._held is self._hand() and self.gives_way()
+
+    def carry(self, angles_deg: tuple[float, ...]) -> None:
+        """Lead the arm there."""
+        if self._held is not None:
+            self._held.lead_to(angles_deg, _LEAD_DEG_S)
+
+    def drop(self, angles_deg: tuple[float, ...]) -> None:
+        """Let go: the arm stays where it has come to."""
+        self.give_up(angles_deg)
+
+    def give_up(self, _angles_deg: tuple[float, ...]) -> None:
+        """Let go; an arm is not led back."""
+        if self._held is not None:
+            self._held.let_go()
+        self._held = None
 
 
 _LOOK_MS: Final = 100
@@ -240,7 +341,7 @@ _ELSEWHERE_DEG: Final = 0.05
 
 
 class TargetDrag(QObject):
-    """Stands handles where the target of the moment is, and carries it with them.
+    """Shows the target of the moment: a ghost where it was given, and handles where wanted.
 
     Args:
         controller: Knows the arm; it is told nothing.
@@ -269,9 +370,11 @@ class TargetDrag(QObject):
         self._last_deg: tuple[float, ...] = ()
         self._began_with: object = None
         self._refused = False
+        self._told: Refusal | Callable[[], str] | None = None
         self.kind: HandleKind | None = None
         self._look = QTimer(self, interval=_LOOK_MS)
         self._look.timeout.connect(self.look)
+        self._look.start()
         view.handle_taken.connect(self._on_taken)
         view.handle_moved.connect(self._on_moved)
         view.handle_left.connect(self._on_left)
@@ -281,56 +384,90 @@ class TargetDrag(QObject):
         if kind is not self.kind:
             self._view.give_up_drag()
         self.kind = kind
-        if kind is None:
-            self._look.stop()
-            self._view.set_handles(None)
-            self._preview.show_target(None)
-            self._say(None)
-        else:
-            self._look.start()
-            self.look()
+        self._say(None)
+        self.look()
 
     def look(self) -> None:
-        """Stand the handles where the target is now; a picture that nobody sees costs nothing."""
+        """Stand ghost and handles where the target is now; unseen it costs nothing."""
         if self._held is not None:
             if not self._is_as_begun(self._held):
                 self._view.give_up_drag()
             return
-        if self.kind is None or not self._view.isVisible():
+        if not self._view.isVisible():
             return
         target = self._target()
-        angles_deg = None if target is None else target.angles_deg()
-        measured_deg = self._controller.state.angles_deg()
-        if angles_deg is None:
-            self._view.set_handles(None)
-            self._preview.show_target(None)
-            return
-        self._view.set_handles(HandlePlace(angles_deg, self.kind))
-        elsewhere = measured_deg is None or any(
-            abs(one - other) > _ELSEWHERE_DEG
-            for one, other in zip(angles_deg, measured_deg, strict=True)
+        typed = None if target is None else target.typed_deg()
+        kind = self._kind_for(target)
+        angles_deg = None if isinstance(typed, Refusal) else typed
+        if kind is not None and target is not None:
+            angles_deg = target.angles_deg()
+        place = None if kind is None or angles_deg is None else HandlePlace(angles_deg, kind)
+        self._view.set_handles(place)
+        ghost_deg = angles_deg if self._is_elsewhere(angles_deg) else None
+        self._preview.show_target(ghost_deg)
+        if isinstance(typed, Refusal):
+            self._tell(typed)
+        elif isinstance(target, LedArm):
+            self._tell(self._led_text)
+        else:
+            is_preview = typed is not None and ghost_deg is not None
+            self._tell(self._preview_text if is_preview else None)
+
+    def _kind_for(self, target: DragTarget | None) -> HandleKind | None:
+        """Return the handles of a target; an arm that is led has some without being asked."""
+        led = isinstance(target, LedArm)
+        return self.kind or (HandleKind.JOINTS if led else None)
+
+    def _preview_text(self) -> str:
+        return self.tr("Preview of the target: it has not been sent")
+
+    def _led_text(self) -> str:
+        return self.tr(
+            "Simulated arm in drag teaching: lead it by the handles in the picture, as by hand"
         )
-        self._preview.show_target(angles_deg if elsewhere else None)
+
+    def _is_elsewhere(self, angles_deg: Sequence[float] | None) -> bool:
+        """Tell whether a ghost there would not be one with the arm."""
+        measured_deg = self._controller.state.angles_deg()
+        if angles_deg is None or measured_deg is None:
+            return angles_deg is not None
+        pairs = zip(angles_deg, measured_deg, strict=True)
+        return any(abs(one - other) > _ELSEWHERE_DEG for one, other in pairs)
+
+    def _tell(self, told: Refusal | Callable[[], str] | None) -> None:
+        """Say what is seen, or why nothing is, until something else is to be said."""
+        if told == self._told:
+            return
+        self._told = told
+        if isinstance(told, Refusal):
+            self._say(told)
+        elif told is not None:
+            self._refused = True
+            self._note.say(told, stays=True)
+        else:
+            self._say(None)
 
     # a drag -----------------------------------------------------------------------------------
 
     def _on_taken(self) -> None:
         target = self._target()
         angles_deg = None if target is None else target.angles_deg()
-        if target is None or angles_deg is None or self.kind is None:
+        kind = self._kind_for(target)
+        if target is None or angles_deg is None or kind is None:
             return
         cartesian = self._controller.cartesian
         limits = self._controller.operating_state.limits
         target.begin()
+        self._told = None
         self._held = target
         self._began_with = self._basis()
         self._base = DragBase(
-            angles_deg, self.kind, tuple(cartesian.tool), cartesian.kinematics(), limits
+            angles_deg, kind, tuple(cartesian.tool), cartesian.kinematics(), limits
         )
         self._last_deg = angles_deg
 
     def _basis(self) -> object:
-        """What a drag is worked out with: arm, link, limits and tool."""
+        """Return what a drag is worked out with: arm, link, limits and tool."""
         state = self._controller.operating_state
         tool = tuple(self._controller.cartesian.tool)
         return state.link, state.model_fit.geometry, state.limits, tool
@@ -363,16 +500,17 @@ class TargetDrag(QObject):
         if held is None or base is None:
             return
         self._say(None)
+        refusal: Refusal | None = None
         if not self._is_as_begun(held):
             held.give_up(base.angles_deg)
-            self._say(Refusal(RefusalCode.DRAG_GIVEN_UP))
-        elif given_up:
+            refusal = Refusal(RefusalCode.DRAG_GIVEN_UP)
+        elif given_up or self._last_deg == base.angles_deg:
             held.give_up(base.angles_deg)
-        elif self._last_deg != base.angles_deg:
+        else:
             refusal = held.drop(self._last_deg)
-            if refusal is not None:
-                self._say(refusal)
         self.look()
+        if refusal is not None:
+            self._say(refusal)
 
     def _say(self, reason: Refusal | None) -> None:
         if reason is not None:

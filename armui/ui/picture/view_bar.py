@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from functools import partial
 from typing import TYPE_CHECKING, Final
 
@@ -9,13 +10,14 @@ from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtGui import QAction, QActionGroup, QKeySequence
 from PySide6.QtWidgets import QFrame, QMenu, QToolButton
 
+from armui.ui.actions.command import Command, Target
 from armui.ui.actions.keys import SHORTCUTS, keys_of
 from armui.ui.theme import colors_of
 from armui.ui.widgets import icons
 from armui.ui.widgets.buttons import describe, named
 from armui.ui.widgets.layouts import in_column
 from armui.ui.widgets.translated import Translated
-from armui.ui.words.text import Texts
+from armui.ui.words.text import Text, Texts
 from armui.viewport.camera import ViewDirection
 from armui.viewport.handles import HandleKind
 from armui.viewport.viewpoint import ViewMode
@@ -26,8 +28,6 @@ if TYPE_CHECKING:
 
 _BUTTON_PX: Final = 30
 _MARGIN_PX: Final = 4
-TRAILS_S: Final = (0, 5, 15, 60)
-"""How much of the tool's way can be shown, in seconds of motion; 0: nothing."""
 
 
 _TIPS: Final = Texts("ViewBar") | {
@@ -35,6 +35,7 @@ _TIPS: Final = Texts("ViewBar") | {
     "side": "Looks at the arm from its right side",
     "top": "Looks down on the arm",
     "iso": "Looks at the arm from the front right and above",
+    "below": "Looks at the arm from below the floor; turning the picture never goes there",
     "fit": "Shows all of the arm as large as the room allows",
     "follow": "Keeps the tool centre point in the middle",
     "orthographic": "Parallel lines look parallel: lengths can be compared",
@@ -43,7 +44,7 @@ _TIPS: Final = Texts("ViewBar") | {
     "save": "Writes the picture with its figures to a file",
     "copy": "Puts the picture with its figures into the clipboard",
 }
-"""What each action does; its name and its key are those of ``view.<action>`` in `SHORTCUTS`."""
+"""The tooltip of each action; name and key are those of ``view.<action>`` in `SHORTCUTS`."""
 _SWITCHES: Final = ("follow", "orthographic", "tool_frame", "reach")
 _HANDLES: Final = Texts("ViewBar") | {
     None: "No handles",
@@ -53,11 +54,26 @@ _HANDLES: Final = Texts("ViewBar") | {
 }
 _STRIP: Final = ("front", "side", "top", "iso", "fit", "follow")
 _MENU: Final = (
-    ("front", "side", "top", "iso"),
+    ("front", "side", "top", "iso", "below"),
     ("fit", "follow", "orthographic"),
     ("tool_frame", "reach", "trail"),
     ("save", "copy"),
 )
+
+
+_TRAILS: Final = {
+    0: Text("Action", "Way of the tool: off"),
+    5: Text("Action", "Way of the tool: last 5 s of motion"),
+    15: Text("Action", "Way of the tool: last 15 s of motion"),
+    60: Text("Action", "Way of the tool: last 60 s of motion"),
+}
+_HANDLE_TITLES: Final = {
+    None: Text("ViewBar", "No handles"),
+    HandleKind.TOOL: Text("Action", "Handles at the tool, along the axes of the base"),
+    HandleKind.TOOL_FRAME: Text("Action", "Handles at the tool, along its own axes"),
+    HandleKind.JOINTS: Text("Action", "Handles at the joints"),
+}
+"""Their titles in the command palette."""
 
 
 class ViewBar(Translated, QFrame):
@@ -74,6 +90,11 @@ class ViewBar(Translated, QFrame):
         view_actions: By name, for menus and lists of shortcuts.
     """
 
+    commands = (
+        *(Command(f"view.{name}") for name in (*_TIPS, "handles")),
+        *(Command(f"view.trail_{length_s}", title) for length_s, title in _TRAILS.items()),
+        *(Command(f"view.handles_{kind}", title) for kind, title in _HANDLE_TITLES.items()),
+    )
     handles_wanted = Signal(object)
 
     def __init__(self, view: ArmView, preferences: SettingsStore) -> None:
@@ -113,7 +134,7 @@ class ViewBar(Translated, QFrame):
     def _trail_actions(self) -> dict[int, QAction]:
         group = QActionGroup(self)
         result: dict[int, QAction] = {}
-        for length_s in TRAILS_S:
+        for length_s in _TRAILS:
             action = result[length_s] = named(f"trail_{length_s}", QAction(self))
             action.setCheckable(True)
             group.addAction(action)
@@ -148,11 +169,14 @@ class ViewBar(Translated, QFrame):
             self._last_handles = kind
         self.handles_wanted.emit(kind)
 
-    @property
-    def without_button(self) -> dict[str, QAction]:
-        """What only the menu has, and the switch of the handles."""
-        rest = {name: each for name, each in self.view_actions.items() if name not in _STRIP}
-        return {**rest, "handles": self._toggle_handles}
+    def command_targets(self) -> Mapping[str, Target]:
+        """Return what carries out each command, by the command's name."""
+        return {
+            **{f"view.{name}": action for name, action in self.view_actions.items()},
+            "view.handles": self._toggle_handles,
+            **{f"view.trail_{length_s}": action for length_s, action in self._trails.items()},
+            **{f"view.handles_{kind}": action for kind, action in self._handles.items()},
+        }
 
     def _on_toggle_handles(self) -> None:
         off = self._handles[None].isChecked()
@@ -207,6 +231,7 @@ class ViewBar(Translated, QFrame):
         self._view.show_tool_frame(wanted=settings.picture_tool_frame)
         self.view_actions["orthographic"].setChecked(settings.picture_orthographic)
         self.view_actions["tool_frame"].setChecked(settings.picture_tool_frame)
+        self._name_trail()
         trail = self._trails.get(settings.picture_trail_s)
         if trail is not None:
             trail.setChecked(True)
@@ -233,11 +258,17 @@ class ViewBar(Translated, QFrame):
             "Ctrl: coarse steps, Shift: fine steps, Esc: give up"
         )
         describe(self._handles_button, name, f"{tip} ({keys})")
-        self._trail_menu.setTitle(self.tr("Way of the tool"))
+        self._name_trail()
         for length_s, action in self._trails.items():
             words = self.tr("Last {seconds} s of motion").format(seconds=length_s)
             action.setText(words if length_s else self.tr("Off"))
         describe(self._more, self.tr("View"), self.tr("Views, and what is drawn in the picture"))
+
+    def _name_trail(self) -> None:
+        """Say whose way the trail is: that of the point whose figures stand in the picture."""
+        of_tool = any(self._preferences.settings.tool)
+        way = self.tr("Way of the tool centre point") if of_tool else self.tr("Way of the flange")
+        self._trail_menu.setTitle(way)
 
     def _recolor(self) -> None:
         color = colors_of(self).muted

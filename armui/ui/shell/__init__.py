@@ -1,1 +1,1 @@
-"""What surrounds the panels: top bar, menu, status bar, recovery line, pages."""
+"""The parts of the main window around the panels: top bar, menu, status bar, pages."""

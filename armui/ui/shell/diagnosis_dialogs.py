@@ -8,6 +8,7 @@ from PySide6.QtWidgets import QWidget
 
 from armui.ui.background import Background
 from armui.ui.dialogs.about_arm import AboutArmDialog, OnlineSince
+from armui.ui.dialogs.base import ArmDialog
 
 if TYPE_CHECKING:
     from concurrent.futures import Executor
@@ -40,7 +41,7 @@ class DiagnosisDialogs:
         Args:
             device: The one that could not be connected; all of them by default.
         """
-        from armui.ui.dialogs.doctor import DoctorDialog  # noqa: PLC0415 - faster start
+        from armui.ui.dialogs.doctor import DoctorDialog  # noqa: PLC0415 - cantools
 
         if self._doctor is None:
             self._doctor = DoctorDialog(self._controller, self._window)
@@ -54,6 +55,10 @@ class DiagnosisDialogs:
                 self._controller, self._online, background, self._window
             )
         self._about_arm.open()
+
+    def dialog(self, key: str) -> ArmDialog | None:
+        """Return a window by its key; ``None``: there is no such one, or it was never opened."""
+        return {"doctor": self._doctor, "about_arm": self._about_arm}.get(key)
 
     def close(self) -> None:
         """The program ends: nobody waits for an examination any more."""

@@ -75,7 +75,7 @@ class Drawer(Translated, QWidget):
         page.take_focus()
 
     def drop_page(self, page: Page) -> None:
-        """Let go of a page; if it was the one that is seen, the drawer is folded away."""
+        """Release a page; if it is the one that is seen, fold the drawer away."""
         if not self._stack.holds(page):
             return
         if page is self.current:

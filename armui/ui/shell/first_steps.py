@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Final
+from collections.abc import Callable
+from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject
 from PySide6.QtWidgets import QPushButton, QWidget
@@ -16,21 +17,26 @@ if TYPE_CHECKING:
     from armui.control.operating_state import OperatingState
     from armui.settings import SettingsStore
 
-_FIRST_JOG: Final = "jog_plus_1"
-
 
 class FirstSteps(QObject):
     """Lights the first jog. Connecting and enabling are lit by the line of the next step, always.
 
     Args:
-        window: The main window, in which the button is.
+        window: The main window.
+        first_jog: Returns the button that jogs joint 1 upwards; ``None``: it is not there yet.
         controller: Tells when the arm may be moved, and when it is.
         store: Remembers that this is no first start any more.
     """
 
-    def __init__(self, window: QWidget, controller: ArmController, store: SettingsStore) -> None:
+    def __init__(
+        self,
+        window: QWidget,
+        first_jog: Callable[[], QPushButton | None],
+        controller: ArmController,
+        store: SettingsStore,
+    ) -> None:
         super().__init__(window)
-        self._window = window
+        self._first_jog = first_jog
         self._store = store
         self._done = store.settings.has_jogged
         if not store.settings.has_jogged:
@@ -40,7 +46,7 @@ class FirstSteps(QObject):
         self._done = self._done or (now.moving and now.mover is Mover.OURS)
         if self._done and now.link is LinkState.NO_DEVICE and not self._store.settings.has_jogged:
             self._store.change(has_jogged=True)  # no file is written while a device is open
-        button = self._window.findChild(QPushButton, _FIRST_JOG)
+        button = self._first_jog()
         if button is not None:
             wanted = now.cannot_move is None and not self._done
             show_primary(button, wanted=wanted)

@@ -103,7 +103,7 @@ class LayoutKeeper(QObject):
 
 
 def _width_px(header: QHeaderView, place: int, known: Sequence[int]) -> int:
-    """Of a column; one that is hidden now keeps what it had."""
+    """Return the width of a column; a column that is hidden keeps the one it had."""
     if not header.isSectionHidden(place):
         return header.sectionSize(place)
     return known[place] if place < len(known) else header.defaultSectionSize()

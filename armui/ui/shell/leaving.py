@@ -25,13 +25,13 @@ class KeepsDraft(Protocol):
     """A panel in which something can be entered that is saved by a deliberate act."""
 
     def has_unsaved_changes(self) -> bool:
-        """Whether leaving the panel would lose something."""
+        """Return whether leaving the panel would lose something."""
 
     def discard_changes(self) -> None:
         """Forget what was entered."""
 
     def why_no_saving(self) -> str:
-        """Why what was entered cannot be saved now; empty: it can."""
+        """Return why what was entered cannot be saved now; empty: it can."""
 
     def save_changes(self, then: Callable[[], object]) -> None:
         """Save what was entered; go on once it has proved to be saved, and never otherwise."""
@@ -46,7 +46,7 @@ class KeepsWork(Protocol):
 
 
 def unsaved(panels: Iterable[object]) -> list[KeepsDraft]:
-    """Those of the panels in which something is not saved; the others need not know of this."""
+    """Return the panels in which something is not saved; the others need not know of this."""
     return [
         panel for panel in panels if isinstance(panel, KeepsDraft) and panel.has_unsaved_changes()
     ]

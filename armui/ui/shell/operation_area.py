@@ -3,17 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from typing import TYPE_CHECKING, Protocol, runtime_checkable
+from functools import partial
+from typing import TYPE_CHECKING, Final, NamedTuple, Protocol, runtime_checkable
 
 from PySide6.QtWidgets import QStackedWidget, QWidget
 
-from armui.ui.actions.places import PLACES
+from armui.ui.actions.command import CommandSource, also
 from armui.ui.panels.gripper_panel import GripperPanel
 from armui.ui.panels.jogging.cartesian_panel import CartesianPanel
 from armui.ui.panels.jogging.motion_panel import MotionPanel
 from armui.ui.panels.light_panel import LightPanel
 from armui.ui.panels.linkage_panel import LinkagePanel
 from armui.ui.panels.motor_panel import MotorPanel
+from armui.ui.panels.panel import Panel
 from armui.ui.panels.parameters.end_load_panel import EndLoadPanel
 from armui.ui.panels.parameters.figure_panels import (
     EndLimitsPanel,
@@ -23,37 +25,88 @@ from armui.ui.panels.parameters.figure_panels import (
 from armui.ui.panels.parameters.levels_panel import CollisionPanel
 from armui.ui.panels.teaching_panel import TeachingPanel
 from armui.ui.shell.side_menu import MenuEntry
+from armui.ui.words.text import Text
 
 if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
     from armui.settings import SettingsStore
 
 
+MakePanel = Callable[["ArmController", "SettingsStore", Callable[[], object]], Panel]
+"""Makes a panel for a controller, with the operator's settings; the last opens 参数备份."""
+
+
+class PanelEntry(NamedTuple):
+    """A panel.
+
+    Attributes:
+        key: Its stable name, also of its icon, of its section in the guide and of its commands.
+        title: The title in the menu.
+        kind: The class, which knows its commands.
+        make: Makes it.
+        synonyms: Other names of it, for the command palette.
+    """
+
+    key: str
+    title: Text
+    kind: type[Panel]
+    make: MakePanel
+    synonyms: tuple[str, ...] = ()
+
+
+# fmt: off
+PANELS: Final = (
+    PanelEntry("motion", Text("SideMenu", "Motion control"), MotionPanel,
+               lambda arm, store, _: MotionPanel(arm, store.settings.jog_step_deg)),
+    PanelEntry("cartesian", Text("SideMenu", "Tool control"), CartesianPanel,
+               lambda arm, store, _: CartesianPanel(arm, store),
+               also("tcp pose linear xyz 位姿 直线")),
+    PanelEntry("light", Text("SideMenu", "Light control"), LightPanel,
+               lambda arm, _store, _: LightPanel(arm)),
+    PanelEntry("linkage", Text("SideMenu", "Linkage control"), LinkagePanel,
+               lambda arm, _store, _: LinkagePanel(arm)),
+    PanelEntry("joint_settings", Text("SideMenu", "Joint settings"), JointSettingsPanel,
+               lambda arm, _store, open_backup: JointSettingsPanel(arm, open_backup),
+               also("limits maximum minimum 限位 极限")),
+    PanelEntry("end_limits", Text("SideMenu", "End speed limits"), EndLimitsPanel,
+               lambda arm, _store, open_backup: EndLimitsPanel(arm, open_backup)),
+    PanelEntry("collision", Text("SideMenu", "Collision level"), CollisionPanel,
+               lambda arm, _store, open_backup: CollisionPanel(arm, open_backup),
+               also("protection crash 碰撞")),
+    PanelEntry("motor", Text("SideMenu", "Motor settings"), MotorPanel,
+               lambda arm, _store, _: MotorPanel(arm)),
+    PanelEntry("gripper", Text("SideMenu", "Gripper control"), GripperPanel,
+               lambda arm, _store, _: GripperPanel(arm)),
+    PanelEntry("gripper_settings", Text("SideMenu", "Gripper settings"), GripperSettingsPanel,
+               lambda arm, _store, open_backup: GripperSettingsPanel(arm, open_backup)),
+    PanelEntry("end_load", Text("SideMenu", "End load"), EndLoadPanel,
+               lambda arm, store, _: EndLoadPanel(arm, store)),
+    PanelEntry("teaching", Text("SideMenu", "Drag teaching"), TeachingPanel,
+               lambda arm, _store, open_backup: TeachingPanel(arm, open_backup)),
+)
+# fmt: on
+"""The panels from top to bottom of the menu, in the manual's order where it has them."""
+
+
 def menu_entries(
     controller: ArmController, preferences: SettingsStore, open_backup: Callable[[], object]
 ) -> tuple[MenuEntry, ...]:
-    """The menu from top to bottom, in the manual's order where it has them.
+    """Return the entries of the menu from top to bottom.
 
     Args:
         controller: Whom the panels talk to.
         preferences: What the operator chose.
         open_backup: Opens the window 参数备份.
     """
-    panels: dict[str, Callable[[], QWidget]] = {
-        "motion": lambda: MotionPanel(controller, preferences.settings.jog_step_deg),
-        "cartesian": lambda: CartesianPanel(controller, preferences),
-        "light": lambda: LightPanel(controller),
-        "linkage": lambda: LinkagePanel(controller),
-        "joint_settings": lambda: JointSettingsPanel(controller, open_backup),
-        "end_limits": lambda: EndLimitsPanel(controller, open_backup),
-        "collision": lambda: CollisionPanel(controller, open_backup),
-        "motor": lambda: MotorPanel(controller),
-        "gripper": lambda: GripperPanel(controller),
-        "gripper_settings": lambda: GripperSettingsPanel(controller, open_backup),
-        "end_load": lambda: EndLoadPanel(controller, preferences),
-        "teaching": lambda: TeachingPanel(controller, open_backup),
-    }
-    return tuple(MenuEntry(key, PLACES[key], make_panel) for key, make_panel in panels.items())
+    return tuple(
+        MenuEntry(
+            *(panel.key, panel.title),
+            make_panel=partial(panel.make, controller, preferences, open_backup),
+            commands=panel.kind.commands,
+            synonyms=panel.synonyms,
+        )
+        for panel in PANELS
+    )
 
 
 @runtime_checkable
@@ -80,6 +133,33 @@ class OperationArea(QStackedWidget):
         for page in self._empty.values():
             self.addWidget(page)
         self.show_panel(0)
+
+    @property
+    def current_key(self) -> str:
+        """The key of the panel that is chosen."""
+        return self._entries[self.currentIndex()].key
+
+    def panel(self, key: str) -> Panel | None:
+        """Return a panel by its key; ``None``: it has not been shown yet."""
+        keys = [entry.key for entry in self._entries]
+        panel = self._made.get(keys.index(key))
+        return panel if isinstance(panel, Panel) else None
+
+    def sources(self, open_panel: Callable[[str], object]) -> list[CommandSource]:
+        """Return what the command palette offers of each panel.
+
+        Args:
+            open_panel: Opens a panel by its key, and asks first about what is not saved.
+        """
+        return [
+            CommandSource(
+                entry.commands,
+                partial(self.panel, entry.key),
+                partial(open_panel, entry.key),
+                asks_first=True,
+            )
+            for entry in self._entries
+        ]
 
     @property
     def panels(self) -> list[QWidget]:

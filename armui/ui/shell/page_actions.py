@@ -1,18 +1,34 @@
-"""Opens pages by their names, takes them out and puts them back: for the palette, at a start."""
+"""Opens pages by their keys, takes them out and puts them back: for the palette, at a start."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from functools import partial
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, QTimer
 
+from armui.ui.actions.command import (
+    Command,
+    CommandSource,
+    Target,
+    allow,
+    new_action,
+    source_of,
+)
 from armui.ui.actions.places import MOVABLE
+from armui.ui.dialogs.about_arm import AboutArmDialog
+from armui.ui.dialogs.base import ArmDialog
+from armui.ui.dialogs.connect import ConnectDialog
+from armui.ui.dialogs.joint_status import JointStatusDialog
+from armui.ui.dialogs.settings import SettingsDialog
+from armui.ui.watch.recordings.sessions_window import SessionsWindow
+from armui.ui.words.text import Text
 
 if TYPE_CHECKING:
-    from armui.ui.actions.offer import Doing, Doings
+    from armui.ui.actions.palette_items import Callback
     from armui.ui.main_window import MainWindow
+    from armui.ui.shell.diagnosis_dialogs import DiagnosisDialogs
     from armui.ui.shell.drawer import Drawer
     from armui.ui.shell.trajectory_pages import TrajectoryPages
     from armui.ui.shell.watch_windows import WatchWindows
@@ -29,10 +45,23 @@ class PageActions(QObject):
         pages: Open the library and what it leads to.
         watch: Opens the drawer's pages and the recordings.
         drawer: Is folded away.
+        diagnosis: Opens the windows that tell what is wrong, and which arm this is.
 
     Attributes:
-        is_done: Whether what was open at the end of the program before is open again.
+        startup_done: Whether what was open at the end of the program before is open again.
     """
+
+    commands = (
+        *(
+            Command(f"{key}.{act}", title)
+            for key in MOVABLE
+            for act, title in (
+                ("take_out", Text("PageBar", "Own window")),
+                ("put_back", Text("PageWindow", "Put back")),
+            )
+        ),
+        Command("drawer.fold", Text("Drawer", "Fold away")),
+    )
 
     def __init__(
         self,
@@ -41,14 +70,17 @@ class PageActions(QObject):
         pages: TrajectoryPages,
         watch: WatchWindows,
         drawer: Drawer,
+        *,
+        diagnosis: DiagnosisDialogs,
     ) -> None:
         super().__init__(window)
         self._window = window
-        self.is_done = False
+        self.startup_done = False
         self._workspace = workspace
         self._pages = pages
         self._drawer = drawer
-        self._openers: Mapping[str, Doing] = {
+        self._diagnosis = diagnosis
+        self._openers: Mapping[str, Callback] = {
             "library": pages.open_library,
             "editor": pages.open_editor,
             "recording": pages.open_recorder,
@@ -58,27 +90,61 @@ class PageActions(QObject):
             "sessions": watch.open_sessions,
             "connect": window.open_connect_dialog,
             "settings": window.open_settings_dialog,
+            "joint_status": window.open_joint_status_dialog,
+            "about_arm": diagnosis.open_about_arm,
+            "doctor": diagnosis.open_doctor,
         }
-
-    def openers(self) -> Doings:
-        """By place: what opens it, and why that is not possible now."""
-        return {place: (do, partial(self._why_not, place)) for place, do in self._openers.items()}
-
-    def doings(self) -> Doings:
-        """By the names of commands that no button does while their page is not seen."""
-        found: dict[str, tuple[Doing, Callable[[], str]]] = {
-            "drawer.fold": (self._drawer.fold, self._why_no_fold),
-        }
+        does: dict[str, Callback] = {"drawer.fold": drawer.fold}
         for key in MOVABLE:
-            found[f"{key}.take_out"] = (
-                partial(self._take_out, key),
-                partial(self._why_no_take_out, key),
+            does[f"{key}.take_out"] = partial(self._take_out, key)
+            does[f"{key}.put_back"] = partial(self._put_back, key)
+        self._actions = {name: new_action(self, do) for name, do in does.items()}
+
+    def command_targets(self) -> Mapping[str, Target]:
+        """Return the actions that take pages out, put them back, and fold the drawer away."""
+        for key in MOVABLE:
+            allow(self._actions[f"{key}.take_out"], self._why_no_take_out(key))
+            allow(self._actions[f"{key}.put_back"], self._why_no_put_back(key))
+        allow(self._actions["drawer.fold"], self._why_no_fold())
+        return self._actions
+
+    def sources(self) -> list[CommandSource]:
+        """Return what the command palette offers of each page and each window beside them."""
+        # loaded when nothing else is to be done, or here
+        from armui.ui.dialogs.doctor import DoctorDialog  # noqa: PLC0415
+        from armui.ui.trajectory.editor.editor_page import EditorPage  # noqa: PLC0415
+        from armui.ui.trajectory.library.library_page import LibraryPage  # noqa: PLC0415
+        from armui.ui.trajectory.recording.recording_page import RecordingPage  # noqa: PLC0415
+        from armui.ui.watch.bus.bus_page import BusPage  # noqa: PLC0415
+        from armui.ui.watch.events.event_page import EventPage  # noqa: PLC0415
+        from armui.ui.watch.plots_area import PlotPage  # noqa: PLC0415
+
+        kinds: dict[str, type[Page | ArmDialog]] = {
+            "library": LibraryPage,
+            "editor": EditorPage,
+            "recording": RecordingPage,
+            "plots": PlotPage,
+            "events": EventPage,
+            "bus": BusPage,
+            "sessions": SessionsWindow,
+            "connect": ConnectDialog,
+            "settings": SettingsDialog,
+            "joint_status": JointStatusDialog,
+            "about_arm": AboutArmDialog,
+            "doctor": DoctorDialog,
+        }
+        own = (
+            CommandSource(
+                *(kind.commands, partial(self._made, key), self._openers[key]),
+                why_not=partial(self._why_not, key),
             )
-            found[f"{key}.put_back"] = (
-                partial(self._put_back, key),
-                partial(self._why_no_put_back, key),
-            )
-        return found
+            for key, kind in kinds.items()
+        )
+        return [*own, source_of(self)]
+
+    def _made(self, key: str) -> Page | ArmDialog | None:
+        """Return a page or window by its key; ``None``: it has not been made yet."""
+        return self._page(key) or self._window.dialog(key) or self._diagnosis.dialog(key)
 
     def reopen(self) -> None:
         """Open the windows that were open when the program ended, one at each turn of the loop.
@@ -89,7 +155,7 @@ class PageActions(QObject):
         if left is None:
             self._workspace.note_windows()  # what is not there any more is forgotten
             self._window.activateWindow()
-            self.is_done = True
+            self.startup_done = True
             return
         if left.key == "editor":
             self._pages.open_editor(left.subject)

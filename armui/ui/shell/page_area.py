@@ -145,7 +145,7 @@ class PageArea(QWidget):
 
     @property
     def pages(self) -> tuple[Page, ...]:
-        """Those that are open here, the one that is seen last."""
+        """The pages that are open here; the last one is seen."""
         return tuple(self._open)
 
     @property
@@ -165,7 +165,7 @@ class PageArea(QWidget):
         page.take_focus()
 
     def drop_page(self, page: Page) -> None:
-        """Let go of a page; the one before it is seen again."""
+        """Release a page and show the one before it."""
         if page not in self._open:
             return
         seen = page.isVisible()

@@ -104,7 +104,7 @@ class RecoveryLine(Translated, QWidget):
     # -- behaviour ----------------------------------------------------------------------------
 
     def _on_pressed(self) -> None:
-        """What the operator has read when the button goes down is what is agreed to."""
+        """Remember the step that is shown as the button goes down: it is what is agreed to."""
         self._pressed = self._step
         self._pressed_for = self._controller.mark
 

@@ -17,26 +17,43 @@ from armui.control.operating_state import LinkState
 from armui.ui.freshness import is_stale
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from armui.arm.state import ArmState
     from armui.control.arm_controller import ArmController
     from armui.control.operating_state import OperatingState
     from armui.viewport.view import ArmView
 
 
-def show_in_view(view: ArmView, state: ArmState, operating_state: OperatingState) -> None:
-    """Show angles and pose; what is no longer fresh looks so."""
+def show_in_view(
+    view: ArmView, state: ArmState, operating_state: OperatingState, tool: Sequence[float] = ()
+) -> None:
+    """Show angles and pose; what is no longer fresh looks so.
+
+    Args:
+        view: The 3D picture.
+        state: Of the arm.
+        operating_state: Of the program.
+        tool: The tool centre point in the flange, mm and degrees, whose pose is shown; zeros or
+            nothing: that of the flange.
+    """
     joints_stale, pose_stale = (
         any(is_stale(heard, state, operating_state) for heard in six)
         for six in (state.joints_deg, state.pose)
     )
     angles_deg = state.angles_deg()
     if angles_deg is None and operating_state.link is LinkState.LOST:
-        view.forget_joints()  # the cable is out, and the arm has not gone to its zeros
+        view.set_joints_unknown()  # the cable is out, and the arm has not gone to its zeros
     else:
         gripper_mm = None if state.gripper is None else state.gripper.value.opening_mm
         view.set_joints(angles_deg, gripper_mm, stale=joints_stale)
     too_low = operating_state.below_base_mm is not None
-    view.set_pose(state.end_pose(), stale=pose_stale, too_low=too_low)
+    pose: Sequence[float] | None = state.end_pose()
+    if pose is not None and any(tool):
+        from armui.kinematics import poses  # noqa: PLC0415 - numpy, loaded when needed
+
+        pose = poses.tool_pose(pose, tool)
+    view.set_pose(pose, stale=pose_stale, too_low=too_low, of_tool=any(tool))
 
 
 class RobotInView(QObject):

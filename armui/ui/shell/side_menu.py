@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from functools import partial
 from typing import TYPE_CHECKING, Final, NamedTuple
 
@@ -14,6 +14,7 @@ from armui.arm.joint_status import StatusVerdict
 from armui.arm.limits import JOINTS
 from armui.ui import format as fmt
 from armui.ui import words
+from armui.ui.actions.command import Command, Target
 from armui.ui.theme import colors_of, scaled_font
 from armui.ui.widgets import icons, painting, state_mark
 from armui.ui.widgets.buttons import named
@@ -89,11 +90,11 @@ class JointStatusButton(Translated, QAbstractButton):
         self.update()
 
     def sizeHint(self) -> QSize:
-        """As large as it wants to be."""
+        """Return the size it has where there is room."""
         return QSize(_BUTTON_WIDTH_PX, _HEIGHT_PX)
 
     def minimumSizeHint(self) -> QSize:
-        """No smaller than that."""
+        """Return the same size: it is never smaller."""
         return self.sizeHint()
 
     def paintEvent(self, _event: QPaintEvent) -> None:
@@ -126,19 +127,21 @@ class JointStatusButton(Translated, QAbstractButton):
 
 
 class WatchEntry(NamedTuple):
-    """One window.
+    """A window that watches the arm or the bus.
 
     Attributes:
         key: Its icon's name; the button is called ``<key>_button``.
         title: What the button says.
         tip: What the window is for.
         open_window: Shows it.
+        command: Opens it from the command palette.
     """
 
     key: str
     title: Text
     tip: Text
     open_window: Callable[[], object]
+    command: Command
 
 
 class WatchMenu(Translated, QWidget):
@@ -164,8 +167,13 @@ class WatchMenu(Translated, QWidget):
             alone = column == 0 and place == len(entries) - 1
             layout.addWidget(button, row, column, 1, _COLUMNS if alone else 1)
             self._buttons.append((entry, button))
+        self.commands = [entry.command for entry in entries]
         self._recolor()
         self.retranslate_ui()
+
+    def command_targets(self) -> Mapping[str, Target]:
+        """Return what carries out each command, by the command's name."""
+        return {entry.command.name: button for entry, button in self._buttons}
 
     def retranslate_ui(self) -> None:
         """Put the names into the operator's language."""
@@ -194,7 +202,7 @@ class LibraryButton(Translated, QToolButton):
         self.retranslate_ui()
 
     def retranslate_ui(self) -> None:
-        """Its name in the operator's language."""
+        """Put its name into the operator's language."""
         self.setText(f" {self.tr('Trajectory library')}")
         self.setAccessibleName(self.tr("Trajectory library"))
         self.setToolTip(self.tr("Make, check, run and record trajectories"))
@@ -204,17 +212,21 @@ class LibraryButton(Translated, QToolButton):
 
 
 class MenuEntry(NamedTuple):
-    """One panel of the operation area.
+    """An entry of the menu: a panel of the operation area.
 
     Attributes:
         key: Its name in the program and its icon's; the button is called ``menu_<key>``.
         title: What the menu says.
         make_panel: Makes the panel.
+        commands: What the command palette offers of the panel.
+        synonyms: Other names of the panel, for the command palette.
     """
 
     key: str
     title: Text
     make_panel: Callable[[], QWidget]
+    commands: Sequence[Command] = ()
+    synonyms: tuple[str, ...] = ()
 
 
 class SideMenu(Translated, QWidget):
@@ -235,6 +247,10 @@ class SideMenu(Translated, QWidget):
         self.setObjectName("side_menu")
         self.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
         self._entries = tuple(entries)
+        self.commands = [
+            Command(f"{entry.key}.open", entry.title, synonyms=entry.synonyms)
+            for entry in self._entries
+        ]
         # no group of Qt's: Tab would reach only the chosen one of its buttons
         self._buttons: list[QToolButton] = []
         self._chosen: int | None = 0
@@ -256,6 +272,11 @@ class SideMenu(Translated, QWidget):
         in_column(entries_area, *at_bottom, on=self, spacing=6, margins=(8, 10, 8, 10))
         self.retranslate_ui()
         self.choose(0)
+
+    def command_targets(self) -> Mapping[str, Target]:
+        """Return what carries out each command, by the command's name."""
+        names = (command.name for command in self.commands)
+        return dict(zip(names, self._buttons, strict=True))
 
     def _on_clicked(self, place: int, _on: bool = False) -> None:
         self.choose(place)
@@ -292,7 +313,7 @@ class SideMenu(Translated, QWidget):
         return area
 
     def _make_room(self, _least: int, most: int) -> None:
-        """Where the entries scroll, the bar stands beside them, not over their right ends."""
+        """Make room for the scroll bar beside the entries, where they scroll."""
         self.setFixedWidth(_WIDTH_PX + (self._bar.sizeHint().width() if most else 0))
 
     def retranslate_ui(self) -> None:

@@ -82,7 +82,7 @@ class FailureLine(Translated, QWidget):
         self.hide()
 
     def text(self) -> str:
-        """What it says now."""
+        """The text that is shown."""
         return self._message.text()
 
     def show_failure(self, failure: Failure, *, motion_ended: bool) -> None:
@@ -261,13 +261,13 @@ class StatusBar(Translated, QWidget):
 
     def _on_noticed(self, event: Event) -> None:
         self._event, self._problem = event, None
-        self._entry = self._controller.happenings.number_of(event)
+        self._entry = self._controller.event_collector.number_of(event)
         self._show_notice()
 
     def show_problem(self, reason: Refusal) -> None:
         """Say what went wrong in the program itself."""
         self._problem = (datetime.now().astimezone(), reason)
-        self._entry = self._controller.happenings.on_problem(reason).number
+        self._entry = self._controller.event_collector.on_problem(reason).number
         self._show_notice()
 
     def _show_notice(self) -> None:
@@ -354,7 +354,7 @@ class StatusBar(Translated, QWidget):
             self._draw_warning(self._status_icon, ink_of_alarm)
 
     def _mode(self, code: int, foreign_mode: str) -> str:
-        """How the arm travels; a mode that another program has chosen is told as its."""
+        """Return how the arm travels; a mode that another program has chosen is told as its."""
         if not foreign_mode:
             return words.move_mode(code)
         mode = words.other_mode(foreign_mode)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QPointF, QRectF, QSignalBlocker, QSize, Qt
@@ -15,11 +15,14 @@ from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import ArmState
 from armui.control.devices.motors import why_not_disable, why_not_enable
+from armui.control.motion.joint_motion import Motion
 from armui.control.operating_state import Busy, LinkState, OperatingState
+from armui.control.operations.operation import operation_of
 from armui.protocol.addressing import Addressing
 from armui.protocol.generation import Generation
 from armui.ui import format as fmt
 from armui.ui import words
+from armui.ui.actions.command import Command, Target, also
 from armui.ui.dialogs.confirm_dialog import confirm
 from armui.ui.freshness import is_stale
 from armui.ui.theme import Colors, colors_of, scaled_font
@@ -32,7 +35,7 @@ from armui.ui.widgets.stop_button import StopButton
 from armui.ui.widgets.text_label import ValueLabel
 from armui.ui.widgets.track_slider import TrackSlider
 from armui.ui.widgets.translated import Translated
-from armui.ui.words.text import Texts
+from armui.ui.words.text import Text, Texts
 
 if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
@@ -60,7 +63,11 @@ _WIDEST_PX: Final = 620
 class SpeedControl(Translated, QWidget):
     """Slider and field for 0–100 % of the arm's highest speed (manual 1.0.3, 0x151 byte 2).
 
-    Dragging sends when the handle is let go; keys, clicks and the field send at once.
+    Dragging sends a lower speed at once, a higher one when the handle is let go; keys, clicks and
+    the field send at once.
+
+    Attributes:
+        field: Takes a figure.
     """
 
     def __init__(self, controller: ArmController) -> None:
@@ -72,32 +79,39 @@ class SpeedControl(Translated, QWidget):
         self._slider.setRange(0, 100)
         self._slider.setPageStep(10)
         self._slider.setTracking(False)
-        self._field = named("speed_field", QSpinBox())
-        self._field.setRange(0, 100)
-        self._field.setSuffix(" %")
-        self._field.setKeyboardTracking(False)
-        self._field.setAlignment(Qt.AlignmentFlag.AlignCenter)
-        self._field.setMinimumWidth(70)
-        self._field.setFixedHeight(34)
-        self._label.setBuddy(self._field)
+        self.field = named("speed_field", QSpinBox())
+        self.field.setRange(0, 100)
+        self.field.setSuffix(" %")
+        self.field.setKeyboardTracking(False)
+        self.field.setAlignment(Qt.AlignmentFlag.AlignCenter)
+        self.field.setMinimumWidth(70)
+        self.field.setFixedHeight(34)
+        self._label.setBuddy(self.field)
         self._arm_label = QLabel()
         self._arm_label.setProperty("rank", "muted")
         self._arm_value = named("arm_speed", ValueLabel(fmt.percent(100)))
         tell_quantities(self, "arm.speed_percent", "own.speed_percent", "other.speed_percent")
-        wanted = (self._label, (self._slider, 1), self._field)
+        wanted = (self._label, (self._slider, 1), self.field)
         in_row(*wanted, self._arm_label, self._arm_value, on=self, spacing=8, margins=0)
         self._slider.valueChanged.connect(self._on_chosen)
         self._slider.sliderMoved.connect(self._on_dragged)
-        self._field.valueChanged.connect(self._on_chosen)
+        self._slider.sliderReleased.connect(self._on_released)
+        self.field.valueChanged.connect(self._on_chosen)
         controller.state_changed.connect(self._on_state_changed)
         controller.operating_state_changed.connect(self._on_operating_state_changed)
         self.retranslate_ui()
         self._show_setpoint()
 
     def _on_dragged(self, percent: int) -> None:
-        """While the handle is held the field only says where it is."""
-        with QSignalBlocker(self._field):
-            self._field.setValue(percent)
+        """While the handle is held the field says where it is, and the arm only gets slower."""
+        with QSignalBlocker(self.field):
+            self.field.setValue(percent)
+        if percent < self._controller.operating_state.speed_percent:
+            self._controller.motion.set_speed_percent(percent)
+
+    def _on_released(self) -> None:
+        """The place where the handle was let go counts, also where it was taken."""
+        self._on_chosen(self._slider.sliderPosition())
 
     def _on_chosen(self, percent: int) -> None:
         if percent != self._controller.operating_state.speed_percent:
@@ -117,15 +131,15 @@ class SpeedControl(Translated, QWidget):
             words.refusal(Refusal(RefusalCode.RUN_UNDER_WAY)) if operating_state.running else ""
         )
         use = self.tr("Speed of motions, 0–100 % of the arm's highest; 0 % means no motion.")
-        for widget in (self._slider, self._field):
+        for widget in (self._slider, self.field):
             widget.setEnabled(not reason)
             widget.setToolTip(reason or use)
 
     def _show_setpoint(self) -> None:
         percent = self._controller.operating_state.speed_percent
         self._slider.show_requested(percent)
-        with QSignalBlocker(self._field):
-            self._field.setValue(percent)
+        with QSignalBlocker(self.field):
+            self.field.setValue(percent)
 
     def _on_state_changed(self, state: ArmState) -> None:
         if not self.isVisible():
@@ -145,7 +159,7 @@ class SpeedControl(Translated, QWidget):
         """Put every word into the operator's language."""
         self._label.setText(self.tr("Speed"))
         self._arm_label.setText(self.tr("Arm"))
-        for widget in (self._slider, self._field):
+        for widget in (self._slider, self.field):
             widget.setAccessibleName(self.tr("Speed percentage"))
         self._allow(self._controller.operating_state)
         self._arm_value.setAccessibleName(self.tr("Speed percentage reported by the arm"))
@@ -167,7 +181,7 @@ class EnableButton(Translated, QAbstractButton):
 
     @property
     def marks(self) -> tuple[bool | None, ...]:
-        """What the six marks show, joint 1 first."""
+        """The state of each mark, joint 1 first."""
         return self._enabled
 
     @property
@@ -397,13 +411,31 @@ def _draw_sign(painter: QPainter, colors: Colors, center: QPointF, link: LinkSta
         painter.drawEllipse(box)
 
 
+_CONNECT: Final = also("open port device adapter can 设备 端口 打开")
+
+
 class TopBar(Translated, QWidget):
-    """What must be seen and reached whatever panel is open.
+    """Connection, speed, motors and stops: seen and reached whatever panel is open.
 
     Args:
         controller: Whom to tell.
         open_connection: Opens the window in which a CAN device is chosen.
     """
+
+    commands = (
+        Command("window.connect", Text("ConnectDialog", "Connect arm"), synonyms=_CONNECT),
+        Command(
+            "window.enable",
+            Text("Action", "Enable or disable all motors"),
+            synonyms=also("power servo on off 上电 下电 伺服"),
+        ),
+        Command(
+            "window.speed",
+            Text("SpeedControl", "Speed percentage"),
+            operation_of(Motion.set_speed_percent),
+            synonyms=also("velocity fast slow override 速度 倍率 快 慢"),
+        ),
+    )
 
     def __init__(
         self,
@@ -417,7 +449,8 @@ class TopBar(Translated, QWidget):
         self._controller = controller
         self._communication = CommunicationButton()
         self._enable = EnableButton()
-        left = (self._communication, (SpeedControl(controller), 1))
+        self._speed = SpeedControl(controller)
+        left = (self._communication, (self._speed, 1))
         layout = in_row(*left, on=self, spacing=12, margins=(8, 6, 8, 6))
         layout.addStretch(0)
         stop = StopButton(controller, ask_to_resume=self.ask_to_resume)
@@ -426,6 +459,14 @@ class TopBar(Translated, QWidget):
         self._enable.clicked.connect(self._on_enable)
         controller.operating_state_changed.connect(self._show_operating_state)
         self._show_operating_state(controller.operating_state)
+
+    def command_targets(self) -> Mapping[str, Target]:
+        """Return what carries out each command, by the command's name."""
+        return {
+            "window.connect": self._communication,
+            "window.enable": self._enable,
+            "window.speed": self._speed.field,
+        }
 
     def _show_operating_state(self, operating_state: OperatingState) -> None:
         self._communication.show_operating_state(operating_state)

@@ -103,7 +103,7 @@ class TrajectoryPages(QObject):
         return self._library
 
     def _make(self) -> LibraryPage:
-        from armui.trajectory.library.store import Library  # noqa: PLC0415 - numpy, faster start
+        from armui.trajectory.library.store import Library  # noqa: PLC0415 - numpy, scipy
         from armui.ui.trajectory.library.library_page import LibraryPage  # noqa: PLC0415 - as above
         from armui.ui.trajectory.preview.preview_link import PreviewLink  # noqa: PLC0415 - as above
 
@@ -112,8 +112,6 @@ class TrajectoryPages(QObject):
         library = (
             Library(folder, call=files.call) if isinstance(files, FileThread) else Library(folder)
         )
-        # as 末端控制 takes it: what goes along the tool's axes must not wait for that panel
-        self._controller.cartesian.tool = self._preferences.settings.tool
         background = Background(self._workers, files, self)
         page = LibraryPage(self._controller, background, library)
         self._workspace.add(page, self._area)

@@ -2,17 +2,20 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QPushButton, QVBoxLayout, QWidget
 
+from armui.ui.actions.command import Command, Target, also
 from armui.ui.actions.keys import keys_of
 from armui.ui.theme import colors_of
 from armui.ui.widgets import icons
 from armui.ui.widgets.layouts import empty_grid, in_column, in_row
 from armui.ui.widgets.translated import Translated
+from armui.ui.words.text import Text
 
 if TYPE_CHECKING:
     from armui.ui.picture.picture_work import PictureWork
@@ -30,6 +33,13 @@ class ViewRegion(Translated, QWidget):
         work: Whose strip and note stand over the picture.
     """
 
+    commands = (
+        Command(
+            "window.settings", synonyms=also("preferences options configuration 选项 首选项 配置")
+        ),
+        Command("window.reset_view"),
+        Command("view.help", Text("HelpDialog", "Help: 3D view")),
+    )
     help_wanted = Signal()
     reset_wanted = Signal()
     settings_wanted = Signal()
@@ -71,6 +81,14 @@ class ViewRegion(Translated, QWidget):
         self._settings.clicked.connect(self.settings_wanted)
         self.retranslate_ui()
         self._recolor()
+
+    def command_targets(self) -> Mapping[str, Target]:
+        """Return what carries out each command, by the command's name."""
+        return {
+            "window.settings": self._settings,
+            "window.reset_view": self._reset,
+            "view.help": self._help,
+        }
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         """The arm stands beside the buttons."""

@@ -7,9 +7,12 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QObject
-from PySide6.QtWidgets import QDialog, QWidget
+from PySide6.QtWidgets import QWidget
 
 from armui.control.events import EventCode
+from armui.ui.actions.command import Command, also
+from armui.ui.actions.places import PLACES
+from armui.ui.dialogs.base import ArmDialog
 from armui.ui.shell.side_menu import WatchEntry
 from armui.ui.watch.recordings.recording_card import RecordingMark
 from armui.ui.watch.recordings.sessions_window import SessionsWindow
@@ -26,11 +29,11 @@ if TYPE_CHECKING:
     from armui.ui.widgets.page import Page
 
 
-Opener = Callable[[str, Callable[[], QDialog]], QDialog]
+Opener = Callable[[str, Callable[[], ArmDialog]], ArmDialog]
 """Shows a dialog by its name, and makes it at the first time."""
 
 PageOpener = Callable[[str, Callable[[], "Page"]], "Page"]
-"""The same of a page."""
+"""Shows a page by its name, and makes it at the first time."""
 
 _PAGES: Final = ("plots", "events", "bus")
 """They stand in the drawer; the others are windows."""
@@ -40,21 +43,25 @@ _BUTTONS: Final = (
     ("plots", Text("WatchMenu", "Curves"),
      Text("WatchMenu",
           "What was heard and commanded in the last half hour. The right button on any figure "
-          "shows it here.")),
+          "shows it here."),
+     also("chart graph plot scope 图表 示波器")),
     ("events", Text("WatchMenu", "Events"),
      Text("WatchMenu",
           "What happened: every command and what became of it, every change of the arm's status, "
-          "every fault with its beginning and its end.")),
+          "every fault with its beginning and its end."),
+     also("log messages alarms 日志 报警 消息")),
     ("bus", Text("WatchMenu", "Bus"),
      Text("WatchMenu",
-          "Every frame on the CAN bus: what it says, how often it comes, who sends it.")),
+          "Every frame on the CAN bus: what it says, how often it comes, who sends it."),
+     also("can frames monitor sniffer 报文 帧")),
     ("sessions", Text("WatchMenu", "Record"),
      Text("WatchMenu",
           "Record everything on the bus, save what just happened, replay what was recorded, here "
-          "or by another program.")),
+          "or by another program."),
+     also("logs history 日志 录制")),
 )
 # fmt: on
-"""Icon, name and purpose of each window, row by row."""
+"""Icon, name, purpose and other names of each window, row by row."""
 
 
 class WatchWindows(QObject):
@@ -103,10 +110,16 @@ class WatchWindows(QObject):
             "bus": self.open_bus_monitor,
             "sessions": self.open_sessions,
         }
-        return tuple(WatchEntry(key, title, tip, openers[key]) for key, title, tip in _BUTTONS)
+        return tuple(
+            WatchEntry(
+                *(key, title, tip, openers[key]),
+                Command(f"{key}.open", PLACES[key], synonyms=synonyms),
+            )
+            for key, title, tip, synonyms in _BUTTONS
+        )
 
     def pages(self) -> tuple[WatchEntry, ...]:
-        """Those that are pages of the drawer."""
+        """Return the entries that are pages of the drawer."""
         return tuple(entry for entry in self.entries() if entry.key in _PAGES)
 
     def show_as_curves(self, keys: Sequence[str]) -> None:
@@ -123,7 +136,7 @@ class WatchWindows(QObject):
 
     def open_export(self, path: Path | None = None) -> None:
         """Show the window 导出, with a recording if one is given."""
-        from armui.ui.watch.export_dialog import ExportDialog  # noqa: PLC0415 - faster start
+        from armui.ui.watch.export_dialog import ExportDialog  # noqa: PLC0415 - cantools
 
         window = self._open("export", lambda: ExportDialog(self._controller, self._window))
         if isinstance(window, ExportDialog) and path is not None:
@@ -131,7 +144,7 @@ class WatchWindows(QObject):
 
     def show_events(self, number: int | None = None) -> None:
         """Show the page 事件, with one of its entries chosen."""
-        from armui.ui.watch.events.event_page import EventPage  # noqa: PLC0415 - faster start
+        from armui.ui.watch.events.event_page import EventPage  # noqa: PLC0415 - cantools
 
         def make() -> Page:
             page = EventPage(self._controller, self._background)
@@ -166,7 +179,7 @@ class WatchWindows(QObject):
     def open_sessions(self) -> None:
         """Show the window 会话记录."""
 
-        def make() -> QDialog:
+        def make() -> ArmDialog:
             window = SessionsWindow(self._controller, self._background, self._store, self._window)
             window.open_wanted.connect(self.open_replay)
             window.other_wanted.connect(self.open_replay)
@@ -199,7 +212,7 @@ class WatchWindows(QObject):
             own = self._robot()
             return ArmView(Path(own) if own else None)
 
-        def make() -> QDialog:
+        def make() -> ArmDialog:
             from armui.session.recording.recorded_session import RecordedSession  # noqa: PLC0415 - as above
 
             return ReplayWindow(

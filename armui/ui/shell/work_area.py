@@ -44,6 +44,11 @@ class RunPlace(QWidget):
         controller.operating_state_changed.connect(self._on_operating_state)
 
     @property
+    def strip(self) -> RunStrip | None:
+        """The line of a run; ``None``: nothing has run yet."""
+        return self._strip
+
+    @property
     def go_on_button(self) -> QWidget | None:
         """The button that goes on with a run that pauses or waits, while it is seen."""
         return None if self._strip is None else self._strip.go_on_button
@@ -51,7 +56,7 @@ class RunPlace(QWidget):
     def _on_operating_state(self, operating_state: OperatingState) -> None:
         if not operating_state.running or self._strip is not None:
             return
-        from armui.ui.trajectory.running.run_strip import RunStrip  # noqa: PLC0415 - faster start
+        from armui.ui.trajectory.running.run_strip import RunStrip  # noqa: PLC0415 - numpy
 
         self._strip = RunStrip(self._controller)
         self._column.addWidget(self._strip)

@@ -70,7 +70,7 @@ class PageWindow(ArmDialog):
         self._recolor()
 
     def release(self) -> Page | None:
-        """Let go of the page, which is hidden then, and be no more."""
+        """Release the page, which is hidden then, and delete this window."""
         page, self._page = self._page, None
         if page is not None:
             page.titled.disconnect(self._name)
@@ -96,7 +96,7 @@ class PageWindow(ArmDialog):
             self._page.leave()
 
     def room_for_questions(self) -> QRect:
-        """All of it below its stops."""
+        """Return the rectangle below its stops."""
         top = self.stop_button.mapToGlobal(self.stop_button.rect().bottomLeft()).y()
         left = self.mapToGlobal(self.rect().topLeft())
         return QRect(left.x(), top, self.width(), left.y() + self.height() - top)
@@ -116,12 +116,12 @@ class PageWindow(ArmDialog):
         self._put_back.setIcon(icons.icon("put_back", colors_of(self).muted))
 
     def moveEvent(self, event: QMoveEvent) -> None:
-        """Where it stands is remembered."""
+        """Tell where the window stands now."""
         super().moveEvent(event)
         self.placed.emit()
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """So is its size."""
+        """Tell how large the window is now."""
         super().resizeEvent(event)
         self.placed.emit()
 
@@ -138,7 +138,7 @@ class PageHome(Protocol):
         """Show a page in front of the others."""
 
     def drop_page(self, page: Page) -> None:
-        """Let go of a page."""
+        """Release a page."""
 
 
 class Workspace(QObject):
@@ -233,7 +233,7 @@ class Workspace(QObject):
             self._let_go(page)
 
     def next_left_open(self) -> OpenWindow | None:
-        """One after another what stood in a window when the program ended; ``None``: no more."""
+        """Return the next page that stood in a window when the program ended; ``None``: no more."""
         return self._left_open.pop(0) if self._left_open else None
 
     def note_windows(self) -> None:
@@ -295,7 +295,7 @@ class Workspace(QObject):
 
 
 def first_place(stood: QRect, window: QWidget, main: QWidget) -> QRect:
-    """Where a page opens that is taken out for the first time.
+    """Return the place of a page that is taken out for the first time.
 
     In the middle of a second screen, if there is one; else where it stood, no larger: the picture
     stays in sight.

@@ -22,7 +22,7 @@ _LEAST_COLUMN_PX: Final = 20
 
 
 class Place(NamedTuple):
-    """Where a window stands, in pixels of the desktop."""
+    """The place of a window, in pixels of the desktop."""
 
     x: int
     y: int
@@ -81,7 +81,7 @@ class WorkspaceLayout(NamedTuple):
 
 
 def to_text(layout: WorkspaceLayout) -> str:
-    """As it stands in the file."""
+    """Return the text of the file."""
     entries = {
         "window": None if layout.window is None else _numbers(layout.window),
         "maximized": layout.maximized,

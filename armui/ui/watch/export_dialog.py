@@ -27,7 +27,7 @@ from armui.control.events import Level
 from armui.export.process import ExportDone, ExportProcess
 from armui.protocol.generation import Generation
 from armui.session.exports.request import (
-    ArmWishes,
+    ArmOptions,
     ExportFormat,
     ExportProblem,
     ExportProgress,
@@ -327,7 +327,7 @@ class ExportForm(Translated, QWidget):
         if self._log is None or self._target is None or self.reason():
             return None
         end_s = self.end_field.value
-        wishes = ArmWishes(
+        wishes = ArmOptions(
             _GENERATIONS[self.generations.checkedId()],
             channel=self.channel_field.text().strip() or None,
             model=self.model_box.currentData(),

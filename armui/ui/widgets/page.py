@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Final
 
 from PySide6.QtCore import QEvent, QSize, Qt, Signal
 from PySide6.QtGui import QCloseEvent, QContextMenuEvent, QKeyEvent, QResizeEvent
 from PySide6.QtWidgets import QFrame, QHeaderView, QScrollArea, QStackedWidget, QWidget
 
+from armui.ui.actions.command import Command, Target
 from armui.ui.widgets.curve_menu import offer_curves
 from armui.ui.widgets.layouts import in_column, in_row
 from armui.ui.widgets.translated import Translated
@@ -29,6 +30,7 @@ class Page(Translated, QWidget):
         above: The page that leads to it, and to which the way back leads.
         body: Where its content goes.
         footer: Where its last buttons go, from left to right.
+        commands: What the command palette offers of it.
 
     Signals:
         titled: Its title is another.
@@ -36,6 +38,7 @@ class Page(Translated, QWidget):
         closed: It was left for good; whoever holds it takes it away.
     """
 
+    commands: Sequence[Command] = ()
     titled = Signal()
     wanted = Signal()
     closed = Signal()
@@ -68,6 +71,10 @@ class Page(Translated, QWidget):
 
     def headers(self) -> Mapping[str, QHeaderView]:
         """The heads of its tables by name: how wide the columns are, and the order, is kept."""
+        return {}
+
+    def command_targets(self) -> Mapping[str, Target]:
+        """Return what carries out each of its commands, by the command's name."""
         return {}
 
     # Coming and going -------------------------------------------------------------------------

@@ -1,4 +1,4 @@
-"""The keys that stop and halt the arm from every window, and stop buttons behind open popups."""
+"""The keys that stop, halt and slow the arm from every window, and stop buttons behind popups."""
 
 from __future__ import annotations
 
@@ -9,6 +9,7 @@ from PySide6.QtGui import QDragEnterEvent, QKeyEvent, QMouseEvent, QPaintEvent
 from PySide6.QtWidgets import QApplication, QWidget
 
 from armui.control.arm_controller import ArmController
+from armui.control.run.speed_override import STEP_PERCENT
 from armui.ui.widgets.press_button import PressButton
 
 STOP_KEYS: Final = frozenset({Qt.Key.Key_F12, Qt.Key.Key_Pause})
@@ -16,6 +17,8 @@ STOP_KEY_NAME: Final = "F12, Pause"
 HALT_KEY: Final = Qt.Key.Key_F9
 """In the same group of keys as F12, and not beside it: the one must not be hit for the other."""
 HALT_KEY_NAME: Final = "F9"
+SLOWER_KEY: Final = Qt.Key.Key_F8
+"""Beside the halt: who misses it slows the arm."""
 
 _LISTENED_TO: Final = (QKeyEvent, QMouseEvent, QDragEnterEvent)
 _PAINTED_WITHIN_MS: Final = 250
@@ -25,8 +28,8 @@ _PRESSES: Final = frozenset({QEvent.Type.MouseButtonPress, QEvent.Type.MouseButt
 class StopShortcut(QObject):
     """Listens to the whole application, below any dialog that holds the other keys back.
 
-    A key only ever stops or halts; recovery needs the button and its question. A press that Qt
-    would only take to close a popup (of a combo box, a menu) reaches the stop button it lies on.
+    A key only ever stops, halts or slows; recovery needs the button and its question. A press that
+    Qt would only take to close a popup (of a combo box, a menu) reaches the stop button under it.
 
     Args:
         app: The application to listen to; the listener lives and dies with it.
@@ -70,6 +73,10 @@ class StopShortcut(QObject):
         if event.key() == HALT_KEY:
             if not event.isAutoRepeat():
                 self._controller.halt_and_hold()
+            return True
+        if event.key() == SLOWER_KEY:
+            if not event.isAutoRepeat():
+                self._controller.speed_override.step(-STEP_PERCENT)
             return True
         return False
 

@@ -92,7 +92,7 @@ _ASKERS: Final = Texts("Asker") | {
     Asker.OTHER_HOST: "Other host",
     Asker.PROGRAM: "Program",
 }
-_KINDS: Final = Texts("EventKind") | {
+EVENT_KINDS: Final = Texts("EventKind") | {
     EventKind.COMMAND: "Command",
     EventKind.RESULT: "Result",
     EventKind.STATUS: "Status",
@@ -117,7 +117,7 @@ def asker(who: Asker) -> str:
 
 def event_kind(kind: EventKind) -> str:
     """What sort of event, for a column."""
-    return _KINDS.text(kind)
+    return EVENT_KINDS.text(kind)
 
 
 def event_level(level: Level) -> str:

@@ -37,6 +37,7 @@ _NOTICES: Final[Texts[str]] = Texts("Notice") | {
     EventCode.SENT_ARC: "Sent MOVE C through the three captured poses",
     EventCode.STEPPED_TOOL: "Sent a step of {step} along {axis}",
     EventCode.SENT_SPEED: "Sent speed {percent} %",
+    EventCode.OVERRIDE_SET: "Speed override {percent} %",
     EventCode.SPEED_WAITS: "{percent} % is kept: the arm gets it when the motion held back goes on",
     EventCode.OTHER_HOST_MOVES: "Another program controls the arm ({frames}).",
     EventCode.LEADER_ARM_MOVES: "A leader arm moves this arm ({frames}).",

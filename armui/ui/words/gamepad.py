@@ -9,7 +9,7 @@ from PySide6.QtCore import QT_TRANSLATE_NOOP
 
 from armui.gamepad.device_state import DeviceKind
 from armui.gamepad.layout import AxisSource, JogMode
-from armui.kinematics.poses import AXES
+from armui.kinematics.axes import AXES
 from armui.ui.words.text import Texts, sentence
 
 _AXES: Final = Texts("GamepadAxis") | {

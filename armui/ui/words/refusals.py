@@ -76,6 +76,9 @@ _REFUSALS: Final = Texts("Refusal") | {
         "Not every motor has reported yet whether it is enabled. Wait a moment; if it stays so, "
         "check the arm's power and the CAN cable."
     ),
+    RefusalCode.OVERRIDE_ZERO: (
+        "The speed override is 0 %: raise it, then hold “Continue” for 1 s."
+    ),
     RefusalCode.SPEED_ZERO: (
         "The speed is set to 0 %: the arm would not move. Set a speed from 1 to 100 % at the top."
     ),

@@ -2,19 +2,21 @@
 
 from __future__ import annotations
 
+import contextlib
 import math
+import sys
 import time
 from dataclasses import replace
 from typing import TYPE_CHECKING, Final
 
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
+from armui.system.files import read_file
 from armui.viewport.messages import PicturePhase, SceneError
-from armui.viewport.process.settle_in import limited_memory
 from armui.viewport.view_state import BUILT_IN_ROBOT, ViewState
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Iterator
 
     from armui.viewport.process.offscreen import Pixels
     from armui.viewport.process.robot import Robot
@@ -58,7 +60,7 @@ class FramePainter:
 
     @property
     def is_rough(self) -> bool:
-        """Whether the last picture would look better refined."""
+        """Tell whether the last picture would look better refined."""
         return self._is_rough or (self._scene is not None and self._scene.is_unfinished)
 
     @property
@@ -162,3 +164,27 @@ class FramePainter:
         if scene.robot is None and path != BUILT_IN_ROBOT.path:
             scene.load(BUILT_IN_ROBOT.path)  # no arm at all would be seen
         self._on_phase(PicturePhase.FIRST_DRAWING)
+
+
+@contextlib.contextmanager
+def limited_memory(more_bytes: int) -> Iterator[None]:
+    """Let this process take only so much more memory meanwhile; beyond it MemoryError is raised.
+
+    Counted from what it has now, as graphics drivers claim addresses by the gigabyte. Linux only:
+    Windows hands out no more than there is, macOS keeps no such limit.
+    """
+    if sys.platform != "linux":
+        yield
+        return
+    import resource  # noqa: PLC0415 - not on Windows
+
+    pages = int(read_file("/proc/self/statm").split()[0])
+    before, most = resource.getrlimit(resource.RLIMIT_AS)
+    limit = pages * resource.getpagesize() + more_bytes
+    if before != resource.RLIM_INFINITY:
+        limit = min(limit, before)
+    resource.setrlimit(resource.RLIMIT_AS, (limit, most))
+    try:
+        yield
+    finally:
+        resource.setrlimit(resource.RLIMIT_AS, (before, most))

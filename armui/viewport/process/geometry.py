@@ -18,7 +18,7 @@ _SMOOTH_BELOW_DEG = 35.0
 
 
 def smooth(surface: Surface) -> pv.PolyData:
-    """The same triangles with normals that run smoothly over all but sharp edges."""
+    """Return the same triangles with normals that run smoothly over all but sharp edges."""
     faces = np.asarray(surface.faces, int)
     triangles: pv.PolyData = pv.PolyData.from_regular_faces(surface.vertices, faces)
     # Only merged corners let normals run over from one triangle to the next.
@@ -29,7 +29,7 @@ def smooth(surface: Surface) -> pv.PolyData:
 
 
 def is_closed(surface: Surface) -> bool:
-    """Whether a surface bounds a body and all its triangles look outwards.
+    """Tell whether a surface bounds a body and all its triangles look outwards.
 
     Of such a body the triangles that look away from the eye are never seen: they need not be drawn.
     """

@@ -1,19 +1,26 @@
-"""What the picture's process does: takes one request after another and draws."""
+"""The render process: it takes one request after another and draws."""
 
 from __future__ import annotations
 
 import contextlib
+import ctypes
+import faulthandler
 import os
 import pickle
+import signal
+import sys
 import threading
 import time
 import traceback
 from contextlib import contextmanager
 from dataclasses import replace
+from multiprocessing import parent_process
+from pathlib import Path
 from typing import TYPE_CHECKING, Final
 
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
+from armui.system.files import open_file
 from armui.viewport.frame_memory import FrameMemory
 from armui.viewport.messages import (
     Drawn,
@@ -30,7 +37,6 @@ from armui.viewport.messages import (
 )
 from armui.viewport.process.frame_painter import FramePainter
 from armui.viewport.process.robot import shape_of
-from armui.viewport.process.settle_in import settle_in, stand_back
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -38,6 +44,51 @@ if TYPE_CHECKING:
 
     from armui.viewport.messages import Answer, Draw
     from armui.viewport.path_picture import PathPicture
+
+
+_NICER_BY: Final = 5
+"""The window, the bus and the stop go first where there are too few cores for all."""
+
+_FIRST_TO_GO: Final = b"800"
+_PR_SET_PDEATHSIG: Final = 1
+
+
+def configure_process() -> None:
+    """Leave Ctrl-C to the program, do not outlive it, say where a crash was."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    if sys.stderr is not None:
+        faulthandler.enable()
+    if sys.platform == "linux":
+        # where memory runs out, the system ends the picture and not the window
+        adjusted = Path("/proc/self/oom_score_adj")
+        with contextlib.suppress(OSError), open_file(adjusted, "r+b") as file:
+            file.write(_FIRST_TO_GO)
+        # also where a driver keeps Python's lock, so that the thread below gets no turn
+        with contextlib.suppress(OSError):
+            ctypes.CDLL(None).prctl(_PR_SET_PDEATHSIG, signal.SIGKILL)
+    threading.Thread(target=_end_with_the_program, daemon=True).start()
+
+
+def lower_priority() -> None:
+    """Draw behind the others, once the picture stands: to begin with, it is waited for.
+
+    Linux counts it for each thread by itself, and those that a driver has begun, which do most of
+    the drawing in software, are no threads of Python's.
+    """
+    if sys.platform == "linux":
+        for thread in Path("/proc/self/task").iterdir():
+            with contextlib.suppress(OSError):  # it has just ended
+                if os.getpriority(os.PRIO_PROCESS, int(thread.name)) < _NICER_BY:
+                    os.setpriority(os.PRIO_PROCESS, int(thread.name), _NICER_BY)
+    elif hasattr(os, "nice"):
+        os.nice(_NICER_BY)
+
+
+def _end_with_the_program() -> None:
+    program = parent_process()
+    if program is not None:
+        program.join()
+        os._exit(1)
 
 
 _BEAT_S: Final = 0.2
@@ -117,7 +168,7 @@ _MOST_KEPT_BYTES: Final = 64_000_000
 
 def run(connection: Connection) -> None:
     """Draw for the program at the other end of the pipe, until one of the two ends."""
-    settle_in()
+    configure_process()
     heart = Heartbeat(connection)
     try:
         _Drawing(heart).serve(connection)
@@ -161,7 +212,7 @@ class _Drawing:
             self._say(answer)
             if not stands_back:
                 stands_back = True
-                stand_back()
+                lower_priority()
 
     def _say(self, answer: Answer) -> None:
         self._heart.send(answer)

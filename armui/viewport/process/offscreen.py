@@ -42,7 +42,7 @@ class Pixels:
 
     @property
     def nbytes(self) -> int:
-        """How much room a copy needs."""
+        """The number of bytes that a copy needs."""
         return self._rows.nbytes
 
     def top_down(self) -> NDArray[np.uint8]:

@@ -1,4 +1,4 @@
-"""What the tool can reach: a border that shines through, and within it one around what it can't."""
+"""The reach of the tool: a translucent border, and an inner one around what is out of reach."""
 
 from __future__ import annotations
 
@@ -43,7 +43,7 @@ class ReachActor:
 
     @property
     def is_unfinished(self) -> bool:
-        """Whether what was asked for is not in the picture yet, and may come."""
+        """Tell whether what was asked for is not in the picture yet, and may come."""
         return self._job is not None and not self._actors and not self._job.has_failed
 
     def show(self, reach: Reach | None, robot: Robot, palette: ScenePalette) -> None:
@@ -205,7 +205,7 @@ class _Grid:
         return found
 
     def swept(self, limits_deg: tuple[float, float]) -> _Grid:
-        """What is reached after every turn within limits."""
+        """Return the volume reached after every turn within limits."""
         count = len(self.cells)
         first, last = (round(limit * count / 360.0) for limit in limits_deg)
         wide = min(last - first + 1, count)
@@ -221,7 +221,7 @@ class _Grid:
         return replace(self, cells=cells)
 
     def soft(self) -> _Grid:
-        """The same with a border that is not a staircase."""
+        """Return the same volume with a border that is not a staircase."""
         return replace(self, cells=_softened(self.cells, round_axis=0))
 
 
@@ -314,7 +314,7 @@ def _gathered(axis: _Axis, upper: _Grid) -> _Grid:
 
 
 def _voxels(lower: _Grid, shoulder: Array) -> ReachVolume:
-    """What is reached, in a box along the axes of the base frame."""
+    """The reached volume, in a box along the axes of the base frame."""
     heights = np.flatnonzero(lower.cells.any(axis=(0, 1)))
     far = np.flatnonzero(lower.cells.any(axis=(0, 2)))
     out, along = lower.axis.rows[:2], lower.axis.rows[2]
@@ -384,7 +384,7 @@ def shell_of(robot: Robot, reach: Reach) -> ReachShell:
 
 
 def _border(volume: ReachVolume) -> pv.PolyData:
-    """Where half of a voxel is reached, without the voxels' steps."""
+    """Return the surface where half of a voxel is reached, without the voxels' steps."""
     box = pv.ImageData(dimensions=volume.shares.shape, spacing=(VOXEL_M,) * 3, origin=volume.origin)
     box.point_data["share"] = volume.shares.ravel(order="F")
     border: pv.PolyData = box.contour([_HALF], scalars="share", method="flying_edges")
@@ -395,7 +395,7 @@ def _border(volume: ReachVolume) -> pv.PolyData:
 
 
 def _depths(places: NDArray[np.floating]) -> NDArray[np.float64]:
-    """How far within the smallest convex body around all places each of them is."""
+    """Return how deep each place lies within the convex hull of all."""
     # directions spread evenly over a sphere: a spiral from pole to pole
     numbers = np.arange(_DIRECTIONS) + 0.5
     heights = 1.0 - 2.0 * numbers / _DIRECTIONS

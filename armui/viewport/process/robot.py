@@ -23,7 +23,7 @@ from numpy.typing import NDArray
 from armui.viewport.robot_shape import IDENTITY, JointShape, RobotShape
 
 if TYPE_CHECKING:
-    from armui.viewport.camera import Vector
+    from armui.viewport.vectors import Vector
 
 
 Matrix = NDArray[np.float64]

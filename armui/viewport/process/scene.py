@@ -411,7 +411,7 @@ class Scene:
 
     @property
     def is_unfinished(self) -> bool:
-        """Whether something that is asked for is still being worked out."""
+        """Tell whether something that is asked for is still being worked out."""
         return self._reach.is_unfinished
 
     def catch_up(self) -> bool:

@@ -74,7 +74,7 @@ def load_robot(path: Path) -> Robot:
 
 
 def _description(path: Path) -> yourdfpy.Robot:
-    """What the file says, as yourdfpy's dataclasses."""
+    """Return the content of the file, as yourdfpy's dataclasses."""
     content = _content(path)
     try:
         with np.errstate(over="ignore", invalid="ignore"):  # figures of hundreds of digits

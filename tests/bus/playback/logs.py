@@ -53,18 +53,18 @@ class Player:
         self.telemetry.know_generation(generation)
         self.answers: list[Message] = []
         self.player = LogPlayer(
-            session, session.channels[0], self.clock, codec=codec, taps=(self.telemetry,),
+            session, session.channels[0], self.clock, codec=codec, listeners=(self.telemetry,),
             answered=self.answers.append,
         )  # fmt: skip
-        self.player.intake.line.open(codec, None)
+        self.player.processor.notifier.open(codec, None)
 
     @property
     def state(self):
-        return self.player.intake.state
+        return self.player.processor.state
 
     def go_to(self, at_s: float) -> None:
         self.player.enter(at_s, self.player.look_up(at_s))
-        self.player.use_codec(self.player.intake.codec)
+        self.player.use_codec(self.player.processor.codec)
 
     def play_to(self, until_s: float, speed: float) -> None:
         self.player.play(until_s, speed, lambda: True)

@@ -10,10 +10,10 @@ import pytest
 from armui.arm.device import RecordedArm
 from armui.arm.other_hosts import OtherTraffic
 from armui.arm.state import ArmState
-from armui.control.event_log.heard import StatusTap
 from armui.control.event_log.log_events import entry_of, log_events
 from armui.control.event_log.log_status import status_changes
 from armui.control.event_log.observer import EventObserver
+from armui.control.event_log.status_listener import StatusListener
 from armui.control.event_log.writer import EventWriter
 from armui.protocol.codec import Codec
 from armui.protocol.generation import Generation
@@ -38,21 +38,21 @@ def wall(at_s):
 
 
 def noted_live(session, generation, size=7):
-    """What the tap of a program that is connected notes, and everything it took in."""
-    codec, tap = Codec(generation), StatusTap()
-    tap.on_open(None)
-    tap.know_generation(generation)
-    tap.on_codec(codec)
+    """What the listener of a program that is connected notes, and everything it took in."""
+    codec, listener = Codec(generation), StatusListener()
+    listener.on_open(None)
+    listener.know_generation(generation)
+    listener.on_codec(codec)
     known, batch = [], []
     for heard in session.frames_between(-math.inf, math.inf):
         for row in heard:
             batch.append((codec.decode(row.frame), row.time_s, row.frame, 0))
             if len(batch) == size:
-                tap.on_heard(batch)
-                known += tap.take()
+                listener.on_heard(batch)
+                known += listener.take_changes()
                 batch = []
-    tap.on_heard(batch)
-    return known + tap.take()
+    listener.on_heard(batch)
+    return known + listener.take_changes()
 
 
 def live_log(session, generation):

@@ -9,7 +9,7 @@ import pytest
 
 from armui.arm.state import ArmState
 from armui.arm.tracker import Tracker
-from armui.bus.intake import ANSWERS
+from armui.bus.frame_processor import ANSWERS
 from armui.protocol.codec import Codec, Message
 from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
@@ -68,7 +68,7 @@ def test_played_fast_the_same_states_are_passed(log):
     replayed = Player(session, generation)
     replayed.player._cursor.go_behind(-math.inf)
     told: set[tuple[object, ...]] = set()
-    tracker = replayed.player.intake._tracker
+    tracker = replayed.player.processor._tracker
     update = tracker.update
 
     def noted(heard, at_s):

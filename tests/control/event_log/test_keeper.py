@@ -34,7 +34,7 @@ def keep(rig, tmp_path):
     """Makes a keeper over an executor, its timer stopped: the test looks."""
 
     def make(files):
-        keeper = EventKeeper(rig.controller.happenings, tmp_path / "logs", files)
+        keeper = EventKeeper(rig.controller.event_collector, tmp_path / "logs", files)
         keeper._timer.stop()
         return keeper
 

@@ -7,9 +7,16 @@ import pytest
 from armui.arm.limits import JointLimits
 from armui.arm.other_hosts import FrameSeries, OtherTraffic
 from armui.arm.state import ArmState, Reading
-from armui.control.event_log.heard import DRIVER_FLAGS, GAP, GRIPPER, RATE, STATUS, Heard
-from armui.control.event_log.heard import InvalidFrames as Odd
 from armui.control.event_log.observer import EventObserver
+from armui.control.event_log.status_listener import (
+    DRIVER_FLAGS,
+    GAP,
+    GRIPPER,
+    RATE,
+    STATUS,
+    StatusChange,
+)
+from armui.control.event_log.status_listener import InvalidFrames as Odd
 from armui.telemetry.events import Level
 
 NOBODY = OtherTraffic()
@@ -19,15 +26,15 @@ def status(at_s, **codes):
     plain = dict.fromkeys(
         ("ControlMode", "Status", "MoveMode", "TeachingState", "MotionState"), 0
     ) | {f"J{n}{what}": 0 for n in range(1, 7) for what in ("CommunicationFault", "LimitExceeded")}
-    return Heard(at_s, STATUS, {**plain, **codes})
+    return StatusChange(at_s, STATUS, {**plain, **codes})
 
 
 def driver(at_s, joint=1, **flags):
-    return Heard(at_s, f"DriverSlow{joint}", {**dict.fromkeys(DRIVER_FLAGS, 0), **flags})
+    return StatusChange(at_s, f"DriverSlow{joint}", {**dict.fromkeys(DRIVER_FLAGS, 0), **flags})
 
 
 def gripper(at_s, **flags):
-    return Heard(at_s, GRIPPER, flags)
+    return StatusChange(at_s, GRIPPER, flags)
 
 
 def said(*noted, state=None, traffic=NOBODY, now_s=100.0, observer=None):
@@ -132,7 +139,11 @@ TABLE = {
         [(BEGAN, "gripper_fault", 2.0, {"fault": "Overcurrent"}), (ENDED, None, 3.0, {})],
     ),
     "silence": (
-        [driver(1.0, 3, Overcurrent=1, Enabled=1), Heard(1.0, GAP, {}), driver(9.0, 3, Enabled=1)],
+        [
+            driver(1.0, 3, Overcurrent=1, Enabled=1),
+            StatusChange(1.0, GAP, {}),
+            driver(9.0, 3, Enabled=1),
+        ],
         [
             (BEGAN, "joint_fault", 1.0, OVERCURRENT),
             (HAPPENED, "motors_on", 1.0, {"joints": (3,)}),
@@ -142,20 +153,20 @@ TABLE = {
     ),
     "a rate that drops and comes back": (
         [
-            Heard(2.0 * n, RATE, {"hz": hz})
+            StatusChange(2.0 * n, RATE, {"hz": hz})
             for n, hz in enumerate((200.0, 200.0, 180.0, 178.0, 198.0, 200.0))
         ],
         [(BEGAN, "fewer_frames", 6.0, {"share": 10}), (ENDED, None, 10.0, {})],
     ),
     "a pause of the computer, and the frames that come late for it": (
         [
-            Heard(2.0 * n, RATE, {"hz": hz})
+            StatusChange(2.0 * n, RATE, {"hz": hz})
             for n, hz in enumerate((200.0, 201.0, 150.0, 250.0, 200.0, 199.0))
         ],
         [(BEGAN, "fewer_frames", 4.0, {"share": 12}), (ENDED, None, 6.0, {})],
     ),
     "a rate that is as it always was": (
-        [Heard(t, RATE, {"hz": 150.0 + t % 3}) for t in range(2, 20, 2)],
+        [StatusChange(t, RATE, {"hz": 150.0 + t % 3}) for t in range(2, 20, 2)],
         [],
     ),
 }
@@ -215,7 +226,9 @@ def test_limits_read_before_a_silence_are_not_told_again():
     observer = EventObserver()
     corrupt = limits(6553.5, 6553.5, 1.0)
     said(state=corrupt, observer=observer)
-    assert said(Heard(5.0, GAP, {}), state=corrupt, observer=observer) == [(ENDED, None, 5.0, {})]
+    assert said(StatusChange(5.0, GAP, {}), state=corrupt, observer=observer) == [
+        (ENDED, None, 5.0, {})
+    ]
 
 
 # Frames that come again and again ------------------------------------------------------------

@@ -323,9 +323,9 @@ def test_bus_off_and_losses_are_said_in_words(monitor, monkeypatch):
 
 def test_hidden_it_listens_to_nothing_and_begins_anew(monitor):
     connection = monitor.driver.controller._connection
-    assert monitor.window.statistics in connection._taps
+    assert monitor.window.statistics in connection._listeners
     monitor.window.close()
-    assert monitor.window.statistics not in connection._taps
+    assert monitor.window.statistics not in connection._listeners
     assert not monitor.window._timer.isActive()
     monitor.driver.step()  # what was on its way has come
     waiting = len(monitor.window.statistics._waiting)

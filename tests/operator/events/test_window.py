@@ -201,7 +201,7 @@ def test_a_file_that_cannot_be_written_is_said(events, tmp_path):
 
 
 def test_a_cell_is_no_formula(events, tmp_path):
-    events.driver.controller.happenings._add(
+    events.driver.controller.event_collector._add(
         *("=HYPERLINK(1)", EventKind.PROGRAM, Asker.PROGRAM, Level.INFO)
     )
     events.look()

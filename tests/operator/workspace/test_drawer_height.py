@@ -2,8 +2,8 @@
 
 import pytest
 
-from armui.ui.actions.places import PANELS
 from armui.ui.shell.drawer import DRAWER_PX
+from tests.app_driver import PANELS
 
 pytestmark = pytest.mark.styled
 

@@ -106,7 +106,7 @@ def test_windows_that_were_open_open_again_where_they_stood(started):
 def reopen(pages):
     """As the program does once it has loaded the rest of itself."""
     pages.driver.window.page_actions.reopen()
-    pages.driver.wait(lambda: pages.driver.window.page_actions.is_done)
+    pages.driver.wait(lambda: pages.driver.window.page_actions.startup_done)
 
 
 def test_what_was_closed_or_put_back_does_not_open_again(started):

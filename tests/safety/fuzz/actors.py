@@ -14,7 +14,8 @@ from armui.control.operating_state import LinkState, StopState
 from armui.control.run.progress import Run
 from armui.control.run.replay import Replay
 from armui.control.safety.recovery_steps import Action
-from armui.kinematics.poses import JogFrame, flange_pose
+from armui.kinematics.axes import JogFrame
+from armui.kinematics.poses import flange_pose
 from armui.protocol.codes import EndLoad, LinkageRole, MoveMode, TeachingState, TrajectoryCommand
 from armui.protocol.generation import Generation
 from armui.sim.faults.schedule import fault
@@ -110,6 +111,12 @@ class Actors:
 
     def speed(self, percent: int) -> None:
         self._controller.motion.set_speed_percent(percent)
+
+    def override(self, percent: int) -> None:
+        self._controller.speed_override.set_percent(percent)
+
+    def step_speed(self, by_percent: int) -> None:
+        self._controller.speed_override.step(by_percent)
 
     def plan(self, command: int) -> None:
         if self._controller.planned_motion.command(TrajectoryCommand(command)) is not None:

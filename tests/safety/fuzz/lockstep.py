@@ -57,17 +57,17 @@ class LockstepWorker(BusWorker):
             if not self._was_open or self._clock() < self._reopen_s:
                 return False
             return self._open()
-        frames = self._intake._tracker._frames
+        frames = self._processor._tracker._frames
         waited = not self._outbox.empty
         try:
-            self._intake.take_codec(self._clock())
+            self._processor.apply_codec(self._clock())
             self._outbox.send_waiting()
             self._receive_burst(self._bus)
             self._look_after_bus()
         except Exception as error:  # noqa: BLE001 - as the worker itself does
             self._lose(error)
             return True
-        return waited or self._intake._tracker._frames != frames
+        return waited or self._processor._tracker._frames != frames
 
     def _open(self) -> bool:
         try:

@@ -29,7 +29,7 @@ _LOOK_S: Final = 0.06
 _END_S: Final = 1.3
 """A second to come to rest (S10), and what a tick and the brakes take."""
 _DRIVE_NOTHING: Final = (
-    "armui.bus.tap",
+    "armui.bus.notifier",
     "armui.session",
     "armui.settings",
     "armui.system",

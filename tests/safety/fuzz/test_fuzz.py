@@ -10,7 +10,7 @@ import pytest
 
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
-from armui.bus.intake import Intake
+from armui.bus.frame_processor import FrameProcessor
 from armui.control.arm_controller import ArmController
 from armui.control.authority import Authority
 from armui.control.authority_watch import AuthorityWatch
@@ -184,25 +184,25 @@ def test_a_motion_that_goes_on_after_a_failure_is_seen(qapp, monkeypatch):
 def test_a_frame_that_costs_more_than_itself_is_seen(qapp, monkeypatch):
     actions = [Action("strange_frame", ("7F1#FF00000000000000", 1, 0.1), 0.1)]
     assert promise(actions) is None
-    take = Intake.take
+    process = FrameProcessor.process
 
-    def careless(intake, frame, at_s, flags):
+    def careless(processor, frame, at_s, flags):
         if frame.arbitration_id == 0x7F1:
             raise IndexError
-        take(intake, frame, at_s, flags)
+        process(processor, frame, at_s, flags)
 
-    monkeypatch.setattr(Intake, "take", careless)
+    monkeypatch.setattr(FrameProcessor, "process", careless)
     assert promise(actions) == "exception"
 
 
 def test_what_was_heard_of_the_arm_before_is_seen_after_an_exchange(qapp, monkeypatch):
     actions = [Action("exchange", (False, "S-V1.8-2", A, 20, 2.0), 2.5)]
     assert promise(actions) is None
-    use_codec = Intake.use_codec
+    use_codec = FrameProcessor.use_codec
     monkeypatch.setattr(
-        Intake,
+        FrameProcessor,
         "use_codec",
-        lambda intake, codec, forget=True: use_codec(intake, codec, forget=False),
+        lambda processor, codec, forget=True: use_codec(processor, codec, forget=False),
     )
     assert promise(actions) == "S15"
 

@@ -16,7 +16,7 @@ from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
 from armui.session.exports.export import export_log
 from armui.session.exports.request import (
-    ArmWishes,
+    ArmOptions,
     ExportError,
     ExportFormat,
     ExportProblem,
@@ -45,7 +45,7 @@ def files(folder: Path) -> dict[str, pd.DataFrame]:
 def test_every_frame_stands_in_the_file_of_its_message(tmp_path, generation):
     frames = session(0.6, generation)
     log = candump(tmp_path / "run.log", frames)
-    report = export(log, wishes=ArmWishes(generation))
+    report = export(log, wishes=ArmOptions(generation))
 
     codec, expected = Codec(generation), defaultdict(list)
     for at_s, frame in frames:
@@ -67,7 +67,7 @@ def test_every_frame_stands_in_the_file_of_its_message(tmp_path, generation):
 def test_names_titles_and_figures_are_those_of_the_protocol(tmp_path):
     angles = Frame(0x2A5, bytes.fromhex("00002EE0FFFE9E7C"))  # 12° and -90.5°, in 0.001°
     log = candump(tmp_path / "run.log", [(1.0, angles), (1.25, angles)])
-    export(log, wishes=ArmWishes(Generation.TWO))
+    export(log, wishes=ArmOptions(Generation.TWO))
     text = (tmp_path / "run-messages" / "2A5_JointFeedback12.csv").read_bytes()
     assert text.startswith(b"\xef\xbb\xbftime [s],since_start [s],J1 [")
     assert text.splitlines()[1:] == [

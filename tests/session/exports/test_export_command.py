@@ -12,11 +12,11 @@ from pathlib import Path
 import pytest
 
 from armui.export import add_arguments, run
-from armui.export.command import ProgressBar
+from armui.export.export_command import ProgressBar
 from armui.export.process import ExportDone, ExportProcess
 from armui.protocol.generation import PiperModel
 from armui.session.exports.request import (
-    ArmWishes,
+    ArmOptions,
     ExportFormat,
     ExportProblem,
     ExportProgress,
@@ -188,7 +188,7 @@ class Listener:
 def test_a_process_exports_what_was_asked_for(log):
     listener = Listener()
     target = log.with_name("-o 输出.csv")
-    wishes = ArmWishes(channel="can0", firmware="S-V1.8-5", model=PiperModel.PIPER_L)
+    wishes = ArmOptions(channel="can0", firmware="S-V1.8-5", model=PiperModel.PIPER_L)
     request = ExportRequest(log, target, ExportFormat.CSV, 0.1, 0.2, wishes)
     process = ExportProcess(request, listener)
     assert listener.over.wait(60)

@@ -23,7 +23,7 @@ from armui.protocol.codec import Codec
 from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation, PiperModel
 from armui.session.exports.export import export_log
-from armui.session.exports.request import ArmWishes, ExportFormat, ExportReport, ExportRequest
+from armui.session.exports.request import ArmOptions, ExportFormat, ExportReport, ExportRequest
 from tests.family import GEOMETRIES
 from tests.session.exports.logs import START_S, candump, session
 
@@ -84,7 +84,7 @@ def statuses(message: Any) -> dict[str, SimpleNamespace]:
 @pytest.mark.parametrize("generation", list(Generation))
 def test_angles_are_in_radians_with_both_times(tmp_path, read, generation):
     frames = [(2.0 + place / 1000, frame) for place, frame in enumerate(ANGLES)]
-    target, _report = export(candump(tmp_path / "a.log", frames), wishes=ArmWishes(generation))
+    target, _report = export(candump(tmp_path / "a.log", frames), wishes=ArmOptions(generation))
     ((log_ns, publish_ns, message),) = read(target)["/joint_states"]
     assert (log_ns, publish_ns) == (2_002_000_000, 2_002_000_000)
     assert (message.header.stamp.sec, message.header.stamp.nanosec) == (2, 2_000_000)
@@ -105,7 +105,7 @@ def test_angles_are_in_radians_with_both_times(tmp_path, read, generation):
 )
 def test_speeds_where_a_driver_tells_them(tmp_path, read, generation, payload, rad_s):
     frames = [(2.0, Frame(0x252, bytes.fromhex(payload))), *((2.001, each) for each in ANGLES)]
-    target, _report = export(candump(tmp_path / "a.log", frames), wishes=ArmWishes(generation))
+    target, _report = export(candump(tmp_path / "a.log", frames), wishes=ArmOptions(generation))
     ((*_times, message),) = read(target)["/joint_states"]
     assert message.velocity[1] == pytest.approx(rad_s)
     assert [math.isnan(each) for each in message.velocity] == [True, False, *[True] * 4]
@@ -135,7 +135,7 @@ def test_transforms_lead_where_the_kinematics_say(tmp_path, read, name):
     geometry, model = GEOMETRIES[name], PiperModel(name.removesuffix("-older"))
     firmware = "S-V1.5-2" if name.endswith("-older") else "S-V1.8-5"
     log = candump(tmp_path / "a.log", [(2.0, each) for each in ANGLES])
-    target, report = export(log, wishes=ArmWishes(firmware=firmware, model=model))
+    target, report = export(log, wishes=ArmOptions(firmware=firmware, model=model))
     assert (report.model, report.why_model) == (model_data(model).name, "as asked for")
     found = read(target)
     moving, fixed = found["/tf"][0][2], found["/tf_static"][0][2]
@@ -173,7 +173,7 @@ def test_arm_and_zeros_are_found_by_the_pose_in_the_log(tmp_path, name):
         codec.encode("EndPose3", RY=pose.ry_deg, RZ=pose.rz_deg),
     ]
     frames = [(2.0, each) for each in (*poses, *ANGLES)]
-    target, report = export(candump(tmp_path / "a.log", frames), wishes=ArmWishes(Generation.ONE))
+    target, report = export(candump(tmp_path / "a.log", frames), wishes=ArmOptions(Generation.ONE))
     assert (report.model, report.why_model) == (model_data(model).name, "its end pose fits")
     turned = by_mcap(target)["/tf"][0][2].transforms[1].transform.rotation
     # joint 2: half of -90.5° and its zero, about an axis that lies
@@ -204,7 +204,7 @@ def test_the_fingers_each_go_half_of_the_opening(tmp_path, read):
     # 70 mm = 0x11170
     frame = Frame(0x2A8, bytes.fromhex("0001117000004000"))
     target, _report = export(
-        candump(tmp_path / "a.log", [(1.0, frame)]), wishes=ArmWishes(Generation.TWO)
+        candump(tmp_path / "a.log", [(1.0, frame)]), wishes=ArmOptions(Generation.TWO)
     )
     found = read(target)
     ((*_times, state),) = found["/gripper/joint_states"]
@@ -225,7 +225,7 @@ def test_a_fault_is_told_when_it_begins_and_when_it_ends(tmp_path, read):
     sound, faulty = (bytes.fromhex(f"00F000191E{byte}0000") for byte in ("40", "44"))
     at = [(10.1, sound), (10.2, sound), (10.3, faulty), (10.4, faulty), (10.5, sound)]
     log = candump(tmp_path / "a.log", [(at_s, Frame(0x263, data)) for at_s, data in at])
-    target, _report = export(log, wishes=ArmWishes(Generation.TWO, "S-V1.8-5"))
+    target, _report = export(log, wishes=ArmOptions(Generation.TWO, "S-V1.8-5"))
     told = [(log_ns, statuses(message)) for log_ns, _, message in read(target)["/diagnostics"]]
     assert [log_ns for log_ns, _told in told] == [10_100_000_000, 10_300_000_000, 10_500_000_000]
     joints = [each["arm: joint 3"] for _at_ns, each in told]
@@ -248,7 +248,7 @@ def test_the_status_of_the_arm_in_words(tmp_path, read, generation):
         (5.65, Frame(0x261, bytes.fromhex("00F000191E400000"))),
         (5.7, Frame(0x2A1, bytes.fromhex("0105010000000001"))),
     ]
-    target, _report = export(candump(tmp_path / "a.log", frames), wishes=ArmWishes(generation))
+    target, _report = export(candump(tmp_path / "a.log", frames), wishes=ArmOptions(generation))
     told = [statuses(message) for *_times, message in read(target)["/diagnostics"]]
     arm = [each["arm: status"] for each in told if "arm: status" in each]
     assert [each.message for each in arm] == [

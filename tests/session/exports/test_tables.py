@@ -13,7 +13,7 @@ from armui.protocol.codec import Codec, Message
 from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
 from armui.session.exports.export import export_log
-from armui.session.exports.request import ArmWishes, ExportFormat, ExportRequest
+from armui.session.exports.request import ArmOptions, ExportFormat, ExportRequest
 from tests.session.exports.logs import START_S, blf, candump, session
 
 # 12° = 12000 = 0x2EE0, -90.5° = -90500 = 0xFFFE9E7C
@@ -50,7 +50,7 @@ def test_a_row_is_a_set_of_angles_with_what_was_last_heard(tmp_path, kind, gener
         *((1.2, each) for each in ANGLES),
         (1.3, ANGLES[0]),
     ]
-    found = table(candump(tmp_path / "a.log", frames), kind, wishes=ArmWishes(generation))
+    found = table(candump(tmp_path / "a.log", frames), kind, wishes=ArmOptions(generation))
     assert found["time"].tolist() == pytest.approx([1.1, 1.2])
     assert found["since_start"].tolist() == pytest.approx([0.1, 0.2])
     row = found.iloc[1]
@@ -105,7 +105,7 @@ def test_the_header_of_csv_has_units(tmp_path):
 
 def test_the_columns_of_parquet_have_types_and_units(tmp_path):
     log = candump(tmp_path / "a.log", [(1.0, each) for each in ANGLES])
-    wishes = ArmWishes(Generation.TWO, "S-V1.8-5")
+    wishes = ArmOptions(Generation.TWO, "S-V1.8-5")
     export_log(ExportRequest(log, tmp_path / "a.parquet", ExportFormat.PARQUET, wishes=wishes))
     schema = parquet.read_schema(tmp_path / "a.parquet")
     units = {field.name: field.metadata[b"unit"].decode() for field in schema}
@@ -122,7 +122,7 @@ def test_encoder_pulses_are_no_angle(tmp_path):
     """Generation 1 tells a motor's position in pulses: there is no such column."""
     log = candump(tmp_path / "a.log", [(1.0, each) for each in ANGLES])
     one, two = (
-        table(log, ExportFormat.CSV, wishes=ArmWishes(generation)) for generation in Generation
+        table(log, ExportFormat.CSV, wishes=ArmOptions(generation)) for generation in Generation
     )
     assert "arm.motor_position.1" not in one
     assert "arm.motor_position.1" in two
@@ -183,5 +183,5 @@ def test_a_stretch_and_a_channel(tmp_path, kind):
     assert found["since_start"].min() == pytest.approx(0.2)
     assert found["since_start"].max() == pytest.approx(0.3)
     assert len(found) == 21
-    assert len(table(log, kind, wishes=ArmWishes(channel="can1"))) == 20
+    assert len(table(log, kind, wishes=ArmOptions(channel="can1"))) == 20
     assert found["time"].iloc[0] == pytest.approx(START_S + 0.2, abs=1e-5)

@@ -21,7 +21,7 @@ from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
 from armui.session.exports.export import SessionSource, export_log
 from armui.session.exports.request import (
-    ArmWishes,
+    ArmOptions,
     ExportCancelledError,
     ExportError,
     ExportFormat,
@@ -120,7 +120,7 @@ def test_a_stretch_in_which_nothing_was(tmp_path, kind):
 def test_a_channel_that_is_not_there(tmp_path):
     log = candump(tmp_path / "a.log", session(0.1))
     with pytest.raises(ExportError) as caught:
-        export(log, wishes=ArmWishes(channel="vcan7"))
+        export(log, wishes=ArmOptions(channel="vcan7"))
     assert (caught.value.problem, caught.value.detail) == (ExportProblem.NO_CHANNEL, "can0")
 
 
@@ -151,7 +151,7 @@ def test_hostile_frames_end_nothing(tmp_path, kind):
     ]
     log = candump(tmp_path / "a.log", frames)
     for generation in Generation:
-        report = export(log, kind, replace=True, wishes=ArmWishes(generation))
+        report = export(log, kind, replace=True, wishes=ArmOptions(generation))
         assert report.frames == 4000
     if kind is ExportFormat.MCAP:
         assert by_mcap(log.with_suffix(".mcap"))["/diagnostics"]

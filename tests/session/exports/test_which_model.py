@@ -10,7 +10,7 @@ from armui.arm.models import model_data
 from armui.protocol.generation import Generation, PiperModel
 from armui.session.exports.export import FileSource, SessionSource, open_source
 from armui.session.exports.exported_arm import look_at
-from armui.session.exports.request import ArmWishes
+from armui.session.exports.request import ArmOptions
 from armui.session.reader import LogFile
 from armui.sim.firmware import Firmware
 from tests.session.exports.logs import candump
@@ -29,7 +29,7 @@ def log_of(tmp_path, model, *, version="S-V1.8-9", poses=True):
 
 def taken_for(path, lines=(), **wishes):
     with closing(LogFile(path)) as log:
-        arm, _batches = look_at(log.batches(), ArmWishes(Generation.TWO, **wishes), lines)
+        arm, _batches = look_at(log.batches(), ArmOptions(Generation.TWO, **wishes), lines)
     return arm
 
 

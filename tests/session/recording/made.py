@@ -11,7 +11,7 @@ from armui.protocol.frame import Frame, FrameFlag
 from armui.session.frames import LoggedFrame
 from armui.session.recording.kinds import RecordingFormat
 from armui.session.recording.recorded_session import RecordedSession
-from armui.session.recording.rows import TakenFrame, rows_of
+from armui.session.recording.rows import RecordedFrame, rows_of
 from armui.session.recording.writer import RecordingPlan, RecordingWriter, TimeBase
 
 BASE = TimeBase(steady_s=1000.0, unix_s=1_780_000_000.25)
@@ -45,7 +45,7 @@ def writer(folder: Path, kind: RecordingFormat = RecordingFormat.BLF, **more) ->
     return RecordingWriter(plan(folder, kind, **more), still_clock, lambda: BASE.unix_s)
 
 
-def taken(count: int, start_s: float = BASE.steady_s, seed: int = 0) -> list[TakenFrame]:
+def taken(count: int, start_s: float = BASE.steady_s, seed: int = 0) -> list[RecordedFrame]:
     """Ordinary frames of some thirty identifiers, 3,000 a second."""
     chance = random.Random(seed)
     return [
@@ -59,7 +59,7 @@ def taken(count: int, start_s: float = BASE.steady_s, seed: int = 0) -> list[Tak
     ]
 
 
-def every_kind(start_s: float = BASE.steady_s) -> list[TakenFrame]:
+def every_kind(start_s: float = BASE.steady_s) -> list[RecordedFrame]:
     """One of each sort, a tenth of a second apart."""
     return [
         (None, start_s + number / 10, Frame(arbitration_id, data), int(flags))
@@ -69,7 +69,7 @@ def every_kind(start_s: float = BASE.steady_s) -> list[TakenFrame]:
 
 def recorded(
     folder: Path,
-    frames: Sequence[TakenFrame],
+    frames: Sequence[RecordedFrame],
     kind: RecordingFormat = RecordingFormat.BLF,
     *,
     block: int = 1000,

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Final
 import numpy as np
 
 from armui.arm.limits import JOINTS
-from armui.protocol.columns import bit_mask
+from armui.protocol.signal_columns import bit_mask
 from armui.session.exports.ros.cdr import CdrWriter
 from armui.session.exports.ros.streams import TimedMessages, nanoseconds
 from armui.session.log_marks import AT_WORK

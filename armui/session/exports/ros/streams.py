@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, Final, NamedTuple, Protocol
 import numpy as np
 
 from armui.protocol.codes import DEGREES_PER
-from armui.session.exports.columns import TIME_BASE, RowTimes, table_rows
+from armui.session.exports.export_columns import TIME_BASE, RowTimes, table_rows
 from armui.session.exports.ros.cdr import CdrTemplate, CdrWriter
 from armui.session.log_model import ANGLES, END_POSE, joint_signals
 

@@ -2,22 +2,25 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import Final
 
-from PySide6.QtWidgets import QButtonGroup, QFrame, QLabel, QSizePolicy, QWidget
+from PySide6.QtWidgets import QAbstractButton, QButtonGroup, QFrame, QLabel, QSizePolicy, QWidget
 
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import ArmState
 from armui.control.arm_controller import ArmController
+from armui.control.motion.cartesian import Cartesian
 from armui.control.motion.jog_path import ToolJog
 from armui.control.operating_state import OperatingState
-from armui.kinematics.poses import AXES, LINEAR_AXES, JogFrame
+from armui.control.operations.operation import operation_of
+from armui.kinematics.axes import AXES, LINEAR_AXES, JogFrame
 from armui.protocol.codes import ArmStatusCode, MoveMode
 from armui.settings import SettingsStore
 from armui.ui import format as fmt
 from armui.ui import words
+from armui.ui.actions.command import Command, Target, with_pose
 from armui.ui.freshness import is_stale
 from armui.ui.panels.jogging.jog_panel import JogPanel, TargetRow
 from armui.ui.panels.jogging.pose_extras import ArcBox, PoseExtras, ToolBox
@@ -36,6 +39,7 @@ from armui.ui.widgets.figure_field import FigureField
 from armui.ui.widgets.layouts import STRETCH, in_column, in_row
 from armui.ui.widgets.text_label import ValueLabel, text_label
 from armui.ui.widgets.translated import Translated
+from armui.ui.words.text import Text
 
 _OWN_REFUSALS: Final = frozenset(
     {ArmStatusCode.NO_SOLUTION, ArmStatusCode.SINGULARITY, ArmStatusCode.TARGET_BEYOND_LIMIT}
@@ -119,6 +123,11 @@ class FrameChoice(Translated, QWidget):
         self.retranslate_ui()
 
     @property
+    def buttons(self) -> list[QAbstractButton]:
+        """The buttons, in the order of the frames."""
+        return self._buttons.buttons()
+
+    @property
     def frame(self) -> JogFrame:
         """The chosen one."""
         return tuple(JogFrame)[self._buttons.checkedId()]
@@ -130,6 +139,11 @@ class FrameChoice(Translated, QWidget):
             caption(self._buttons.button(number), text)
 
 
+_TARGET: Final = Text("Action", "Target of")
+_MOVE: Final = operation_of(Cartesian.move)
+_MOVE_ARC: Final = operation_of(Cartesian.move_arc)
+
+
 class CartesianPanel(JogPanel):
     """Targets and measured pose of one point: the tool centre point, or the flange without a tool.
 
@@ -137,6 +151,26 @@ class CartesianPanel(JogPanel):
         controller: Whom to ask for motion.
         preferences: Keep the tool.
     """
+
+    commands = (
+        Command("cartesian.base", Text("FrameChoice", "Base frame")),
+        Command("cartesian.tool", Text("FrameChoice", "Tool frame")),
+        Command("cartesian.load", Text("CartesianPanel", "Load"), needs=with_pose),
+        Command("cartesian.move_p", Text("Action", "MOVE P: to the pose"), _MOVE),
+        Command(
+            "cartesian.move_l", Text("Action", "MOVE L: on a straight line to the pose"), _MOVE
+        ),
+        Command("cartesian.arc", Text("PoseExtras", "Arc by three poses")),
+        Command("cartesian.tool_centre", Text("PoseExtras", "Tool centre point")),
+        Command("cartesian.capture_start", Text("ArcBox", "Capture start"), needs=with_pose),
+        Command("cartesian.capture_middle", Text("ArcBox", "Capture middle"), needs=with_pose),
+        Command("cartesian.capture_end", Text("ArcBox", "Capture end"), needs=with_pose),
+        Command("cartesian.arc_start", Text("ArcBox", "Go to start"), _MOVE),
+        Command("cartesian.move_c", Text("Action", "MOVE C: along the arc"), _MOVE_ARC),
+        Command("cartesian.keys", Text("JogPanel", "Keyboard jogging")),
+        Command("cartesian.step", operation=operation_of(Cartesian.step), presses=False),
+        *(Command(f"cartesian.target_{axis}", _TARGET._replace(suffix=axis)) for axis in AXES),
+    )
 
     def __init__(self, controller: ArmController, preferences: SettingsStore) -> None:
         super().__init__(
@@ -188,6 +222,29 @@ class CartesianPanel(JogPanel):
         self._load.clicked.connect(self._on_load)
         self._move_p.clicked.connect(lambda: self._send(MoveMode.MOVE_P))
         self._move_l.clicked.connect(lambda: self._send(MoveMode.MOVE_L))
+
+    def command_targets(self) -> Mapping[str, Target]:
+        """Return what carries out each command, by the command's name."""
+        base, tool = self._frame.buttons
+        arc, tool_centre = self._extras.buttons
+        start, middle, end = self._arc.captures
+        return {
+            "cartesian.base": base,
+            "cartesian.tool": tool,
+            "cartesian.load": self._load,
+            "cartesian.move_p": self._move_p,
+            "cartesian.move_l": self._move_l,
+            "cartesian.arc": arc,
+            "cartesian.tool_centre": tool_centre,
+            "cartesian.capture_start": start,
+            "cartesian.capture_middle": middle,
+            "cartesian.capture_end": end,
+            "cartesian.arc_start": self._arc.go_to_start,
+            "cartesian.move_c": self._arc.send,
+            "cartesian.keys": self._keys,
+            "cartesian.step": self._rows[0].plus,
+            **{f"cartesian.target_{row.name}": row.field for row in self._rows},
+        }
 
     # -- the tool -----------------------------------------------------------------------------
 
@@ -284,7 +341,12 @@ class CartesianPanel(JogPanel):
         else:
             self._accepted(self._controller.cartesian.move_arc(*points))
 
+    def typed(self) -> tuple[float, ...] | None:
+        """As of any such panel; what was sent stays in the fields until the arm is there."""
+        return None if self._sent else super().typed()
+
     def _on_edited(self) -> None:
+        self._sent = False
         self._light_move()
         self._accepted(None)
 

@@ -14,7 +14,7 @@ from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.control.events import Event, EventCode
 from armui.control.motion.jog_path import JointJog, ToolJog
-from armui.kinematics.poses import AXES, LINEAR_AXES, JogFrame
+from armui.kinematics.axes import AXES, LINEAR_AXES, JogFrame
 from armui.ui import format as fmt
 from armui.ui import words
 from armui.ui.freshness import is_stale

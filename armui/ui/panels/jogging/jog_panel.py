@@ -435,6 +435,10 @@ class JogPanel(Panel):
         known = tuple(value for value in values if value is not None)
         return known if len(known) == len(values) else None
 
+    def typed(self) -> tuple[float, ...] | None:
+        """The figures in the fields, if one of them was given and is not sent yet."""
+        return self.targets() if any(self.given()) else None
+
     def given(self) -> tuple[bool, ...]:
         """Of each field, whether its target was given; else it follows the arm."""
         return tuple(row.own for row in self._rows)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import Final
 
 from PySide6.QtCore import Qt
@@ -15,8 +15,12 @@ from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import ArmState
 from armui.control.arm_controller import ArmController
 from armui.control.motion.jog_path import JointJog
+from armui.control.motion.jogging import Jogging
+from armui.control.motion.joint_motion import Motion
+from armui.control.operations.operation import operation_of
 from armui.ui import format as fmt
 from armui.ui import words
+from armui.ui.actions.command import Command, Target, also, with_angles
 from armui.ui.actions.keys import keys_of
 from armui.ui.freshness import is_stale
 from armui.ui.panels.jogging.jog_panel import JogPanel, TargetRow
@@ -31,9 +35,11 @@ from armui.ui.widgets.buttons import (
 )
 from armui.ui.widgets.curve_menu import tell_quantities
 from armui.ui.widgets.figure_field import FigureField
+from armui.ui.widgets.jog_button import JogButton
 from armui.ui.widgets.layouts import STRETCH, empty_grid, in_column, in_row
 from armui.ui.widgets.text_label import ValueLabel, text_label
 from armui.ui.widgets.track_slider import TrackSlider
+from armui.ui.words.text import Text
 
 _FIELD_INDENT_PX: Final = 80
 _TALLEST_CARD_PX: Final = 600
@@ -186,6 +192,12 @@ class JointRow(TargetRow):
         self._maximum.setToolTip(origin)
 
 
+_ZERO: Final = also("zero zeros origin home 归零 零位 零点 原点 复位")
+_JOINTS: Final = also("movej joints 关节运动")
+_TARGET: Final = Text("Action", "Target of")
+_KEYBOARD: Final = also("keyboard teach 键盘")
+
+
 class MotionPanel(JogPanel):
     """Targets on the left, measured angles on the right; says why if the arm can't move.
 
@@ -196,6 +208,17 @@ class MotionPanel(JogPanel):
         controller: Whom to ask for motion.
         jog_step_deg: Step of − and + to begin with.
     """
+
+    commands = (
+        Command("motion.home", operation=operation_of(Motion.go_home), synonyms=_ZERO),
+        Command("motion.load", needs=with_angles),
+        Command("motion.send", operation=operation_of(Motion.send_joints), synonyms=_JOINTS),
+        Command("motion.keys", Text("JogPanel", "Keyboard jogging"), synonyms=_KEYBOARD),
+        Command("motion.step", Text("JogPanel", "Step of − and +")),
+        Command("motion.jog_step", operation=operation_of(Motion.jog), presses=False),
+        Command("motion.jog", operation=operation_of(Jogging.start)),
+        *(Command(f"motion.target_{j}", _TARGET._replace(suffix=f"J{j}")) for j in JOINTS),
+    )
 
     def __init__(self, controller: ArmController, jog_step_deg: float) -> None:
         super().__init__(
@@ -233,12 +256,30 @@ class MotionPanel(JogPanel):
         self._load.clicked.connect(self._on_load)
         self._send.clicked.connect(self._on_send)
 
+    def command_targets(self) -> Mapping[str, Target]:
+        """Return what carries out each command, by the command's name."""
+        return {
+            "motion.home": self._home,
+            "motion.load": self._load,
+            "motion.send": self._send,
+            "motion.keys": self._keys,
+            "motion.step": self._step_box,
+            "motion.jog_step": self.first_jog,
+            "motion.jog": self.first_jog,
+            **{f"motion.target_{row.joint}": row.field for row in self._rows},
+        }
+
     # -- step ---------------------------------------------------------------------------------
 
     @property
     def jog_step_deg(self) -> float:
         """How far one press of − or + goes."""
         return self._step_box.step
+
+    @property
+    def first_jog(self) -> JogButton:
+        """The button that jogs joint 1 upwards."""
+        return self._rows[0].plus
 
     def set_jog_step(self, step_deg: float) -> None:
         """Take the step of the settings; the usual ones can still be chosen."""

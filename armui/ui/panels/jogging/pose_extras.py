@@ -7,9 +7,16 @@ from functools import partial
 from typing import Final
 
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtWidgets import QButtonGroup, QLabel, QSizePolicy, QStackedWidget, QWidget
+from PySide6.QtWidgets import (
+    QAbstractButton,
+    QButtonGroup,
+    QLabel,
+    QSizePolicy,
+    QStackedWidget,
+    QWidget,
+)
 
-from armui.kinematics.poses import AXES, LINEAR_AXES
+from armui.kinematics.axes import AXES, LINEAR_AXES
 from armui.ui import format as fmt
 from armui.ui.theme import scaled_font
 from armui.ui.widgets.buttons import caption, choice_button, enable_or_explain, push_button
@@ -83,12 +90,12 @@ class ArcBox(Translated, QWidget):
     def __init__(self) -> None:
         super().__init__()
         self.poses: list[Pose | None] = [None, None, None]
-        self._captures = [push_button(f"capture_{point}") for point in _POINTS]
+        self.captures = [push_button(f"capture_{point}") for point in _POINTS]
         self._texts = [text_label(f"captured_{point}", rank="muted") for point in _POINTS]
         self.go_to_start = push_button("arc_start_button")
         self.send = push_button("move_c_button")
         grid = empty_grid(self, gaps=(6, 3), margins=0)
-        for place, (button, text) in enumerate(zip(self._captures, self._texts, strict=True)):
+        for place, (button, text) in enumerate(zip(self.captures, self._texts, strict=True)):
             button.clicked.connect(partial(self.capture_wanted.emit, place))
             button.setProperty("compact", True)
             text.setAlignment(Qt.AlignmentFlag.AlignCenter)
@@ -122,7 +129,7 @@ class ArcBox(Translated, QWidget):
 
     def allow(self, why_no_capture: str, why_no_move: str) -> None:
         """Enable the buttons, or disable them and say why."""
-        for button in self._captures:
+        for button in self.captures:
             use = self.tr("Takes the pose the arm has now; nothing moves.")
             enable_or_explain(button, why_no_capture, use)
         use = self.tr("Moves to the captured start with MOVE P.")
@@ -143,7 +150,7 @@ class ArcBox(Translated, QWidget):
     def retranslate_ui(self) -> None:
         """Put every word into the operator's language."""
         names = (self.tr("Capture start"), self.tr("Capture middle"), self.tr("Capture end"))
-        for button, text in zip(self._captures, names, strict=True):
+        for button, text in zip(self.captures, names, strict=True):
             caption(button, text)
         caption(self.go_to_start, self.tr("Go to start"))
         caption(self.send, "MOVE C")
@@ -172,6 +179,11 @@ class PoseExtras(Translated, QWidget):
         self._group.idClicked.connect(self._stack.setCurrentIndex)
         in_column(row, self._stack, on=self, spacing=6, margins=0)
         self.retranslate_ui()
+
+    @property
+    def buttons(self) -> list[QAbstractButton]:
+        """The two buttons."""
+        return self._group.buttons()
 
     def retranslate_ui(self) -> None:
         """Put every word into the operator's language."""

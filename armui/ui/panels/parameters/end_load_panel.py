@@ -2,21 +2,32 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QButtonGroup, QFrame, QHBoxLayout, QLabel, QSizePolicy
+from PySide6.QtWidgets import (
+    QAbstractButton,
+    QButtonGroup,
+    QFrame,
+    QHBoxLayout,
+    QLabel,
+    QSizePolicy,
+)
 
 from armui.arm.limits import JOINTS
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import ArmState
 from armui.control.arm_controller import ArmController
-from armui.control.devices.end_reports import is_reporting, why_no_load, why_not_switch
+from armui.control.devices.end_reports import EndReports, is_reporting, why_no_load, why_not_switch
+from armui.control.devices.mounting import MountingControl
 from armui.control.operating_state import LinkState, OperatingState
+from armui.control.operations.operation import operation_of
 from armui.protocol.codes import EndLoad, Mounting
 from armui.ui import format as fmt
 from armui.ui import words
+from armui.ui.actions.command import Command, Target
 from armui.ui.freshness import is_stale
 from armui.ui.panels.panel import Panel
 from armui.ui.widgets.buttons import (
@@ -30,6 +41,7 @@ from armui.ui.widgets.buttons import (
 from armui.ui.widgets.curve_menu import tell_quantities
 from armui.ui.widgets.layouts import empty_grid, fill, in_column, scrolled
 from armui.ui.widgets.text_label import ValueLabel, text_label
+from armui.ui.words.text import Text
 
 if TYPE_CHECKING:
     from armui.setting_checks import MountingName
@@ -92,6 +104,11 @@ class MountingCard(QFrame):
         """What the operator has chosen."""
         code = self._choices.checkedId()
         return None if code < 0 else Mounting(code)
+
+    @property
+    def buttons(self) -> dict[str, QAbstractButton]:
+        """The buttons that choose a mounting, by its name."""
+        return {name: self._choices.button(int(each)) for each, name in _CHOICES.items()}
 
     def tell(self) -> Refusal | None:
         """Tell the arm what is chosen, and keep it: ``None``, or why not."""
@@ -194,6 +211,25 @@ class MountingCard(QFrame):
 class EndLoadPanel(Panel):
     """Three loads and four mountings to choose from, and a table while 0x481–0x486 arrive."""
 
+    commands = (
+        Command("end_load.empty", Text("EndLoad", "No load")),
+        Command("end_load.half", Text("EndLoad", "Half load")),
+        Command("end_load.full", Text("EndLoad", "Full load")),
+        Command(
+            "end_load.confirm", Text("EndLoadPanel", "Confirm"), operation_of(EndReports.set_load)
+        ),
+        Command(
+            "end_load.feedback",
+            Text("EndLoadPanel", "Speed and acceleration of the end, by joint"),
+            operation_of(EndReports.switch),
+        ),
+        Command("end_load.level", Text("Mounting", "Level")),
+        Command("end_load.on_the_left_side", Text("Mounting", "Left side")),
+        Command("end_load.on_the_right_side", Text("Mounting", "Right side")),
+        Command("end_load.upside_down", Text("Mounting", "Upside down")),
+        Command("end_load.mounting", operation=operation_of(MountingControl.tell), leads=True),
+    )
+
     def __init__(self, controller: ArmController, preferences: SettingsStore) -> None:
         super().__init__(controller, "end_load_message")
         self._mounting = MountingCard(controller, preferences)
@@ -221,6 +257,16 @@ class EndLoadPanel(Panel):
         self._mounting.send.clicked.connect(self._on_mounting)
         self._listen("load_", "end_feedback_", "mounting_")
         self.retranslate_ui()
+
+    def command_targets(self) -> Mapping[str, Target]:
+        """Return what carries out each command, by the command's name."""
+        return {
+            **{f"end_load.{each.name.lower()}": self._loads.button(int(each)) for each in _LOADS},
+            **{f"end_load.{name}": button for name, button in self._mounting.buttons.items()},
+            "end_load.confirm": self._send,
+            "end_load.feedback": self._switch,
+            "end_load.mounting": self._mounting.send,
+        }
 
     def _lay_out(self) -> None:
         load_card, motion_card = QFrame(), QFrame()

@@ -12,8 +12,10 @@ from armui.arm.limits import JOINTS
 from armui.arm.parameters import KINDS, Batch, Group, Parameter
 from armui.arm.refusal import Refusal
 from armui.control.arm_controller import ArmController
+from armui.control.operations.operation import operation_of
+from armui.control.parameters.arm_settings import ArmSettings
 from armui.protocol.generation import Generation
-from armui.ui.panels.parameters.parameter_panel import ParameterPanel
+from armui.ui.panels.parameters.parameter_panel import ParameterPanel, parameter_commands
 from armui.ui.panels.parameters.setting_cell import FigureCell, SettingCell
 from armui.ui.widgets.layouts import empty_grid
 from armui.ui.words.parameters import parameter_name
@@ -27,6 +29,8 @@ _JOINTS_CARD_PX: Final = 420
 
 class JointSettingsPanel(ParameterPanel):
     """Six joints by four limits; the Tab key goes down the columns."""
+
+    commands = parameter_commands("joint_settings", operation_of(ArmSettings.reset_joint_limits))
 
     def __init__(self, controller: ArmController, open_backup: Callable[[], object]) -> None:
         cells = [FigureCell(Parameter(name, joint)) for name in _COLUMNS for joint in JOINTS]
@@ -135,6 +139,7 @@ class EndLimitsPanel(ListedParameters):
     """Four limits of the end, and 【初始化】."""
 
     name = "end_limits"
+    commands = parameter_commands(name, operation_of(ArmSettings.reset_end_limits))
     group = Group.END_LIMITS
     can_reset = True
 
@@ -161,6 +166,7 @@ class GripperSettingsPanel(ListedParameters):
     """Three values; the arm has no factory reset for them."""
 
     name = "gripper_settings"
+    commands = parameter_commands(name)
     group = Group.TEACHING
     can_reset = False
 

@@ -12,7 +12,7 @@ from armui.arm.parameters import Batch, Group, Parameter, heard
 from armui.control.arm_controller import ArmController
 from armui.ui import format as fmt
 from armui.ui.dialogs.base import ArmDialog
-from armui.ui.panels.parameters.parameter_panel import ParameterPanel
+from armui.ui.panels.parameters.parameter_panel import ParameterPanel, parameter_commands
 from armui.ui.panels.parameters.setting_cell import SettingCell, cell_name
 from armui.ui.widgets.buttons import choice_button, named
 from armui.ui.widgets.layouts import empty_grid, in_column, in_row
@@ -195,6 +195,8 @@ class LevelsPanel(ParameterPanel):
 class CollisionPanel(LevelsPanel):
     """Warns of joints without detection."""
 
+    commands = parameter_commands("collision")
+
     def __init__(self, controller: ArmController, open_backup: Callable[[], object]) -> None:
         super().__init__(controller, Group.COLLISION, open_backup, tallest_px=_COLLISION_CARD_PX)
 
@@ -203,8 +205,11 @@ class CollisionPanel(LevelsPanel):
         return self.tr("Collision level")
 
     def note(self) -> str:
-        """Which levels watch."""
-        return self.tr("Levels 1 to 8 watch for collisions; level 0 does not watch at all.")
+        """Say which levels watch, and that nobody has said which of them is the sensitive one."""
+        return self.tr(
+            "Levels 1 to 8 watch for collisions; level 0 does not watch at all. The maker has not "
+            "published whether 1 or 8 is the more sensitive one."
+        )
 
     def danger(self) -> str:
         """Joints that would not notice, or do not notice, what they hit."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from itertools import pairwise
 from typing import Final, NamedTuple
 
@@ -19,12 +19,15 @@ from armui.arm.state import Reading
 from armui.control.arm_controller import ArmController
 from armui.control.events import Level
 from armui.control.operating_state import OperatingState
+from armui.control.operations.operation import Operation, operation_of
+from armui.control.parameters.arm_settings import ArmSettings
 from armui.control.parameters.setting_cell import CellState
 from armui.control.parameters.setting_checks import batches_of
 from armui.control.parameters.setting_draft import CellStatus, SettingDraft, shown_as
 from armui.control.parameters.setting_saving import SettingSaving
 from armui.ui import format as fmt
 from armui.ui import words
+from armui.ui.actions.command import Command, Target, of_place, while_editing
 from armui.ui.actions.keys import keys_of
 from armui.ui.dialogs.confirm_dialog import confirm
 from armui.ui.panels.panel import Panel, level_of
@@ -41,7 +44,7 @@ from armui.ui.words.parameters import (
     status_word,
     value_text,
 )
-from armui.ui.words.text import listed
+from armui.ui.words.text import Text, listed
 
 SAVE_KEY: Final = keys_of("parameters.save")
 """Of 【保存】, to be said in its tooltip."""
@@ -77,8 +80,15 @@ class ParameterButtons(QWidget):
         self.edit = push_button(f"{name}_edit_button")
         self.cancel = push_button(f"{name}_cancel_button")
         self.save = push_button(f"{name}_save_button", primary=True)
+        self.by_act = {
+            "read": self.read,
+            "reset": self.reset,
+            "edit": self.edit,
+            "cancel": self.cancel,
+            "save": self.save,
+        }
         layout = in_row(on=self, spacing=_GAP_PX, margins=0)
-        for button in (self.read, self.reset, self.edit, self.cancel, self.save):
+        for button in self.by_act.values():
             button.setMinimumHeight(_HEIGHT_PX)
             layout.addWidget(button, 1)
         self.reset.setVisible(can_reset)
@@ -98,6 +108,25 @@ class ParameterButtons(QWidget):
         caption(self.edit, self.tr("Edit"))
         caption(self.cancel, self.tr("Cancel"))
         caption(self.save, self.tr("Save"), key=SAVE_KEY)
+
+
+def parameter_commands(place: str, reset: Operation | None = None) -> tuple[Command, ...]:
+    """Return the commands of a panel of parameters.
+
+    Args:
+        place: The key of the panel.
+        reset: Has the arm take its factory values; ``None``: there is no 【初始化】.
+    """
+    read, save = operation_of(ArmSettings.read), operation_of(ArmSettings.save)
+    initialise = Text("ParameterButtons", "Initialise")
+    commands = (
+        Command("read", Text("ParameterButtons", "Read"), read),
+        *(() if reset is None else (Command("reset", initialise, reset),)),
+        Command("edit", Text("ParameterButtons", "Edit"), read),
+        Command("cancel", Text("ParameterButtons", "Cancel"), needs=while_editing),
+        Command("save", Text("ParameterButtons", "Save"), save, needs=while_editing),
+    )
+    return of_place(place, commands)
 
 
 class ParameterPanel(Panel):
@@ -162,6 +191,13 @@ class ParameterPanel(Panel):
         self._settings.changed.connect(self._on_settings_changed)
         self._controller.operating_state_changed.connect(self._on_operating_state_changed)
         self._controller.step_changed.connect(self._on_step_changed)
+
+    def command_targets(self) -> Mapping[str, Target]:
+        """Return what carries out each command, by the command's name."""
+        return {
+            command.name: self._buttons.by_act[command.name.partition(".")[2]]
+            for command in self.commands
+        }
 
     # -- what a panel of its own adds ---------------------------------------------------------
 

@@ -208,13 +208,13 @@ class DraftKeeper(QObject):
         # the signal's number must not become the timer's milliseconds
         document.stack.indexChanged.connect(lambda _index: self._timer.start())
 
-    def write(self) -> None:
+    def write_draft(self) -> None:
         """Bring the draft up to date at once, and quickly: the program may be ending."""
         self._timer.stop()
         self._hurry.set()
         self._begin(self._unsaved())
 
-    def forget(self) -> None:
+    def drop_draft(self) -> None:
         """The changes are not wanted: no draft of them shall be left."""
         self._timer.stop()
         self._hurry.set()

@@ -14,7 +14,7 @@ from armui.ui.widgets.buttons import named, push_button
 from armui.ui.widgets.flow import Flow, in_flow
 from armui.ui.widgets.table_model import TableHint
 
-_NAMES: Final = tuple(
+NAMES: Final = tuple(
     each.name.removeprefix("editor.")
     for each in SHORTCUTS.values()
     if each.place == "editor" and each.name != "editor.send"
@@ -52,7 +52,8 @@ class EditorActions:
         self, page: QWidget, table: QWidget, handlers: Mapping[str, Callable[[], object]]
     ) -> None:
         self._actions: dict[str, QAction] = {}
-        for name in _NAMES:
+        self._buttons: dict[str, QToolButton] = {}
+        for name in NAMES:
             owner = table if name in _OF_TABLE else page
             action = named(f"action_{name}", QAction(owner))
             if name != _EVERYWHERE:
@@ -85,11 +86,15 @@ class EditorActions:
         Args:
             more: What follows them.
         """
-        buttons = [named(f"editor_{name}", QToolButton()) for name in _BAR]
-        for name, button in zip(_BAR, buttons, strict=True):
+        self._buttons = {name: named(f"editor_{name}", QToolButton()) for name in _BAR}
+        for name, button in self._buttons.items():
             button.setDefaultAction(self._actions[name])
             button.setProperty("choice", self._actions[name].isCheckable())
-        return in_flow(*buttons, *more)
+        return in_flow(*self._buttons.values(), *more)
+
+    def targets(self) -> dict[str, QAction | QToolButton]:
+        """Return what carries out each action by its name: a button where the bar has one."""
+        return {**self._actions, **self._buttons}
 
     def allow(self, name: str, reason: str) -> None:
         """Offer an action, or say in its tooltip why it cannot be done now.

@@ -20,9 +20,10 @@ from armui.trajectory.planning.findings import Severity
 from armui.trajectory.points.edits import Change
 from armui.trajectory.points.program import Trajectory, Waypoint, speeds_of
 from armui.ui import words
+from armui.ui.actions.command import Command, Target
 from armui.ui.panels.jogging.jog_box import JogBox
 from armui.ui.trajectory.editor.document import Document, DraftKeeper
-from armui.ui.trajectory.editor.editor_actions import EditorActions, EditorHint
+from armui.ui.trajectory.editor.editor_actions import NAMES, EditorActions, EditorHint
 from armui.ui.trajectory.editor.find_bar import FindBar, Finder
 from armui.ui.trajectory.editor.findings_pane import FindingsPane
 from armui.ui.trajectory.editor.leave_question import LeaveQuestion
@@ -30,8 +31,8 @@ from armui.ui.trajectory.editor.other_arm_line import OtherArmLine
 from armui.ui.trajectory.editor.point_edits import OfOtherArm, Outcome, PointEdits
 from armui.ui.trajectory.editor.points_model import PointsModel
 from armui.ui.trajectory.editor.points_table import PointsTable
-from armui.ui.trajectory.running.preflight import Checks, Preflight
-from armui.ui.trajectory.running.run_bar import RunBar, RunChoices
+from armui.ui.trajectory.running.run_bar import RunBar, RunChoices, run_commands
+from armui.ui.trajectory.running.run_request import Checks, Preflight
 from armui.ui.widgets.buttons import named, push_button
 from armui.ui.widgets.layouts import fill, in_column
 from armui.ui.widgets.message_line import MessageLine, Words
@@ -113,6 +114,10 @@ class EditorPage(Page):
         preview_wanted: A :class:`Preflight` whose path is to be shown in 3D, or ``None``.
     """
 
+    commands = (
+        *(Command(f"editor.{name}", leads=name == "go_to") for name in NAMES),
+        *run_commands("editor"),
+    )
     saved = Signal()
     used = Signal()
     insert_wanted = Signal()
@@ -171,6 +176,13 @@ class EditorPage(Page):
             self._actions["jog"].trigger()
         self.table.setFocus()
 
+    def command_targets(self) -> Mapping[str, Target]:
+        """Return what carries out each command, by the command's name."""
+        return {
+            **{f"editor.{name}": target for name, target in self._actions.targets().items()},
+            **self._run_bar.command_targets("editor"),
+        }
+
     def _handlers(self) -> dict[str, Callable[[], object]]:
         rows = self._edits
         of_rows = (
@@ -214,6 +226,7 @@ class EditorPage(Page):
         self.table.row_chosen.connect(self.selected_row_changed)
         self._run_bar.listen(self)
         self._run_bar.checked.connect(self._show_check)
+        self._run_bar.withdrawn.connect(self._findings.withdraw_question)
         self._run_bar.refused.connect(
             lambda reason: self._say(partial(words.refusal, reason), Level.WARNING)
         )
@@ -233,7 +246,7 @@ class EditorPage(Page):
         """Beside the jog buttons, making a point is what is done most: not running."""
         jogs = self._actions["jog"].isChecked()
         self._jog.unfold(jogs)
-        self._run_bar.stand_back(jogs)
+        self._run_bar.show_secondary(jogs)
 
     # Editing ----------------------------------------------------------------------------------
 
@@ -397,7 +410,7 @@ class EditorPage(Page):
         self._saving = False
         if self.document.stack.index() == place:
             self.document.mark_saved(trajectory)
-        self._drafts.write()
+        self._drafts.write_draft()
         if displaced:
             text = self.tr(
                 "Saved. Another program had changed “{name}” since it was opened here: what it "
@@ -415,7 +428,7 @@ class EditorPage(Page):
 
     def keep_draft(self) -> None:
         """The program ends: what is not saved is offered when it is started again."""
-        self._drafts.write()
+        self._drafts.write_draft()
 
     def leave(self) -> None:
         """Close; what is not saved asks first."""
@@ -433,7 +446,7 @@ class EditorPage(Page):
         self.save(self._leave)
 
     def _leave(self) -> None:
-        self._drafts.forget()
+        self._drafts.drop_draft()
         super().leave()
 
     def take_focus(self) -> None:

@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QListWidget, QListWidgetItem, QWidget
 
 from armui.trajectory.planning.findings import Approach, Finding, Severity
 from armui.ui.theme import colors_of
-from armui.ui.trajectory.running.preflight import Preflight
+from armui.ui.trajectory.running.run_request import Preflight
 from armui.ui.widgets.buttons import named, push_button
 from armui.ui.widgets.layouts import in_column, in_row
 from armui.ui.widgets.text_label import text_label
@@ -66,6 +66,11 @@ class FindingsPane(Translated, QWidget):
         self._accept = accept if not checked.errors else None
         self._fill()
         self.show()
+
+    def withdraw_question(self) -> None:
+        """Show the findings alone: what waited for the operator to agree does so no more."""
+        self._accept = None
+        self._fill()
 
     def clear(self) -> None:
         """Put it away, and what was waiting with it."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from functools import partial
 from typing import Final
 
@@ -67,6 +67,11 @@ class LibraryBar(QWidget):
         layout.addWidget(self.search)
         self._flow = layout
         self.show_chosen(())
+
+    @property
+    def buttons(self) -> Mapping[str, QPushButton]:
+        """The buttons by their names."""
+        return self._buttons
 
     def add_button(self, button: QPushButton) -> None:
         """Take one more button, that does its work by itself."""

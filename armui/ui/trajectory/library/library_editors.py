@@ -18,8 +18,8 @@ if TYPE_CHECKING:
     from armui.trajectory.files import Content
     from armui.trajectory.samples.recording import Recording
     from armui.ui.background import Background
-    from armui.ui.trajectory.running.preflight import Checks
     from armui.ui.trajectory.running.run_bar import RunChoices
+    from armui.ui.trajectory.running.run_request import Checks
 
 
 class LibraryEditors(QObject):
@@ -170,6 +170,8 @@ class LibraryEditors(QObject):
         """The program ends: what is not saved is offered the next time."""
         for editor in self._editors.values():
             editor.keep_draft()
+        if self._recorder is not None:
+            self._recorder.keep_draft()
 
     # Recordings -------------------------------------------------------------------------------
 

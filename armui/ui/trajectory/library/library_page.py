@@ -20,6 +20,7 @@ from armui.trajectory.files import Content
 from armui.trajectory.library.run_options import RunOptions
 from armui.trajectory.library.store import IndexEntry, Library, Listing
 from armui.ui import words
+from armui.ui.actions.command import Command, Target
 from armui.ui.background import Background
 from armui.ui.trajectory.editor.findings_pane import FindingsPane
 from armui.ui.trajectory.library.bin_dialog import BinButton
@@ -29,20 +30,22 @@ from armui.ui.trajectory.library.library_editors import LibraryEditors
 from armui.ui.trajectory.library.library_exchange import FileDrop, LibraryExchange
 from armui.ui.trajectory.library.library_model import ENTRY_ROLE, LibraryFilter, LibraryModel
 from armui.ui.trajectory.library.library_presence import (
-    LibraryCompany,
     LibraryPresence,
     LibraryWatch,
+    SharedUseBanner,
 )
 from armui.ui.trajectory.library.library_table import LibraryHint, LibraryTable
 from armui.ui.trajectory.library.library_work import LibraryWork
 from armui.ui.trajectory.recording.recording_page import RecordingPage
-from armui.ui.trajectory.running.preflight import Checks, Preflight
-from armui.ui.trajectory.running.run_bar import RunBar, RunChoices
+from armui.ui.trajectory.recording.unsaved_line import UnsavedRecordingLine
+from armui.ui.trajectory.running.run_bar import RunBar, RunChoices, run_commands
+from armui.ui.trajectory.running.run_request import Checks, Preflight
 from armui.ui.widgets.buttons import named
 from armui.ui.widgets.flow import in_flow
 from armui.ui.widgets.layouts import fill
 from armui.ui.widgets.message_line import MessageLine, Words
 from armui.ui.widgets.page import Page
+from armui.ui.words.text import Text
 
 
 class LibraryPage(Page):
@@ -63,6 +66,17 @@ class LibraryPage(Page):
         preview_wanted: A :class:`Preflight` whose path is to be shown in 3D.
     """
 
+    commands = (
+        *(Command(f"library.{act}") for act in ("import", "create", "record", "delete")),
+        *(Command(f"library.{act}") for act in ("duplicate", "rename")),
+        Command("library.export", Text("LibraryBar", "Export files")),
+        Command("library.bin", Text("BinButton", "Recently deleted…")),
+        Command("library.find"),
+        Command("library.undo"),
+        Command("library.by_columns", Text("ColumnsOffer", "Import by columns…")),
+        Command("library.report", Text("ReportButton", "Results…")),
+        *run_commands("library"),
+    )
     page_made = Signal(object)
     editor_opened = Signal(object)
     preview_wanted = Signal(object)
@@ -76,11 +90,13 @@ class LibraryPage(Page):
         self._work = LibraryWork(library, background, self)
         self._work.do(library.tidy)
         self._presence = LibraryPresence(library.folder)
-        self._company = LibraryCompany()
+        self._shared_use = SharedUseBanner()
         self._choices = RunChoices(self)
         self.editors = LibraryEditors(
             controller, background, self._checks, self._work, choices=self._choices, parent=self
         )
+        self._unsaved = UnsavedRecordingLine(self._work)
+        self._unsaved.look()
         self._model = LibraryModel(self)
         self._shown = LibraryFilter(self._model, self)
         self._bar = LibraryBar()
@@ -101,6 +117,18 @@ class LibraryPage(Page):
         self.retranslate_ui()
         self._table.setFocus()
 
+    def command_targets(self) -> Mapping[str, Target]:
+        """Return what carries out each command, by the command's name."""
+        return {
+            **{f"library.{name}": button for name, button in self._bar.buttons.items()},
+            "library.bin": self._bin_button,
+            "library.find": self._bar.search,
+            "library.undo": self._undo_button,
+            "library.by_columns": self._exchange.by_columns,
+            "library.report": self._exchange.report,
+            **self._run_bar.command_targets("library"),
+        }
+
     # Layout -----------------------------------------------------------------------------------
 
     def _lay_out(self) -> None:
@@ -110,7 +138,7 @@ class LibraryPage(Page):
             below.push(button)  # at the right, also while there is no message
         self._bar.add_button(self._bin_button)
         # what comes and goes takes its room from the list: 发送 stays where it is
-        fill(self.body, self._bar, self._company, (self._table, 1))
+        fill(self.body, self._bar, self._shared_use, self._unsaved, (self._table, 1))
         fill(self.body, self._findings, below, self._run_bar)
 
     def _connect(self) -> None:
@@ -135,6 +163,9 @@ class LibraryPage(Page):
         self._actions.said.connect(self._say)
         self._actions.changed.connect(self._on_action)
         self._watch.changed.connect(self._on_folder)
+        self._unsaved.kept.connect(self._on_recording_kept)
+        self._unsaved.discarded.connect(self._on_recording_discarded)
+        self._unsaved.refused.connect(self._on_refused)
         FileDrop(self).dropped.connect(self._exchange.import_files)
         self._exchange.said.connect(self._say)
         self._exchange.imported.connect(self._on_imported)
@@ -148,6 +179,7 @@ class LibraryPage(Page):
         self._controller.operating_state_changed.connect(self._on_operating_state)
         self._run_bar.listen(self)
         self._run_bar.checked.connect(self._show_check)
+        self._run_bar.withdrawn.connect(self._findings.withdraw_question)
         self._run_bar.refused.connect(
             lambda reason: self._say(partial(words.refusal, reason), Level.WARNING)
         )
@@ -187,7 +219,7 @@ class LibraryPage(Page):
         self._choices.follow(listing.entries, self.editors.__contains__)
         changed = self._model.show(listing.entries, listing.drafts)
         self._watch.follow(exists=listing.exists)
-        self._company.show_others(others)
+        self._shared_use.show_others(others)
         self._bin_button.refresh()
         self._undo_button.show_step()
         if choose:
@@ -232,6 +264,14 @@ class LibraryPage(Page):
         """The keys go on in the list: the button that was pressed may be disabled by now."""
         self.refresh(names)
         self._table.setFocus()
+
+    def _on_recording_kept(self, name: str) -> None:
+        self.refresh([name])
+        self._say(self.tr("Saved as “{name}”.").format(name=name), Level.DONE)
+
+    def _on_recording_discarded(self, name: str) -> None:
+        self.refresh()
+        self._say(self.tr("Deleted: {names}").format(names=name), Level.DONE)
 
     def _on_imported(self, names: Sequence[str]) -> None:
         self._actions.note_imported(names)

@@ -63,13 +63,13 @@ class LibraryPresence:
         return lock
 
 
-class LibraryCompany(Translated, MessageLine):
-    """Not there while this program is alone."""
+class SharedUseBanner(Translated, MessageLine):
+    """Hidden while no other copy of the program uses the library."""
 
     def __init__(self) -> None:
         super().__init__()
         self._others: Sequence[str] = ()
-        self.setObjectName("library_company")
+        self.setObjectName("library_shared_use")
         self.hide()
 
     def show_others(self, others: Sequence[str]) -> None:

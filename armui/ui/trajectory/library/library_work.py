@@ -58,7 +58,7 @@ class LibraryWork(QObject):
             refused: Gets why it was not done, in the operator's language.
         """
         self._background.begin_here(
-            Job(partial(self._tell, then, refused)), _attempt, self.library, action
+            Job(partial(self._tell, then, refused)), _run_alone, self.library, action
         )
 
     def _tell(
@@ -79,7 +79,7 @@ class LibraryWork(QObject):
             then(done.value)
 
 
-def _attempt(library: Library, action: Callable[[], Result]) -> _Done[Result]:
+def _run_alone(library: Library, action: Callable[[], Result]) -> _Done[Result]:
     if not library.turn.acquire(blocking=False):
         # whoever has it waits for a disk that does not answer, and was left behind
         figures = {"name": str(library.folder), "text": os.strerror(errno.ETIMEDOUT)}

@@ -10,9 +10,11 @@ from PySide6.QtCore import QObject, Signal
 from armui.viewport.path_picture import NOTHING, PathPicture, Preview
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
     from armui.trajectory.planning.planned_path import PlannedPath
     from armui.ui.trajectory.preview.preview_bar import PreviewBar
-    from armui.viewport.path_picture import FindingMark
+    from armui.viewport.path_picture import Array, FindingMark
 
 
 _MOST_PLACES: Final = 30_000
@@ -53,6 +55,7 @@ class PathPreview(QObject):
         self._name = ""
         self._wanted_deg: tuple[float, ...] | None = None
         self._target_deg: tuple[float, ...] | None = None
+        self._is_seen = True
         self._scrubbed = False
         """The operator went to a time; what he did last is where the ghost is."""
         self._shown = NOTHING
@@ -72,6 +75,7 @@ class PathPreview(QObject):
         name: str = "",
         *,
         numbered: bool = True,
+        places_of: Callable[[Array], Array] | None = None,
     ) -> None:
         """Show a path; ``None`` takes the preview away.
 
@@ -81,20 +85,22 @@ class PathPreview(QObject):
             findings: What was found, where it would happen.
             name: The trajectory's.
             numbered: Whether its rows are points; those of a recording are samples.
+            places_of: Works out of (n, 6) joint angles the (n, 3) places that are drawn, mm; by
+                default those of the plan, the tip of the tool.
         """
         self._name = name
         self._path = path
         self._scrubbed = False
         self._ends = {} if path is None else path.ends()
         if path is None or path.duration_s <= 0.0:
-            self._bar.shut()
+            self._bar.set_shown(False)
             self._set(NOTHING)
             return
-        outline = path.outline(_MOST_PLACES)
+        outline, ends = path.outline(_MOST_PLACES), list(self._ends.values())
         picture = PathPicture(
-            path.places_mm[outline],
+            path.places_mm[outline] if places_of is None else places_of(path.joints_deg[outline]),
             path.speeds_mm_s[outline],
-            path.places_mm[list(self._ends.values())],
+            path.places_mm[ends] if places_of is None else places_of(path.joints_deg[ends]),
             tuple(self._ends),
             bad_rows,
             findings,
@@ -102,6 +108,7 @@ class PathPreview(QObject):
         )
         self._shown = Preview(picture, self._shown.selected_row, tuple(path.at(0.0)))
         self._bar.open(path.duration_s)
+        self._bar.set_shown(self._is_seen)
         self._scrubbed = False
         self._set(self._shown)
 
@@ -118,6 +125,16 @@ class PathPreview(QObject):
         if self._path is None:
             self._set(Preview(marks, row, ghost_deg))
         self.row_shown.emit()
+
+    def set_seen(self, seen: bool) -> None:
+        """Say whether the page is seen whose path, points and ghost these are: they go with it.
+
+        The path of a run that is under way stays in the picture.
+        """
+        if seen != self._is_seen:
+            self._is_seen = seen
+            self._bar.set_shown(seen and self._path is not None and self._path.duration_s > 0.0)
+            self._set(self._shown)
 
     def show_joint_range(
         self, number: int | None, limits_deg: tuple[float, float] = (0.0, 0.0)
@@ -171,6 +188,8 @@ class PathPreview(QObject):
 
     def _set(self, preview: Preview) -> None:
         self._shown = preview
+        if not self._is_seen and preview.current_row is None:
+            preview = NOTHING
         if self._target_deg is not None:
             preview = replace(preview, ghost_deg=self._target_deg)
         self._view.set_preview(preview)

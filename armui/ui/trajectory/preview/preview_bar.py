@@ -3,16 +3,19 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Mapping
 from typing import Final
 
 from PySide6.QtCore import QElapsedTimer, QSignalBlocker, QTimer, Signal
 from PySide6.QtWidgets import QFrame, QLabel
 
+from armui.ui.actions.command import Command, Target
 from armui.ui.widgets.buttons import caption, describe, named, push_button
 from armui.ui.widgets.layouts import in_row
 from armui.ui.widgets.text_label import ValueLabel
 from armui.ui.widgets.track_slider import TrackSlider
 from armui.ui.widgets.translated import Translated
+from armui.ui.words.text import Text
 
 _STEP_S: Final = 0.01
 _FRAME_MS: Final = 33
@@ -26,6 +29,7 @@ class PreviewBar(Translated, QFrame):
         closed: the preview is no longer wanted.
     """
 
+    commands = (Command("view.close_preview", Text("PreviewBar", "Close preview")),)
     time_changed = Signal(float)
     closed = Signal()
 
@@ -52,6 +56,10 @@ class PreviewBar(Translated, QFrame):
         self._close.clicked.connect(self.closed)
         self.hide()
         self.retranslate_ui()
+
+    def command_targets(self) -> Mapping[str, Target]:
+        """Return what carries out each command, by the command's name."""
+        return {"view.close_preview": self._close}
 
     @property
     def time_s(self) -> float:
@@ -83,10 +91,11 @@ class PreviewBar(Translated, QFrame):
             self._slider.show_requested(time_s)
         self._on_moved()
 
-    def shut(self) -> None:
-        """There is nothing to preview."""
-        self._play.setChecked(False)
-        self.hide()
+    def set_shown(self, shown: bool) -> None:
+        """Show the bar, or hide it; what is hidden is not played."""
+        if not shown:
+            self._play.setChecked(False)
+        self.setVisible(shown)
 
     def _on_moved(self) -> None:
         self._time.show_text(f"{_clock(self.time_s)} / {_clock(self._duration_s)}", stale=False)

@@ -8,14 +8,13 @@ from functools import partial
 from typing import TYPE_CHECKING, Final
 
 import numpy as np
-from PySide6.QtCore import QCoreApplication, QModelIndex, QObject
+from PySide6.QtCore import QCoreApplication, QEvent, QModelIndex, QObject
 
 from armui.arm.refusal import Refusal
-from armui.control.parameters.arm_model import arm_model
 from armui.kinematics.forward import flange_transforms
 from armui.kinematics.poses import pose_to_matrix
 from armui.trajectory.planning.convert import comes_from, to_joints
-from armui.trajectory.planning.findings import Severity
+from armui.trajectory.planning.findings import FindingCode, Severity
 from armui.trajectory.points import edits
 from armui.trajectory.points.cells import VALUES
 from armui.trajectory.points.program import VALUE_COUNT, Trajectory, check_point
@@ -23,29 +22,41 @@ from armui.ui.words.findings import finding as finding_text
 from armui.viewport.path_picture import FindingMark, PathPicture
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping
+    from numpy.typing import NDArray
 
-    from armui.arm.models import ArmModel
     from armui.control.arm_controller import ArmController
+    from armui.kinematics.geometry import Geometry
     from armui.trajectory.planning.findings import Finding
     from armui.trajectory.points.program import Waypoint
     from armui.ui.trajectory.editor.editor_page import EditorPage
     from armui.ui.trajectory.library.library_page import LibraryPage
     from armui.ui.trajectory.preview.path_preview import PathPreview
-    from armui.ui.trajectory.running.preflight import Preflight
+    from armui.ui.trajectory.running.run_request import Preflight
+    from armui.ui.widgets.page import Page
+
+    Array = NDArray[np.float64]
 
 
 _MOST = 200
 """More signs than anybody looks at would hide the path."""
 
 
-def finding_marks(checked: Preflight) -> tuple[FindingMark, ...]:
-    """The findings that happen at a place, errors first."""
-    path = checked.path
-    ends = path.ends()
+def tool_points(flanges: Array, tool: Sequence[float]) -> Array:
+    """Return the (n, 3) tool centre points of (n, 4, 4) flange poses, in mm.
+
+    Args:
+        flanges: In the base frame.
+        tool: The tool centre point in the flange; with zeros it is the flange itself.
+    """
+    points: Array = flanges[:, :3, 3] + flanges[:, :3, :3] @ np.array(tool[:3])
+    return points
+
+
+def finding_marks(checked: Preflight, tool: Sequence[float]) -> tuple[FindingMark, ...]:
+    """Return the findings that happen at a place, errors first."""
     marks = []
     for found in checked.findings[:_MOST]:
-        place_mm = _place_mm(checked, found, ends)
+        place_mm = _place_mm(checked, found, tool)
         if place_mm is not None:
             error = found.severity is Severity.ERROR
             marks.append(FindingMark(place_mm, error, found.row, finding_text(found)))
@@ -53,39 +64,45 @@ def finding_marks(checked: Preflight) -> tuple[FindingMark, ...]:
 
 
 def _place_mm(
-    checked: Preflight, found: Finding, ends: Mapping[int, int]
+    checked: Preflight, found: Finding, tool: Sequence[float]
 ) -> tuple[float, float, float] | None:
-    """Where it happens: as the check says, else where the arm would stand, else at its point."""
-    if found.place_mm is not None:
+    """Return the tool centre point of a finding, and of one about the floor the fingertip."""
+    arm, path, content = checked.order.arm, checked.path, checked.content
+    if found.place_mm is not None and found.code == FindingCode.BELOW_FLOOR:
         x, y, z = found.place_mm
         return x, y, z
-    if found.joints_deg is not None:
-        arm = checked.order.arm
-        flange = arm.kinematics.matrix(found.joints_deg)
-        x, y, z = (flange[:3, 3] + arm.tool_mm * flange[:3, 2]).tolist()
-        return x, y, z
-    if found.row is not None and found.row in ends:
-        x, y, z = checked.path.places_mm[ends[found.row]].tolist()
-        return x, y, z
-    return None
+    joints_deg: Sequence[float] | None = found.joints_deg
+    if joints_deg is None and found.row is not None:
+        if isinstance(content, Trajectory) and not content.points[found.row].is_joint:
+            flange = pose_to_matrix(content.points[found.row].target)
+            x, y, z = tool_points(flange[np.newaxis], tool)[0].tolist()
+            return x, y, z
+        end = path.ends().get(found.row)
+        joints_deg = None if end is None else path.joints_deg[end].tolist()
+    if joints_deg is None:
+        return None
+    flange = arm.kinematics.matrix(joints_deg)
+    x, y, z = tool_points(flange[np.newaxis], tool)[0].tolist()
+    return x, y, z
 
 
 MOST_POINTS: Final = 3000
 """A few milliseconds in the window's thread; of longer ones a check shows the points."""
 
 
-def marks_of(points: Sequence[Waypoint], arm: ArmModel) -> PathPicture | None:
-    """Where the tip of the tool is at each point; None for more than `MOST_POINTS`, and none."""
+def marks_of(
+    points: Sequence[Waypoint], geometry: Geometry, tool: Sequence[float]
+) -> PathPicture | None:
+    """Return the tool centre point at each point; None for more than `MOST_POINTS`, and none."""
     if not 0 < len(points) <= MOST_POINTS:
         return None
     targets = np.array([point.target for point in points], dtype=np.float64)
     joint = np.array([point.is_joint for point in points])
     flanges = np.empty((len(points), 4, 4))
-    flanges[joint] = flange_transforms(arm.kinematics.geometry, targets[joint])
+    flanges[joint] = flange_transforms(geometry, targets[joint])
     flanges[~joint] = pose_to_matrix(targets[~joint])
-    tips = flanges[:, :3, 3] + arm.tool_mm * flanges[:, :3, 2]
-    nothing = np.empty((0, 3))
-    return PathPicture(nothing, np.empty(0), tips, tuple(range(len(points))))
+    marks = tool_points(flanges, tool)
+    return PathPicture(np.empty((0, 3)), np.empty(0), marks, tuple(range(len(points))))
 
 
 _ZERO: Final = (0.0,) * VALUE_COUNT
@@ -99,10 +116,13 @@ class PointTarget:
     Args:
         editor: Whose row.
         controller: Knows the arm and its kinematics.
+
+    Attributes:
+        editor: As given.
     """
 
     def __init__(self, editor: EditorPage, controller: ArmController) -> None:
-        self._editor = editor
+        self.editor = editor
         self._controller = controller
         self._solved: tuple[object, int, tuple[float, ...] | None] | None = None
         self._begun = self._at()
@@ -110,17 +130,20 @@ class PointTarget:
     @property
     def is_seen(self) -> bool:
         """Whether the operator is at it."""
-        return self._editor.isVisible()
+        return self.editor.isVisible()
 
     def angles_deg(self) -> tuple[float, ...] | None:
         """The angles of the current row's point; None: there is none, or it can't be reached."""
-        points, row = self._editor.document.points, self._editor.table.current_row()
+        points, row = self.editor.document.points, self.editor.table.current_row()
         if not 0 <= row < len(points):
             return None
         solved = self._solved
         if solved is None or solved[0] is not points or solved[1] != row:
             solved = self._solved = (points, row, self._solve(points, row))
         return solved[2]
+
+    def typed_deg(self) -> None:
+        """The chosen point's ghost is shown with its path; see `PathPreview.show_points`."""
 
     def begin(self) -> None:
         """Note which point is taken hold of; it stays as it is until the drag ends."""
@@ -132,14 +155,14 @@ class PointTarget:
         return points is self._begun[0] and row == self._begun[1]
 
     def _at(self) -> tuple[Sequence[Waypoint], int]:
-        return self._editor.document.points, self._editor.table.current_row()
+        return self.editor.document.points, self.editor.table.current_row()
 
     def carry(self, _angles_deg: tuple[float, ...]) -> None:
         """The ghost shows it; the point is changed when it is let go, in one step of undo."""
 
     def drop(self, angles_deg: tuple[float, ...]) -> Refusal | None:
         """Give the point this place; its motion, speed and actions stay."""
-        points, row = self._editor.document.points, self._editor.table.current_row()
+        points, row = self.editor.document.points, self.editor.table.current_row()
         point = points[row]
         if point.is_joint:
             values: Sequence[float] = angles_deg
@@ -149,9 +172,9 @@ class PointTarget:
         refusal = check_point(changed)
         if refusal is None:
             label = QCoreApplication.translate("PointTarget", "Drag in the picture")
-            self._editor.document.edit(edits.change(points, {row: changed}), label)
+            self.editor.document.edit(edits.change(points, {row: changed}), label)
             # what leads there is known: it was dragged there
-            self._solved = (self._editor.document.points, row, angles_deg)
+            self._solved = (self.editor.document.points, row, angles_deg)
         return refusal
 
     def give_up(self, _angles_deg: tuple[float, ...]) -> None:
@@ -167,13 +190,14 @@ class PointTarget:
 
 
 _FIRST_VALUE: Final = min(VALUES)
+_SHOWN: Final = frozenset({QEvent.Type.Show, QEvent.Type.WindowActivate})
 
 
 class PreviewLink(QObject):
-    """What is edited is in the picture; a mark leads to its row, and a row to its mark.
+    """Shows in the picture what the page that is seen works on; a mark there leads to its row.
 
-    Before a check these are the points, and the ghost stands at the chosen one; after it the
-    whole way.
+    Before a check these are the points of an editor, and the ghost stands at the chosen one;
+    after it the whole way. They go with the page, and come back with it.
 
     Args:
         library: Where trajectories are checked and opened.
@@ -185,76 +209,140 @@ class PreviewLink(QObject):
         self, library: LibraryPage, preview: PathPreview, controller: ArmController
     ) -> None:
         super().__init__(library)
+        self._library = library
         self._preview = preview
         self._controller = controller
-        self._editor: EditorPage | None = None
-        self._edited: EditorPage | None = None
-        self._target: PointTarget | None = None
+        self._pages: list[Page] = []
+        self._targets: dict[Page, PointTarget] = {}  # of each editor
+        self._checked: dict[Page, Preflight] = {}
+        self._page: Page | None = None
+        self._shown: Preflight | None = None
         self._marks: tuple[object, PathPicture | None] = (None, None)
-        library.preview_wanted.connect(partial(self._show, None))
+        library.preview_wanted.connect(self._on_preview)
+        library.page_made.connect(self._watch)
         library.editor_opened.connect(self._follow)
         preview.closed.connect(self._on_closed)
+        self._watch(library)
 
     @property
     def target(self) -> PointTarget | None:
         """The point that the operator is at, while its editor is seen."""
-        target = self._target
+        target = None if self._page is None else self._targets.get(self._page)
         return target if target is not None and target.is_seen else None
 
     def on_mark_picked(self, row: int) -> None:
         """A point was clicked in 3D: show its row."""
-        editor = self._editor or self._edited
-        if editor is not None:
-            editor.select_row(row)
+        target = self.target
+        if target is not None:
+            target.editor.select_row(row)
 
     def on_finding_picked(self, finding: FindingMark) -> None:
         """A sign of a finding was clicked in 3D: show its row."""
-        if self._editor is not None and finding.row is not None:
-            self._editor.select_row(finding.row)
+        if finding.row is not None:
+            self.on_mark_picked(finding.row)
+
+    # which page is seen -----------------------------------------------------------------------
+
+    def _watch(self, page: Page) -> None:
+        if page not in self._pages:
+            self._pages.append(page)
+            page.installEventFilter(self)
+            page.closed.connect(partial(self._on_left, page))
+            if page.isVisible():
+                self._turn_to(page)
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        """Follow the pages as they are shown, hidden and brought to the front."""
+        if event.type() in _SHOWN:
+            self._turn_to(next(page for page in self._pages if page is watched))
+        elif event.type() == QEvent.Type.Hide and watched is self._page:
+            self._preview.show_joint_range(None)
+            other = next((page for page in self._pages if page.isVisible()), None)
+            if other is None:
+                self._preview.set_seen(False)
+            else:
+                self._turn_to(other)
+        return False
+
+    def _turn_to(self, page: Page) -> None:
+        """Show what belongs to a page, and nothing of the others."""
+        self._page = page
+        checked = self._checked.get(page)
+        if checked is not None:
+            if checked is not self._shown:
+                self._show(checked)
+            self._preview.set_seen(True)
+        elif page in self._targets:
+            self._preview.set_seen(True)
+            self._show_points()
+        else:
+            self._preview.set_seen(False)
+
+    # what is shown ----------------------------------------------------------------------------
 
     def _follow(self, editor: EditorPage) -> None:
-        editor.preview_wanted.connect(partial(self._show, editor))
+        editor.preview_wanted.connect(partial(self._take, editor))
         editor.selected_row_changed.connect(partial(self._on_row, editor))
-        editor.closed.connect(partial(self._on_left, editor))
         editor.table.selectionModel().currentChanged.connect(partial(self._on_cell, editor))
-        self._edit(editor)
+        self._targets[editor] = PointTarget(editor, self._controller)
+        self._watch(editor)
 
-    def _edit(self, editor: EditorPage) -> None:
-        if editor is not self._edited:
-            self._edited = editor
-            self._target = PointTarget(editor, self._controller)
-        self._show_points()
+    def _on_preview(self, checked: Preflight | None) -> None:
+        """Take a check of the library page, or of the recording that is seen."""
+        pages = (page for page in self._pages if page not in self._targets and page.isVisible())
+        self._take(next(pages, self._library), checked)
 
-    def _show(self, editor: EditorPage | None, checked: Preflight | None) -> None:
+    def _take(self, page: Page, checked: Preflight | None) -> None:
         if checked is None:
-            if editor is self._editor:
-                self._preview.show(None)
-                self._editor = None
-            if editor is not None:
-                self._edit(editor)
-            return
-        self._editor = editor
+            self._checked.pop(page, None)
+        else:
+            self._checked[page] = checked
+        if page.isVisible():
+            self._turn_to(page)
+
+    def _show(self, checked: Preflight) -> None:
+        self._shown = checked
         errors = (each for each in checked.findings if each.severity is Severity.ERROR)
         bad_rows = frozenset(
             each.row for each in errors if each.row is not None and each.approach is None
         )
-        content = checked.content
+        content, tool = checked.content, self._controller.cartesian.tool
+        geometry = checked.order.arm.kinematics.geometry
         self._preview.show(
             checked.path,
             bad_rows,
-            finding_marks(checked),
+            finding_marks(checked, tool),
             content.name,
             numbered=isinstance(content, Trajectory),
+            places_of=lambda joints_deg: tool_points(flange_transforms(geometry, joints_deg), tool),
         )
 
+    def _show_points(self) -> None:
+        """Show the points as they are edited, with the ghost at the chosen one."""
+        target = self.target
+        if target is None:
+            return
+        if self._shown is not None:
+            self._shown = None
+            self._preview.show(None)
+        points, cartesian = target.editor.document.points, self._controller.cartesian
+        geometry = cartesian.kinematics().geometry
+        key = (points, geometry, cartesian.tool)
+        if self._marks[0] != key:
+            self._marks = (key, marks_of(points, geometry, cartesian.tool))
+        row = target.editor.table.current_row()
+        self._preview.show_points(self._marks[1], row if row >= 0 else None, target.angles_deg())
+
     def _on_row(self, editor: EditorPage, row: int) -> None:
-        if editor is self._editor:
+        if editor is not self._page:
+            return
+        if self._shown is not None and self._shown is self._checked.get(editor):
             self._preview.select_row(row if row >= 0 else None)
         else:
-            self._edit(editor)
+            self._show_points()
 
     def _on_cell(self, editor: EditorPage, cell: QModelIndex, _before: QModelIndex) -> None:
-        """The range of a joint is shown while its cell is edited."""
+        """Show the range of a joint while its cell is edited."""
         points, row = editor.document.points, cell.row()
         if cell.column() in VALUES and 0 <= row < len(points) and points[row].is_joint:
             number = cell.column() - _FIRST_VALUE + 1
@@ -263,28 +351,23 @@ class PreviewLink(QObject):
         else:
             self._preview.show_joint_range(None)
 
-    def _show_points(self) -> None:
-        """The points as they are edited, with the ghost at the chosen one."""
-        editor, target = self._edited, self._target
-        if editor is None or target is None or self._editor is not None:
+    def _on_left(self, page: Page) -> None:
+        """Forget a page that was left for good, and what was shown of it."""
+        if page is self._library:
             return
-        points = editor.document.points
-        if self._marks[0] is not points:
-            self._marks = (points, marks_of(points, arm_model(self._controller)))
-        row = editor.table.current_row()
-        self._preview.show_points(self._marks[1], row if row >= 0 else None, target.angles_deg())
-
-    def _on_left(self, editor: EditorPage) -> None:
-        """What was previewed or edited is no longer open."""
-        if editor is self._edited:
-            self._edited = self._target = None
+        self._pages.remove(page)
+        self._targets.pop(page, None)
+        checked = self._checked.pop(page, None)
+        if page is self._page:
+            self._page = None
             self._preview.show_joint_range(None)
-            if self._editor is None:
-                self._preview.show(None)
-        if editor is self._editor:
+        if self._page is None or (checked is not None and checked is self._shown):
+            self._shown = None
             self._preview.show(None)
-            self._editor = None
 
     def _on_closed(self) -> None:
-        self._editor = None
-        self._show_points()
+        """The operator has closed the preview: the points are shown again."""
+        self._shown = None
+        if self._page is not None:
+            self._checked.pop(self._page, None)
+            self._turn_to(self._page)

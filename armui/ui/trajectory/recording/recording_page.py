@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import replace
 from functools import partial
 from typing import TYPE_CHECKING, Final
 
-from PySide6.QtCore import QTimer, Signal
+from PySide6.QtCore import QObject, QTimer, Signal
 from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QLabel, QLineEdit
 
@@ -15,15 +15,18 @@ from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.control.events import Level
 from armui.control.operating_state import OperatingState
+from armui.control.operations.operation import operation_of
+from armui.control.run.recorder import Recorder
 from armui.trajectory.library.run_options import RunOptions
 from armui.trajectory.library.store import Library
 from armui.trajectory.samples import thin
 from armui.trajectory.samples.recording import Recording
 from armui.ui import words
+from armui.ui.actions.command import Command, Target
 from armui.ui.background import Job
 from armui.ui.trajectory.editor.leave_question import LeaveQuestion
 from armui.ui.trajectory.library.library_work import LibraryWork
-from armui.ui.trajectory.running.preflight import Checks, Preflight
+from armui.ui.trajectory.running.run_request import Checks, Preflight
 from armui.ui.trajectory.text import duration
 from armui.ui.widgets.buttons import named, push_button
 from armui.ui.widgets.figure_field import FigureField
@@ -31,17 +34,86 @@ from armui.ui.widgets.layouts import STRETCH, empty_grid, fill, in_row
 from armui.ui.widgets.message_line import MessageLine
 from armui.ui.widgets.page import Page
 from armui.ui.widgets.text_label import text_label
+from armui.ui.words.text import Text
 
 if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
+    from armui.control.run.recorder import Recorder
     from armui.control.run.sample_store import Recorded
     from armui.trajectory.files import Content
+    from armui.trajectory.library.recording_drafts import RecordingDraft
     from armui.ui.background import Background
 
 _TOLERANCE_DEG: Final = 0.1
 _FIELD_PX: Final = 120
 _AFTER_MS: Final = 250
 """Half an hour of samples is not thinned anew at each key."""
+
+
+_WRITE_MS: Final = 1000
+"""So much of a recording is lost when the program is killed, at most."""
+
+
+class RecordingKeeper(QObject):
+    """Keeps a recording in a file as it comes, until it is saved or not wanted.
+
+    Args:
+        recorder: Records.
+        work: Has the library write.
+
+    Signals:
+        failed: Why it is not kept any more, as a text; recording goes on.
+    """
+
+    failed = Signal(str)
+
+    def __init__(self, recorder: Recorder, work: LibraryWork) -> None:
+        super().__init__(work)
+        self._recorder = recorder
+        self._work = work
+        self._draft: RecordingDraft | None = None
+        self._written = 0
+        self._refused = False
+        self._timer = QTimer(self, interval=_WRITE_MS)
+        self._timer.timeout.connect(self.write)
+
+    def begin(self, name: str, taught_on: str) -> None:
+        """Keep what is recorded from now on.
+
+        Args:
+            name: What it will be called.
+            taught_on: The arm it is of.
+        """
+        self.drop()
+        self._draft = self._work.library.begin_recording(name, taught_on)
+        self._written, self._refused = 0, False
+        self._timer.start()
+
+    def write(self) -> None:
+        """Append what has come since the last time."""
+        draft, count = self._draft, self._recorder.count
+        if draft is None or self._refused:
+            return
+        if not self._recorder.recording:
+            self._timer.stop()
+        rows = self._recorder.rows_from(self._written) if count > self._written else None
+        if rows is not None:
+            self._written = count
+            append = partial(self._work.library.append_recording, draft, rows)
+            self._work.do(append, refused=partial(self._on_refused, draft))
+
+    def drop(self) -> None:
+        """Remove the file: what was recorded is saved, or not wanted."""
+        self._timer.stop()
+        draft, self._draft = self._draft, None
+        if draft is not None:
+            self._work.do(partial(self._work.library.drop_recording, draft))
+
+    def _on_refused(self, draft: RecordingDraft, text: str) -> None:
+        if draft is self._draft and not self._refused:
+            self._refused = True
+            self._timer.stop()
+            self.failed.emit(text)
 
 
 class RecordingPage(Page):
@@ -58,6 +130,13 @@ class RecordingPage(Page):
         preview_wanted: A :class:`Preflight` of what would be saved, to be shown in 3D.
     """
 
+    commands = (
+        Command("recording.record", Text("RecordingPage", "Record"), operation_of(Recorder.start)),
+        Command("recording.stop", Text("RecordingPage", "Stop recording")),
+        Command("recording.preview", Text("RecordingPage", "Preview"), leads=True),
+        Command("recording.points", Text("RecordingPage", "Save as points")),
+        Command("recording.samples", Text("RecordingPage", "Save as recording")),
+    )
     saved = Signal(str)
     preview_wanted = Signal(object)
 
@@ -75,6 +154,7 @@ class RecordingPage(Page):
         self._job: Job[Recording | None] | None = None
         self._library = library
         self._work = LibraryWork(library, background, self)
+        self._keeper = RecordingKeeper(controller.recorder, self._work)
         self._joining = self._leaving = False
         self._recording = self._result = recording
         self._unsaved = False
@@ -87,6 +167,16 @@ class RecordingPage(Page):
             self._show_recording(recording)
         self.retranslate_ui()
         self._record.setFocus()
+
+    def command_targets(self) -> Mapping[str, Target]:
+        """Return what carries out each command, by the command's name."""
+        record = "stop" if self._controller.recorder.recording else "record"
+        return {
+            f"recording.{record}": self._record,
+            "recording.preview": self._preview,
+            "recording.points": self._as_points,
+            "recording.samples": self._as_samples,
+        }
 
     def _make_widgets(self) -> None:
         self._record = push_button("record", on_enter=False)
@@ -123,6 +213,7 @@ class RecordingPage(Page):
         self._as_points.clicked.connect(self.save_points)
         for field in (self._from, self._to, self._tolerance):
             field.value_edited.connect(self._timer.start)
+        self._keeper.failed.connect(self._on_not_kept)
         self._controller.recorder.changed.connect(self._on_recorder)
         self._controller.operating_state_changed.connect(self._on_operating_state)
 
@@ -144,16 +235,30 @@ class RecordingPage(Page):
         else:
             self._drop_work()
             self._recording = self._result = None
+            taught_on = self._controller.operating_state.model_fit.taught_on
+            self._keeper.begin(self._wanted_name(), taught_on)
             self._say("")
         self._show_state()
 
+    def _wanted_name(self) -> str:
+        return self._name.text().strip() or self.tr("Recording")
+
+    def keep_draft(self) -> None:
+        """The program ends: what is recorded and not saved is offered the next time."""
+        self._keeper.write()
+
+    def _on_not_kept(self, text: str) -> None:
+        said = self.tr("It is in memory alone until it is saved. {reason}").format(reason=text)
+        self._say(said, Level.WARNING)
+
     def _take(self) -> None:
-        name = self._name.text().strip() or self.tr("Recording")
+        name = self._wanted_name()
         recorded = self._controller.recorder.finish(name)
         if recorded is None:
             self._say(self.tr("Nothing was recorded: the arm told no angles."), Level.WARNING)
             self._show_state()
             return
+        self._keeper.write()
         self._unsaved = self._joining = True
         self._say(self.tr("Working…"))
         self._show_state()
@@ -252,7 +357,7 @@ class RecordingPage(Page):
         self._work_out(self._plan_preview)
 
     def _plan_preview(self, recording: Recording) -> None:
-        self._checks.begin(self._checks.prepare(recording, RunOptions(), self._show_preview))
+        self._checks.begin(recording, RunOptions(), self._show_preview)
 
     def _show_preview(self, checked: Preflight | Refusal) -> None:
         if isinstance(checked, Refusal):
@@ -294,6 +399,7 @@ class RecordingPage(Page):
     def _on_saved(self, whole: Recording | None, name: str) -> None:
         if self._recording is whole:
             self._unsaved = False
+            self._keeper.drop()
         self._say(self.tr("Saved as “{name}”.").format(name=name), Level.DONE)
         self.saved.emit(name)
 
@@ -315,6 +421,7 @@ class RecordingPage(Page):
 
     def _discard(self) -> None:
         self._unsaved = False
+        self._keeper.drop()
         super().leave()
 
     # Words ------------------------------------------------------------------------------------

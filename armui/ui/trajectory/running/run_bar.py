@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
-from functools import partial
 from typing import Final, NamedTuple
 
 from PySide6.QtCore import QObject, QSignalBlocker, Qt, Signal
@@ -15,7 +14,10 @@ from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.control.arm_controller import ArmController
 from armui.control.operating_state import OperatingState, StopState
+from armui.control.operations.operation import operation_of
+from armui.control.run.player import Player
 from armui.control.run.progress import ENDLESS, Progress, sent_percent
+from armui.control.run.speed_override import FULL_PERCENT
 from armui.trajectory.files import Content
 from armui.trajectory.library.run_options import (
     FASTEST_FACTOR,
@@ -27,13 +29,15 @@ from armui.trajectory.library.store import IndexEntry
 from armui.trajectory.planning.timing import APPROACH_PERCENT
 from armui.trajectory.points.program import SpeedsFrom
 from armui.ui import words
-from armui.ui.actions.keys import keys_of, listen_for
-from armui.ui.trajectory.running.preflight import CheckJob, Checks, Preflight
+from armui.ui.actions.command import Command, Target, of_place
+from armui.ui.actions.keys import key_text, keys_of, listen_for
+from armui.ui.trajectory.running.run_request import Checks, RequestState, RunRequest
 from armui.ui.trajectory.running.runner import Runner, ended_early
 from armui.ui.widgets.buttons import enable_or_explain, named, push_button, show_primary
 from armui.ui.widgets.flow import in_flow, pair
 from armui.ui.widgets.text_label import text_label
 from armui.ui.widgets.translated import Translated
+from armui.ui.words.text import Text
 
 _ONCE, _TIMES, _LOOP = range(3)
 _SPIN_PX: Final = 34
@@ -109,6 +113,18 @@ class RunChoices(QObject):
                 self.note_run(entry.name)
 
 
+def run_commands(place: str) -> tuple[Command, ...]:
+    """Return the commands of the bar in a place."""
+    commands = (
+        Command("send", Text("RunBar", "Send"), operation_of(Player.start)),
+        Command("cycles", Text("RunBar", "How often")),
+        Command("speed", Text("Action", "Speed of the run")),
+        Command("first", Text("RunBar", "From row")),
+        Command("steps", Text("RunBar", "Step by step")),
+    )
+    return of_place(place, commands)
+
+
 class RunBar(Translated, QWidget):
     """Runs what its page gives it; how far that has come is told by the :class:`RunStrip`.
 
@@ -122,12 +138,14 @@ class RunBar(Translated, QWidget):
     Signals:
         checked: A :class:`Preflight` and, if the operator has to agree to the run, what begins it;
             else ``None``.
+        withdrawn: What the operator was asked to agree to is not to be run any more.
         refused: A :class:`Refusal`.
         progressed: A :class:`Progress`.
         started: The name of what begins to run, and its :class:`RunOptions`.
     """
 
     checked = Signal(object, object)
+    withdrawn = Signal()
     refused = Signal(object)
     progressed = Signal(object)
     started = Signal(str, object)
@@ -146,18 +164,16 @@ class RunBar(Translated, QWidget):
         self._content = content
         self._name = ""
         self._speeds: Sequence[SpeedsFrom] = ()
-        self._job: CheckJob | None = None
-        self._reading: object | None = None
+        self._request: RunRequest | None = None
         self._recording = False
         self._nothing: Refusal | None = None
-        self._about_to_run = False
         self._runner = Runner(controller, self)
         self._again: _Started | None = None
         self._make_widgets()
         self._lay_out()
-        self._send.clicked.connect(self._on_send)
+        self._send.clicked.connect(self.send)
         self._call_off.clicked.connect(lambda _checked=False: self.drop_check())
-        self._resume.clicked.connect(self._on_resume)
+        self._resume.clicked.connect(self.resume)
         self._cycles.currentIndexChanged.connect(self._on_chosen)
         for spin in (self._times, self._speed, self._first):
             spin.valueChanged.connect(self._on_chosen)
@@ -194,6 +210,16 @@ class RunBar(Translated, QWidget):
         for widget in (self._effective, self._state, self._call_off, self._resume, self._send):
             flow.push(widget)
 
+    def command_targets(self, place: str) -> Mapping[str, Target]:
+        """Return what carries out each command, by the command's name in a place."""
+        return {
+            f"{place}.send": self._send,
+            f"{place}.cycles": self._cycles,
+            f"{place}.speed": self._speed,
+            f"{place}.first": self._first,
+            f"{place}.steps": self._steps,
+        }
+
     # What the operator wants ------------------------------------------------------------------
 
     def listen(self, page: QWidget) -> None:
@@ -226,65 +252,6 @@ class RunBar(Translated, QWidget):
         for widget in (self._from_row, self._steps):
             widget.setVisible(not recording)
         self._show_usable()
-
-    def check(self) -> None:
-        """Check what would be run; :attr:`checked` tells how it ended."""
-        self._check(self._options(), lambda checked: self.checked.emit(checked, None))
-
-    def drop_check(self, but: str = "") -> None:
-        """What is being checked is so no more, or not wanted: nothing comes of it, no run either.
-
-        Args:
-            but: The name of what may go on being checked.
-        """
-        reading = self._reading is not None and not but
-        if reading or (self._job is not None and self._job.order.content.name != but):
-            if self._job is not None:
-                self._job.drop()
-            self._job = self._reading = None
-            self._about_to_run = False
-            self._show_usable()
-
-    def _check(self, options: RunOptions, then: Callable[[Preflight], object]) -> None:
-        self.drop_check()
-        reading = self._reading = object()
-        self._content(partial(self._on_content, reading, options, then))
-        self._show_usable()
-
-    def _on_content(
-        self,
-        reading: object,
-        options: RunOptions,
-        then: Callable[[Preflight], object],
-        content: Content | None,
-    ) -> None:
-        """What shall be checked was read; unless it is not wanted any more, check it."""
-        if reading is not self._reading:
-            return
-        self._reading = None
-        if content is None:
-            self._about_to_run = False
-            self._show_usable()
-            return
-        self._job = self._checks.prepare(content, options, partial(self._on_checked, then))
-        self._checks.begin(self._job)
-        self._show_usable()
-
-    @property
-    def _checking(self) -> bool:
-        """Whether something is being read or checked."""
-        return self._job is not None or self._reading is not None
-
-    def _on_checked(
-        self, then: Callable[[Preflight], object], checked: Preflight | Refusal
-    ) -> None:
-        self._job = None
-        self._about_to_run = False
-        self._show_usable()
-        if isinstance(checked, Refusal):
-            self.refused.emit(checked)
-        else:
-            then(checked)
 
     def _options(self) -> RunOptions:
         recording = self._recording
@@ -319,12 +286,13 @@ class RunBar(Translated, QWidget):
 
     def _show_effective(self) -> None:
         """Say how fast the arm is told to go: of all speeds on the window, the one that counts."""
-        factor = self._speed.value() / 100.0
+        override = self._controller.operating_state.override_percent
+        factor = self._speed.value() / 100.0 * override / 100.0
         if self._recording:
             text = self.tr("Effective: {percent} % of the recorded speed")
-            text = text.format(percent=self._speed.value())
+            text = text.format(percent=f"{100.0 * factor:.3g}")
             tip = self.tr("The first sample is approached at {percent} %.")
-            tip = tip.format(percent=APPROACH_PERCENT)
+            tip = tip.format(percent=sent_percent(APPROACH_PERCENT, override / 100.0))
         else:
             # further cycles begin with the first row
             row = self._first.value() if self._cycles.currentIndex() == _ONCE else 1
@@ -337,6 +305,13 @@ class RunBar(Translated, QWidget):
                     "The speed of each row × that of the run, 1–100 %; from row {row} on."
                 ).format(row=row)
         lines = [tip, self.tr("The speed in the top bar does not change a run.")]
+        if override != FULL_PERCENT:
+            text = self.tr("{text} · override {percent} %").format(text=text, percent=override)
+            stays = self.tr(
+                "The override was chosen in a run and stays; it can be raised once something runs "
+                "(key {key})."
+            )
+            lines.append(stays.format(key=key_text("everywhere.faster")))
         if not self._shared.has_run(self._name):
             text = self.tr("{text} · first run").format(text=text)
             begin = self.tr(
@@ -354,16 +329,77 @@ class RunBar(Translated, QWidget):
         before = [one for one in self._speeds if one.row < row]
         return before[-1][1:] if before else (1, 1)
 
-    def stand_back(self, wanted: bool) -> None:
-        """Whether something else on the page is done more often than running it."""
+    # What is asked for ------------------------------------------------------------------------
+
+    def show_secondary(self, wanted: bool) -> None:
+        """Show that something else on the page is done more often than running it."""
         show_primary(self._send, wanted=not wanted)
 
-    def _on_send(self) -> None:
-        self._run(self._options)
+    def check(self) -> None:
+        """Check what would be run; :attr:`checked` tells how it ended."""
+        self._begin(self._options, runs=False)
 
-    def _on_resume(self) -> None:
+    def send(self) -> None:
+        """Check what is chosen, then run it."""
+        self._begin(self._options)
+
+    def resume(self) -> None:
         """Take a run up where it ended."""
-        self._run(self._options_to_resume)
+        self._begin(self._options_to_resume, self._why_not_resume)
+
+    def _begin(
+        self,
+        options: Callable[[], RunOptions],
+        why_not: Callable[[str], Refusal | None] = lambda _name: None,
+        *,
+        runs: bool = True,
+    ) -> None:
+        self._give_up()
+        self._request = RunRequest(
+            *(self._controller, self._checks, self._runner),
+            read=self._content,
+            options=options,
+            told=self._on_request,
+            runs=runs,
+            why_not=why_not,
+        )
+        self._request.begin()
+
+    def _on_request(self, request: RunRequest) -> None:
+        """Show how far a request has come."""
+        if request is not self._request:
+            return
+        self._show_usable()
+        checked = request.checked
+        if request.state is RequestState.CHECKED:
+            self.checked.emit(checked, request.accept if request.must_ask else None)
+        elif request.state is RequestState.REFUSED:
+            self.refused.emit(request.refusal)
+        elif request.state is RequestState.GIVEN_UP and request.must_ask:
+            self.withdrawn.emit()
+        elif request.state is RequestState.UNDER_WAY and checked is not None:
+            cycles = self._options().cycles
+            self._again = _Started(request.name, cycles, request.options.cycles)
+            self._shared.note_run(request.name)
+            self.started.emit(request.name, self._options())
+
+    def drop_check(self, but: str = "") -> None:
+        """Let nothing come of what is read, checked or asked: it is so no more, or not wanted.
+
+        Args:
+            but: The name of what may go on being checked; its page tells what it has read.
+        """
+        if self._request is not None and not (but and self._request.name in {"", but}):
+            self._give_up()
+
+    def _give_up(self) -> None:
+        if self._request is not None:
+            self._request.give_up()
+
+    @property
+    def is_checking(self) -> bool:
+        """True while something is read or checked."""
+        return self._request is not None and self._request.is_busy
 
     def _options_to_resume(self) -> RunOptions:
         """As shown now, from where it ended; for as many cycles as are left, unless chosen anew."""
@@ -378,48 +414,8 @@ class RunBar(Translated, QWidget):
         begun_here = self._again is not None and self._again.name == progress.name == name
         return begun_here and ended_early(progress)
 
-    def _run(self, wanted: Callable[[], RunOptions]) -> None:
-        """Check, then run.
-
-        Args:
-            wanted: Tells how, by what is shown; asked again when the arm is about to set out.
-        """
-        refusal = self._controller.operating_state.cannot_run
-        if refusal is not None:
-            self.refused.emit(refusal)
-            return
-        self._check(wanted(), partial(self._run_checked, wanted))
-        self._about_to_run = self._checking
-
-    def _run_checked(self, wanted: Callable[[], RunOptions], checked: Preflight) -> None:
-        if wanted == self._options_to_resume and not self._may_resume(checked.content.name):
-            self.refused.emit(Refusal(RefusalCode.ASKED_OTHERWISE))
-        elif wanted() != checked.basis.options:
-            self._run(wanted)  # turned meanwhile: what is shown has not been checked
-        elif checked.errors:
-            self.checked.emit(checked, None)
-            self.refused.emit(Refusal(RefusalCode.FINDINGS_AGAINST, {"count": checked.errors}))
-        elif checked.findings or checked.took_s > _SURPRISING_S:
-            self.checked.emit(checked, lambda: self._start(wanted, checked))
-        else:
-            self.checked.emit(checked, None)
-            self._start(wanted, checked)
-
-    def _start(self, wanted: Callable[[], RunOptions], checked: Preflight) -> None:
-        options = wanted()
-        if options != checked.basis.options:
-            self._run(wanted)
-            return
-        refusal = checked.why_outdated(self._controller, options)
-        if refusal is None:
-            name, cycles = checked.content.name, self._options().cycles
-            self._again = _Started(name, cycles, options.cycles)
-            refusal = self._runner.start(checked)
-        if refusal is not None:
-            self.refused.emit(refusal)
-            return
-        self._shared.note_run(checked.content.name)
-        self.started.emit(checked.content.name, self._options())
+    def _why_not_resume(self, name: str) -> Refusal | None:
+        return None if self._may_resume(name) else Refusal(RefusalCode.ASKED_OTHERWISE)
 
     # How far it has come ----------------------------------------------------------------------
 
@@ -432,8 +428,9 @@ class RunBar(Translated, QWidget):
         self.progressed.emit(progress)
 
     def _on_operating_state(self, operating_state: OperatingState) -> None:
-        if self._about_to_run and operating_state.stop is not StopState.RUNNING:
-            self.drop_check()  # the stop was meant for what was about to begin, too
+        request = self._request
+        if request is not None and request.runs and operating_state.stop is not StopState.RUNNING:
+            request.give_up()  # the stop was meant for what was about to begin, too
         if self.isVisible():
             self._show_usable()
 
@@ -446,7 +443,7 @@ class RunBar(Translated, QWidget):
         return words.why_not(self._controller.operating_state.cannot_run)
 
     def _show_usable(self, *_: object) -> None:
-        progress, checking = self._runner.progress, self._checking
+        progress, checking = self._runner.progress, self.is_checking
         why_not = self._why_not()
         for choice in self._choices:  # the run under way has its own
             choice.setEnabled(not self._runner.running)
@@ -487,7 +484,8 @@ class RunBar(Translated, QWidget):
 
     def hideEvent(self, event: QHideEvent) -> None:
         """Nothing begins from a page that is not seen."""
-        self.drop_check()
+        if self.is_checking:
+            self._give_up()
         super().hideEvent(event)
 
 

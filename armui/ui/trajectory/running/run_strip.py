@@ -2,14 +2,20 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QSize, Qt
 from PySide6.QtWidgets import QProgressBar, QToolButton, QWidget
 
+from armui.control.operations.operation import operation_of
+from armui.control.run.player import Player
 from armui.control.run.progress import ENDLESS, OVER, Progress, RunPhase
+from armui.control.run.speed_override import STEP_PERCENT, SpeedOverride
 from armui.ui import words
+from armui.ui.actions.command import Command, Target, also
 from armui.ui.theme import colors_of
+from armui.ui.trajectory.running.override_control import OverrideControl
 from armui.ui.trajectory.running.runner import Runner, can_go_on, can_pause
 from armui.ui.trajectory.text import duration
 from armui.ui.widgets import icons
@@ -18,6 +24,7 @@ from armui.ui.widgets.hold_button import HoldButton
 from armui.ui.widgets.layouts import in_row
 from armui.ui.widgets.text_label import ElidedLabel
 from armui.ui.widgets.translated import Translated
+from armui.ui.words.text import Text
 
 if TYPE_CHECKING:
     from PySide6.QtGui import QHideEvent, QShowEvent
@@ -40,6 +47,19 @@ class RunStrip(Translated, QWidget):
         controller: Runs it.
     """
 
+    commands = (
+        Command("run.pause", Text("RunStrip", "Pause"), operation_of(Player.pause)),
+        Command("run.go_on", operation=operation_of(Player.go_on)),
+        Command("run.stop", Text("RunStrip", "End run")),
+        Command(
+            "run.override",
+            Text("OverrideControl", "Speed override of the run"),
+            operation_of(SpeedOverride.set_percent),
+            {"percent": STEP_PERCENT},
+            synonyms=also("velocity fast slow 速度 快 慢"),
+        ),
+    )
+
     def __init__(self, controller: ArmController) -> None:
         super().__init__()
         self.setObjectName("run_strip")
@@ -53,6 +73,7 @@ class RunStrip(Translated, QWidget):
         self._bar.setRange(0, _STEPS)
         self._bar.setTextVisible(False)
         self._bar.setMinimumWidth(_BAR_PX // 2)
+        self._override = OverrideControl(controller)
         self._pause = push_button("run_pause", on_enter=False)
         # a motion that was held back is never set going by a slip
         self._continue = named("run_continue", HoldButton(controller))
@@ -60,7 +81,7 @@ class RunStrip(Translated, QWidget):
         self._close = named("run_close", QToolButton())
         self._close.setIconSize(QSize(_ICON_PX, _ICON_PX))
         in_row(
-            *((self._name, 2), (self._text, 4), (self._bar, 1)),
+            *((self._name, 2), (self._text, 4), (self._bar, 1), self._override),
             *(self._pause, self._continue, self._stop, self._close),
             on=self,
             spacing=12,
@@ -74,6 +95,14 @@ class RunStrip(Translated, QWidget):
         self.retranslate_ui()
         self._recolor()
         self.hide()
+
+    def command_targets(self) -> Mapping[str, Target]:
+        """Return what carries out each command, by the command's name."""
+        stop: dict[str, Target] = {"run.stop": self._stop, "run.override": self._override.field}
+        if can_pause(self._runner.progress):
+            return {**stop, "run.pause": self._pause}
+        go_on = self.go_on_button  # a press of the palette never sets the arm moving
+        return stop if go_on is None else {**stop, "run.go_on": go_on}
 
     @property
     def go_on_button(self) -> QWidget | None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 from datetime import datetime, timedelta
 from functools import partial
 from typing import TYPE_CHECKING, Final
@@ -18,6 +19,7 @@ from armui.telemetry.bus_statistics import BusStatistics
 from armui.telemetry.bus_trace import TRACE_FRAMES, TraceSnapshot
 from armui.ui import format as fmt
 from armui.ui import words
+from armui.ui.actions.command import Command, Target
 from armui.ui.actions.keys import listen_for
 from armui.ui.theme import colors_of
 from armui.ui.watch.bus import frame_model, trace_model
@@ -36,6 +38,7 @@ from armui.ui.widgets.seen_timer import SeenTimer
 from armui.ui.widgets.table_model import Index
 from armui.ui.widgets.text_label import ElidedLabel, text_label
 from armui.ui.widgets.translated import Translated
+from armui.ui.words.text import Text
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
@@ -324,6 +327,18 @@ class BusPage(Page):
         send_box: Sends a frame by hand.
     """
 
+    commands = (
+        Command("bus.by_id", Text("FilterBar", "By identifier")),
+        Command("bus.in_order", Text("FilterBar", "In order of time")),
+        Command("bus.pause", Text("FilterBar", "Pause")),
+        Command("bus.clear", Text("FilterBar", "Clear")),
+        Command("bus.only_changed", Text("FilterBar", "Only changed")),
+        Command("bus.only_unknown", Text("FilterBar", "Only unknown or malformed")),
+        Command("bus.unlock", Text("SendBox", "Hold to send frames by hand"), risky=True),
+        Command("bus.send", Text("SendBox", "Send"), leads=True),
+        Command("bus.lock", Text("SendBox", "Lock")),
+    )
+
     def __init__(self, controller: ArmController) -> None:
         super().__init__("bus")
         self.setObjectName("bus_page")
@@ -350,6 +365,21 @@ class BusPage(Page):
         self._lay_out()
         self._connect()
         self.retranslate_ui()
+
+    def command_targets(self) -> Mapping[str, Target]:
+        """Return what carries out each command, by the command's name."""
+        bar, box = self.filter_bar, self.send_box
+        return {
+            "bus.by_id": bar.by_id,
+            "bus.in_order": bar.in_order,
+            "bus.pause": bar.pause,
+            "bus.clear": bar.clear,
+            "bus.only_changed": bar.only_changed,
+            "bus.only_unknown": bar.only_unknown,
+            "bus.unlock": box.unlock,
+            "bus.send": box.send,
+            "bus.lock": box.lock,
+        }
 
     def _lay_out(self) -> None:
         self.body.setSpacing(8)
@@ -544,12 +574,12 @@ class BusPage(Page):
         self.statistics.forget_waiting()
         self._device = self._controller.operating_state.device
         self.begin()
-        self._controller.bus.add_tap(self.statistics)
+        self._controller.bus.add_listener(self.statistics)
 
     def hideEvent(self, event: QHideEvent) -> None:
         """Listen no more."""
         self._soon.stop()
-        self._controller.bus.remove_tap(self.statistics)
+        self._controller.bus.remove_listener(self.statistics)
         super().hideEvent(event)
 
     def retranslate_ui(self) -> None:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import enum
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Final
 
@@ -27,6 +27,7 @@ from armui.arm.refusal_codes import RefusalCode
 from armui.control.events import Event, EventCode, Level
 from armui.ui import format as fmt
 from armui.ui import words
+from armui.ui.actions.command import Command, Target
 from armui.ui.background import Job
 from armui.ui.dialogs.base import ArmDialog
 from armui.ui.watch.recordings import recording_files
@@ -42,7 +43,7 @@ from armui.ui.widgets.layouts import STRETCH, fill, in_row
 from armui.ui.widgets.message_line import MessageLine
 from armui.ui.widgets.seen_timer import SeenTimer
 from armui.ui.widgets.table_model import LEFT, RIGHT, Index, TableModel, list_rows
-from armui.ui.words.text import Texts
+from armui.ui.words.text import Text, Texts
 
 if TYPE_CHECKING:
     from PySide6.QtGui import QShowEvent
@@ -273,6 +274,18 @@ class SessionsWindow(ArmDialog):
         export_wanted: The path of a recording to be exported.
     """
 
+    commands = (
+        Command("sessions.record", Text("RecordingCard", "Record")),
+        Command("sessions.folder", Text("Action", "Folder of the recordings")),
+        Command("sessions.ring", Text("RingCard", "Save what just happened")),
+        Command("sessions.ring_at_faults", Text("RingCard", "Save by itself at a fault or a stop")),
+        Command("sessions.replay", Text("SessionsWindow", "Replay")),
+        Command("sessions.export", Text("SessionsWindow", "Export…")),
+        Command("sessions.rename", Text("SessionsWindow", "Rename")),
+        Command("sessions.delete", Text("SessionsWindow", "Delete")),
+        Command("sessions.other", Text("SessionsWindow", "Replay another log…")),
+        Command("sessions.show_folder", Text("SessionsWindow", "Show in the file manager")),
+    )
     open_wanted = Signal(object)
     other_wanted = Signal()
     export_wanted = Signal(object)
@@ -314,6 +327,21 @@ class SessionsWindow(ArmDialog):
         self._model.modelReset.connect(self._show_usable)
         self.retranslate_ui()
         self.resize(_SIZE.boundedTo(self.screen().availableSize()))
+
+    def command_targets(self) -> Mapping[str, Target]:
+        """Return what carries out each command, by the command's name."""
+        return {
+            "sessions.record": self.recording.record_button,
+            "sessions.folder": self.recording.folder_button,
+            "sessions.ring": self.ring.save_button,
+            "sessions.ring_at_faults": self.ring.at_faults_box,
+            "sessions.replay": self.open_button,
+            "sessions.export": self.export_button,
+            "sessions.rename": self.rename_button,
+            "sessions.delete": self.delete_button,
+            "sessions.other": self.other_button,
+            "sessions.show_folder": self.folder_button,
+        }
 
     def _make_buttons(self) -> None:
         self.open_button = push_button("session_open", on_enter=False)

@@ -1,4 +1,4 @@
-"""Whether the arm takes the motions it is sent, pure: one that vanishes must not do so in silence.
+"""Watches whether the arm takes up the motions it is sent, so that a lost one is told: pure.
 
 A frame may be lost, or the arm may listen under other identifiers than the program speaks under: a
 control offset it has kept (0x470) can be neither heard nor asked for.
@@ -26,8 +26,8 @@ _SINGLE: Final = frozenset({CommandKind.JOINTS, CommandKind.POSE, CommandKind.JO
 """Runs and replays say for themselves where the arm is not."""
 
 
-class HeedWatch:
-    """Follows each single motion of ours until the arm shows that it has taken it, or not."""
+class AcknowledgementMonitor:
+    """Follows each single motion of ours until the arm shows that it has taken it, or does not."""
 
     def __init__(self) -> None:
         self._number = 0
@@ -43,7 +43,7 @@ class HeedWatch:
     def observe(
         self, command: MotionCommand | None, ended: End | None, state: ArmState, now_s: float
     ) -> bool:
-        """Whether it is seen just now that the arm has not taken the last motion.
+        """Tell whether it shows just now that the arm has not taken the last motion.
 
         Args:
             command: Ours, while its target is one to start from.
@@ -76,8 +76,8 @@ class HeedWatch:
         self._command = None
         return True
 
-    def forget(self) -> None:
-        """Another connection begins, or a motion is held back: nothing is to be seen of it."""
+    def reset(self) -> None:
+        """Watch no motion any more: another connection begins, or a motion is held back."""
         self._command = None
 
     def _shows(self, state: ArmState, angles_deg: tuple[float, ...] | None) -> bool:

@@ -1,4 +1,4 @@
-"""What the bus thread notes for the event log: every change of a status, however short."""
+"""Notes every change of a status for the event log, in the bus thread, however short it is."""
 
 from __future__ import annotations
 
@@ -9,12 +9,12 @@ from typing import TYPE_CHECKING, Any, Final, NamedTuple
 from armui.arm.limits import JOINTS
 from armui.arm.state import FRESH_FOR_S
 from armui.protocol.codec import Message
-from armui.telemetry.tap import Tap
+from armui.telemetry.listener import Listener
 
 if TYPE_CHECKING:
     from armui.protocol.codec import Codec
     from armui.protocol.generation import Generation
-    from armui.telemetry.tap import Taken
+    from armui.telemetry.listener import ReceivedFrame
 
 STATUS: Final = "ArmStatus"
 GRIPPER: Final = "GripperFeedback"
@@ -50,7 +50,7 @@ _COMMON: Final = WATCHED[STATUS][: len(_STATUS_CODES) + len(JOINTS)]
 """What of the status both generations say alike."""
 
 
-class Heard(NamedTuple):
+class StatusChange(NamedTuple):
     """A status that differs from the one before.
 
     Attributes:
@@ -81,7 +81,7 @@ class InvalidFrames(NamedTuple):
     last_s: float
 
 
-class StatusTap(Tap):
+class StatusListener(Listener):
     """Notes changes in the bus thread; the controller's tick takes them away.
 
     An arm repeats most of what it says, and the same bytes share one decoded message: they cost
@@ -91,7 +91,7 @@ class StatusTap(Tap):
     def __init__(self) -> None:
         self._latest: dict[str, Any] = {}
         self._values: dict[str, tuple[float | None, ...]] = {}
-        self._changes: deque[Heard | InvalidFrames] = deque(maxlen=_MOST_WAITING)
+        self._changes: deque[StatusChange | InvalidFrames] = deque(maxlen=_MOST_WAITING)
         self._invalid: dict[str, InvalidFrames] = {}
         self._generation: Generation | None = None
         self._codec: Codec | None = None
@@ -99,8 +99,8 @@ class StatusTap(Tap):
         self._count = 0
         self._counted_s: float | None = None
 
-    def take(self) -> list[Heard | InvalidFrames]:
-        """What was noted since the last call; the controller's thread."""
+    def take_changes(self) -> list[StatusChange | InvalidFrames]:
+        """Return what was noted since the last call; called by the controller's thread."""
         changes = []
         while self._changes:
             changes.append(self._changes.popleft())
@@ -124,7 +124,7 @@ class StatusTap(Tap):
         self._codec = codec
         self._latest = {}
 
-    def on_heard(self, batch: Sequence[Taken]) -> None:
+    def on_heard(self, batch: Sequence[ReceivedFrame]) -> None:
         """Look for changes."""
         latest = self._latest
         for heard, at_s, frame, _flags in batch:
@@ -139,7 +139,7 @@ class StatusTap(Tap):
             if name not in WATCHED:
                 continue
             if self._last_s is not None and at_s - self._last_s > FRESH_FOR_S:
-                self._changes.append(Heard(self._last_s, GAP, {}))
+                self._changes.append(StatusChange(self._last_s, GAP, {}))
                 self._begin_anew()
                 latest = self._latest
             self._last_s = at_s
@@ -169,7 +169,7 @@ class StatusTap(Tap):
             self._values[name] = values
             named = zip(watched, values, strict=True)
             told = {each: value for each, value in named if value is not None}
-            self._changes.append(Heard(at_s, name, told))
+            self._changes.append(StatusChange(at_s, name, told))
 
     def _note_rate(self, at_s: float) -> None:
         counted_s = self._counted_s
@@ -178,7 +178,7 @@ class StatusTap(Tap):
             return
         self._count += 1
         if at_s - counted_s >= RATE_SPAN_S:
-            self._changes.append(Heard(at_s, RATE, {"hz": self._count / (at_s - counted_s)}))
+            self._changes.append(StatusChange(at_s, RATE, {"hz": self._count / (at_s - counted_s)}))
             self._counted_s, self._count = at_s, 0
 
     def _note_invalid(self, kind: str, arbitration_id: int, at_s: float) -> None:

@@ -6,7 +6,7 @@ import pytest
 
 from armui.arm.state import ArmState, Reading
 from armui.control.motion.motion_command import CommandKind, End, MotionCommand
-from armui.control.safety.heeding import HeedWatch
+from armui.control.safety.command_acknowledgement import AcknowledgementMonitor
 from armui.protocol.codes import ArmStatusCode
 from tests.control.heard_arm import HERE, THERE, status
 from tests.ui.arm_states import heard_six
@@ -23,7 +23,7 @@ class Watched:
     """An arm that is looked at every sixteenth of a second."""
 
     def __init__(self) -> None:
-        self.watch = HeedWatch()
+        self.watch = AcknowledgementMonitor()
         self.now_s = BEGIN_S
         self.joints_deg: tuple[float, ...] | None = HERE
         self.status = status()
@@ -154,7 +154,7 @@ def test_nothing_is_seen_where_the_angles_are_not_heard(arm):
 
 def test_what_is_forgotten_is_not_taken_up_again(arm):
     arm.look(JOINTS)
-    arm.watch.forget()
+    arm.watch.reset()
     assert arm.looks(JOINTS, 2.0) == 0
 
 

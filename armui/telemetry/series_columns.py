@@ -16,8 +16,8 @@ import numpy as np
 from armui.arm.limits import JOINTS
 from armui.protocol.codec import Codec
 from armui.protocol.codes import DEGREES_PER
-from armui.protocol.columns import payload_words, signal_column
 from armui.protocol.frame import EncodeError, FrameFlag
+from armui.protocol.signal_columns import payload_words, signal_column
 from armui.telemetry.quantities import BUS, RECORDS, Field, Record, Source
 from armui.telemetry.series import Row
 

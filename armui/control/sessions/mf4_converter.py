@@ -38,8 +38,8 @@ class Mf4Made(NamedTuple):
 
 
 @dataclass(slots=True, eq=False)
-class _Order:
-    """One that is to be made.
+class _Conversion:
+    """One recording that is to be converted.
 
     Attributes:
         share: How much of it is done, 0 to 1; ``None`` before it is begun.
@@ -65,8 +65,8 @@ def _helper() -> Executor:
     return HelperProcess()
 
 
-class Mf4Making:
-    """Makes one after another; whatever waits for a disk or a process is done by a thread.
+class Mf4Converter:
+    """Converts recordings to MF4 one after another, in a thread that waits for disk and process.
 
     Args:
         make_helper: Makes what does the work, for each a new one.
@@ -75,64 +75,66 @@ class Mf4Making:
     def __init__(self, make_helper: Callable[[], Executor] = _helper) -> None:
         self._make_helper = make_helper
         self._thread: ThreadPoolExecutor | None = None
-        self._making: dict[str, tuple[_Order, Future[None]]] = {}
+        self._conversions: dict[str, tuple[_Conversion, Future[None]]] = {}
 
     @property
     def names(self) -> frozenset[str]:
         """The recordings of which one is being made: their files must not be moved."""
-        return frozenset(self._making)
+        return frozenset(self._conversions)
 
     @property
     def share(self) -> float | None:
         """How much of the one that is being made is done, 0 to 1; ``None``: nobody knows."""
-        return next((order.share for order, _done in self._making.values()), None)
+        return next((conversion.share for conversion, _done in self._conversions.values()), None)
 
     def begin(self, folder: Path, name: str) -> None:
         """Have one made of a recording that was written as .blf."""
         if self._thread is None:
             self._thread = ThreadPoolExecutor(1, "armui-mf4")
-        order = _Order(folder, name)
-        self._making[name] = order, self._thread.submit(self._work, order)
+        conversion = _Conversion(folder, name)
+        self._conversions[name] = conversion, self._thread.submit(self._work, conversion)
 
     def call_off(self) -> None:
         """Make none of them; nothing remains of the one that was begun. `take` tells it."""
-        for order, _done in self._making.values():
-            order.called_off.set()
+        for conversion, _done in self._conversions.values():
+            conversion.called_off.set()
 
     def take(self) -> list[Mf4Made]:
         """Those that are done since the last call."""
-        done = [each for each in self._making.values() if each[1].done()]
-        for order, _future in done:
-            del self._making[order.name]
-        return [Mf4Made(order.name, _reason(order, future)) for order, future in done]
+        done = [each for each in self._conversions.values() if each[1].done()]
+        for conversion, _future in done:
+            del self._conversions[conversion.name]
+        return [
+            Mf4Made(conversion.name, _reason(conversion, future)) for conversion, future in done
+        ]
 
     def end(self) -> None:
         """End the process at once; the recordings stay, as .blf."""
         self.call_off()
         if self._thread is not None:
-            wait_for([future for _order, future in self._making.values()], _END_S)
+            wait_for([future for _order, future in self._conversions.values()], _END_S)
             self._thread.shutdown(wait=False, cancel_futures=True)
             self._thread = None
-        self._making.clear()
+        self._conversions.clear()
 
-    def _work(self, order: _Order) -> None:
+    def _work(self, conversion: _Conversion) -> None:
         """Make one, in the thread.
 
         Raises:
             CancelledError: It was called off; nothing remains of it.
             Exception: Whatever was wrong.
         """
-        if order.called_off.is_set():
+        if conversion.called_off.is_set():
             raise CancelledError
         helper = self._make_helper()
-        unfinished = unfinished_name(order.folder / f"{order.name}{MF4_SUFFIX}")
+        unfinished = unfinished_name(conversion.folder / f"{conversion.name}{MF4_SUFFIX}")
         try:
             with TemporaryDirectory(prefix="armui-mf4-") as room:
                 told = Path(room) / "share"
-                future = helper.submit(_make, order.folder, order.name, told, unfinished)
-                while not (wait_for([future], _LOOK_S).done or order.called_off.is_set()):
+                future = helper.submit(_make, conversion.folder, conversion.name, told, unfinished)
+                while not (wait_for([future], _LOOK_S).done or conversion.called_off.is_set()):
                     with contextlib.suppress(OSError, ValueError):
-                        order.share = float(read_file(told))
+                        conversion.share = float(read_file(told))
                 if not future.done():
                     helper.shutdown()
                     raise CancelledError
@@ -143,8 +145,8 @@ class Mf4Making:
                 unfinished.unlink(missing_ok=True)
 
 
-def _reason(order: _Order, future: Future[None]) -> Refusal | None:
-    name = f"{order.name}{MF4_SUFFIX}"
+def _reason(conversion: _Conversion, future: Future[None]) -> Refusal | None:
+    name = f"{conversion.name}{MF4_SUFFIX}"
     try:
         error = future.exception()
     except CancelledError as cancelled:
@@ -155,4 +157,4 @@ def _reason(order: _Order, future: Future[None]) -> Refusal | None:
         return Refusal(RefusalCode.SESSION_NO_MF4)
     if isinstance(error, FileExistsError):
         return Refusal(RefusalCode.SESSION_NAME_TAKEN, {"name": name})
-    return None if error is None else why_not_written(error, order.folder)
+    return None if error is None else why_not_written(error, conversion.folder)

@@ -1,4 +1,4 @@
-"""What becomes of a frame that was heard, on a bus or in a log: decoded, kept, told."""
+"""Decodes each frame received on a bus or read from a log, keeps it and tells the listeners."""
 
 from __future__ import annotations
 
@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING, Final
 from armui.arm.other_hosts import OtherHosts, OtherTraffic
 from armui.arm.state import ArmState
 from armui.arm.tracker import Tracker
+from armui.bus.notifier import Notifier
 from armui.bus.samples import SampleRing
-from armui.bus.tap import TapLine
 from armui.protocol.codec import InvalidFrame, InvalidFrameKind, Message
 from armui.protocol.frame import FrameFlag
 
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
     from armui.protocol.codec import Codec
     from armui.protocol.frame import Frame
-    from armui.telemetry.tap import Tap
+    from armui.telemetry.listener import Listener
 
 _LOG: Final = logging.getLogger(__name__)
 
@@ -40,25 +40,25 @@ _LAST_ANGLES: Final = "JointFeedback56"
 """The last of the three frames that tell where the joints are."""
 
 
-class Intake:
-    """The one way of every frame that was heard; used by the thread that reads the bus or the log.
+class FrameProcessor:
+    """Processes every received frame, in the thread that reads the bus or the log.
 
     Args:
         codec: Protocol to begin with; see :meth:`use_codec`.
-        taps: Who else is told of every frame.
+        listeners: Who else is told of every frame.
         answered: Called with each :class:`Message` of :data:`ANSWERS`.
 
     Attributes:
         codec: What is spoken now.
-        line: Tells the taps.
+        notifier: Tells the listeners.
         samples: Every joint feedback, while somebody wants them.
     """
 
     def __init__(
-        self, codec: Codec, taps: Sequence[Tap], answered: Callable[[Message], object]
+        self, codec: Codec, listeners: Sequence[Listener], answered: Callable[[Message], object]
     ) -> None:
         self.codec = codec
-        self.line = TapLine(taps)
+        self.notifier = Notifier(listeners)
         self.samples = SampleRing()
         self._answered = answered
         self._tracker = Tracker(codec)
@@ -95,16 +95,16 @@ class Intake:
         self._next_codecs.append((codec, self._epoch + 1))
         self._epoch += 1
 
-    def take_codec(self, now_s: float) -> None:
-        """Do what :meth:`use_codec` has asked for."""
+    def apply_codec(self, now_s: float) -> None:
+        """Switch to the codecs that :meth:`use_codec` asked for since the last call."""
         while self._next_codecs:
             before, (self.codec, epoch) = self.codec, self._next_codecs.popleft()
-            self.line.switch(before, self.codec, now_s)
+            self.notifier.switch(before, self.codec, now_s)
             if epoch is not None:
                 self._tracker = Tracker(self.codec, epoch)
 
-    def take(self, frame: Frame, at_s: float, flags: int) -> None:
-        """Take in a frame that this program did not send; whatever it holds, it costs only itself.
+    def process(self, frame: Frame, at_s: float, flags: int) -> None:
+        """Process a frame that this program did not send; a bad one spoils nothing but itself.
 
         Args:
             frame: Identifier and payload.
@@ -112,19 +112,19 @@ class Intake:
             flags: Its `FrameFlag` bits.
         """
         try:
-            self._take(frame, at_s, flags)
+            self._process(frame, at_s, flags)
         except Exception:  # noqa: BLE001 - an error of ours must not take the bus, or the log, away
             self._count_failed(frame)
 
-    def _take(self, frame: Frame, at_s: float, flags: int) -> None:
+    def _process(self, frame: Frame, at_s: float, flags: int) -> None:
         # most have none: to combine a flag with an int costs as much as all else here
         if flags and flags & FrameFlag.ERROR:
-            self.line.error_frame()
+            self.notifier.error_frame()
         else:
             self._others.note(frame.arbitration_id, frame.data, at_s)
         heard = (invalid_frame(frame, flags) if flags else None) or self.codec.decode(frame)
         self._tracker.update(heard, at_s)
-        self.line.heard.append((heard, at_s, frame, flags))
+        self.notifier.heard.append((heard, at_s, frame, flags))
         if isinstance(heard, Message):
             if self.samples.wanted and heard.name == _LAST_ANGLES:
                 self.samples.put(self._tracker.snapshot(), at_s)
@@ -146,10 +146,10 @@ class Intake:
                 self._others.note(frame.arbitration_id, frame.data, at_s)
                 heard = (invalid_frame(frame, flags) if flags else None) or self.codec.decode(frame)
                 self._tracker.update(heard, at_s)
-            except Exception:  # noqa: BLE001 - as in `take`
+            except Exception:  # noqa: BLE001 - as in `process`
                 self._count_failed(frame)
-        self._tracker.pardon_silences()
-        self.show()
+        self._tracker.reset_timeouts()
+        self.publish()
 
     def _count_failed(self, frame: Frame) -> None:
         """Count a frame as invalid that could not be taken in; the first of an identifier is told.
@@ -163,13 +163,13 @@ class Intake:
                 "a frame 0x%03X cannot be taken in; it is counted as invalid", frame.arbitration_id
             )
 
-    def forget_others(self) -> None:
+    def reset_other_hosts(self) -> None:
         """Forget what other hosts were heard to send."""
         self._others = OtherHosts()
         self._traffic = OtherTraffic()
 
-    def show(self) -> None:
-        """Leave a snapshot of what was heard for :attr:`state` and :attr:`traffic`."""
+    def publish(self) -> None:
+        """Publish a snapshot of what was heard in :attr:`state` and :attr:`traffic`."""
         self._state = self._tracker.snapshot()
         self._traffic = self._others.traffic()
 

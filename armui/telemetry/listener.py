@@ -1,4 +1,4 @@
-"""What is told of every frame on the bus, in batches, by the thread that owns it."""
+"""The interface of those who are told of every frame on the bus, in batches."""
 
 from __future__ import annotations
 
@@ -10,14 +10,14 @@ if TYPE_CHECKING:
     from armui.protocol.frame import Frame
     from armui.protocol.generation import Generation
 
-Taken = tuple["Message | InvalidFrame", float, "Frame", int]
+ReceivedFrame = tuple["Message | InvalidFrame", float, "Frame", int]
 """A frame as decoded, its monotonic time in seconds, the frame itself, and its `FrameFlag` bits.
 
 A frame that is repeated shares its decoded message: it must not be changed."""
 
 
-class Tap:
-    """Hears everything; what it makes nothing of, it leaves out.
+class Listener:
+    """Hears every frame; a subclass overrides what it needs.
 
     All but `know_generation` is called by the bus thread.
     """
@@ -31,10 +31,10 @@ class Tap:
     def on_codec(self, codec: Codec) -> None:
         """How frames are decoded from now on."""
 
-    def on_heard(self, batch: Sequence[Taken]) -> None:
+    def on_heard(self, batch: Sequence[ReceivedFrame]) -> None:
         """Frames that others sent."""
 
-    def on_sent(self, batch: Sequence[Taken]) -> None:
+    def on_sent(self, batch: Sequence[ReceivedFrame]) -> None:
         """Frames that this program sent."""
 
     def on_error_frame(self) -> None:

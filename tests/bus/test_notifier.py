@@ -1,4 +1,4 @@
-"""What a tap on the bus thread is told; and that its faults hold up nobody."""
+"""What a listener on the bus thread is told; and that its faults hold up nobody."""
 
 import logging
 from contextlib import contextmanager
@@ -12,7 +12,7 @@ from armui.bus.worker import BusWorker
 from armui.protocol.codec import Codec, InvalidFrame
 from armui.protocol.frame import Frame, FrameFlag
 from armui.protocol.generation import Generation
-from armui.telemetry.tap import Tap
+from armui.telemetry.listener import Listener
 
 # J1 12.000° = 12,000 = 0x00002EE0, J2 −12.000°
 JOINTS_12 = can.Message(
@@ -22,7 +22,7 @@ TARGET = Frame(0x155, bytes.fromhex("000003E8000007D0"))
 STOP = Frame(0x150, bytes.fromhex("0100000000000000"))
 
 
-class Ear(Tap):
+class Ear(Listener):
     """Notes what it is told."""
 
     def __init__(self):
@@ -61,7 +61,7 @@ def rig(qtbot, request):
             self.wait = qtbot.waitUntil
             device = Device("virtual", request.node.nodeid, 500_000)
             codec = Codec(Generation.TWO)
-            self.worker = BusWorker(device, self.open, codec, taps=[self.ear])
+            self.worker = BusWorker(device, self.open, codec, listeners=[self.ear])
             self.worker.reported.connect(lambda report: self.reports.append(report.state))
 
         @contextmanager
@@ -136,7 +136,7 @@ def test_one_that_fails_is_told_no_more_and_nothing_else_suffers(rig, caplog):
 
 def test_another_one_listens_on_while_one_fails(rig):
     other = Ear()
-    rig.worker.tap([rig.ear, other])
+    rig.worker.set_listeners([rig.ear, other])
     rig.wait(lambda: other.codecs == [Generation.TWO])
     rig.ear.broken = ValueError("broken")
     rig.arm.send(JOINTS_12)
@@ -148,7 +148,7 @@ def test_another_one_listens_on_while_one_fails(rig):
 
 def test_one_that_comes_late_is_told_of_the_device_and_one_that_left_nothing(rig):
     late = Ear()
-    rig.worker.tap([late])
+    rig.worker.set_listeners([late])
     rig.wait(lambda: late.opened == [500_000] and late.codecs == [Generation.TWO])
     rig.arm.send(JOINTS_12)
     rig.wait(lambda: len(late.heard) == 1)

@@ -54,7 +54,7 @@ _columns = attrgetter(
 )
 
 
-class Gatherer:
+class BatchBuilder:
     """Turns messages into batches and keeps count of frames and channels.
 
     Attributes:

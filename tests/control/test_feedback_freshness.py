@@ -6,7 +6,7 @@ import pytest
 
 from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import ArmState, Reading
-from armui.control.safety.hearing import limp, taught, why_silent
+from armui.control.safety.feedback_freshness import any_motor_off, in_drag_teaching, why_silent
 from armui.protocol.codes import ArmStatusCode, ControlMode
 from tests.control.heard_arm import DRIVER, status
 
@@ -69,12 +69,12 @@ def test_one_motor_without_power_makes_it_limp_and_one_not_heard_leaves_it_open(
     index, one, is_limp
 ):
     state = HEARD._replace(drivers_slow=changed(HEARD.drivers_slow, index, one))
-    assert limp(state, NOW_S) is is_limp
+    assert any_motor_off(state, NOW_S) is is_limp
 
 
 def test_a_motor_without_power_tells_more_than_one_not_heard():
     state = HEARD._replace(drivers_slow=(None, *(Reading(OFF, FRESH_S),) * 5))
-    assert limp(state, NOW_S) is True
+    assert any_motor_off(state, NOW_S) is True
 
 
 @pytest.mark.parametrize(
@@ -89,8 +89,8 @@ def test_a_motor_without_power_tells_more_than_one_not_heard():
     ],
 )
 def test_when_a_hand_leads_it(changes, led):
-    assert taught(HEARD._replace(status=Reading(status(**changes), FRESH_S))) is led
+    assert in_drag_teaching(HEARD._replace(status=Reading(status(**changes), FRESH_S))) is led
 
 
 def test_nothing_is_known_of_a_hand_before_the_status_is_heard():
-    assert not taught(ArmState())
+    assert not in_drag_teaching(ArmState())

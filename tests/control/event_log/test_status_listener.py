@@ -2,7 +2,14 @@
 
 import pytest
 
-from armui.control.event_log.heard import GAP, RATE, STATUS, Heard, InvalidFrames, StatusTap
+from armui.control.event_log.status_listener import (
+    GAP,
+    RATE,
+    STATUS,
+    InvalidFrames,
+    StatusChange,
+    StatusListener,
+)
 from armui.protocol.codec import Codec
 from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
@@ -18,51 +25,56 @@ def slow(joint, flags):
 
 
 def tap_of(generation=Generation.TWO, codec=CODEC):
-    tap = StatusTap()
-    tap.on_open(1_000_000)
-    tap.on_codec(codec)
-    tap.know_generation(generation)
-    return tap
+    listener = StatusListener()
+    listener.on_open(1_000_000)
+    listener.on_codec(codec)
+    listener.know_generation(generation)
+    return listener
 
 
-def hear(tap, *frames, codec=CODEC, now_s=0.0):
-    tap.on_heard([(codec.decode(frame), at_s, frame, 0) for frame, at_s in frames])
-    tap.on_look(now_s)
-    return [(each.name, each.at_s) for each in tap.take() if isinstance(each, Heard)]
+def hear(listener, *frames, codec=CODEC, now_s=0.0):
+    listener.on_heard([(codec.decode(frame), at_s, frame, 0) for frame, at_s in frames])
+    listener.on_look(now_s)
+    return [
+        (each.name, each.at_s) for each in listener.take_changes() if isinstance(each, StatusChange)
+    ]
 
 
 def test_a_fault_of_one_frame_is_noted_with_its_time():
-    tap = tap_of()
+    listener = tap_of()
     frames = [(NORMAL, 1.0), (NORMAL, 1.005), (COLLISION, 1.01), (NORMAL, 1.015), (NORMAL, 1.02)]
-    assert hear(tap, *frames) == [(STATUS, 1.0), (STATUS, 1.01), (STATUS, 1.015)]
+    assert hear(listener, *frames) == [(STATUS, 1.0), (STATUS, 1.01), (STATUS, 1.015)]
 
 
 def test_a_voltage_that_changes_is_no_event():
-    tap = tap_of()
+    listener = tap_of()
     frames = [
         (Frame(0x261, bytes([0, volts, 0, 32, 32, 0x40, 0, 0])), 1.0 + volts / 1000)
         for volts in range(200, 240)
     ]
-    assert len(hear(tap, *frames)) == 1
+    assert len(hear(listener, *frames)) == 1
 
 
 def test_bits_of_unknown_meaning_are_not_told_before_the_generation_is_known():
-    tap = tap_of(generation=None)
-    assert hear(tap, (slow(1, 0x44), 1.0), (NORMAL, 1.0)) == [(STATUS, 1.0)]
-    tap.know_generation(Generation.TWO)
-    assert hear(tap, (slow(1, 0x44), 1.1), (NORMAL, 1.1)) == [("DriverSlow1", 1.1), (STATUS, 1.1)]
+    listener = tap_of(generation=None)
+    assert hear(listener, (slow(1, 0x44), 1.0), (NORMAL, 1.0)) == [(STATUS, 1.0)]
+    listener.know_generation(Generation.TWO)
+    assert hear(listener, (slow(1, 0x44), 1.1), (NORMAL, 1.1)) == [
+        ("DriverSlow1", 1.1),
+        (STATUS, 1.1),
+    ]
 
 
 def test_a_codec_of_the_other_generation_tells_nothing_of_a_driver():
-    tap = tap_of(generation=Generation.ONE)
-    assert hear(tap, (slow(1, 0x50), 1.0)) == []
+    listener = tap_of(generation=Generation.ONE)
+    assert hear(listener, (slow(1, 0x50), 1.0)) == []
 
 
 def test_silence_makes_everything_new():
-    tap = tap_of()
-    hear(tap, (NORMAL, 1.0), (slow(2, 0x40), 1.0))
-    assert hear(tap, (NORMAL, 1.4)) == []
-    assert hear(tap, (NORMAL, 2.0), (slow(2, 0x40), 2.0)) == [
+    listener = tap_of()
+    hear(listener, (NORMAL, 1.0), (slow(2, 0x40), 1.0))
+    assert hear(listener, (NORMAL, 1.4)) == []
+    assert hear(listener, (NORMAL, 2.0), (slow(2, 0x40), 2.0)) == [
         (GAP, 1.4),
         (STATUS, 2.0),
         ("DriverSlow2", 2.0),
@@ -70,52 +82,52 @@ def test_silence_makes_everything_new():
 
 
 def test_a_device_that_is_opened_again_is_new():
-    tap = tap_of()
-    hear(tap, (NORMAL, 1.0))
-    tap.on_open(None)
-    assert hear(tap, (NORMAL, 9.0)) == [(STATUS, 9.0)]
+    listener = tap_of()
+    hear(listener, (NORMAL, 1.0))
+    listener.on_open(None)
+    assert hear(listener, (NORMAL, 9.0)) == [(STATUS, 9.0)]
 
 
 @pytest.mark.parametrize("missing", [0, 4])
 def test_the_rate_is_measured_over_two_seconds(missing):
-    tap = tap_of()
+    listener = tap_of()
     frames = [(NORMAL, n * 0.005) for n in range(801) if not missing or n % missing]
-    tap.on_heard([(CODEC.decode(frame), at_s, frame, 0) for frame, at_s in frames])
-    rates = [each.values["hz"] for each in tap.take() if each.name == RATE]
+    listener.on_heard([(CODEC.decode(frame), at_s, frame, 0) for frame, at_s in frames])
+    rates = [each.values["hz"] for each in listener.take_changes() if each.name == RATE]
     assert rates == pytest.approx([150.0 if missing else 200.0] * len(rates), rel=0.01)
     assert rates
 
 
 def test_frames_that_are_not_understood_are_counted_by_sort():
-    tap = tap_of()
+    listener = tap_of()
     garbage = [(Frame(0x4F0, b""), 1.0), (Frame(0x2A1, b"\1"), 1.1), (Frame(0x4F1, b""), 1.2)]
-    tap.on_heard([(CODEC.decode(frame), at_s, frame, 0) for frame, at_s in garbage])
-    assert tap.take() == []
-    tap.on_look(1.3)
-    assert tap.take() == [
+    listener.on_heard([(CODEC.decode(frame), at_s, frame, 0) for frame, at_s in garbage])
+    assert listener.take_changes() == []
+    listener.on_look(1.3)
+    assert listener.take_changes() == [
         InvalidFrames("UNKNOWN_ID", 0x4F1, 2, 1.0, 1.2),
         InvalidFrames("WRONG_LENGTH", 0x2A1, 1, 1.1, 1.1),
     ]
-    tap.on_look(1.4)
-    assert tap.take() == []
+    listener.on_look(1.4)
+    assert listener.take_changes() == []
 
 
 def test_an_odd_value_is_noted_and_heard():
-    tap = tap_of()
+    listener = tap_of()
     odd = Frame(0x2A1, bytes.fromhex("01 77 01 00 00 00 00 00"))
-    tap.on_heard([(CODEC.decode(odd), 1.0, odd, 0)])
-    tap.on_look(1.0)
-    status, invalid = tap.take()
+    listener.on_heard([(CODEC.decode(odd), 1.0, odd, 0)])
+    listener.on_look(1.0)
+    status, invalid = listener.take_changes()
     assert status.values["Status"] == 0x77
     assert invalid.sort == "VALUE_OUTSIDE_TABLE"
 
 
 def test_nobody_who_takes_it_away_is_no_flood():
-    tap = tap_of()
+    listener = tap_of()
     for n in range(20_000):
         frame = COLLISION if n % 2 else NORMAL
-        tap.on_heard([(CODEC.decode(frame), n * 0.005, frame, 0)])
-    assert len(tap.take()) <= 5_000
+        listener.on_heard([(CODEC.decode(frame), n * 0.005, frame, 0)])
+    assert len(listener.take_changes()) <= 5_000
 
 
 def what_an_arm_says():
@@ -136,14 +148,14 @@ def what_an_arm_says():
 def test_a_log_gives_the_same_events_however_it_is_cut(size):
     """Live, frames come as they come; a replay hands on what it has read."""
     heard = what_an_arm_says()
-    live, tap = [], tap_of()
+    live, listener = [], tap_of()
     for each in heard:
-        tap.on_heard([each])
-        live += tap.take()
-    again, tap = [], tap_of()
+        listener.on_heard([each])
+        live += listener.take_changes()
+    again, listener = [], tap_of()
     for first in range(0, len(heard), size):
-        tap.on_heard(heard[first : first + size])
-        again += tap.take()
+        listener.on_heard(heard[first : first + size])
+        again += listener.take_changes()
     assert again == live
     broken = [
         each for each in live if each.name == STATUS and each.values.get("J4CommunicationFault")

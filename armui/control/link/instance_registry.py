@@ -24,7 +24,7 @@ _IN_THIS_PROCESS: Final = frozenset({"virtual"})
 """Back-ends whose channels no other program can reach."""
 
 
-class Neighbours(QObject):
+class InstanceRegistry(QObject):
     """Says that another copy of the program is there, when it comes or is found (safety S21).
 
     Two copies that drive one arm undo each other's stops and motions; two that change one settings

@@ -1,4 +1,4 @@
-"""The picture's process stands back with all its threads, those of a driver included."""
+"""The render process lowers the priority of all its threads, those of a driver included."""
 
 import json
 import subprocess
@@ -8,7 +8,7 @@ import pytest
 
 CODE = """
 import json, os, threading
-from armui.viewport.process.settle_in import stand_back
+from armui.viewport.process.main import lower_priority
 done, numbers = threading.Event(), []
 def wait():
     numbers.append(threading.get_native_id())
@@ -19,7 +19,7 @@ for thread in threads:
 while len(numbers) < len(threads):
     pass
 before = os.getpriority(os.PRIO_PROCESS, 0)
-stand_back()
+lower_priority()
 numbers.append(threading.get_native_id())
 print(json.dumps([before, [os.getpriority(os.PRIO_PROCESS, number) for number in numbers]]))
 done.set()
@@ -27,7 +27,7 @@ done.set()
 
 
 @pytest.mark.skipif(sys.platform != "linux", reason="each thread has its own there")
-def test_every_thread_stands_back():
+def test_every_thread_gets_the_lower_priority():
     told = subprocess.run([sys.executable, "-c", CODE], capture_output=True, text=True, check=True)
     before, after = json.loads(told.stdout)
     assert len(after) == 4

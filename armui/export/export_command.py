@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Final, TextIO
 
 from armui.protocol.generation import Generation, PiperModel
 from armui.session.exports.request import (
-    ArmWishes,
+    ArmOptions,
     ExportCancelledError,
     ExportError,
     ExportFormat,
@@ -254,7 +254,7 @@ def _request(options: argparse.Namespace) -> ExportRequest:
         export_format,
         options.begin,
         options.end,
-        ArmWishes(
+        ArmOptions(
             generation,
             options.firmware,
             options.channel,

@@ -1,4 +1,4 @@
-"""Whether the feedback a motion needs is fresh, and whether the joints hold: pure."""
+"""Checks of what is heard of the arm: fresh feedback, motors with power, no drag teaching. Pure."""
 
 from __future__ import annotations
 
@@ -11,7 +11,10 @@ from armui.protocol.codes import ArmStatusCode, ControlMode
 
 
 def why_silent(state: ArmState, now_s: float) -> Refusal | None:
-    """Which of the feedback that a motion counts on is not heard: 0x2A1 and six joint angles."""
+    """Return a refusal that names the feedback a motion needs and that is silent, or ``None``.
+
+    A motion needs the status (0x2A1) and the six joint angles (0x2A5 to 0x2A7).
+    """
     missing = [] if _fresh(state.status, now_s) else ["0x2A1"]
     for pair, name in enumerate(("0x2A5", "0x2A6", "0x2A7")):
         if not all(_fresh(each, now_s) for each in state.joints_deg[2 * pair : 2 * pair + 2]):
@@ -27,8 +30,8 @@ def _fresh(heard: Reading[Any] | None, now_s: float) -> bool:
     return heard is not None and is_fresh(heard.at_s, now_s)
 
 
-def limp(state: ArmState, now_s: float) -> bool | None:
-    """Whether a motor is without power; ``None`` if that is not heard of each."""
+def any_motor_off(state: ArmState, now_s: float) -> bool | None:
+    """Tell whether a motor is without power; ``None`` if not every driver has told its state."""
     known = True
     for each in state.drivers_slow:
         if each is None or not is_fresh(each.at_s, now_s):
@@ -38,8 +41,8 @@ def limp(state: ArmState, now_s: float) -> bool | None:
     return False if known else None
 
 
-def taught(state: ArmState) -> bool:
-    """Whether the arm is in drag teaching, or is a teaching input: a hand leads it."""
+def in_drag_teaching(state: ArmState) -> bool:
+    """Tell whether the arm is in drag teaching, or is a teaching input: a hand leads it."""
     status = state.status
     if status is None:
         return False

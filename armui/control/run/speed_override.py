@@ -1,0 +1,113 @@
+"""The speed override: runs and replays go at a share of their own speed, changed while they go."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Final
+
+from armui.arm.refusal import Refusal
+from armui.arm.refusal_codes import RefusalCode
+from armui.control.context import Context, ControllerPart
+from armui.control.events import EventCode
+from armui.control.operations.operation import begun, operation
+from armui.control.operations.started import Ending
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from armui.control.motion.joint_motion import Motion
+    from armui.control.operating_state import OperatingState
+    from armui.control.run.execution import Execution
+
+_AGAIN_S: Final = 0.1
+"""So long after it a lower percentage is told once more: a frame may be lost."""
+FULL_PERCENT: Final = 100
+"""Everything goes at its own speed."""
+STEP_PERCENT: Final = 10
+"""How much a key changes a speed."""
+
+
+def why_no_override(now: OperatingState, percent: float) -> Refusal | None:
+    """Tell why the override may not be set: 0 % is a pause, so there must be a run to pause."""
+    if not 0 <= percent <= 100:
+        return Refusal(RefusalCode.SPEED_OUT_OF_RANGE, {"value": percent})
+    if percent < 1 and not now.running:
+        return Refusal(RefusalCode.NOT_RUNNING)
+    return None
+
+
+class SpeedOverride(ControllerPart):
+    """Keeps the override and passes it on to what runs.
+
+    It stays as the operator has chosen it, from one run to the next. A run that was held back at
+    0 % leaves what was chosen before, for the next one.
+
+    Args:
+        context: What the parts of the controller share.
+        motion: Owns the speed of every other motion.
+        runs: What it slows.
+
+    Attributes:
+        percent: 0–100, of the speed that a run or a replay has by itself.
+    """
+
+    def __init__(self, context: Context, motion: Motion, runs: Sequence[Execution]) -> None:
+        self._context = context
+        self._motion = motion
+        self._runs = runs
+        self._again_s: float | None = None
+        self._before_zero = self.percent = FULL_PERCENT
+
+    @operation("run.override", "Set the speed override of runs", why_no_override)
+    def set_percent(self, percent: float) -> Refusal | None:
+        """Let runs and replays go at a share of their own speed, from this moment on.
+
+        It may be lowered at once. At 0 % what runs is held back, and goes on by nothing but a held
+        press on 继续.
+
+        Args:
+            percent: 0–100.
+        """
+        context = self._context
+        refusal = why_no_override(context.refresh(), percent)
+        if refusal is not None:
+            return context.refuse(refusal)
+        wanted, before = round(percent), self.percent
+        if wanted == before:
+            return None
+        if wanted > 0:
+            self._before_zero = wanted
+        self.percent = wanted
+        self._again_s = context.clock() + _AGAIN_S if 0 < wanted < before else None
+        started = begun(self.set_percent)
+        started.close(Ending.SENT)
+        context.tell(EventCode.OVERRIDE_SET, started, percent=wanted)
+        for run in self._runs:
+            run.set_override(wanted)
+        context.refresh()
+        return None
+
+    def step(self, by_percent: int) -> Refusal | None:
+        """Change the speed that counts now: of what runs, else of every other motion.
+
+        Args:
+            by_percent: How much; it ends at 0 % and at 100 %.
+        """
+        running = self._context.refresh().running
+        now = self.percent if running else self._motion.speed_percent
+        wanted = min(max(now + by_percent, 0), 100)
+        if wanted == now:
+            return None
+        return self.set_percent(wanted) if running else self._motion.set_speed_percent(wanted)
+
+    def advance(self) -> None:
+        """Tell a lower speed once more; forget 0 % when nothing is left to hold back."""
+        running = any(run.running for run in self._runs)
+        if self.percent == 0 and not running:
+            self.percent = self._before_zero
+            for run in self._runs:
+                run.set_override(self.percent)
+        if self._again_s is None or self._context.clock() < self._again_s:
+            return
+        self._again_s = None
+        for run in self._runs:
+            run.tell_speed()

@@ -1,0 +1,108 @@
+"""Offers a recording that was not saved when an earlier program ended: keep it, or discard it."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from functools import partial
+from typing import TYPE_CHECKING, Final
+
+from PySide6.QtCore import Signal
+from PySide6.QtWidgets import QWidget
+
+from armui.control.events import Level
+from armui.ui.widgets.buttons import describe, named, push_button
+from armui.ui.widgets.layouts import in_row
+from armui.ui.widgets.message_line import MessageLine
+from armui.ui.widgets.translated import Translated
+
+if TYPE_CHECKING:
+    from armui.trajectory.library.recording_drafts import UnsavedRecording
+    from armui.trajectory.library.store import Deleted
+    from armui.ui.trajectory.library.library_work import LibraryWork
+
+_SPACING_PX: Final = 8
+
+
+class UnsavedRecordingLine(Translated, QWidget):
+    """Shown while there is a recording to decide about; of several the oldest comes first.
+
+    Args:
+        work: Knows the library that they lie in.
+
+    Signals:
+        kept: The name under which one was saved.
+        discarded: One was put among what was deleted recently: its name.
+        refused: What the library said against it, as a text.
+    """
+
+    kept = Signal(str)
+    discarded = Signal(str)
+    refused = Signal(str)
+
+    def __init__(self, work: LibraryWork) -> None:
+        super().__init__()
+        self._work = work
+        self._found: Sequence[UnsavedRecording] = ()
+        self._message = named("unsaved_recording", MessageLine(keeps_room=False))
+        self._keep = push_button("keep_recording", on_enter=False)
+        self._discard = push_button("discard_recording", on_enter=False)
+        in_row(
+            (self._message, 1), self._keep, self._discard, on=self, spacing=_SPACING_PX, margins=0
+        )
+        self._keep.clicked.connect(self._on_keep)
+        self._discard.clicked.connect(self._on_discard)
+        self.retranslate_ui()
+
+    def look(self) -> None:
+        """Look for what earlier programs have left."""
+        self._work.do(self._work.library.unsaved_recordings, self._show_found, self.refused.emit)
+
+    def _show_found(self, found: Sequence[UnsavedRecording]) -> None:
+        self._found = found
+        self._keep.setEnabled(True)
+        self._discard.setEnabled(True)
+        self.retranslate_ui()
+
+    def _on_keep(self) -> None:
+        self._begin()
+        keep = partial(self._work.library.keep_recording, self._found[0])
+        self._work.do(keep, self._on_kept, self._on_refused)
+
+    def _on_kept(self, name: str) -> None:
+        self.kept.emit(name)
+        self.look()
+
+    def _on_discard(self) -> None:
+        self._begin()
+        discard = partial(self._work.library.discard_recording, self._found[0])
+        self._work.do(discard, self._on_discarded, self._on_refused)
+
+    def _on_discarded(self, deleted: Deleted) -> None:
+        self.discarded.emit(deleted.names[0])
+        self.look()
+
+    def _begin(self) -> None:
+        """Let nobody decide twice."""
+        self._keep.setEnabled(False)
+        self._discard.setEnabled(False)
+
+    def _on_refused(self, text: str) -> None:
+        self.refused.emit(text)
+        self.look()  # another program may have decided meanwhile
+
+    def retranslate_ui(self) -> None:
+        """Put every word into the operator's language."""
+        self.setVisible(bool(self._found))
+        self._keep.setText(self.tr("Keep"))
+        self._discard.setText(self.tr("Discard"))
+        describe(self._keep, self.tr("Keep"), self.tr("Saves it in the library."))
+        tip = self.tr("For 30 days it is under “Recently deleted…”.")
+        describe(self._discard, self.tr("Discard"), tip)
+        if not self._found:
+            self._message.show_message("")
+            return
+        first = self._found[0]
+        text = self.tr("Unsaved recording of {time}: “{name}”, {count} samples.").format(
+            time=f"{first.begun.astimezone():%Y-%m-%d %H:%M}", name=first.name, count=first.count
+        )
+        self._message.show_message(text, Level.WARNING)

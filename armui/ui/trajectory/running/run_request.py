@@ -1,0 +1,367 @@
+"""A press on 发送 or 检查, from the reading of what is chosen to the arm on its way."""
+
+from __future__ import annotations
+
+import enum
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, Final
+
+from armui.arm.refusal import Refusal
+from armui.arm.refusal_codes import RefusalCode
+from armui.control.parameters.arm_model import arm_model, start_deg
+from armui.system.clock import steady_s
+from armui.trajectory.planning.check import CheckOutcome, CheckRequest, check, warm_up
+from armui.trajectory.planning.findings import Finding, Severity
+from armui.ui.background import Job
+
+if TYPE_CHECKING:
+    from armui.arm.models import ArmModel
+    from armui.control.arm_controller import ArmController
+    from armui.control.link.arm_mark import ArmMark
+    from armui.trajectory.files import Content
+    from armui.trajectory.library.run_options import RunOptions
+    from armui.trajectory.library.store import Check
+    from armui.trajectory.planning.planned_path import PlannedPath
+    from armui.ui.background import Background
+    from armui.ui.trajectory.running.runner import Runner
+
+_SAME_PLACE_DEG: Final = 0.5
+"""An arm at rest is heard to tremble by some hundredths."""
+_SURPRISING_S: Final = 2.0
+"""Nobody expects the arm to move so long after the button was pressed."""
+
+
+# What is checked --------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True, slots=True)
+class CheckBasis:
+    """What a check belongs to, beside what is run and where the arm stands: compared whole.
+
+    Attributes:
+        mark: The arm and the connection.
+        arm: The arm as a plan sees it: limits, geometry and zeros, tool, gripper.
+        alterations: How often this program had set something of the arm by then, a load also.
+        options: How the operator wants it run.
+    """
+
+    mark: ArmMark
+    arm: ArmModel
+    alterations: int
+    options: RunOptions
+
+    @classmethod
+    def of(cls, controller: ArmController, options: RunOptions) -> CheckBasis:
+        """Return what a check would belong to now."""
+        arm, altered = arm_model(controller), controller.transactions.alterations
+        return cls(controller.mark, arm, altered, options)
+
+    def why_other(self, now: CheckBasis) -> Refusal | None:
+        """Return the reason why a check for this says nothing of a run under ``now``."""
+        if not self.mark.is_still(now.mark):
+            return Refusal(RefusalCode.ARM_CHANGED)
+        if self.arm.limits != now.arm.limits:
+            return Refusal(RefusalCode.LIMITS_CHANGED_SINCE_CHECK)
+        if self.arm.kinematics != now.arm.kinematics:
+            return Refusal(RefusalCode.MODEL_CHANGED_SINCE_CHECK)
+        if replace(self, mark=now.mark) != now:
+            return Refusal(RefusalCode.CHANGED_SINCE_CHECK)
+        return None
+
+
+@dataclass(frozen=True, slots=True)
+class Preflight:
+    """A check that has ended.
+
+    Attributes:
+        order: What was checked.
+        outcome: How it ended.
+        basis: What it belongs to.
+    """
+
+    order: CheckRequest
+    outcome: CheckOutcome
+    basis: CheckBasis
+
+    @property
+    def content(self) -> Content:
+        """The trajectory or recording that was checked."""
+        return self.order.content
+
+    @property
+    def path(self) -> PlannedPath:
+        """The path that the arm would take."""
+        return self.outcome.path
+
+    @property
+    def findings(self) -> tuple[Finding, ...]:
+        """The findings, errors first, then by row."""
+        return self.outcome.findings
+
+    @property
+    def errors(self) -> int:
+        """The number of findings that forbid it to be run."""
+        return len(self.outcome.errors)
+
+    @property
+    def whole(self) -> bool:
+        """True if all rows were looked at: a run from a later row, once, leaves some out."""
+        return not self.order.first or self.order.cycles != 1
+
+    @property
+    def mark(self) -> Check:
+        """The check mark it gives what was checked, wherever the arm is."""
+        of_content = [one.severity for one in self.findings if not one.is_of_approach]
+        return "errors" if Severity.ERROR in of_content else "warnings" if of_content else "ok"
+
+    def why_outdated(self, controller: ArmController, options: RunOptions) -> Refusal | None:
+        """Return why it says nothing of a run that begins now with these options, or ``None``."""
+        pairs = zip(self.order.start_deg, start_deg(controller), strict=True)
+        moved_deg = max(abs(there - here) for there, here in pairs)
+        if moved_deg > _SAME_PLACE_DEG:
+            return Refusal(RefusalCode.MOVED_SINCE_CHECK, {"value": f"{moved_deg:.1f}"})
+        return self.basis.why_other(CheckBasis.of(controller, options))
+
+
+class Checks:
+    """Has checks done one after another, out of the window's way.
+
+    Args:
+        controller: Knows the arm.
+        background: Where they are done.
+    """
+
+    def __init__(self, controller: ArmController, background: Background) -> None:
+        self._controller = controller
+        self._background = background
+
+    def get_ready(self) -> None:
+        """Begin to load what checks need: one will be asked for soon."""
+        self._background.warm_up(warm_up)
+
+    def begin(
+        self, content: Content, options: RunOptions, then: Callable[[Preflight | Refusal], object]
+    ) -> None:
+        """Check something that shall be run from where the arm is now.
+
+        Args:
+            content: What shall be run.
+            options: How.
+            then: Gets the :class:`Preflight`, or why there is none, in this thread.
+        """
+        basis = CheckBasis.of(self._controller, options)
+        order = CheckRequest(
+            content,
+            basis.arm,
+            start_deg(self._controller),
+            options.speed_factor,
+            options.first,
+            options.cycles,
+        )
+
+        def hand_on(outcome: CheckOutcome | Refusal) -> None:
+            if isinstance(outcome, Refusal):
+                then(outcome)
+            else:
+                then(Preflight(order, outcome, basis))
+
+        self._background.begin(Job(hand_on), check, order)
+
+
+# From the press to the run ----------------------------------------------------------------------
+
+
+class RequestState(enum.Enum):
+    """How far a request has come."""
+
+    PRESSED = enum.auto()
+    READING = enum.auto()
+    CHECKING = enum.auto()
+    CHECKED = enum.auto()
+    """For a mere check this is its end."""
+    ASKING = enum.auto()
+    """The operator has to agree to what was found, or to a motion so long after the press."""
+    STARTING = enum.auto()
+    UNDER_WAY = enum.auto()
+    REFUSED = enum.auto()
+    GIVEN_UP = enum.auto()
+
+
+_NEXT: Final[Mapping[RequestState, frozenset[RequestState]]] = {
+    RequestState.PRESSED: frozenset({RequestState.READING}),
+    RequestState.READING: frozenset({RequestState.CHECKING}),
+    RequestState.CHECKING: frozenset({RequestState.READING, RequestState.CHECKED}),
+    RequestState.CHECKED: frozenset({RequestState.ASKING, RequestState.STARTING}),
+    RequestState.ASKING: frozenset({RequestState.READING, RequestState.STARTING}),
+    RequestState.STARTING: frozenset({RequestState.UNDER_WAY}),
+    RequestState.UNDER_WAY: frozenset(),
+    RequestState.REFUSED: frozenset(),
+    RequestState.GIVEN_UP: frozenset(),
+}
+"""What may follow, beside `REFUSED` and `GIVEN_UP`, which may follow whatever is not over."""
+
+
+class RunRequest:
+    """One press: its methods stand in the order in which they are gone through.
+
+    Each begins with the state it goes on from: an answer that comes after the request was given
+    up changes nothing. Where choices are turned before the arm sets out, it reads and checks anew.
+
+    Args:
+        controller: Knows the arm, and whether it may run something.
+        checks: Checks what was read.
+        runner: Runs what was checked.
+        read: Hands on what is chosen, once it is read; ``None`` if there is nothing, which it
+            says itself.
+        options: Tells how it is to be run by what is shown now.
+        told: Called with the request in each new state.
+        runs: Whether it is to be run; otherwise it is only checked.
+        why_not: Tells by the name of what was checked why it is not run all the same.
+        clock: Monotonic time in seconds.
+
+    Attributes:
+        state: How far it has come.
+        options: How it is read, checked and run.
+        name: Of what was read; "" before.
+        checked: How the check ended; ``None`` before.
+        must_ask: Whether the operator has to agree before the arm moves; with errors nobody can.
+        refusal: Why it was refused; ``None`` otherwise.
+    """
+
+    def __init__(
+        self,
+        controller: ArmController,
+        checks: Checks,
+        runner: Runner,
+        *,
+        read: Callable[[Callable[[Content | None], object]], object],
+        options: Callable[[], RunOptions],
+        told: Callable[[RunRequest], object],
+        runs: bool = True,
+        why_not: Callable[[str], Refusal | None] = lambda _name: None,
+        clock: Callable[[], float] = steady_s,
+    ) -> None:
+        self._controller = controller
+        self._checks = checks
+        self._runner = runner
+        self._read = read
+        self._options_shown = options
+        self._told = told
+        self._why_not = why_not
+        self._clock = clock
+        self._mark = controller.mark
+        self._pressed_s = clock()
+        self.runs = runs
+        self.state = RequestState.PRESSED
+        self.options = options()
+        self.name = ""
+        self.checked: Preflight | None = None
+        self.must_ask = False
+        self.refusal: Refusal | None = None
+
+    @property
+    def is_over(self) -> bool:
+        """True once nothing more comes of it."""
+        checked = self.state is RequestState.CHECKED and not self.runs
+        return checked or not _NEXT[self.state]
+
+    @property
+    def is_busy(self) -> bool:
+        """True while something is read or checked."""
+        return self.state in {RequestState.READING, RequestState.CHECKING}
+
+    def begin(self) -> None:
+        """Have what is chosen read."""
+        refusal = self._controller.operating_state.cannot_run if self.runs else None
+        if refusal is not None:
+            self._refuse(refusal)
+            return
+        self.options = self._options_shown()
+        self._enter(RequestState.READING)
+        self._read(self._on_read)
+
+    def _on_read(self, content: Content | None) -> None:
+        """Have it checked, for the arm that the button was pressed for."""
+        if self.state is not RequestState.READING:
+            return
+        if content is None:
+            self.give_up()
+        elif self.runs and not self._mark.is_still(self._controller.mark):
+            self._refuse(Refusal(RefusalCode.ARM_CHANGED))
+        else:
+            self.name = content.name
+            self._enter(RequestState.CHECKING)
+            self._checks.begin(content, self.options, self._on_checked)
+
+    def _on_checked(self, checked: Preflight | Refusal) -> None:
+        """Run it at once, unless the operator has to be asked."""
+        if self.state is not RequestState.CHECKING:
+            return
+        if isinstance(checked, Refusal):
+            self._refuse(checked)
+            return
+        self.checked = checked
+        if self.runs and self._goes_otherwise():
+            return
+        late = self._clock() - self._pressed_s > _SURPRISING_S
+        self.must_ask = self.runs and not checked.errors and (late or bool(checked.findings))
+        self._enter(RequestState.CHECKED)
+        if self.is_over:  # only checked, or given up by whoever was told
+            return
+        if checked.errors:
+            self._refuse(Refusal(RefusalCode.FINDINGS_AGAINST, {"count": checked.errors}))
+        elif self.must_ask:
+            self._enter(RequestState.ASKING)
+        else:
+            self._start(checked)
+
+    def accept(self) -> None:
+        """Take in that the operator agrees."""
+        if self.state is RequestState.ASKING and self.checked is not None:
+            self._pressed_s = self._clock()
+            if not self._goes_otherwise():
+                self._start(self.checked)
+
+    def _goes_otherwise(self) -> bool:
+        """Begin anew if the choices were turned meanwhile; refuse what is not to be run at all."""
+        refusal = self._why_not(self.name)
+        if refusal is not None:
+            self._refuse(refusal)
+        elif self._options_shown() != self.options:
+            self.begin()  # what is shown has not been checked
+        else:
+            return False
+        return True
+
+    def _start(self, checked: Preflight) -> None:
+        """Let the arm set out, if the check still says something of it."""
+        refusal = checked.why_outdated(self._controller, self.options)
+        if refusal is None:
+            self._enter(RequestState.STARTING)
+            refusal = self._runner.start(checked)
+        if refusal is not None:
+            self._refuse(refusal)
+        else:
+            self._enter(RequestState.UNDER_WAY)
+
+    def give_up(self) -> None:
+        """Let nothing come of it any more; what runs already is ended by other means."""
+        if not self.is_over and self.state is not RequestState.STARTING:
+            self._enter(RequestState.GIVEN_UP)
+
+    def _refuse(self, refusal: Refusal) -> None:
+        self.refusal = refusal
+        self._enter(RequestState.REFUSED)
+
+    def _enter(self, state: RequestState) -> None:
+        """Go on to another state, and tell so.
+
+        Raises:
+            ValueError: It does not follow the present one.
+        """
+        ends = {RequestState.REFUSED, RequestState.GIVEN_UP}
+        if self.is_over or state not in _NEXT[self.state] | ends:
+            raise ValueError(f"a run request cannot go from {self.state.name} to {state.name}")
+        self.state = state
+        self._told(self)

@@ -1,0 +1,108 @@
+"""An operator who slows a run by the slider beside its progress, and by keys."""
+
+from PySide6.QtCore import QPoint, Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QMenu, QWidget
+
+from armui.control.run.progress import RunPhase
+from tests.operator.test_running import BACK, OUT, Operator, to
+
+
+def running(app_driver):
+    operator = Operator(app_driver, to(OUT), to(BACK))
+    operator.send()
+    operator.until(lambda: operator.progress.index == 1)
+    app_driver.run(0.2)
+    app_driver.heard()
+    return operator
+
+
+def told(app_driver):
+    app_driver.step()
+    return [frame.data[2] for frame in app_driver.heard() if frame.arbitration_id == 0x151]
+
+
+def handle(slider):
+    return QPoint(round(9 + (slider.width() - 18) * slider.sliderPosition() / 100), 12)
+
+
+def test_the_slider_slows_while_it_is_dragged_and_speeds_up_when_let_go(app_driver):
+    running(app_driver)
+    slider = app_driver.find("override_slider")
+    assert slider.isVisible()
+    QTest.mousePress(slider, Qt.MouseButton.LeftButton, pos=handle(slider))
+    half = QPoint(round(9 + (slider.width() - 18) * 0.5), 12)
+    QTest.mouseMove(slider, half)
+    assert told(app_driver)[-1] == 50
+    QTest.mouseMove(slider, QPoint(slider.width() - 9, 12))
+    assert told(app_driver) == []
+    QTest.mouseRelease(slider, Qt.MouseButton.LeftButton, pos=QPoint(slider.width() - 9, 12))
+    assert told(app_driver) == [100]
+    assert app_driver.find("override_field").value() == 100
+
+
+def test_keys_slow_the_run_also_behind_a_menu(app_driver):
+    operator = running(app_driver)
+    menu = QMenu(app_driver.window)
+    menu.addAction("something")
+    menu.popup(app_driver.window.mapToGlobal(QPoint(50, 50)))
+    QTest.keyClick(menu, Qt.Key.Key_F8)
+    assert told(app_driver) == [90]
+    menu.close()
+    QTest.keyClick(operator.window, Qt.Key.Key_F8)
+    assert told(app_driver)[-1] == 80
+    QTest.keyClick(operator.window, Qt.Key.Key_F7)
+    assert told(app_driver)[-1] == 90
+    assert app_driver.read("override_field") == "90 %"
+    assert "Effective speed 90 % · override 90 %" in operator.child("run_effective").text()
+
+
+def test_0_percent_is_shown_as_a_pause_and_goes_on_by_holding_continue(app_driver):
+    operator = running(app_driver)
+    app_driver.type_into("override_field", "0")
+    assert operator.progress.phase is RunPhase.PAUSED
+    assert "paused" in operator.text("run_text")
+    app_driver.run(1.5)
+    here = tuple(app_driver.firmware.joints_deg)
+    app_driver.hold_button("run_continue")
+    assert "The speed override is 0 %: raise it" in operator.text("run_text")
+    app_driver.type_into("override_field", "40")
+    app_driver.run(1.0)
+    assert tuple(app_driver.firmware.joints_deg) == here
+    app_driver.heard()
+    app_driver.hold_button("run_continue")
+    app_driver.run(0.2)
+    assert told(app_driver)[:1] == [40]
+    operator.until_over()
+    assert operator.text("run_text").endswith("done")
+
+
+def test_without_a_run_the_keys_set_the_speed_in_the_top_bar(app_driver):
+    app_driver.ready()
+    QTest.keyClick(app_driver.window, Qt.Key.Key_F8)
+    assert app_driver.find("speed_field").value() == 20
+    QTest.keyClick(app_driver.window, Qt.Key.Key_F7)
+    assert app_driver.find("speed_field").value() == 30
+
+
+def test_the_slider_in_the_top_bar_slows_while_it_is_dragged(app_driver):
+    app_driver.ready()
+    slider = app_driver.find("speed_slider")
+    app_driver.heard()
+    begin = handle(slider)
+    QTest.mousePress(slider, Qt.MouseButton.LeftButton, pos=begin)
+    QTest.mouseMove(slider, QPoint(round(9 + (slider.width() - 18) * 0.1), 12))
+    assert told(app_driver)[-1] == 10
+    QTest.mouseMove(slider, begin)  # where it was taken
+    QTest.mouseRelease(slider, Qt.MouseButton.LeftButton, pos=begin)
+    assert told(app_driver)[-1] == 30
+    assert app_driver.find("speed_field").value() == 30
+
+
+def test_the_strip_fits_a_small_window(app_driver):
+    running(app_driver)
+    for name in ("override_slider", "override_field", "run_pause", "run_stop"):
+        part = app_driver.find(name)
+        strip = app_driver.window.findChild(QWidget, "run_strip")
+        left = part.mapTo(strip, QPoint(0, 0)).x()
+        assert 0 <= left <= strip.width() - part.width()

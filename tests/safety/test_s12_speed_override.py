@@ -1,0 +1,369 @@
+"""S12, S11: a speed override lowers at once, raises in order, and holds back at 0 %."""
+
+import math
+from itertools import pairwise
+
+import numpy as np
+import pytest
+
+from armui.arm.refusal_codes import RefusalCode
+from armui.control.motion.jog_path import JointJog
+from armui.control.motion.motion_command import Hold
+from armui.control.run.progress import Run, RunPhase
+from armui.control.run.replay import Replay
+from armui.protocol.codes import MoveMode
+from armui.protocol.frame import Frame
+from armui.trajectory.points.program import Waypoint
+from armui.trajectory.samples.recording import Recording
+from tests.arm_rig import STEP_S
+
+HERE = (0.0, 30.0, -30.0, 0.0, 0.0, 0.0)
+FAR = (140.0, 30.0, -30.0, 0.0, 0.0, 0.0)
+HIGHEST_DEG_S = 180.0
+"""No joint is faster at 100 %."""
+
+
+def made_ready(rig):
+    rig.ready()
+    rig.controller.motion.set_speed_percent(40)
+    assert rig.controller.motion.send_joints(HERE) is None
+    rig.run(3.0)
+    rig.heard()
+    return rig
+
+
+@pytest.fixture
+def ready(any_rig):
+    return made_ready(any_rig)
+
+
+def started(rig, *places, percent=80, dwell_s=0.0, **more):
+    points = [
+        Waypoint(MoveMode.MOVE_J, each, speed_percent=percent, dwell_s=dwell_s) for each in places
+    ]
+    run = Run("run", points, [2.0] * len(points), **more)
+    assert rig.controller.player.start(run) is None
+    return rig.controller.player
+
+
+def even_turn(seconds=20.0, speed_deg_s=12.0):
+    times = np.arange(0.0, seconds, 0.01)
+    samples = np.zeros((len(times), 8))
+    samples[:, 0] = times
+    samples[:, 1:7] = HERE
+    samples[:, 1] = speed_deg_s * (times - seconds / 2)
+    samples[:, 7] = np.nan
+    return Recording("turn", samples=samples)
+
+
+def replaying(rig):
+    replayer = rig.controller.replayer
+    assert replayer.start(Replay(even_turn())) is None
+    rig.run_until(lambda: replayer.progress.done > 0.05, seconds=60.0)
+    rig.heard()
+    return replayer
+
+
+def speeds_deg_s(rig, seconds):
+    """How fast joint 1 was at each step, measured at the arm."""
+    speeds = []
+    for _ in range(round(seconds / STEP_S)):
+        before = rig.firmware.joints_deg[0]
+        rig.step()
+        speeds.append(abs(rig.firmware.joints_deg[0] - before) / STEP_S)
+    return speeds
+
+
+def mode_words(rig):
+    return [frame.data[2] for frame in rig.heard() if frame.arbitration_id == 0x151]
+
+
+def override(rig, percent):
+    return rig.controller.speed_override.set_percent(percent)
+
+
+# Lowered at once --------------------------------------------------------------------------------
+
+
+def test_in_a_run_it_is_on_the_bus_with_the_press(ready):
+    player = started(ready, FAR)
+    ready.run(0.6)
+    ready.heard()
+    assert override(ready, 25) is None
+    ready.step()
+
+    assert ready.heard() == [Frame(0x151, bytes.fromhex("01 01 14 00 00 00 00 00"))]  # 25 % of 80
+    assert max(speeds_deg_s(ready, 2.0)[40:]) < 1.02 * 0.20 * HIGHEST_DEG_S
+    assert player.phase is RunPhase.MOVING
+    assert "motion_too_fast" not in ready.codes()
+
+
+def test_the_next_points_are_sent_with_it(ready):
+    started(ready, (20.0, *HERE[1:]), HERE, (20.0, *HERE[1:]), percent=50)
+    override(ready, 20)
+    ready.run_until(lambda: not ready.controller.player.running)
+
+    assert set(mode_words(ready)[1:]) == {10}
+
+
+def test_a_higher_one_goes_out_after_the_targets_a_lower_one_before(ready):
+    player = started(ready, (10.0, *HERE[1:]), HERE, (10.0, *HERE[1:]), dwell_s=0.3)
+    ready.run_until(lambda: player.phase is RunPhase.DWELLING)
+    override(ready, 10)
+    ready.heard()
+    ready.run_until(lambda: player.phase is RunPhase.MOVING)
+    lower = [frame.arbitration_id for frame in ready.heard()]
+    ready.run_until(lambda: player.phase is RunPhase.DWELLING, seconds=60.0)
+    override(ready, 100)
+    ready.heard()
+    ready.run_until(lambda: player.phase is RunPhase.MOVING)
+    higher = [frame.arbitration_id for frame in ready.heard()]
+
+    assert lower == [0x151, 0x155, 0x156, 0x157, 0x151]
+    assert higher == [0x155, 0x156, 0x157, 0x151]
+
+
+def test_in_a_replay_the_recorded_time_slows_down_and_the_way_stays(ready):
+    replayer = replaying(ready)
+    override(ready, 25)
+    slowed = speeds_deg_s(ready, 3.0)
+    assert slowed[-20:] == pytest.approx([3.0] * 20, abs=0.6)
+    assert max(abs(b - a) for a, b in pairwise(slowed)) < 300 * STEP_S  # no jerk: 286 °/s²
+    assert not mode_words(ready)
+
+    override(ready, 100)
+    assert speeds_deg_s(ready, 3.0)[-20:] == pytest.approx([12.0] * 20, abs=0.6)
+    assert replayer.phase is RunPhase.MOVING
+    assert ready.firmware.joints_deg[1:] == pytest.approx(HERE[1:], abs=0.01)
+
+
+def test_on_the_way_to_the_first_sample_it_slows_down_too(ready):
+    replayer = ready.controller.replayer
+    assert replayer.start(Replay(even_turn())) is None
+    ready.run(1.5)
+    ready.heard()
+    override(ready, 20)
+    ready.step()
+    assert mode_words(ready) == [3]  # 20 % of 15
+    assert max(speeds_deg_s(ready, 1.0)[20:]) < 1.02 * 0.03 * HIGHEST_DEG_S
+    override(ready, 0)
+    ready.run(0.5)
+    assert replayer.phase is RunPhase.PAUSED
+    assert ready.controller.operating_state.holds == {Hold.PAUSE}
+    assert max(speeds_deg_s(ready, 0.5)) < 0.01
+    override(ready, 100)
+    ready.run(0.5)
+    assert max(speeds_deg_s(ready, 0.5)) < 0.01
+    assert replayer.go_on() is None
+    ready.run_until(lambda: replayer.progress.done > 0.05, seconds=60.0)
+    assert "motion_too_fast" not in ready.codes()
+
+
+def test_in_a_jog_the_operators_speed_counts_at_once(ready):
+    ready.controller.motion.set_speed_percent(100)
+    assert ready.controller.jogging.start(JointJog(6, 1)) is None
+    ready.run(0.5)
+
+    def turned_deg(seconds):
+        before = ready.firmware.joints_deg[5]
+        ready.run(seconds)
+        return ready.firmware.joints_deg[5] - before
+
+    fast = turned_deg(0.5)
+    ready.controller.speed_override.step(-80)
+    ready.run(0.1)
+    assert turned_deg(0.5) == pytest.approx(0.2 * fast, rel=0.1)
+    ready.controller.speed_override.step(-100)
+    ready.run(0.3)
+    assert turned_deg(0.5) == pytest.approx(0.0, abs=0.01)
+    assert not ready.controller.operating_state.jogging
+
+
+def test_in_a_single_motion_the_operators_speed_counts_at_once(ready):
+    ready.controller.motion.set_speed_percent(100)
+    assert ready.controller.motion.send_joints(FAR) is None
+    ready.run(0.4)
+    ready.controller.speed_override.step(-95)
+    assert max(speeds_deg_s(ready, 1.5)[40:]) < 1.02 * 0.05 * HIGHEST_DEG_S
+    assert ready.controller.speed_override.percent == 100
+    assert "motion_too_fast" not in ready.codes()
+
+
+def test_a_single_motion_that_was_not_heard_is_slowed_as_soon_as_it_is(ready):
+    ready.controller.motion.set_speed_percent(60)
+    assert ready.controller.motion.send_joints(FAR) is None
+    ready.run(0.4)
+    ready.node.link.mute_on.update({0x2A1, 0x2A5, 0x2A6, 0x2A7})
+    ready.run(0.6)
+    ready.controller.motion.set_speed_percent(5)  # cannot be told now
+    ready.step()
+    assert ready.firmware.condition.speed_percent == 60
+    ready.node.link.mute_on.clear()
+    ready.run(0.2)
+
+    assert ready.firmware.mechanics.moving
+    assert ready.firmware.condition.speed_percent == 5
+
+
+# 0 % is a pause ----------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("what", ["run", "replay"])
+def test_0_percent_holds_back_and_only_continue_goes_on(ready, what):
+    if what == "run":
+        part = started(ready, FAR)
+        ready.run(0.6)
+    else:
+        part = replaying(ready)
+    assert override(ready, 0) is None
+    assert part.progress.phase is RunPhase.PAUSED
+    assert ready.controller.operating_state.running
+    ready.run(1.5)
+    stood_deg = ready.firmware.joints_deg
+    assert part.go_on().code == RefusalCode.OVERRIDE_ZERO
+    override(ready, 60)
+    ready.run(1.0)
+    ready.controller.motion.jog(6, 1.0)
+    ready.controller.motion.send_joints(FAR)
+    ready.controller.motion.set_speed_percent(90)
+    ready.run(1.0)
+    assert ready.firmware.joints_deg == pytest.approx(stood_deg, abs=0.01)
+    assert part.progress.phase is RunPhase.PAUSED
+
+    assert part.go_on() is None
+    ready.run_until(lambda: not part.running, seconds=60.0)
+    assert part.phase is RunPhase.DONE
+    assert "motion_too_fast" not in ready.codes()
+
+
+def test_what_goes_on_is_told_a_lower_speed_before(ready):
+    player = started(ready, FAR)
+    ready.run(0.6)
+    override(ready, 0)
+    ready.run(1.0)
+    override(ready, 10)
+    ready.heard()
+    assert player.go_on() is None
+    ready.step()
+    sent = [(frame.arbitration_id, frame.data[1:3].hex()) for frame in ready.heard()]
+    assert sent == [(0x151, "0108"), (0x150, "0200")]
+
+
+def test_while_it_dwells_nothing_is_sent_and_nothing_goes_on(ready):
+    player = started(ready, (5.0, *HERE[1:]), HERE, dwell_s=0.5)
+    ready.run_until(lambda: player.phase is RunPhase.DWELLING)
+    ready.heard()
+    override(ready, 0)
+    ready.run(2.0)
+    assert ready.heard() == []
+    assert player.phase is RunPhase.PAUSED
+
+
+def test_step_by_step_does_not_go_on_at_0_percent(ready):
+    player = started(ready, (5.0, *HERE[1:]), HERE, step_by_step=True)
+    ready.run_until(lambda: player.phase is RunPhase.WAITING)
+    override(ready, 0)
+    ready.heard()
+    assert player.go_on().code == RefusalCode.OVERRIDE_ZERO
+    ready.step()
+    assert ready.heard() == []
+    override(ready, 50)
+    assert player.go_on() is None
+
+
+def test_it_is_there_for_a_run_and_stays_for_the_next(ready):
+    assert override(ready, 0).code == RefusalCode.NOT_RUNNING
+    player = started(ready, FAR)
+    override(ready, 30)
+    override(ready, 0)
+    player.stop()
+    ready.run_until(lambda: not player.running)
+    ready.run(0.1)
+    assert ready.controller.operating_state.override_percent == 30
+    ready.heard()
+    started(ready, HERE)
+    ready.step()
+    assert mode_words(ready)[-1] == 24  # 30 % of 80
+
+
+def test_a_figure_that_is_no_percentage_is_refused(ready):
+    for value in (-1, 101, math.nan):
+        assert override(ready, value).code == RefusalCode.SPEED_OUT_OF_RANGE
+    assert ready.controller.speed_override.percent == 100
+
+
+# Afterwards, others, losses ----------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("what", ["run", "replay"])
+def test_afterwards_the_operators_percentage_is_back_in_the_arm(ready, what):
+    if what == "run":
+        started(ready, (20.0, *HERE[1:]))
+    else:
+        replaying(ready)
+    override(ready, 20)
+    part = ready.controller.player if what == "run" else ready.controller.replayer
+    ready.run(0.5)
+    part.stop()
+    ready.run_until(lambda: not part.running, seconds=60.0)
+    ready.run(1.5)
+    assert ready.firmware.condition.speed_percent == 40
+
+
+@pytest.mark.parametrize("mit", [False, True], ids=["planned", "MIT"])
+def test_it_sends_nothing_once_another_host_has_the_arm(rig, other_host, mit):
+    ready = made_ready(rig)
+    started(ready, FAR)
+    ready.run(0.5)
+    other_host.speed(70, move=4 if mit else 1, mit=mit)
+    ready.run(0.3)
+    ready.heard()
+    override(ready, 10)
+    ready.controller.speed_override.step(-10)
+    ready.run(1.0)
+    assert mode_words(ready) == []
+    assert ready.firmware.condition.speed_percent == 70
+
+
+def test_a_lower_percentage_that_is_lost_is_told_again(ready):
+    started(ready, FAR)
+    ready.run(0.6)
+    ready.node.link.lose_to_arm(0x151)
+    override(ready, 70)
+    ready.run(0.2)
+    assert ready.firmware.condition.speed_percent == 56  # 70 % of 80
+
+
+def test_lost_for_good_it_ends_the_run(ready):
+    player = started(ready, FAR)
+    ready.run(0.5)
+    ready.node.link.lose_to_arm(0x151, 100)
+    override(ready, 10)
+    ready.run_until(lambda: not player.running, seconds=3.0)
+    assert "motion_too_fast" in ready.codes()
+    assert player.phase is RunPhase.FAILED
+    ready.run(1.0)
+    assert not ready.firmware.mechanics.moving
+
+
+def test_a_pause_that_is_lost_ends_the_run(ready):
+    player = started(ready, FAR)
+    ready.run(0.5)
+    ready.node.link.lose_to_arm(0x150)
+    override(ready, 0)
+    ready.run_until(lambda: not player.running, seconds=3.0)
+    assert "motion_too_fast" in ready.codes()
+    ready.run(1.0)
+    assert not ready.firmware.mechanics.moving
+
+
+def test_a_slow_run_is_not_given_up(ready):
+    """At 4 % the way takes 25 times as long as the run was expected to."""
+    player = started(ready, (60.0, *HERE[1:]), percent=100)
+    override(ready, 4)
+    ready.run(8.0)
+    assert player.running
+    assert player.progress.remaining_s == pytest.approx((2.0 - 8.0 * 0.04) / 0.04, rel=0.1)
+    override(ready, 100)
+    ready.run_until(lambda: not player.running)
+    assert player.phase is RunPhase.DONE
