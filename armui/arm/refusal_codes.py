@@ -89,6 +89,8 @@ class RefusalCode(StrEnum):
     GRIPPER_NOT_A_NUMBER = "gripper_not_a_number"  # gripper, value, minimum, maximum, unit
     GRIPPER_OTHER_GENERATION = "gripper_other_generation"  # row
     GRIPPER_OUT_OF_RANGE = "gripper_out_of_range"  # gripper, value, minimum, maximum, unit
+    GRIPPER_RANGE_UNKNOWN = "gripper_range_unknown"
+    GRIPPER_TELLS_ANGLE = "gripper_tells_angle"
     GRIPPER_SILENT = "gripper_silent"
     HALT_LISTEN_ONLY = "halt_listen_only"
     HEADER_UNKNOWN = "header_unknown"
@@ -145,6 +147,7 @@ class RefusalCode(StrEnum):
     NEEDS_FIRMWARE = "needs_firmware"  # firmware, since
     NO_ROWS_CHOSEN = "no_rows_chosen"
     NOBODY_ELSE = "nobody_else"
+    NO_OWN_HOME = "no_own_home"
     NOT_CONNECTED = "not_connected"
     NOT_ENABLED = "not_enabled"  # joints
     NOT_MOVING = "not_moving"

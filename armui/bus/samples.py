@@ -49,8 +49,8 @@ class SampleRing:
         opening_mm = None if gripper is None else gripper.value.opening_mm
         self._samples.append(Sample(at_s, joints_deg, opening_mm))
 
-    def take(self) -> list[Sample]:
-        """All samples since the last call."""
+    def take_samples(self) -> list[Sample]:
+        """Return the samples since the last call, and keep them no longer."""
         taken = []
         while self._samples:
             taken.append(self._samples.popleft())

@@ -320,8 +320,8 @@ class BusStatistics(Listener):
         while self._waiting:
             self._taken += len(self._waiting.popleft()[0])
 
-    def take(self, most: int = MOST_AT_ONCE) -> bool:
-        """Count what was handed over, about so many frames at most; whether nothing is left."""
+    def count_waiting(self, most: int = MOST_AT_ONCE) -> bool:
+        """Count frames that wait, about so many at most; tell whether none is left."""
         if self._spoken is not self._codec:
             # an identifier may be another sender's now
             self._spoken = self._codec

@@ -176,7 +176,7 @@ class ColumnWriter:
             self._writers[wire_id] = _writer(record, series[record.name], codec, layout, told)
             self.is_feedback[wire_id] = True
 
-    def take(self, frames: FrameColumns) -> None:
+    def add_frames(self, frames: FrameColumns) -> None:
         """Take in the feedback among frames that are ordinary data frames."""
         order = np.argsort(frames.ids, kind="stable")
         ids = frames.ids[order]

@@ -189,7 +189,7 @@ class Telemetry(Listener):
                 self._columns = ColumnWriter(self.series, codec, proven=proven)
             writer = self._columns
         ordinary = (frames.flags & NOT_OF_THE_ARM) == 0
-        writer.take(frames.of(ordinary & ~own))
+        writer.add_frames(frames.of(ordinary & ~own))
         known = writer.is_feedback[np.minimum(frames.ids, writer.is_feedback.size - 1)]
         for row in np.flatnonzero(ordinary & (own | ~known)).tolist():
             data = frames.payloads[row, : frames.lengths[row]].tobytes()

@@ -356,6 +356,14 @@
         <source>Speed of the run</source>
         <translation>运行速度</translation>
     </message>
+    <message>
+        <source>Own home: the measured angles</source>
+        <translation>自定原位：当前测得的角度</translation>
+    </message>
+    <message>
+        <source>Own home: the targets</source>
+        <translation>自定原位：输入框中的目标</translation>
+    </message>
 </context>
 <context>
     <name>AdapterTrouble</name>
@@ -3376,7 +3384,54 @@
     </message>
 </context>
 <context>
+    <name>GripperLine</name>
+    <message>
+        <source>Closes the gripper to 0.</source>
+        <translation>闭合夹爪，移动到 0。</translation>
+    </message>
+    <message>
+        <source>Opens the gripper to its stroke limit.</source>
+        <translation>张开夹爪，移动到行程限位。</translation>
+    </message>
+    <message>
+        <source>Gripper</source>
+        <translation>夹爪</translation>
+    </message>
+    <message>
+        <source>Measured: gripper</source>
+        <translation>测量值：夹爪</translation>
+    </message>
+    <message>
+        <source>Measured by the gripper</source>
+        <translation>夹爪测得的值</translation>
+    </message>
+    <message>
+        <source>Close fully</source>
+        <translation>全闭</translation>
+    </message>
+    <message>
+        <source>Open fully</source>
+        <translation>全开</translation>
+    </message>
+    <message>
+        <source>Insert with opening</source>
+        <translation>带开度插入</translation>
+    </message>
+    <message>
+        <source>A point that is inserted moves the gripper to what is measured now, with 1 N·m (generation 1: 1 rad/s). To grip, enter less than the workpiece is wide.</source>
+        <translation>插入的点会以 1 N·m（第 1 代：1 rad/s）把夹爪移动到当前测得的开度。要夹紧工件，请填比工件更小的开度。</translation>
+    </message>
+</context>
+<context>
     <name>GripperPanel</name>
+    <message>
+        <source>Close the gripper</source>
+        <translation>闭合夹爪</translation>
+    </message>
+    <message>
+        <source>Open the gripper</source>
+        <translation>张开夹爪</translation>
+    </message>
     <message>
         <source>Disable the gripper</source>
         <translation>失能夹爪</translation>
@@ -3412,6 +3467,14 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
         <translation>失能</translation>
     </message>
     <message>
+        <source>Closes the gripper to 0.</source>
+        <translation>闭合夹爪，移动到 0。</translation>
+    </message>
+    <message>
+        <source>Opens the gripper to its stroke limit.</source>
+        <translation>张开夹爪，移动到行程限位。</translation>
+    </message>
+    <message>
         <source>Moves the gripper to the target, and gives it power.</source>
         <translation>使能夹爪并运动到目标。</translation>
     </message>
@@ -3442,6 +3505,14 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
     <message>
         <source>Gripper control</source>
         <translation>夹爪控制</translation>
+    </message>
+    <message>
+        <source>Close fully</source>
+        <translation>全闭</translation>
+    </message>
+    <message>
+        <source>Open fully</source>
+        <translation>全开</translation>
     </message>
     <message>
         <source>Send</source>
@@ -5944,6 +6015,33 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     </message>
 </context>
 <context>
+    <name>OwnHome</name>
+    <message>
+        <source>Own home</source>
+        <translation>自定原位</translation>
+    </message>
+    <message>
+        <source>Moves the joints to {angles}.</source>
+        <translation>各关节运动到 {angles}。</translation>
+    </message>
+    <message>
+        <source>Set own home</source>
+        <translation>设定原位</translation>
+    </message>
+    <message>
+        <source>Kept for this arm; nothing moves.</source>
+        <translation>为此机械臂保存，不运动。</translation>
+    </message>
+    <message>
+        <source>The measured angles</source>
+        <translation>当前测得的角度</translation>
+    </message>
+    <message>
+        <source>The targets in the fields</source>
+        <translation>输入框中的目标</translation>
+    </message>
+</context>
+<context>
     <name>PageActions</name>
     <message>
         <source>Open a trajectory of the library first.</source>
@@ -8270,6 +8368,18 @@ The other program must have ended.</source>
     <message>
         <source>The speed override is 0 %: raise it, then hold “Continue” for 1 s.</source>
         <translation>运行倍率为 0 %：请先调高，再按住“继续”1 秒。</translation>
+    </message>
+    <message>
+        <source>No home of your own is kept for this arm. Set it with the button beside.</source>
+        <translation>尚未为此机械臂设定原位。请用旁边的按钮设定。</translation>
+    </message>
+    <message>
+        <source>How far this gripper opens is not known: the arm has told no stroke limit. Set it in Gripper settings, or enter a target in Gripper control.</source>
+        <translation>不知道此夹爪能张开多大：机械臂没有报告行程限位。请在“夹爪设置”中设置，或在“夹爪控制”中输入目标。</translation>
+    </message>
+    <message>
+        <source>The gripper tells an angle now, and a point keeps an opening. Move it by an opening in Gripper control first.</source>
+        <translation>夹爪当前反馈的是角度，而点中保存的是开度。请先在“夹爪控制”中按开度移动夹爪。</translation>
     </message>
     <message>
         <source>{frames} of the arm has not been heard for {seconds} s: nobody knows where it is. Check its power and the CAN cable; nothing is sent until it is heard again.</source>

@@ -41,7 +41,7 @@ def take_in(codec, frames, statistics, begin_s):
 def count(statistics, frames):
     """As the window does; the processor time of one frame in µs."""
     began_s = time.thread_time()
-    while not statistics.take():
+    while not statistics.count_waiting():
         pass
     return 1e6 * (time.thread_time() - began_s) / len(frames)
 

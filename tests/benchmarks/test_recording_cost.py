@@ -45,7 +45,7 @@ def take_in(codec, frames, line, lane, begin_s):
     taken_s = time.thread_time() - began_s
     if lane is not None:
         assert lane.waiting >= len(frames) // BATCH * BATCH
-        lane.take()
+        lane.take_frames()
     return 1e6 * taken_s / len(frames)
 
 

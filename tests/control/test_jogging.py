@@ -311,7 +311,7 @@ def test_an_arm_that_can_hear_and_not_be_heard_is_not_led_on(rig):
 
 def test_an_arm_that_does_not_follow_is_given_up(rig):
     controller = held(rig)
-    rig.firmware._moves.take = lambda name, signals: True  # it takes no target any more
+    rig.firmware._moves.take_frame = lambda name, signals: True  # it takes no target any more
     hold(rig, 1.0)
     assert not controller.jogging.active
     assert rig.events[-1].params["reason"].code == "jog_not_following"

@@ -14,7 +14,7 @@ def saves(events, until_s=2000):
     for now_s in range(until_s):
         for mark in events.get(now_s, ()):
             saving.happened(mark, float(now_s))
-        kind = saving.take(float(now_s))
+        kind = saving.take_due(float(now_s))
         if kind is not None:
             found.append((now_s, kind))
     return found
@@ -41,4 +41,4 @@ def test_a_wish_that_is_withdrawn_saves_nothing():
     saving = SaveAtFaults(KEEP_S)
     saving.happened(MarkKind.FAULT, 1.0)
     saving.forget()
-    assert saving.take(100.0) is None
+    assert saving.take_due(100.0) is None

@@ -5,8 +5,11 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 
 from armui.arm.state import GripperFault
+from armui.control.run.progress import Run
+from armui.protocol.codes import MoveMode
 from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
+from armui.trajectory.points.program import Waypoint
 from armui.ui.dialogs.confirm_dialog import ConfirmDialog
 from tests.faulty_arm import FaultyDrivers, HardOfHearing
 from tests.generations import ONE_IS_ENOUGH
@@ -205,3 +208,38 @@ def test_the_chinese_words(grip):
     finally:
         grip.store.change(language="en")
         grip.step()
+
+
+def test_it_is_opened_to_the_stroke_limit_and_closed_by_buttons(grip2):
+    grip2.type_into("gripper_torque_field", "2")
+    grip2.click("gripper_open_fully_button")
+    grip2.step()
+    assert sent(grip2) == [command("00011170 07D0 01 00")]  # 70 = 70000 = 11170; 2 = 2000 = 07D0
+    assert grip2.read("gripper_opening_field") == "70.000"
+    grip2.run(2.0)
+    assert grip2.read("gripper_opening_measured") == "70.000 mm"
+    grip2.click("gripper_close_fully_button")
+    grip2.run(2.0)
+    assert sent(grip2)[1:] == [command("00000000 07D0 01 00")]
+    assert grip2.read("gripper_opening_measured") == "0.000 mm"
+
+
+@pytest.mark.parametrize("generation", [Generation.ONE], ids=["gen1"])
+def test_how_far_it_opens_is_said_to_be_unknown(grip):
+    """How far the gripper of generation 1 turns is not published."""
+    button = grip.find("gripper_open_fully_button")
+    assert not button.isEnabled()
+    assert "How far this gripper opens is not known" in button.toolTip()
+    assert grip.find("gripper_close_fully_button").isEnabled()
+
+
+def test_it_is_not_moved_in_a_run(grip2):
+    grip2.controller.motors.enable()
+    grip2.run(1.0)
+    run = Run("run", [Waypoint(MoveMode.MOVE_J, (60.0, 0, 0, 0, 0, 0))], [3.0])
+    assert grip2.controller.player.start(run) is None
+    grip2.run(0.2)
+    for name in ("gripper_open_fully_button", "gripper_close_fully_button"):
+        assert not grip2.find(name).isEnabled()
+    assert grip2.controller.gripper.move_to_end(opened=True) is not None
+    assert sent(grip2) == []

@@ -48,7 +48,7 @@ class Rig:
             self.hear(line)
 
     def look(self):
-        assert self.statistics.take()
+        assert self.statistics.count_waiting()
         return self.statistics.snapshot()
 
     def rows(self):
@@ -239,9 +239,9 @@ def test_counting_comes_in_slices(rig):
     for _ in range(5):
         rig.statistics.on_heard(batch)
 
-    assert not rig.statistics.take(20)
+    assert not rig.statistics.count_waiting(20)
     assert rig.statistics.snapshot().frames == 20
-    assert rig.statistics.take(1000)
+    assert rig.statistics.count_waiting(1000)
     assert rig.statistics.snapshot().frames == 50
 
 

@@ -54,7 +54,7 @@ class SeriesListener(Listener):
         self.telemetry = telemetry
         self.by_columns = False
 
-    def take(self, frames: FrameColumns) -> None:
+    def add_frames(self, frames: FrameColumns) -> None:
         """Take in many frames at once."""
         own = ((frames.flags & FrameFlag.TRANSMITTED) != 0) & np.isin(frames.ids, _COMMAND_IDS)
         self.telemetry.on_columns(frames, own=own)
@@ -124,10 +124,10 @@ def fill(
             return False
         pieces.append(each)
         if sum(map(len, pieces)) >= FILL_ROWS:
-            series.take(joined(pieces))
+            series.add_frames(joined(pieces))
             pieces = []
     if pieces:
-        series.take(joined(pieces))
+        series.add_frames(joined(pieces))
     return True
 
 

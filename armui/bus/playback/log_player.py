@@ -256,7 +256,7 @@ class LogPlayer:
         if pieces:
             frames = joined(pieces)
             for listener in self._series.values():
-                listener.take(frames)
+                listener.add_frames(frames)
 
     def settle(self) -> None:
         """Show in the curves what was played fast, up to here."""

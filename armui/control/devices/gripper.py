@@ -195,6 +195,31 @@ class GripperControl(ControllerPart):
         self._context.tell(EventCode.GRIPPER_SENT, started, value=travel, unit=unit)
         return None
 
+    def why_no_end(self, *, opened: bool) -> Refusal | None:
+        """Tell why the gripper cannot be moved to an end of its stroke."""
+        refusal = why_not_move_gripper(self._context.operating_state())
+        if refusal is None and opened and not self.figures.stroke_read:
+            return Refusal(RefusalCode.GRIPPER_RANGE_UNKNOWN)
+        return refusal
+
+    def move_to_end(self, *, opened: bool, effort: float | None = None) -> Refusal | None:
+        """Open it as far as its stroke limit was read (0x47E), or close it to 0; see :meth:`move`.
+
+        Args:
+            opened: Whether to open it.
+            effort: Torque or speed; ``None``: what a command begins with, 1.
+
+        Returns:
+            ``None`` if it is on its way, or why nothing was sent.
+        """
+        self._context.refresh()
+        refusal = self.why_no_end(opened=opened)
+        if refusal is not None:
+            return self._context.refuse(refusal)
+        figures = self.figures
+        target = figures.travel.maximum if opened else 0.0
+        return self.move(target, figures.effort.first if effort is None else effort)
+
     @operation("gripper.enable", "Enable the gripper", why_not_move_gripper)
     def enable(self, effort: float) -> Refusal | None:
         """Give it power where it is."""

@@ -74,7 +74,7 @@ class Recorder(QObject, ControllerPart):
         self._samples = SampleStore(self._context.operating_state().model_fit.taught_on)
         self.dropped = 0
         ring = self._context.connection.samples
-        ring.take()
+        ring.take_samples()
         ring.dropped = 0
         ring.wanted = self._recording = True
         self._started = begun(self.start)
@@ -104,7 +104,7 @@ class Recorder(QObject, ControllerPart):
         """Take in what has come; the controller's tick calls it."""
         if not self._recording:
             return
-        taken = self._context.connection.samples.take()
+        taken = self._context.connection.samples.take_samples()
         if taken and self._samples is not None:
             self._samples.extend(taken)
             self.dropped = self._context.connection.samples.dropped

@@ -52,7 +52,7 @@ class EventFeed:
         self._log = log
         self._revision = self._newest = 0
 
-    def take(self) -> list[FedEvent]:
+    def take_events(self) -> list[FedEvent]:
         """What has happened, or has changed, since the last call."""
         self._revision, entries = self._log.since(self._revision)
         newest = self._newest

@@ -95,11 +95,11 @@ class Mf4Converter:
         self._conversions[name] = conversion, self._thread.submit(self._work, conversion)
 
     def call_off(self) -> None:
-        """Make none of them; nothing remains of the one that was begun. `take` tells it."""
+        """Make none of them; nothing remains of the one that was begun. `take_done` tells it."""
         for conversion, _done in self._conversions.values():
             conversion.called_off.set()
 
-    def take(self) -> list[Mf4Made]:
+    def take_done(self) -> list[Mf4Made]:
         """Those that are done since the last call."""
         done = [each for each in self._conversions.values() if each[1].done()]
         for conversion, _future in done:

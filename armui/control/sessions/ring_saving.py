@@ -36,7 +36,7 @@ class SaveAtFaults:
         if self._saved_s is not None:
             self._due_s = max(self._due_s, self._saved_s + self._keep_s - 2 * AFTER_S)
 
-    def take(self, now_s: float) -> MarkKind | None:
+    def take_due(self, now_s: float) -> MarkKind | None:
         """What it is to be saved for now; ``None``: not now."""
         if self._due_s is None or now_s < self._due_s:
             return None

@@ -238,7 +238,7 @@ class SessionRecorder(QObject):
 
     def look(self) -> None:
         """Take in what has happened; called by its own timer, four times a second."""
-        for each in self._feed.take():
+        for each in self._feed.take_events():
             self._recent.append(each)
             if self.choices.save_at_faults and each.is_new:
                 self._at_faults.happened(each.mark, each.at_s)
@@ -248,7 +248,7 @@ class SessionRecorder(QObject):
         self._follow_recording()
         self._follow_saving()
         self._follow_mf4()
-        wanted = self._at_faults.take(self._context.clock())
+        wanted = self._at_faults.take_due(self._context.clock())
         if wanted is not None and self._saving is None:
             self.save_ring("stop" if wanted is MarkKind.STOP else "fault")
 
@@ -326,7 +326,7 @@ class SessionRecorder(QObject):
             self.mf4.begin(plan.folder, name)
 
     def _follow_mf4(self) -> None:
-        for made in self.mf4.take():
+        for made in self.mf4.take_done():
             if made.reason is None:
                 self._context.tell(EventCode.MF4_SAVED, name=made.name)
             else:

@@ -44,7 +44,7 @@ class CsvTable:
         titles = [column.title for record in self._records for column in record.columns]
         self._stream.write(BOM + ",".join((*TIME_TITLES, *titles)).encode() + b"\r\n")
 
-    def take(self, history: History, span: TimeSpan) -> None:
+    def write_span(self, history: History, span: TimeSpan) -> None:
         """Write what a piece of the log adds, see `Sink`."""
         table = table_rows(history, span)
         if table is None:
@@ -104,7 +104,7 @@ class CsvMessages:
         self._files: dict[str, BinaryIO] = {}
         self.items = 0
 
-    def take(self, history: History, span: TimeSpan) -> None:
+    def write_span(self, history: History, span: TimeSpan) -> None:
         """Write what a piece of the log adds, see `Sink`."""
         for samples in history.heard():
             self._write(samples, span)

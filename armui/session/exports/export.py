@@ -224,8 +224,8 @@ class _Export:
         request = self._request
         span = TimeSpan(arm.start_s + request.begin_s, arm.start_s + request.end_s)
         for frames in reader.pieces(self._watched(batches)):
-            history.take(frames)
-            sink.take(history, span)
+            history.add_frames(frames)
+            sink.write_span(history, span)
             if len(frames) and frames.times_s.min() > span.end_s + _LATER_S:
                 break
         if not sink.items:

@@ -181,7 +181,7 @@ def _model(
     rows = 0
     history = History(codec)
     for frames in pieces:
-        history.take(frames)
+        history.add_frames(frames)
         at = table_rows(history, TimeSpan(-np.inf, np.inf))
         if at is None:
             continue

@@ -192,7 +192,7 @@ class History:
         self._samples: dict[str, Samples] = {}
         self._stops = np.empty(0, np.int64)
 
-    def take(self, frames: ArmFrames) -> None:
+    def add_frames(self, frames: ArmFrames) -> None:
         """Go on to the next piece."""
         self.frames = frames
         for name, samples in self._samples.items():
@@ -310,7 +310,7 @@ class Sink(Protocol):
 
     items: int
 
-    def take(self, history: History, span: TimeSpan) -> None:
+    def write_span(self, history: History, span: TimeSpan) -> None:
         """Write what a piece of the log adds.
 
         Args:

@@ -52,7 +52,7 @@ class ParquetTable:
         self._waiting_rows = 0
         self.items = 0
 
-    def take(self, history: History, span: TimeSpan) -> None:
+    def write_span(self, history: History, span: TimeSpan) -> None:
         """Write what a piece of the log adds, see `Sink`."""
         rows = table_rows(history, span)
         if rows is None:

@@ -164,7 +164,7 @@ class Sorter:
         self._last_s = -np.inf
         self.late = 0
 
-    def take(self, rows: FrameRows, *, everything: bool = False) -> FrameRows:
+    def sort(self, rows: FrameRows, *, everything: bool = False) -> FrameRows:
         """What can be passed on by now.
 
         Args:
@@ -257,7 +257,7 @@ class Collector:
     def collect(self, *, everything: bool = False) -> None:
         """Pass on what has come; its thread does so ten times a second, any other may, too."""
         with self._turn:
-            rows = self._sorter.take(rows_of(self._lane.take()), everything=everything)
+            rows = self._sorter.sort(rows_of(self._lane.take_frames()), everything=everything)
             if not len(rows):
                 return
             self._ring.append(rows)

@@ -86,7 +86,7 @@ class StandingFrames:
         self._remembered: dict[int, deque[Any]] = {}
         self._told_s = -np.inf
 
-    def take(self, rows: FrameRows) -> NDArray[np.void] | None:
+    def add_rows(self, rows: FrameRows) -> NDArray[np.void] | None:
         """Follow some frames.
 
         Returns:

@@ -40,8 +40,8 @@ class FrameLane(Listener):
         """Frames that wait to be taken out."""
         return self._put - self._taken
 
-    def take(self) -> list[RecordedFrame]:
-        """All that wait, batch by batch."""
+    def take_frames(self) -> list[RecordedFrame]:
+        """Return all frames that wait, in the order they came; they wait no longer."""
         frames: list[RecordedFrame] = []
         batches = self._batches
         while batches:

@@ -350,7 +350,7 @@ class RecordingWriter:
             float(rows.times_s[0]),
             float(rows.times_s[-1]),
             self._format.start_s,
-            self._standing.take(rows),
+            self._standing.add_rows(rows),
         )
         self._index.append(block.record())
         self.frames += len(rows)

@@ -98,6 +98,10 @@ class MeasureChoice(QWidget):
 
 _TALLEST_CARD_PX: Final = 330
 _SEND_KEY: Final = keys_of("gripper.send")
+_ENDS: Final = {
+    "close_fully": Text("GripperPanel", "Close the gripper"),
+    "open_fully": Text("GripperPanel", "Open the gripper"),
+}
 _ACTS: Final = ("enable", "disable", "clear", "zero")
 
 _Kind = tuple[Generation, bool]
@@ -250,6 +254,10 @@ class GripperPanel(Panel):
     commands = (
         Command("gripper.send", operation=operation_of(GripperControl.move)),
         *(Command(f"gripper.{act}", title, does) for act, title, does in _COMMANDS),
+        *(
+            Command(f"gripper.{end}", title, operation_of(GripperControl.move))
+            for end, title in _ENDS.items()
+        ),
         Command("gripper.opening", Text("MeasureChoice", "Opening (mm)")),
         Command("gripper.angle", Text("MeasureChoice", "Angle (°)")),
     )
@@ -268,6 +276,7 @@ class GripperPanel(Panel):
         self._send.setMinimumHeight(38)
         self._sent: tuple[object, ...] | None = None
         self._acts = {act: push_button(f"gripper_{act}_button") for act in _ACTS}
+        self._ends = {end: push_button(f"gripper_{end}_button") for end in _ENDS}
         self._measure = MeasureChoice()
         first, second = (self._make_rows(each) for each in Generation)
         self._rows_of: dict[_Kind, tuple[GripperRow, GripperRow]] = {
@@ -285,6 +294,7 @@ class GripperPanel(Panel):
         return {
             "gripper.send": self._send,
             **{f"gripper.{act}": button for act, button in self._acts.items()},
+            **{f"gripper.{end}": button for end, button in self._ends.items()},
             "gripper.opening": opening,
             "gripper.angle": angle,
         }
@@ -323,10 +333,13 @@ class GripperPanel(Panel):
         acts = empty_grid(gaps=(8, 8))
         for place, button in enumerate(self._acts.values()):
             acts.addWidget(button, 0, place)
-        self._stack(scrolled(card, _TALLEST_CARD_PX), self._send, acts)
+        ends = in_row(*((button, 1) for button in self._ends.values()), spacing=8)
+        self._stack(scrolled(card, _TALLEST_CARD_PX), ends, self._send, acts)
 
     def _connect(self) -> None:
         self._send.clicked.connect(self._on_send)
+        for end, button in self._ends.items():
+            button.clicked.connect(partial(self._on_end, opened=end == "open_fully"))
         self._acts["enable"].clicked.connect(self._on_enable)
         self._acts["disable"].clicked.connect(self._ask_to_disable)
         self._acts["clear"].clicked.connect(
@@ -378,6 +391,14 @@ class GripperPanel(Panel):
         target = min(max(start + sign * figure.step, figure.minimum), figure.maximum)
         if self._accepted(self._controller.gripper.move(round(target, 3), effort)):
             self._travel.show_value(target)
+            self._note_sent()
+
+    def _on_end(self, _checked: bool = False, *, opened: bool) -> None:
+        effort = self._effort.field.value
+        if effort is None:
+            self._accepted(self._effort.refusal())
+        elif self._accepted(self._controller.gripper.move_to_end(opened=opened, effort=effort)):
+            self._travel.show_value(self._travel.figure.maximum if opened else 0.0)
             self._note_sent()
 
     def _on_enable(self) -> None:
@@ -478,11 +499,19 @@ class GripperPanel(Panel):
             why_not_gripper(now),
             why_not_let_go(now),
             gripper.why_no_angle(),
+            gripper.why_no_end(opened=False),
+            gripper.why_no_end(opened=True),
         )
         if reasons == self._reasons:
             return
         self._reasons = reasons
-        no_move, why_not, no_letting_go, why_no_angle = map(words.why_not, reasons)
+        no_move, why_not, no_letting_go, why_no_angle, *no_ends = map(words.why_not, reasons)
+        uses = (
+            self.tr("Closes the gripper to 0."),
+            self.tr("Opens the gripper to its stroke limit."),
+        )
+        for button, no_end, use in zip(self._ends.values(), no_ends, uses, strict=True):
+            enable_or_explain(button, no_end, use)
         self._measure.show_choice(by_angle=gripper.tells_angle, why_not=why_no_angle)
         self._travel.allow_steps(no_move)
         use = self.tr("Moves the gripper to the target, and gives it power.")
@@ -521,6 +550,10 @@ class GripperPanel(Panel):
         self._measure.retranslate_ui()
         whose = self._title.text()
         caption(self._send, self.tr("Send"), whose=whose, key=_SEND_KEY)
+        for button, text in zip(
+            self._ends.values(), (self.tr("Close fully"), self.tr("Open fully")), strict=True
+        ):
+            caption(button, text, whose=whose)
         for act, button in self._acts.items():
             caption(button, words.gripper_act(act), whose=whose)
         self._reasons = None

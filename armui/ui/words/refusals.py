@@ -79,6 +79,9 @@ _REFUSALS: Final = Texts("Refusal") | {
     RefusalCode.OVERRIDE_ZERO: (
         "The speed override is 0 %: raise it, then hold “Continue” for 1 s."
     ),
+    RefusalCode.NO_OWN_HOME: (
+        "No home of your own is kept for this arm. Set it with the button beside."
+    ),
     RefusalCode.SPEED_ZERO: (
         "The speed is set to 0 %: the arm would not move. Set a speed from 1 to 100 % at the top."
     ),
@@ -269,6 +272,14 @@ _REFUSALS: Final = Texts("Refusal") | {
     ),
     RefusalCode.GRIPPER_SILENT: (
         "No gripper is heard. If one is mounted, check its cable and its power."
+    ),
+    RefusalCode.GRIPPER_RANGE_UNKNOWN: (
+        "How far this gripper opens is not known: the arm has told no stroke limit. Set it in "
+        "Gripper settings, or enter a target in Gripper control."
+    ),
+    RefusalCode.GRIPPER_TELLS_ANGLE: (
+        "The gripper tells an angle now, and a point keeps an opening. Move it by an opening in "
+        "Gripper control first."
     ),
     RefusalCode.GRIPPER_NO_ZERO: "The gripper of a generation 1 arm has no command for its zero.",
     RefusalCode.GRIPPER_OUT_OF_RANGE: (

@@ -5,6 +5,7 @@ import math
 import pytest
 from PySide6.QtCore import Qt
 
+from armui.trajectory.points.program import GripperOpening
 from tests.operator.editor.actions import BACK, CTRL, OUT, Editor, to
 
 
@@ -50,3 +51,41 @@ def test_a_motor_that_is_off_is_told(app_driver):
     app_driver.connect()
     editor.act("go_to")
     assert "enable" in editor.message().lower()
+
+
+def gripper_frames(app_driver):
+    return [frame.data.hex() for frame in app_driver.heard() if frame.arbitration_id == 0x159]
+
+
+def test_the_gripper_is_opened_and_closed_beside_the_jog_and_inserted_as_measured(app_driver):
+    editor = Editor(app_driver, to(OUT))
+    app_driver.ready()
+    editor.click("editor_jog")
+    app_driver.run_until(editor.child("box_gripper_open").isEnabled)  # the stroke was read: 70 mm
+    app_driver.heard()
+    app_driver.click(editor.child("box_gripper_open"))
+    app_driver.run(0.1)
+    assert gripper_frames(app_driver) == ["0001117003e80100"]
+    app_driver.run(2.0)
+    assert editor.child("box_gripper_measured").text() == "70.000 mm"
+    app_driver.click(editor.child("box_insert"))
+    assert editor.points[-1].gripper is None
+    app_driver.click(editor.child("box_gripper_inserted"))
+    app_driver.click(editor.child("box_insert"))
+    assert [each.gripper for each in editor.points if each.gripper] == [GripperOpening(70.0, 1.0)]
+    app_driver.click(editor.child("box_gripper_close"))
+    app_driver.run(2.0)
+    assert gripper_frames(app_driver) == ["0000000003e80100"]
+
+
+def test_without_a_gripper_nothing_is_inserted(app_driver):
+    editor = Editor(app_driver, to(OUT))
+    app_driver.ready()
+    editor.click("editor_jog")
+    app_driver.click(editor.child("box_gripper_inserted"))
+    app_driver.node.link.mute_on.add(0x2A8)
+    app_driver.run(1.0)
+    app_driver.click(editor.child("box_insert"))
+    assert len(editor.points) == 1
+    assert "No gripper is heard" in editor.message()
+    assert not editor.child("box_gripper_open").isEnabled()

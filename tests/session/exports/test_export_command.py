@@ -89,7 +89,7 @@ def test_ctrl_c_leaves_nothing(log, capsys, monkeypatch):
     def pressed(*_args, **_keywords):
         raise KeyboardInterrupt
 
-    monkeypatch.setattr("armui.session.exports.csv_files.CsvTable.take", pressed)
+    monkeypatch.setattr("armui.session.exports.csv_files.CsvTable.write_span", pressed)
     assert export(log, "--to", "csv") == 130
     assert "nothing was written" in capsys.readouterr().err
     assert list(log.parent.iterdir()) == [log]

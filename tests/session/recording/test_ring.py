@@ -78,9 +78,9 @@ def test_a_batch_beyond_the_bound_of_the_lane_is_dropped_and_counted():
     lane.on_sent(frames[6:10])
     lane.on_heard(frames[10:])
     assert (lane.waiting, lane.dropped) == (10, 2)
-    assert lane.take() == frames[:10]
+    assert lane.take_frames() == frames[:10]
     lane.on_heard(frames[10:])
-    assert lane.take() == frames[10:]
+    assert lane.take_frames() == frames[10:]
     assert (lane.waiting, lane.dropped) == (0, 2)
 
 
@@ -106,8 +106,8 @@ def test_frames_sent_and_heard_are_put_into_the_order_of_time():
 
 def test_what_comes_far_too_late_gets_the_time_of_what_went_before():
     sorter = Sorter()
-    sorter.take(rows_of(taken(3000, 10.0)), everything=True)
-    late = sorter.take(rows_of(taken(10, 10.5)), everything=True)
+    sorter.sort(rows_of(taken(3000, 10.0)), everything=True)
+    late = sorter.sort(rows_of(taken(10, 10.5)), everything=True)
     assert (late.times_s == 10.0 + 2999 / 3000).all()
     assert sorter.late == 10
 

@@ -107,7 +107,7 @@ class McapFile:
         self.items = 0
         self.without_stamp = 0
 
-    def take(self, history: History, span: TimeSpan) -> None:
+    def write_span(self, history: History, span: TimeSpan) -> None:
         """Write what a piece of the log adds, see `Sink`."""
         span = TimeSpan(max(span.begin_s, 0.0), min(span.end_s, _LATEST_S))
         in_ros = TimeSpan(0.0, _LATEST_S).holds(history.frames.times_s)

@@ -122,7 +122,7 @@ class Stream(Protocol):
     schema: str
 
     def messages(self, history: History, span: TimeSpan) -> TimedMessages | None:
-        """What a piece of the log adds, see `Sink.take`; ``None`` if nothing."""
+        """What a piece of the log adds, see `Sink.write_span`; ``None`` if nothing."""
 
 
 def nanoseconds(times_s: NDArray[np.float64]) -> NDArray[np.int64]:

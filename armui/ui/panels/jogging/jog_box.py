@@ -8,7 +8,7 @@ from functools import partial
 from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtWidgets import QButtonGroup, QFrame, QLabel, QSizePolicy, QWidget
+from PySide6.QtWidgets import QButtonGroup, QCheckBox, QFrame, QLabel, QSizePolicy, QWidget
 
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
@@ -20,10 +20,17 @@ from armui.ui import words
 from armui.ui.freshness import is_stale
 from armui.ui.panels.jogging.jog_panel import JogRow, StepBox
 from armui.ui.theme import scaled_font
-from armui.ui.widgets.buttons import caption, choice_button, describe, named
+from armui.ui.widgets.buttons import (
+    caption,
+    choice_button,
+    describe,
+    enable_or_explain,
+    named,
+    push_button,
+)
 from armui.ui.widgets.flow import Flow
 from armui.ui.widgets.hold_guard import UNATTENDED_S
-from armui.ui.widgets.layouts import in_column, in_row
+from armui.ui.widgets.layouts import STRETCH, in_column, in_row
 from armui.ui.widgets.text_label import ValueLabel
 from armui.ui.widgets.translated import Translated
 
@@ -89,6 +96,75 @@ class JogCell(JogRow):
         describe(self.measured, self.tr("Measured {name}").format(name=name))
 
 
+class GripperLine(Translated, QWidget):
+    """The measured opening of the gripper, and buttons for the ends of its stroke.
+
+    Args:
+        controller: Moves it.
+
+    Signals:
+        refused: A :class:`Refusal`, or ``None`` when it is on its way.
+
+    Attributes:
+        inserted: Whether a point that is inserted takes the measured opening along.
+    """
+
+    refused = Signal(object)
+
+    def __init__(self, controller: ArmController) -> None:
+        super().__init__()
+        self._controller = controller
+        self._name = QLabel()
+        self._name.setFont(scaled_font(self._name, 1.0, bold=True))
+        self._measured = named("box_gripper_measured", ValueLabel(_WIDEST))
+        self._close = push_button("box_gripper_close", on_enter=False)
+        self._open = push_button("box_gripper_open", on_enter=False)
+        self.inserted = named("box_gripper_inserted", QCheckBox())
+        parts = (self._name, self._measured, self._close, self._open, 12, self.inserted, STRETCH)
+        in_row(*parts, on=self, spacing=6, margins=0)
+        self._close.clicked.connect(lambda _checked=False: self._move(opened=False))
+        self._open.clicked.connect(lambda _checked=False: self._move(opened=True))
+        self.retranslate_ui()
+
+    def _move(self, *, opened: bool) -> None:
+        self.refused.emit(self._controller.gripper.move_to_end(opened=opened))
+
+    def show_gripper(self) -> None:
+        """Show what it says, and whether it may be moved."""
+        state, gripper = self._controller.state, self._controller.gripper
+        heard = state.gripper
+        stale = is_stale(heard, state, self._controller.operating_state)
+        text = fmt.NOTHING
+        if heard is not None:
+            text = fmt.with_unit(heard.value.travel, heard.value.unit)
+        self._measured.show_text(text, stale=stale)
+        for button, opened, use in (
+            (self._close, False, self.tr("Closes the gripper to 0.")),
+            (self._open, True, self.tr("Opens the gripper to its stroke limit.")),
+        ):
+            why_not = words.why_not(gripper.why_no_end(opened=opened))
+            enable_or_explain(button, why_not, use)
+
+    def learn(self) -> None:
+        """Have the stroke limit read, where it is not known."""
+        self._controller.gripper.learn_stroke()
+
+    def retranslate_ui(self) -> None:
+        """Put every word into the operator's language."""
+        self._name.setText(self.tr("Gripper"))
+        describe(self._measured, self.tr("Measured: gripper"), self.tr("Measured by the gripper"))
+        caption(self._close, self.tr("Close fully"), whose=self._name.text())
+        caption(self._open, self.tr("Open fully"), whose=self._name.text())
+        self.inserted.setText(self.tr("Insert with opening"))
+        self.inserted.setToolTip(
+            self.tr(
+                "A point that is inserted moves the gripper to what is measured now, with 1 N·m "
+                "(generation 1: 1 rad/s). To grip, enter less than the workpiece is wide."
+            )
+        )
+        self.show_gripper()
+
+
 class JogKind(enum.Enum):
     """What − and + move."""
 
@@ -109,6 +185,9 @@ class JogBox(Translated, QFrame):
 
     Signals:
         refused: A :class:`Refusal`, or ``None`` when something was done.
+
+    Attributes:
+        gripper: Moves the gripper.
     """
 
     refused = Signal(object)
@@ -126,6 +205,7 @@ class JogBox(Translated, QFrame):
         self._degrees = named("box_step_deg", StepBox(fmt.short_angle))
         self._lengths = named("box_step_mm", StepBox(lambda step: f"{step:g} mm / {step:g}°"))
         self._cells = [JogCell(place) for place in range(len(AXES))]
+        self.gripper = GripperLine(controller)
         self._lay_out(more)
         self._held = False
         self._connect()
@@ -141,7 +221,7 @@ class JogBox(Translated, QFrame):
         cells = Flow(spacing_px=_GAP_PX, most=_ACROSS)
         for cell in self._cells:
             cells.addWidget(cell)
-        in_column(head, cells, on=self, spacing=6, margins=(10, 8, 10, 8))
+        in_column(head, cells, self.gripper, on=self, spacing=6, margins=(10, 8, 10, 8))
 
     def _connect(self) -> None:
         self._kinds.idClicked.connect(self._on_kind)
@@ -151,6 +231,7 @@ class JogBox(Translated, QFrame):
             cell.held.connect(self._on_held)
             cell.let_go.connect(self._on_let_go)
             cell.unattended.connect(self._on_unattended)
+        self.gripper.refused.connect(self.refused)
         for box in (self._degrees, self._lengths):
             box.chosen.connect(self._on_step)
         self._controller.state_changed.connect(self._on_state)
@@ -241,9 +322,11 @@ class JogBox(Translated, QFrame):
         why_not = words.why_not(self._controller.operating_state.cannot_move)
         for cell in self._cells:
             cell.allow_jog(why_not)
+        self.gripper.learn()
         self._show_measured()
 
     def _show_measured(self) -> None:
+        self.gripper.show_gripper()
         state, operating_state = self._controller.state, self._controller.operating_state
         stale = partial(is_stale, state=state, operating_state=operating_state)
         if self.kind is JogKind.JOINTS:

@@ -80,6 +80,11 @@ class EditorJog(Translated, QWidget):
             self._column.addWidget(self._box)
         self.setVisible(wanted)
 
+    @property
+    def with_gripper(self) -> bool:
+        """Whether a point that is inserted takes the measured opening of the gripper along."""
+        return self._box is not None and self._box.gripper.inserted.isChecked()
+
     def retranslate_ui(self) -> None:
         """Put every word into the operator's language."""
         text = self.tr("Insert current pose")
@@ -186,12 +191,13 @@ class EditorPage(Page):
     def _handlers(self) -> dict[str, Callable[[], object]]:
         rows = self._edits
         of_rows = (
-            *(rows.insert_before, rows.insert_after, rows.insert_measured),
+            *(rows.insert_before, rows.insert_after),
             *(rows.replace_by_measured, rows.duplicate, rows.delete, rows.cut, rows.copy),
             *(rows.paste, rows.move_up, rows.move_down, rows.convert, rows.go_to),
         )
         return {
             **{edit.__name__: partial(self._do, edit) for edit in of_rows},
+            "insert_measured": self.insert_current,
             "save": self.save,
             "undo": partial(self._step, self.document.stack.undo),
             "redo": partial(self._step, self.document.stack.redo),
@@ -256,7 +262,7 @@ class EditorPage(Page):
 
     def insert_current(self) -> None:
         """Make a point of where the arm is, after the chosen row."""
-        self._do(self._edits.insert_measured)
+        self._do(partial(self._edits.insert_measured, with_gripper=self._jog.with_gripper))
 
     def event(self, event: QEvent) -> bool:
         """The operator turns to this editor."""

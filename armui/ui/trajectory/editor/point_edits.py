@@ -13,11 +13,19 @@ from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.kinematics.poses import tool_pose
 from armui.protocol.codes import MoveMode
+from armui.protocol.generation import Generation
 from armui.trajectory.files.errors import TrajectoryFileError
 from armui.trajectory.planning.convert import comes_from, to_joints, to_move, to_pose
 from armui.trajectory.points import edits
 from armui.trajectory.points.clipboard import pasted, to_text
-from armui.trajectory.points.program import VALUE_COUNT, Waypoint, check_text
+from armui.trajectory.points.program import (
+    VALUE_COUNT,
+    GripperAction,
+    GripperAngle,
+    GripperOpening,
+    Waypoint,
+    check_text,
+)
 
 if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
@@ -72,11 +80,20 @@ class PointEdits(QObject):
         rows = self._table.rows()
         return self._insert(self._below(), [self._plain(rows[-1:])])
 
-    def insert_measured(self) -> Outcome:
-        """Where the arm is now, below the chosen rows."""
+    def insert_measured(self, *, with_gripper: bool = False) -> Outcome:
+        """Where the arm is now, below the chosen rows.
+
+        Args:
+            with_gripper: The point moves the gripper to where it is measured now, too.
+        """
         point = self._measured(self._plain(self._table.rows()[-1:]))
         if isinstance(point, Refusal):
             return point
+        if with_gripper:
+            gripper = self._measured_gripper()
+            if isinstance(gripper, Refusal):
+                return gripper
+            point = replace(point, gripper=gripper)
         self._insert(self._below(), [point])
         self._document.note_taught(self._controller.operating_state.model_fit.taught_on)
         return None
@@ -119,6 +136,18 @@ class PointEdits(QObject):
         if values is None:
             return Refusal(RefusalCode.JOINTS_UNKNOWN)
         return replace(point, target=tuple(values))
+
+    def _measured_gripper(self) -> GripperAction | Refusal:
+        """The gripper's action that leads to where it is measured now."""
+        now, heard = self._controller.operating_state, self._controller.state.gripper
+        if heard is None or not now.gripper_heard:
+            return Refusal(RefusalCode.GRIPPER_SILENT)
+        gripper = heard.value
+        if now.generation is Generation.ONE:
+            return GripperAngle(round(gripper.travel, 3))
+        if gripper.opening_mm is None:
+            return Refusal(RefusalCode.GRIPPER_TELLS_ANGLE)
+        return GripperOpening(round(max(0.0, gripper.opening_mm), 3))
 
     # Chosen rows ------------------------------------------------------------------------------
 

@@ -429,7 +429,7 @@ class BusPage(Page):
             self._show_counted()
 
     def _count(self) -> None:
-        if not self.statistics.take():
+        if not self.statistics.count_waiting():
             self._soon.start()
 
     def _is_leader(self) -> bool:
