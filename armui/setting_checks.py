@@ -6,6 +6,7 @@ from collections.abc import Mapping, Sequence
 from typing import Final, Literal, get_args
 
 from armui.arm.json_fields import finite
+from armui.arm.limits import JOINTS
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.protocol.generation import PiperModel
@@ -24,6 +25,7 @@ _MOST_SHOWN: Final = 60
 _LONGEST_PATH: Final = 4096
 _MOST_DEVICES: Final = 200
 _LONGEST_NAME: Final = 200
+_TURN_DEG: Final = 360.0
 _MOST_ARMS: Final = 1000
 
 JOG_STEP_MIN_DEG: Final = 0.001
@@ -52,6 +54,7 @@ def check(name: str, value: object) -> Refusal | None:
         "language": value in get_args(Language),
         "theme": value in get_args(ThemeName),
         "mountings": _are_of_arms(value, get_args(MountingName)),
+        "home_poses": _are_home_poses(value),
         "stop_again": isinstance(value, bool),
         "jog_floor_mm": value is None or _is_whole(value, -JOG_FLOOR_MOST_MM, JOG_FLOOR_MOST_MM),
         "urdf_path": value is None or _is_path(value),
@@ -118,6 +121,20 @@ def _are_of_arms(value: object, allowed: Sequence[object]) -> bool:
         and len(value) <= _MOST_ARMS
         and all(isinstance(key, str) and len(key) <= _LONGEST_PATH for key in value)
         and all(each in allowed for each in value.values())
+    )
+
+
+def _are_home_poses(value: object) -> bool:
+    """Six finite angles for each arm, none of them more than a turn."""
+    if not isinstance(value, dict) or len(value) > _MOST_ARMS:
+        return False
+    return all(
+        isinstance(key, str)
+        and len(key) <= _LONGEST_PATH
+        and isinstance(pose, list | tuple)
+        and len(pose) == len(JOINTS)
+        and all((angle := finite(each)) is not None and abs(angle) <= _TURN_DEG for each in pose)
+        for key, pose in value.items()
     )
 
 

@@ -14,7 +14,7 @@ import hashlib
 import json
 import os
 import threading
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import asdict, dataclass, field, fields, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Final, TypedDict, Unpack
@@ -57,6 +57,7 @@ class Choices(TypedDict, total=False):
     urdf_path: str | None
     tool: tuple[float, ...]
     mountings: Mapping[str, MountingName]
+    home_poses: Mapping[str, Sequence[float]]
     stop_again: bool
     jog_floor_mm: int | None
     session_folder: str | None
@@ -87,6 +88,7 @@ class Settings:
         tool: The tool centre point in the flange: X, Y, Z in mm, RX, RY, RZ in degrees.
         mountings: What each arm was told last of how it is mounted, by the adapter's serial number
             with the arm's node number.
+        home_poses: The operator's own home pose of each arm, six angles in degrees, by the same.
         stop_again: An emergency stop that another host undoes is sent again by itself.
         jog_floor_mm: The least height of the fingertip over the base plane for jogs; ``None``: any.
         session_folder: Where sessions are recorded; ``None``: in the user's folder for data.
@@ -112,6 +114,7 @@ class Settings:
     urdf_path: str | None = None
     tool: tuple[float, ...] = (0.0,) * 6
     mountings: Mapping[str, MountingName] = field(default_factory=dict)
+    home_poses: Mapping[str, Sequence[float]] = field(default_factory=dict)
     stop_again: bool = False
     jog_floor_mm: int | None = None
     session_folder: str | None = None

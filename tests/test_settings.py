@@ -49,6 +49,7 @@ def test_a_change_is_there_in_the_next_run(path: Path) -> None:
         "session_rotate_mb": 100,
         "session_save_at_faults": False,
         "mountings": {},
+        "home_poses": {},
         "has_jogged": False,
         "picture_direction": "iso",
         "picture_orthographic": False,

@@ -147,6 +147,7 @@ class RefusalCode(StrEnum):
     NEEDS_FIRMWARE = "needs_firmware"  # firmware, since
     NO_ROWS_CHOSEN = "no_rows_chosen"
     NOBODY_ELSE = "nobody_else"
+    NO_OWN_HOME = "no_own_home"
     NOT_CONNECTED = "not_connected"
     NOT_ENABLED = "not_enabled"  # joints
     NOT_MOVING = "not_moving"

@@ -356,6 +356,14 @@
         <source>Speed of the run</source>
         <translation>运行速度</translation>
     </message>
+    <message>
+        <source>Own home: the measured angles</source>
+        <translation>自定原位：当前测得的角度</translation>
+    </message>
+    <message>
+        <source>Own home: the targets</source>
+        <translation>自定原位：输入框中的目标</translation>
+    </message>
 </context>
 <context>
     <name>AdapterTrouble</name>
@@ -6007,6 +6015,33 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     </message>
 </context>
 <context>
+    <name>OwnHome</name>
+    <message>
+        <source>Own home</source>
+        <translation>自定原位</translation>
+    </message>
+    <message>
+        <source>Moves the joints to {angles}.</source>
+        <translation>各关节运动到 {angles}。</translation>
+    </message>
+    <message>
+        <source>Set own home</source>
+        <translation>设定原位</translation>
+    </message>
+    <message>
+        <source>Kept for this arm; nothing moves.</source>
+        <translation>为此机械臂保存，不运动。</translation>
+    </message>
+    <message>
+        <source>The measured angles</source>
+        <translation>当前测得的角度</translation>
+    </message>
+    <message>
+        <source>The targets in the fields</source>
+        <translation>输入框中的目标</translation>
+    </message>
+</context>
+<context>
     <name>PageActions</name>
     <message>
         <source>Open a trajectory of the library first.</source>
@@ -8333,6 +8368,10 @@ The other program must have ended.</source>
     <message>
         <source>The speed override is 0 %: raise it, then hold “Continue” for 1 s.</source>
         <translation>运行倍率为 0 %：请先调高，再按住“继续”1 秒。</translation>
+    </message>
+    <message>
+        <source>No home of your own is kept for this arm. Set it with the button beside.</source>
+        <translation>尚未为此机械臂设定原位。请用旁边的按钮设定。</translation>
     </message>
     <message>
         <source>How far this gripper opens is not known: the arm has told no stroke limit. Set it in Gripper settings, or enter a target in Gripper control.</source>

@@ -75,6 +75,7 @@ TOLD_ELSEWHERE = {
     "view_handles_button": "view.handles",
     "library_clear_search": "empties the search that it stands in",
     "box_insert": "editor.insert_measured",
+    "set_own_home_button": "its menu, whose entries are offered",
     "box_gripper_close": "gripper.close_fully",
     "box_gripper_open": "gripper.open_fully",
 }

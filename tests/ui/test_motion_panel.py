@@ -10,6 +10,7 @@ from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import ArmState
 from armui.control.operating_state import LinkState
+from armui.settings import SettingsStore
 from armui.ui.panels.jogging.motion_panel import MotionPanel
 from armui.ui.widgets.jog_button import JogButton
 from armui.ui.widgets.message_line import MessageLine
@@ -23,8 +24,8 @@ ANGLES = (10.0, 20.0, -30.0, 40.0, 50.0, -60.0)
 
 
 @pytest.fixture
-def panel(qtbot, controller):
-    panel = MotionPanel(controller, 1.0)
+def panel(qtbot, controller, tmp_path):
+    panel = MotionPanel(controller, SettingsStore(tmp_path / "settings.json"))
     qtbot.addWidget(panel)
     panel.resize(420, 700)
     panel.show()

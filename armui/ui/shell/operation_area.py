@@ -57,7 +57,7 @@ class PanelEntry(NamedTuple):
 # fmt: off
 PANELS: Final = (
     PanelEntry("motion", Text("SideMenu", "Motion control"), MotionPanel,
-               lambda arm, store, _: MotionPanel(arm, store.settings.jog_step_deg)),
+               lambda arm, store, _: MotionPanel(arm, store)),
     PanelEntry("cartesian", Text("SideMenu", "Tool control"), CartesianPanel,
                lambda arm, store, _: CartesianPanel(arm, store),
                also("tcp pose linear xyz 位姿 直线")),

@@ -79,6 +79,9 @@ _REFUSALS: Final = Texts("Refusal") | {
     RefusalCode.OVERRIDE_ZERO: (
         "The speed override is 0 %: raise it, then hold “Continue” for 1 s."
     ),
+    RefusalCode.NO_OWN_HOME: (
+        "No home of your own is kept for this arm. Set it with the button beside."
+    ),
     RefusalCode.SPEED_ZERO: (
         "The speed is set to 0 %: the arm would not move. Set a speed from 1 to 100 % at the top."
     ),

@@ -186,6 +186,8 @@ class Actors:
         gripper = self._controller.gripper
         if what == "move":
             gripper.move(30.0, 1.0)
+        elif what in ("open", "close"):
+            gripper.move_to_end(opened=what == "open")
         elif what == "enable":
             gripper.enable(1.0)
         elif what == "disable":

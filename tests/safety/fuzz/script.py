@@ -199,7 +199,7 @@ ACTIONS: Final[tuple[tuple[int, str, Draw], ...]] = (
     (2, "pause_run", _nothing),
     (2, "go_on_run", _nothing),
     (2, "stop_run", _nothing),
-    (3, "gripper", _one("move", "enable", "disable", "clear", "zero")),
+    (3, "gripper", _one("move", "open", "close", "enable", "disable", "clear", "zero")),
     (3, "teach", _one(1, 2, 3, 4, 5, 6, 7)),
     (3, "read_settings", _nothing),
     (3, "save_setting", lambda chance: (chance.randint(1, 6), chance.choice((1, 2, 3)))),

@@ -404,6 +404,7 @@ class JogPanel(Panel):
         *,
         tallest_px: int,
         above: Sequence[QWidget] = (),
+        below: Sequence[QWidget] = (),
     ) -> None:
         """Lay the panel out around its card, and listen; the last step but the words.
 
@@ -412,13 +413,20 @@ class JogPanel(Panel):
             buttons: Those below it, from left to right.
             tallest_px: The card grows no higher.
             above: What stands between the title and the card.
+            below: What stands below the buttons.
         """
         head = in_row(self._title, STRETCH, *(self._keys, self._step_label, self._step_box))
         row = in_row(spacing=10)
         for button in buttons:
             button.setMinimumHeight(_BUTTON_PX)
             row.addWidget(button, 1)
-        parts: list[QWidget | QLayout] = [*above, scrolled(card, tallest_px), self._key_pad, row]
+        parts: list[QWidget | QLayout] = [
+            *above,
+            scrolled(card, tallest_px),
+            self._key_pad,
+            row,
+            *below,
+        ]
         self._stack(*parts, head=head)
         self._step_box.chosen.connect(self._on_step_chosen)
         self._keys.toggled.connect(self._on_keys_toggled)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from typing import Final
+from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QFrame, QLabel
@@ -24,6 +24,7 @@ from armui.ui.actions.command import Command, Target, also, with_angles
 from armui.ui.actions.keys import keys_of
 from armui.ui.freshness import is_stale
 from armui.ui.panels.jogging.jog_panel import JogPanel, TargetRow
+from armui.ui.panels.jogging.own_home import OwnHome
 from armui.ui.theme import scaled_font
 from armui.ui.widgets.buttons import (
     caption,
@@ -40,6 +41,9 @@ from armui.ui.widgets.layouts import STRETCH, empty_grid, in_column, in_row
 from armui.ui.widgets.text_label import ValueLabel, text_label
 from armui.ui.widgets.track_slider import TrackSlider
 from armui.ui.words.text import Text
+
+if TYPE_CHECKING:
+    from armui.settings import SettingsStore
 
 _FIELD_INDENT_PX: Final = 80
 _TALLEST_CARD_PX: Final = 600
@@ -193,6 +197,7 @@ class JointRow(TargetRow):
 
 
 _ZERO: Final = also("zero zeros origin home 归零 零位 零点 原点 复位")
+_OWN_HOME: Final = also("home park rest 原位 停放 待机位")
 _JOINTS: Final = also("movej joints 关节运动")
 _TARGET: Final = Text("Action", "Target of")
 _KEYBOARD: Final = also("keyboard teach 键盘")
@@ -206,10 +211,18 @@ class MotionPanel(JogPanel):
 
     Args:
         controller: Whom to ask for motion.
-        jog_step_deg: Step of − and + to begin with.
+        preferences: Keep the step of − and + to begin with, and the operator's own home pose.
     """
 
     commands = (
+        Command(
+            "motion.own_home",
+            Text("OwnHome", "Own home"),
+            operation_of(Motion.send_joints),
+            synonyms=_OWN_HOME,
+        ),
+        Command("motion.set_own_home_measured", Text("Action", "Own home: the measured angles")),
+        Command("motion.set_own_home_typed", Text("Action", "Own home: the targets")),
         Command("motion.home", operation=operation_of(Motion.go_home), synonyms=_ZERO),
         Command("motion.load", needs=with_angles),
         Command("motion.send", operation=operation_of(Motion.send_joints), synonyms=_JOINTS),
@@ -220,7 +233,7 @@ class MotionPanel(JogPanel):
         *(Command(f"motion.target_{j}", _TARGET._replace(suffix=f"J{j}")) for j in JOINTS),
     )
 
-    def __init__(self, controller: ArmController, jog_step_deg: float) -> None:
+    def __init__(self, controller: ArmController, preferences: SettingsStore) -> None:
         super().__init__(
             controller,
             "jog",
@@ -234,12 +247,13 @@ class MotionPanel(JogPanel):
         self._measured_head = text_label(rank="muted")
         limits = self._operating_state.limits
         self._rows: Sequence[JointRow] = [JointRow(j, limits[j - 1]) for j in JOINTS]
+        self._own_home = OwnHome(controller, preferences, self.targets)
         self._home = push_button("home_button")
         self._load = push_button("load_button")
         self._send = push_button("send_button")
         self._lay_out()
         self._connect()
-        self.set_jog_step(jog_step_deg)
+        self.set_jog_step(preferences.settings.jog_step_deg)
         self.retranslate_ui()
 
     def _lay_out(self) -> None:
@@ -248,11 +262,13 @@ class MotionPanel(JogPanel):
         rows = ((row, 1) for row in self._rows)
         in_column(heads, *rows, on=card, spacing=2, margins=(16, 6, 16, 6))
         buttons = (self._home, self._load, self._send)
-        self._finish(card, buttons, tallest_px=_TALLEST_CARD_PX)
+        self._finish(card, buttons, tallest_px=_TALLEST_CARD_PX, below=(self._own_home,))
 
     def _connect(self) -> None:
         self._follow_rows()
         self._home.clicked.connect(self._on_home)
+        self._own_home.refused.connect(self._accepted)
+        self._own_home.sent.connect(lambda: self._release(*JOINTS))
         self._load.clicked.connect(self._on_load)
         self._send.clicked.connect(self._on_send)
 
@@ -260,6 +276,9 @@ class MotionPanel(JogPanel):
         """Return what carries out each command, by the command's name."""
         return {
             "motion.home": self._home,
+            "motion.own_home": self._own_home.go,
+            "motion.set_own_home_measured": self._own_home.set_measured,
+            "motion.set_own_home_typed": self._own_home.set_typed,
             "motion.load": self._load,
             "motion.send": self._send,
             "motion.keys": self._keys,
@@ -414,6 +433,7 @@ class MotionPanel(JogPanel):
         no_angles = "" if heard else words.refusal(Refusal(RefusalCode.JOINTS_UNKNOWN))
         use = self.tr("Moves all joints to 0°.")
         enable_or_explain(self._home, why_not, use, key=_HOME_KEY)
+        self._own_home.show_possible()
         use = self.tr("Fills the fields with the measured angles; nothing moves.")
         enable_or_explain(self._load, no_angles, use, key=_LOAD_KEY)
         use = self.tr("Moves the arm to the angles in the fields.")

@@ -1,0 +1,149 @@
+"""自定原位: a home pose of the operator's own, kept for each arm."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Final
+
+from PySide6.QtCore import Signal
+from PySide6.QtGui import QAction
+from PySide6.QtWidgets import QMenu, QWidget
+
+from armui.arm.limits import check_joints
+from armui.arm.refusal import Refusal
+from armui.arm.refusal_codes import RefusalCode
+from armui.ui import format as fmt
+from armui.ui import words
+from armui.ui.widgets.buttons import caption, enable_or_explain, named, push_button
+from armui.ui.widgets.layouts import in_row
+from armui.ui.widgets.translated import Translated
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Sequence
+
+    from armui.control.arm_controller import ArmController
+    from armui.settings import SettingsStore
+
+_MOST: Final = 200
+"""So many arms are remembered."""
+
+Angles = tuple[float, ...]
+
+
+class OwnHome(Translated, QWidget):
+    """Goes to the operator's home pose of the arm that is connected, and sets it.
+
+    Setting it moves nothing. It is reached like any other target: by MOVE J, with the same checks.
+
+    Args:
+        controller: Moves the arm, and knows where it is.
+        preferences: Keeps the pose of each arm.
+        typed: Returns the six angles that stand in the panel; ``None``: one is no figure.
+
+    Signals:
+        refused: A :class:`Refusal`, or ``None`` when it was done.
+        sent: The arm is on its way.
+
+    Attributes:
+        go: Moves there.
+        set_measured, set_typed: Set it.
+    """
+
+    refused = Signal(object)
+    sent = Signal()
+
+    def __init__(
+        self,
+        controller: ArmController,
+        preferences: SettingsStore,
+        typed: Callable[[], Sequence[float] | None],
+    ) -> None:
+        super().__init__()
+        self._controller = controller
+        self._preferences = preferences
+        self._typed = typed
+        self.go = push_button("own_home_button")
+        self._set = push_button("set_own_home_button")
+        self._menu = QMenu(self._set)
+        self.set_measured = named("set_own_home_measured", QAction(self._menu))
+        self.set_typed = named("set_own_home_typed", QAction(self._menu))
+        self._menu.addActions([self.set_measured, self.set_typed])
+        self._set.setMenu(self._menu)
+        in_row((self.go, 1), (self._set, 1), on=self, spacing=10, margins=0)
+        self.go.clicked.connect(self._on_go)
+        self.set_measured.triggered.connect(lambda _checked=False: self._keep_measured())
+        self.set_typed.triggered.connect(lambda _checked=False: self._keep(self._typed()))
+        self.retranslate_ui()
+
+    @property
+    def _arm(self) -> str | None:
+        """What the arm that is connected is remembered by."""
+        device = self._controller.operating_state.device
+        identity = self._controller.state.identity
+        node = "" if identity is None else identity.node_number
+        return None if device is None else device.arm_key(node)
+
+    @property
+    def angles_deg(self) -> Angles | None:
+        """Six angles, ``None`` while none are kept for this arm."""
+        kept = self._preferences.settings.home_poses.get(self._arm or "")
+        return None if kept is None else tuple(kept)
+
+    def _on_go(self) -> None:
+        angles_deg = self.angles_deg
+        if angles_deg is None:
+            self.refused.emit(Refusal(RefusalCode.NO_OWN_HOME))
+            return
+        refusal = self._controller.motion.send_joints(angles_deg)
+        self.refused.emit(refusal)
+        if refusal is None:
+            self.sent.emit()
+
+    def _keep_measured(self) -> None:
+        unheard = self._controller.operating_state.unreachable
+        if unheard is not None and not self._controller.operating_state.listens_only:
+            self.refused.emit(unheard)
+            return
+        self._keep(self._controller.state.angles_deg())
+
+    def _keep(self, angles_deg: Sequence[float] | None) -> None:
+        arm = self._arm
+        if arm is None:
+            self.refused.emit(Refusal(RefusalCode.NOT_CONNECTED))
+        elif angles_deg is None:
+            self.refused.emit(Refusal(RefusalCode.JOINTS_UNKNOWN))
+        else:
+            self.refused.emit(self._refusal_of(arm, tuple(round(a, 3) for a in angles_deg)))
+        self.show_possible()
+
+    def _refusal_of(self, arm: str, angles_deg: Angles) -> Refusal | None:
+        beyond = check_joints(angles_deg, self._controller.operating_state.limits)
+        if beyond is not None:
+            return beyond
+        kept = dict(self._preferences.settings.home_poses)
+        kept.pop(arm, None)
+        kept[arm] = angles_deg
+        return self._preferences.change(home_poses=dict(list(kept.items())[-_MOST:]))
+
+    def show_possible(self) -> None:
+        """Offer it, or say why not; where it leads stands in its tooltip."""
+        angles_deg = self.angles_deg
+        if angles_deg is None:
+            reason, use = words.refusal(Refusal(RefusalCode.NO_OWN_HOME)), ""
+        else:
+            now = self._controller.operating_state
+            refusal = now.cannot_move or check_joints(angles_deg, now.limits)
+            reason = words.why_not(refusal)
+            figures = "  ".join(
+                f"J{joint} {fmt.angle(angle)}" for joint, angle in enumerate(angles_deg, start=1)
+            )
+            use = self.tr("Moves the joints to {angles}.").format(angles=figures)
+        enable_or_explain(self.go, reason, use)
+
+    def retranslate_ui(self) -> None:
+        """Put every word into the operator's language."""
+        caption(self.go, self.tr("Own home"))
+        caption(self._set, self.tr("Set own home"))
+        self._set.setToolTip(self.tr("Kept for this arm; nothing moves."))
+        self.set_measured.setText(self.tr("The measured angles"))
+        self.set_typed.setText(self.tr("The targets in the fields"))
+        self.show_possible()
