@@ -15,6 +15,7 @@ import tempfile
 import threading
 import time
 import traceback
+import weakref
 from collections.abc import Callable
 from concurrent.futures import (
     BrokenExecutor,
@@ -32,6 +33,7 @@ from queue import Empty, SimpleQueue
 from typing import TYPE_CHECKING, Any, Final
 
 from armui.system.files import open_file
+from armui.system.scratch import make_folder, remove_leftovers
 
 if TYPE_CHECKING:
     from multiprocessing.process import BaseProcess
@@ -102,12 +104,19 @@ def unpack(packed: Packed) -> Any:
     if packed.path is None:
         return pickle.loads(packed.data)  # noqa: S301 - from our own process
     with open_file(packed.path) as file:
-        whole = memoryview(mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_COPY))
-    # Windows removes no file that is mapped: there it goes with its folder
-    with contextlib.suppress(OSError):
+        mapped = mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_COPY)
+    whole = memoryview(mapped)
+    try:
         packed.path.unlink()
+    except OSError:  # Windows removes no file that is mapped: there it goes with the mapping
+        weakref.finalize(mapped, _remove, packed.path)
     buffers = [whole[begin : begin + length] for begin, length in packed.spans]
     return pickle.loads(packed.data, buffers=buffers)  # noqa: S301 - as above
+
+
+def _remove(path: Path) -> None:
+    with contextlib.suppress(OSError):  # the next program's sweep finds it
+        path.unlink()
 
 
 def call_packed(packed: Packed, folder: Path) -> Packed:
@@ -165,7 +174,8 @@ class HelperProcess(Executor):
         """Hand a piece of work to the process; its answer comes by a thread of the pool."""
         try:
             if self._folder is None:
-                self._folder = Path(tempfile.mkdtemp(prefix="armui-"))
+                remove_leftovers()
+                self._folder = make_folder("work")
             packed = pack(call, self._folder)
             try:
                 sent = self._submit(packed, self._folder)

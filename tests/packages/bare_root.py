@@ -19,6 +19,8 @@ import time
 from collections.abc import Iterator
 from pathlib import Path
 
+from tests.posix import of_system
+
 BUS = ("--interface", "udp_multicast", "--channel", "239.74.163.27")
 USER = "operator"
 HOME = f"home/{USER}"
@@ -53,7 +55,7 @@ class Root:
             yield process
         finally:
             with contextlib.suppress(ProcessLookupError):
-                os.killpg(process.pid, signal.SIGTERM)
+                of_system("killpg")(process.pid, signal.SIGTERM)
             process.wait(30)
 
     def _words(self, command: str, user: str) -> list[str]:

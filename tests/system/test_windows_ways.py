@@ -1,13 +1,17 @@
 """What Windows does otherwise, emulated: a refused replacement, throttled timers."""
 
 import ctypes
+import gc
 import sys
 import time
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from armui.system.atomic import write_whole
+from armui.system.helper_process import pack, unpack
+from armui.system.scratch import lives_on_windows
 from armui.system.thread_priority import PowerThrottling, end_throttling
 from armui.viewport import process_link
 
@@ -81,3 +85,55 @@ def test_windows_is_told_to_keep_the_timers():
 
 def test_what_is_sent_without_a_limit_fits_into_a_pipe_of_windows():
     assert process_link._SMALL_BYTES < 8_192
+
+
+class Processes:
+    """What kernel32 tells of processes: number to what waiting for its end answers."""
+
+    def __init__(self, waits):
+        self.waits = waits
+        self.closed: list[object] = []
+
+    def OpenProcess(self, rights, _inherits, number):  # noqa: N802 - its name
+        assert rights == 0x100000
+        return number if number in self.waits else 0
+
+    def WaitForSingleObject(self, handle, limit_ms):  # noqa: N802 - its name
+        assert limit_ms == 0
+        return self.waits[handle.value]
+
+    def CloseHandle(self, handle):  # noqa: N802 - its name
+        self.closed.append(handle.value)
+
+
+@pytest.mark.parametrize(
+    ("number", "error", "lives"),
+    [(11, 0, True), (12, 0, False), (13, 87, False), (14, 5, True)],
+    ids=["running", "ended", "unknown", "another user's"],
+)
+def test_whether_a_process_of_windows_lives_is_asked_without_ending_it(number, error, lives):
+    kernel = Processes({11: 0x102, 12: 0})
+    assert lives_on_windows(kernel, number, lambda: error) is lives
+    assert kernel.closed == [number] * (number in kernel.waits)
+
+
+def test_a_file_that_cannot_be_removed_while_it_is_mapped_is_removed_later(tmp_path, monkeypatch):
+    sent = pack(np.arange(100_000), tmp_path)
+    (file,) = tmp_path.iterdir()
+    with monkeypatch.context() as windows:
+        windows.setattr(Path, "unlink", raising(PermissionError(13, "it is mapped")))
+        arrived = unpack(sent)
+    assert file.exists()
+    assert arrived[99_999] == 99_999
+    del arrived
+    gc.collect()
+    assert not file.exists()
+
+
+def raising(error):
+    """Something that fails, whatever it is asked."""
+
+    def fail(*_args, **_more):
+        raise error
+
+    return fail

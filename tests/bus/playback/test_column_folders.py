@@ -10,7 +10,7 @@ import time
 
 import pytest
 
-from armui.ui.watch.replay.log_opening import make_folder, remove_leftovers
+from armui.system.scratch import make_folder, remove_leftovers
 
 HOUR_S, MONTH_S = 3600.0, 30 * 86_400.0
 
@@ -37,9 +37,8 @@ def folder(place, name, age_s):
     return made
 
 
-@pytest.mark.skipif(os.name != "posix", reason="elsewhere files in use protect themselves")
 def test_what_a_living_program_uses_stays(tmp_path):
-    ours = make_folder()
+    ours = make_folder("replay")
     old = folder(tmp_path, f"armui-replay-{os.getpid()}-abcd", HOUR_S)
 
     assert remove_leftovers() == 0
@@ -49,10 +48,12 @@ def test_what_a_living_program_uses_stays(tmp_path):
 
 def test_what_a_killed_program_left_is_removed(tmp_path, ended):
     left = folder(tmp_path, f"armui-replay-{ended}-abcd", HOUR_S)
+    worked = folder(tmp_path, f"armui-work-{ended}-abcd", HOUR_S)
     nameless = folder(tmp_path, "armui-replay-abcd1234", MONTH_S)
 
-    assert remove_leftovers() == 2
+    assert remove_leftovers() == 3
     assert not left.exists()
+    assert not worked.exists()
     assert not nameless.exists()
 
 
