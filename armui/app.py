@@ -321,7 +321,7 @@ def run(options: StartOptions) -> int:
 def _run(options: StartOptions) -> int:
     sys.setswitchinterval(_SWITCH_INTERVAL_S)
     QCoreApplication.setApplicationName("armui")
-    QApplication.setDesktopFileName("armui")
+    QApplication.setDesktopFileName("org.armui.armui")
     app = make_application(sys.argv[:1])
     GarbageSearch(app)  # before any other thread begins
     chosen: Choices = {} if options.language is None else {"language": options.language}

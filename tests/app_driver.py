@@ -1,14 +1,16 @@
 """The whole program on the rig, in the hands of an operator who clicks and reads."""
 
+from collections.abc import Callable, Iterator
 from concurrent.futures import Executor, Future
-from contextlib import nullcontext
+from contextlib import AbstractContextManager, contextmanager, nullcontext
 from pathlib import Path
 from typing import Any, TypeVar
 from unittest.mock import patch
 
-from PySide6.QtCore import QEventLoop, QPoint, Qt, QTimer
+from PySide6.QtCore import QCoreApplication, QEvent, QEventLoop, QObject, QPoint, Qt, QTimer
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QDialog, QTableView, QWidget
+from shiboken6 import isValid
 
 from armui.app import Program
 from armui.protocol.generation import Generation
@@ -62,6 +64,41 @@ class Slow(Executor):
         """Fail at everything that was asked for."""
         while self.waiting:
             self.waiting.pop(0)[0].set_exception(RuntimeError(text))
+
+
+class _Shutter(QObject):
+    """Puts off what windows want painted; what has changed adds up meanwhile, as Qt keeps it."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._put_off: list[QWidget] | None = None
+
+    @contextmanager
+    def closed(self) -> Iterator[None]:
+        """Paint the windows there are once it is over, and not before."""
+        if self._put_off is not None:
+            yield
+            return
+        self._put_off = []
+        windows = [each for each in QApplication.topLevelWidgets() if each.isVisible()]
+        for window in windows:
+            window.installEventFilter(self)
+        try:
+            yield
+        finally:
+            put_off, self._put_off = self._put_off, None
+            for window in filter(isValid, windows):
+                window.removeEventFilter(self)
+            for window in filter(isValid, put_off):
+                QCoreApplication.sendEvent(window, QEvent(QEvent.Type.UpdateRequest))
+
+    def eventFilter(self, window: QObject, event: QEvent) -> bool:
+        """Keep a window from being painted."""
+        if event.type() is not QEvent.Type.UpdateRequest or self._put_off is None:
+            return False
+        if isinstance(window, QWidget) and window not in self._put_off:
+            self._put_off.append(window)
+        return True
 
 
 class AppDriver(ArmRig):
@@ -119,7 +156,21 @@ class AppDriver(ArmRig):
         self.window = self.program.window
         self.window.resize(1280, 800)
         self.program.view.setVisible(draws)
+        self._shutter = None if draws else _Shutter()
         self.window.show()
+
+    def run(self, seconds: float) -> None:
+        """Let so much time pass; the windows are painted when it has, not at each step."""
+        with self._unpainted():
+            super().run(seconds)
+
+    def run_until(self, condition: Callable[[], bool], seconds: float = 20.0) -> None:
+        """Let time pass until something is so; the windows are painted then."""
+        with self._unpainted():
+            super().run_until(condition, seconds)
+
+    def _unpainted(self) -> AbstractContextManager[None]:
+        return nullcontext() if self._shutter is None else self._shutter.closed()
 
     def find(self, name: str) -> Any:
         """A widget of the main window by its object name; the test knows its kind."""

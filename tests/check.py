@@ -25,7 +25,11 @@ RUFF: tuple[Command, ...] = (
     (SCRIPTS / "ruff", "check"),
     (SCRIPTS / "ruff", "format", "--check"),
 )
-TYPES_AND_LAYERS: tuple[Command, ...] = ((SCRIPTS / "mypy",), (SCRIPTS / "lint-imports",))
+TYPES_AND_LAYERS: tuple[Command, ...] = (
+    *((SCRIPTS / "mypy", "--platform", system) for system in ("linux", "win32", "darwin")),
+    (SCRIPTS / "lint-imports",),
+)
+"""Types for every system, wherever the check runs: what only one of them has is found on all."""
 COLLECTION: Command = (sys.executable, "-m", "pytest", "--collect-only", "-qq")
 """Leaves every test compiled, which each of pytest's workers would do for itself otherwise."""
 TESTS: Command = (sys.executable, "-m", "pytest", "-n", "auto", "--dist", "worksteal")

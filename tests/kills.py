@@ -13,7 +13,6 @@ import argparse
 import mmap
 import os
 import random
-import signal
 import struct
 import sys
 import tempfile
@@ -32,6 +31,7 @@ from armui.session.recording.recorded_session import RecordedSession
 from armui.session.recording.session_recording import SessionRecording
 from armui.session.recording.writer import RecordingPlan, TimeBase
 from armui.system.clock import steady_s
+from tests.posix import kill, of_system
 
 EVERY_S = 0.005
 FRAMES_AT_ONCE = 15
@@ -82,14 +82,14 @@ def record(folder: Path, kind: RecordingFormat, shared: mmap.mmap) -> None:
 def kill_once(folder: Path, kind: RecordingFormat, after_s: float) -> Killed:
     """Have it record, kill it, look."""
     shared = mmap.mmap(-1, mmap.PAGESIZE)
-    child = os.fork()
+    child = of_system("fork")()
     if child == 0:
         try:
             record(folder, kind, shared)
         finally:
             os._exit(1)
     time.sleep(after_s)
-    os.kill(child, signal.SIGKILL)
+    kill(child)
     killed_s = steady_s()
     os.waitpid(child, 0)
     stalled_s, shift_s = _SHARED.unpack_from(shared, 0)

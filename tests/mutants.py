@@ -18,7 +18,6 @@ import gc
 import importlib
 import os
 import shutil
-import signal
 import sys
 import tempfile
 import time
@@ -28,6 +27,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from tests.mutations import Mutant, mutants
+from tests.posix import kill, of_system
 
 ROOT = Path(__file__).resolve().parents[1]
 _COPIED = ("armui", "tests", "resources", "urdf", "pyproject.toml")
@@ -135,17 +135,17 @@ TESTS: dict[str, Judges] = {
 
 def run_tests(tests: list[str], options: tuple[str, ...], limit_s: float) -> int | None:
     """The exit code of tests in the folder one is in, run in a fork; None: they took too long."""
-    child = os.fork()
+    child: int = of_system("fork")()
     if child == 0:
         _be_child(tests, options)
     deadline = time.monotonic() + limit_s
     while time.monotonic() < deadline:
-        ended, status = os.waitpid(child, os.WNOHANG)
+        ended, status = os.waitpid(child, of_system("WNOHANG"))
         if ended:
             return os.waitstatus_to_exitcode(status)
         time.sleep(0.005)
     with contextlib.suppress(ProcessLookupError):
-        os.kill(child, signal.SIGKILL)
+        kill(child)
     os.waitpid(child, 0)
     return None
 
@@ -269,7 +269,7 @@ def examine(module: str, chosen: Callable[[int, Mutant], bool], *, fast_only: bo
 def _apart(module: str, chosen: Callable[[int, Mutant], bool], *, fast_only: bool) -> int:
     """The same in a process of its own: another module needs others to be loaded."""
     sys.stdout.flush()
-    child = os.fork()
+    child: int = of_system("fork")()
     if child == 0:
         code = 1
         try:

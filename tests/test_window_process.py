@@ -2,7 +2,6 @@
 
 import json
 import os
-import signal
 import subprocess
 import sys
 from pathlib import Path
@@ -12,6 +11,7 @@ from PySide6.QtCore import QDeadlineTimer
 
 from armui.doctor.probes.program import try_priority
 from armui.system.thread_priority import NICE, RaisedBy
+from tests.posix import of_system, stand_still
 
 linux = pytest.mark.skipif(sys.platform != "linux", reason="reads /proc and /dev/shm")
 LIMIT_MS = 120_000
@@ -84,7 +84,8 @@ def nice_of(pid, *beginnings):
     for task in Path(f"/proc/{pid}/task").iterdir():
         name = "first" if task.name == str(pid) else (task / "comm").read_text().strip()
         if name == "first" or name.startswith(beginnings):
-            found[f"{name} {task.name}"] = os.getpriority(os.PRIO_PROCESS, int(task.name))
+            priority = of_system("getpriority")(of_system("PRIO_PROCESS"), int(task.name))
+            found[f"{name} {task.name}"] = priority
     return found
 
 
@@ -120,7 +121,7 @@ def test_it_never_loads_vtk_and_a_killed_one_leaves_nothing(tmp_path):
             assert is_running(told["picture"])
             wait_until_it_goes_first(process.pid)
             assert min(nice_of(told["picture"], "").values()) >= 0
-            os.kill(told["picture"], signal.SIGSTOP)  # the worst case: it can do nothing for itself
+            stand_still(told["picture"])  # the worst case: it can do nothing for itself
         finally:  # also when it has hung: leaving the block waits for its end
             process.kill()
         process.wait()

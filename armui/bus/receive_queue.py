@@ -81,7 +81,8 @@ class ReceiveQueue:
 
 def _socket_of(bus: can.BusABC) -> socket.socket | None:
     """A second handle on the bus's socket; ``None``: it has none, or the system tells nothing."""
-    if sys.platform != "linux":
+    system: str = sys.platform  # its type: checked for every system
+    if system != "linux":
         return None
     try:
         number = bus.fileno()

@@ -14,7 +14,7 @@ from armui.doctor.judge import an_arm_answers, judge
 from armui.doctor.probes.can_devices import look_at_can
 from armui.doctor.probes.listening import listen
 from armui.doctor.probes.program import look_at_program
-from armui.doctor.probes.screen import look_at_screen
+from armui.doctor.probes.screen import TRIALS, look_at_screen
 from armui.doctor.report import Language, Words, as_json, as_text, language_of_system
 
 EXIT_ARM_ANSWERS: Final = 0
@@ -64,11 +64,16 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--no-listen", action="store_true", help="leave the bus alone: open no device"
     )
+    # what may end its process is looked at in another one
+    parser.add_argument("--try", dest="trial", choices=sorted(TRIALS), help=argparse.SUPPRESS)
     parser.add_argument("--lang", choices=("zh", "en"), help="language of the report")
 
 
 def run(options: argparse.Namespace, probes: Probes = Probes()) -> int:
     """Runs the command with options read by `add_arguments`; returns the exit code."""
+    if options.trial is not None:
+        TRIALS[options.trial]()
+        return 0
     facts = look(options, probes)
     findings = judge(facts)
     answers = an_arm_answers(facts)

@@ -9,6 +9,7 @@ from __future__ import annotations
 import contextlib
 import logging
 import multiprocessing
+import sys
 from typing import TYPE_CHECKING, Any, Final
 
 import can
@@ -17,7 +18,11 @@ from armui.system.helper_process import settle_in
 
 if TYPE_CHECKING:
     from collections.abc import Generator
-    from multiprocessing.connection import Connection
+
+    if sys.platform == "win32":
+        from multiprocessing.connection import PipeConnection as Connection
+    else:
+        from multiprocessing.connection import Connection
     from pathlib import Path
 
 _ROWS: Final = 4_096
@@ -98,11 +103,10 @@ def _send_rows(path: Path, its: Connection) -> None:
 
 
 def _limit_memory(file_bytes: int) -> None:
-    try:
+    if sys.platform != "win32":
         import resource  # noqa: PLC0415 - not on Windows
-    except ImportError:
-        return
-    limits: Any = resource.getrlimit(resource.RLIMIT_AS)
-    wanted = _MOST_MEMORY_BYTES + 2 * file_bytes
-    if limits[0] == resource.RLIM_INFINITY or limits[0] > wanted:
-        resource.setrlimit(resource.RLIMIT_AS, (wanted, limits[1]))
+
+        limits: Any = resource.getrlimit(resource.RLIMIT_AS)
+        wanted = _MOST_MEMORY_BYTES + 2 * file_bytes
+        if limits[0] == resource.RLIM_INFINITY or limits[0] > wanted:
+            resource.setrlimit(resource.RLIMIT_AS, (wanted, limits[1]))

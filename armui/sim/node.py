@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import logging
 import threading
-import time
 from collections import deque
 from collections.abc import Iterable
 from typing import Final, Self
@@ -15,6 +14,7 @@ from armui.protocol.frame import Frame
 from armui.sim.faults.faulty_link import FaultyLink
 from armui.sim.faults.schedule import Fault, Faults
 from armui.sim.firmware import Firmware
+from armui.system.clock import steady_s
 
 _LOG: Final = logging.getLogger(__name__)
 
@@ -129,9 +129,9 @@ class Node:
 
     def _run(self) -> None:
         """Polls on a grid of the monotonic clock; what was missed is caught up in one poll."""
-        due_s = time.monotonic() + PERIOD_S
-        while not self._ending.wait(max(due_s - time.monotonic(), 0.0)):
-            late_s = time.monotonic() - due_s
+        due_s = steady_s() + PERIOD_S
+        while not self._ending.wait(max(due_s - steady_s(), 0.0)):
+            late_s = steady_s() - due_s
             self.worst_lateness_s = max(self.worst_lateness_s, late_s)
             periods = 1 + int(late_s / PERIOD_S)
             try:

@@ -10,6 +10,7 @@ import contextlib
 import errno
 import os
 import shutil
+import sys
 import time
 from pathlib import Path
 from typing import BinaryIO, Final, Self
@@ -18,6 +19,9 @@ from armui.system.files import check_file, open_file
 
 UNFINISHED: Final = ".unfinished"
 """How the name of a file ends that is still being written, or was when the program was killed."""
+
+_SCANNER_PAUSES_S: Final = (0.01, 0.02, 0.04, 0.08, 0.15, 0.2)
+"""Together half a second."""
 
 _ABANDONED_S: Final = 600.0
 """A file this old is nobody's: another running program may be writing a younger one."""
@@ -78,7 +82,7 @@ class WholeFile:
                 os.fsync(self.stream.fileno())
             self.stream.close()
         self._check()
-        self.unfinished.replace(self._path)
+        replace_file(self.unfinished, self._path)
         if self._to_disk:
             sync_folder(self._path.parent)
 
@@ -90,6 +94,28 @@ class WholeFile:
             self.stream.close()
         with contextlib.suppress(OSError):
             self.unfinished.unlink(missing_ok=True)
+
+
+def replace_file(source: Path, target: Path) -> None:
+    """Give a file or folder the place of another one in a single step.
+
+    On Windows that is refused while a virus scanner or an index looks at either; they take a
+    moment, so it is tried again for half a second. Elsewhere a refusal is meant.
+
+    Raises:
+        OSError: It is refused, or stays refused.
+    """
+    system: str = sys.platform
+    pauses_s = list(_SCANNER_PAUSES_S) if system == "win32" else []
+    while True:
+        try:
+            source.replace(target)
+        except PermissionError:
+            if not pauses_s:
+                raise
+            time.sleep(pauses_s.pop(0))
+        else:
+            return
 
 
 def _exists(path: Path) -> FileExistsError:
@@ -189,15 +215,15 @@ class WholeFolder:
         sync_folder(self.unfinished)
         if self._path.is_dir():
             before = unfinished_name(self._path)
-            self._path.replace(before)
+            replace_file(self._path, before)
             try:
-                self.unfinished.replace(self._path)
+                replace_file(self.unfinished, self._path)
             except OSError:
-                before.replace(self._path)
+                replace_file(before, self._path)
                 raise
             shutil.rmtree(before, ignore_errors=True)
         else:
-            self.unfinished.replace(self._path)
+            replace_file(self.unfinished, self._path)
         sync_folder(self._path.parent)
 
     def __enter__(self) -> Self:

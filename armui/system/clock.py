@@ -11,16 +11,22 @@ import time
 from collections.abc import Callable
 from datetime import datetime, timedelta
 
+if sys.platform == "linux":
 
-def _steady_clock() -> Callable[[], float]:
-    system: str = sys.platform
-    if system == "linux":
+    def _steady_clock() -> Callable[[], float]:
         return lambda: time.clock_gettime(time.CLOCK_BOOTTIME)
-    if system == "darwin":
+
+elif sys.platform == "darwin":
+
+    def _steady_clock() -> Callable[[], float]:
         # unlike CLOCK_UPTIME_RAW, this one "will continue to increment while the system is asleep"
         return lambda: time.clock_gettime(time.CLOCK_MONOTONIC)
-    # QueryPerformanceCounter counts "the time when the machine was in a sleep state" as well
-    return time.perf_counter
+
+else:
+
+    def _steady_clock() -> Callable[[], float]:
+        # QueryPerformanceCounter counts "the time when the machine was in a sleep state" as well
+        return time.perf_counter
 
 
 steady_s: Callable[[], float] = _steady_clock()

@@ -26,6 +26,7 @@ def detach_output() -> None:
 
 def has_display() -> bool:
     """Whether there is a desktop session to show a window in."""
-    if sys.platform in {"win32", "darwin"} or os.environ.get("QT_QPA_PLATFORM"):
+    system: str = sys.platform
+    if system in {"win32", "darwin"} or os.environ.get("QT_QPA_PLATFORM"):
         return True
     return bool(os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY"))

@@ -13,6 +13,15 @@ from typing import Any, Final
 _END_S: Final = 10.0
 
 
+def this_program() -> list[str]:
+    """How this program is started once more; the name of a command follows.
+
+    A packaged program is its own interpreter, and knows none of an interpreter's options.
+    """
+    frozen = getattr(sys, "frozen", False)
+    return [sys.executable] if frozen else [sys.executable, "-m", "armui"]
+
+
 class CommandProcess:
     """Begins at once; a thread of its own listens to it.
 
@@ -32,10 +41,7 @@ class CommandProcess:
         *,
         nicer_by: int = 0,
     ) -> None:
-        # a packaged program is its own interpreter
-        frozen = getattr(sys, "frozen", False)
-        start = [sys.executable] if frozen else [sys.executable, "-m", "armui"]
-        self._command = [*start, *arguments]
+        self._command = [*this_program(), *arguments]
         self._tell = tell
         self._nicer_by = nicer_by
         self._process: subprocess.Popen[str] | None = None
@@ -87,7 +93,7 @@ class CommandProcess:
                 encoding="utf-8",
                 errors="replace",
             )
-            if self._nicer_by and hasattr(os, "setpriority"):
+            if sys.platform != "win32" and self._nicer_by:
                 with contextlib.suppress(OSError):
                     os.setpriority(os.PRIO_PROCESS, self._process.pid, self._nicer_by)
             return self._process

@@ -10,6 +10,7 @@ from __future__ import annotations
 import contextlib
 import errno
 import os
+import sys
 from multiprocessing.shared_memory import SharedMemory
 from pathlib import Path
 from typing import Final
@@ -83,8 +84,8 @@ class FrameMemory:
 
 def _check_room(size_bytes: int) -> None:
     """Linux gives out shared memory that it does not have, and ends whoever writes to it."""
-    if not _PLACE.is_dir():
-        return
-    room = os.statvfs(_PLACE)
-    if room.f_blocks and room.f_bavail * room.f_frsize < size_bytes:
-        raise OSError(errno.ENOSPC, f"{size_bytes >> 20} MB of shared memory wanted in {_PLACE}")
+    if sys.platform != "win32" and _PLACE.is_dir():
+        room = os.statvfs(_PLACE)
+        if room.f_blocks and room.f_bavail * room.f_frsize < size_bytes:
+            text = f"{size_bytes >> 20} MB of shared memory wanted in {_PLACE}"
+            raise OSError(errno.ENOSPC, text)

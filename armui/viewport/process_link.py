@@ -104,8 +104,9 @@ class Lost:
 
 
 _END_LIMIT_S: Final = 1.0
-_SMALL_BYTES: Final = 32_768
-"""A message of this size fits into the pipe: sending it waits for nobody."""
+_SMALL_BYTES: Final = 8_000
+"""A shorter message fits into the pipe, which holds 8,192 bytes on Windows and far more elsewhere:
+sending it waits for nobody."""
 
 _TAKEN_LIMIT_S: Final = 5.0
 

@@ -21,6 +21,7 @@ from armui.protocol.codec import Codec
 from armui.protocol.generation import Generation
 from armui.protocol.layout import load_database
 from armui.system.paths import RESOURCES
+from tests.posix import of_system
 
 RUNS = int(os.environ.get("DECODE_RUNS", "5"))
 FRAMES = int(os.environ.get("DECODE_FRAMES", "200000"))
@@ -64,13 +65,13 @@ def candump(tmp_path_factory) -> Path:
 
 def processor_s(command: list[str], log: Path) -> float:
     """Processor time of a whole process; its output goes nowhere."""
-    before = resource.getrusage(resource.RUSAGE_CHILDREN)
+    before = of_system("getrusage", resource)(of_system("RUSAGE_CHILDREN", resource))
     with log.open("rb") as stream:
         subprocess.run(
             [sys.executable, *command], stdin=stream, stdout=subprocess.DEVNULL,
             stderr=subprocess.DEVNULL, check=True, cwd=Path(__file__).parents[2],
         )  # fmt: skip
-    after = resource.getrusage(resource.RUSAGE_CHILDREN)
+    after = of_system("getrusage", resource)(of_system("RUSAGE_CHILDREN", resource))
     return after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
 
 

@@ -28,6 +28,7 @@ import pytest
 from armui.protocol.generation import Generation
 from armui.sim.firmware import Firmware
 from armui.sim.node import PERIOD_S, Node
+from tests.posix import of_system
 from tests.sim.talk import ENABLE, frame, mode, target
 
 SECONDS = float(os.environ.get("NODE_RATE_SECONDS", "10"))
@@ -126,7 +127,7 @@ def test_in_this_process_on_a_virtual_bus() -> None:
 def cpu_s(pid: int) -> float:
     """What a process has used of the processor (Linux)."""
     fields = Path(f"/proc/{pid}/stat").read_text().rpartition(")")[2].split()
-    return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
+    return (int(fields[11]) + int(fields[12])) / of_system("sysconf")("SC_CLK_TCK")
 
 
 @pytest.mark.skipif(sys.platform != "linux", reason="reads /proc")

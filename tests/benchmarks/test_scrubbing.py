@@ -37,6 +37,7 @@ from armui.ui.watch.replay.replay_window import ReplayWindow
 from armui.viewport.view import ArmView
 from tests.benchmarks import rig
 from tests.bus.playback.logs import settled
+from tests.posix import of_system
 from tests.session.recordings import START_S, frames, moving
 from tests.waiting import wait_until
 
@@ -209,7 +210,7 @@ def test_scrubbing(qtbot, qapp, capsys, benchmark, log):
     benchmark.pedantic(lambda: None, rounds=1)
     with capsys.disabled():
         print(f"\n{session.frames:,} frames, {JUMPS} presses each, median / worst in ms, ", end="")
-        print(f"load {os.getloadavg()[0]:.1f}:")
+        print(f"load {of_system('getloadavg')()[0]:.1f}:")
         print("\n".join(lines))
         print(f"  no window        state {told(1e3 * np.array(bare_s))}")
     assert max(medians_s.values()) < FIRST_PICTURE_S

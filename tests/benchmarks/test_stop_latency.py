@@ -14,7 +14,6 @@ simulated arm within the program.
 """
 
 import os
-import signal
 import sys
 import threading
 import time
@@ -37,6 +36,7 @@ from armui.system.thread_priority import raise_threads
 from tests.benchmarks import rig
 from tests.benchmarks.bare_button import Mouse
 from tests.benchmarks.other_arm import BUS
+from tests.posix import stand_still
 from tests.waiting import wait_until
 
 PRESSES = int(os.environ.get("STOP_PRESSES", "200"))
@@ -128,7 +128,7 @@ def standing_picture(program):
             return  # it is being replaced
         client._link._restarts._lost_s.clear()
         if client.pid is not None and program.view._lost is None:
-            os.kill(client.pid, signal.SIGSTOP)
+            stand_still(client.pid)
 
     timer = QTimer(interval=1000)
     timer.timeout.connect(stop)

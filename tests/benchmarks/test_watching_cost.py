@@ -22,6 +22,7 @@ from PySide6.QtWidgets import QApplication
 from armui.ui.watch.plots_area import PlotPage
 from tests.benchmarks import rig
 from tests.benchmarks.test_plots_speed import PLOTS
+from tests.posix import of_system
 
 SECONDS = float(os.environ.get("WATCHING_SECONDS", "4"))
 TURNS = int(os.environ.get("WATCHING_TURNS", "5"))
@@ -115,7 +116,8 @@ def test_watching_cost(qapp, tmp_path, capsys, benchmark):
     with capsys.disabled():
         print(
             f"\n{np.median(rates):.0f} frames/s, {TURNS} turns of {SECONDS:.0f} s, load "
-            f"{os.getloadavg()[0]:.1f}; processor time of the program's process, of a core:"
+            f"{of_system('getloadavg')()[0]:.1f}; processor time of the program's process, "
+            "of a core:"
         )
         for name, spent in (
             ("no events, ring, series, curves", bare),

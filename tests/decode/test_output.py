@@ -19,6 +19,7 @@ from tests.decode.logs import (
     objects,
     record,
 )
+from tests.posix import make_pipe
 
 # --- what is printed --------------------------------------------------------------------------
 
@@ -183,7 +184,7 @@ def test_auto_reports_damaged_lines_once(tmp_path, capsys):
 @pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="no named pipes here")
 def test_auto_reads_a_pipe_twice(tmp_path, capsys):
     pipe = tmp_path / "live.log"
-    os.mkfifo(pipe)
+    make_pipe(pipe)
     text = f"(0.0) can0 2A5#{JOINTS}\n(0.1) can0 4AF#532D56312E362D33\n"
     writer = threading.Thread(target=pipe.write_text, args=(text,))
     writer.start()

@@ -8,6 +8,8 @@ import sys
 from pathlib import Path
 from typing import Self
 
+from tests.posix import of_system
+
 _UINPUT = Path("/dev/uinput")
 _SET_EVENTS, _SET_KEYS, _SET_AXES = 0x40045564, 0x40045565, 0x40045567
 _CREATE, _DESTROY = 0x5501, 0x5502
@@ -22,7 +24,8 @@ _PLACES = 64
 
 def why_no_uinput() -> str:
     """Why this computer cannot make one; empty: it can."""
-    if sys.platform != "linux":
+    system: str = sys.platform
+    if system != "linux":
         return "uinput is Linux's"
     if not _UINPUT.exists():
         return "there is no /dev/uinput"
@@ -37,13 +40,15 @@ class UinputPad:
     def __enter__(self) -> Self:
         import fcntl  # noqa: PLC0415 - there is none on Windows
 
-        self._file = os.open(_UINPUT, os.O_WRONLY | os.O_NONBLOCK)
+        ioctl = of_system("ioctl", fcntl)
+
+        self._file = os.open(_UINPUT, os.O_WRONLY | of_system("O_NONBLOCK"))
         for kind in (_KEY, _ABS):
-            fcntl.ioctl(self._file, _SET_EVENTS, kind)
+            ioctl(self._file, _SET_EVENTS, kind)
         for key in _KEYS:
-            fcntl.ioctl(self._file, _SET_KEYS, key)
+            ioctl(self._file, _SET_KEYS, key)
         for axis in _AXES:
-            fcntl.ioctl(self._file, _SET_AXES, axis)
+            ioctl(self._file, _SET_AXES, axis)
         most, least = [0] * _PLACES, [0] * _PLACES
         for axis in _AXES:
             stick = axis in {0, 1, 3, 4}
@@ -52,13 +57,15 @@ class UinputPad:
         flat = [0] * (2 * _PLACES)
         head = struct.pack("80s4HI", b"Microsoft X-Box 360 pad", *_XBOX, 0)
         os.write(self._file, head + struct.pack(f"{4 * _PLACES}i", *most, *least, *flat))
-        fcntl.ioctl(self._file, _CREATE)
+        ioctl(self._file, _CREATE)
         return self
 
     def __exit__(self, *_error: object) -> None:
         import fcntl  # noqa: PLC0415 - there is none on Windows
 
-        fcntl.ioctl(self._file, _DESTROY)
+        ioctl = of_system("ioctl", fcntl)
+
+        ioctl(self._file, _DESTROY)
         os.close(self._file)
 
     def push_left(self, value: int) -> None:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import pytest
 
 from armui.protocol.codec import Codec, Message
@@ -9,6 +11,7 @@ from armui.protocol.firmware_version import FirmwareVersion
 from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
 from armui.protocol.layout import load_database
+from tests.each import check_each
 from tests.protocol.rows import ROWS, UNTIL_1_8_7, Row
 
 OLDER = FirmwareVersion(1, 8, 7)
@@ -47,30 +50,42 @@ def test_each_meaning_of_a_frame_has_its_row():
                 assert wanted <= known, (message.name, wanted - known)
 
 
-@pytest.mark.parametrize(("codec", "row"), CASES, ids=IDS)
-def test_decodes(codec: Codec, row: Row):
-    payload = bytes.fromhex(row.payload)
-    decoded = codec.decode(Frame(row.arbitration_id, payload))
-    assert isinstance(decoded, Message), decoded
-    assert decoded.name == row.name
-    signals = codec.layout(row.arbitration_id).variant(payload).signals
-    expected = dict.fromkeys(signals, 0) | row.signals
-    # Decimal scales come out as the nearest double, only MIT control has others.
-    tolerance = 1e-7 if row.name.startswith("MitControl") else 0
-    assert decoded.signals == pytest.approx(expected, abs=tolerance, rel=0)
+def check_each_row(check: Callable[[Codec, Row], None]) -> None:
+    named = dict(zip(IDS, CASES, strict=True))
+    check_each(named, lambda name: check(*named[name]))
 
 
-@pytest.mark.parametrize(("codec", "row"), CASES, ids=IDS)
-def test_encodes(codec: Codec, row: Row):
-    frame = codec.encode(row.name, **row.signals)
-    assert frame == Frame(row.arbitration_id, bytes.fromhex(row.payload)), str(frame)
+def test_decodes():
+    def check(codec: Codec, row: Row) -> None:
+        payload = bytes.fromhex(row.payload)
+        decoded = codec.decode(Frame(row.arbitration_id, payload))
+        assert isinstance(decoded, Message), decoded
+        assert decoded.name == row.name
+        signals = codec.layout(row.arbitration_id).variant(payload).signals
+        expected = dict.fromkeys(signals, 0) | row.signals
+        # Decimal scales come out as the nearest double, only MIT control has others.
+        tolerance = 1e-7 if row.name.startswith("MitControl") else 0
+        assert decoded.signals == pytest.approx(expected, abs=tolerance, rel=0)
+
+    check_each_row(check)
 
 
-@pytest.mark.parametrize(("codec", "row"), CASES, ids=IDS)
-def test_cantools_by_itself_reads_the_same_from_the_file(codec: Codec, row: Row):
+def test_encodes():
+    def check(codec: Codec, row: Row) -> None:
+        frame = codec.encode(row.name, **row.signals)
+        assert frame == Frame(row.arbitration_id, bytes.fromhex(row.payload)), str(frame)
+
+    check_each_row(check)
+
+
+def test_cantools_by_itself_reads_the_same_from_the_file():
     """The codec takes a short cut through cantools; users of the DBC file take the long way."""
-    database = load_database(codec.generation, codec.quirks.mit_layout)
-    message = database.get_message_by_name(row.name)
-    signals = message.decode(bytes.fromhex(row.payload), decode_choices=False)
-    expected = dict.fromkeys(signals, 0) | row.signals
-    assert signals == pytest.approx(expected, abs=1e-7, rel=1e-12)
+
+    def check(codec: Codec, row: Row) -> None:
+        database = load_database(codec.generation, codec.quirks.mit_layout)
+        message = database.get_message_by_name(row.name)
+        signals = message.decode(bytes.fromhex(row.payload), decode_choices=False)
+        expected = dict.fromkeys(signals, 0) | row.signals
+        assert signals == pytest.approx(expected, abs=1e-7, rel=1e-12)
+
+    check_each_row(check)

@@ -1,7 +1,6 @@
 """S21: an unsaved state from before a file was saved is not put over it, and not lost either."""
 
 import os
-import signal
 from dataclasses import replace
 from datetime import UTC, datetime, timedelta
 
@@ -12,6 +11,7 @@ from armui.trajectory.library.store import Library
 from armui.trajectory.points.program import Trajectory, Waypoint
 from armui.ui.trajectory.editor.editor_page import EditorPage
 from tests.operator.library.actions import POINT, LibraryDriver
+from tests.posix import kill, of_system
 
 OTHER = Waypoint(MoveMode.MOVE_J, (1.0, 20.0, -30.0, 0.0, 0.0, 0.0))
 SAVED = Trajectory("one", points=(POINT,))
@@ -50,13 +50,13 @@ def test_a_draft_of_the_file_as_it_is_comes_back(tmp_path):
 
 @pytest.mark.skipif(not hasattr(os, "fork"), reason="kills in the manner of POSIX")
 def test_a_kill_between_save_and_removal_of_the_draft(tmp_path, monkeypatch):
-    child = os.fork()
+    child = of_system("fork")()
     if child == 0:
         library = edited(tmp_path)
-        library.drop_draft = lambda _name: os.kill(os.getpid(), signal.SIGKILL)
+        library.drop_draft = lambda _name: kill(os.getpid())
         library.save(FINAL, replacing="one")
         os._exit(0)
-    assert os.WIFSIGNALED(os.waitpid(child, 0)[1])
+    assert of_system("WIFSIGNALED")(os.waitpid(child, 0)[1])
     assert Library(tmp_path).drafts() == ["one"]
     assert opened(tmp_path) == (FINAL.points, True)
     assert Library(tmp_path).drafts() == []

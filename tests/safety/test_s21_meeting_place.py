@@ -13,6 +13,7 @@ from armui.control.link.instance_registry import InstanceRegistry
 from armui.settings import SettingsStore
 from armui.system import paths
 from armui.system.presence import Presence
+from tests.posix import of_system
 from tests.ui.fake_controller import FakeController
 
 pytestmark = pytest.mark.skipif(not hasattr(os, "getuid"), reason="users in the manner of POSIX")
@@ -60,7 +61,7 @@ def test_the_folder_of_the_system_is_taken_only_if_it_is_the_users(tmp_path, mon
 
 
 def test_with_and_without_the_variable_is_the_same_place(monkeypatch):
-    run = Path(f"/run/user/{os.getuid()}")
+    run = Path(f"/run/user/{of_system('getuid')()}")
     if not paths.is_private(run):
         pytest.skip("this system has no such folder")
     monkeypatch.setenv("XDG_RUNTIME_DIR", str(run))

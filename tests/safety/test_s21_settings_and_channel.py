@@ -1,8 +1,6 @@
 """S21: two programs on one settings file or one channel lose nothing, and each says so."""
 
 import json
-import os
-import signal
 import subprocess
 import sys
 import threading
@@ -18,6 +16,7 @@ from armui.control.link.instance_registry import InstanceRegistry
 from armui.control.operating_state import OperatingState
 from armui.settings import SettingsStore, _lock_path
 from armui.system.presence import Presence
+from tests.posix import kill
 from tests.ui.fake_controller import FakeController
 
 LOOK_S = 0.01
@@ -99,7 +98,7 @@ def test_a_program_that_was_killed_is_not_there(tmp_path):
     mine = Presence(tmp_path)
     mine.enter()
     assert mine.others() == 1
-    os.kill(other.pid, signal.SIGKILL)
+    kill(other.pid)
     other.wait()
     other.stdout.close()
     assert mine.others() == 0

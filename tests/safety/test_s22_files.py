@@ -21,6 +21,7 @@ from armui.trajectory.points.program import Trajectory, Waypoint
 from armui.trajectory.samples.recording import Recording
 from armui.viewport.messages import SceneError
 from tests.examples import examples
+from tests.posix import make_pipe
 
 POINTS = Trajectory("a", "", (Waypoint(MoveMode.MOVE_J, (0.0, 10.0, -20.0, 0.0, 0.0, 0.0)),))
 SAMPLES = Recording("r", "", np.arange(24.0).reshape(3, 8))
@@ -60,7 +61,7 @@ def test_no_content_keeps_the_program_from_starting(tmp_path, content):
 
 def test_a_pipe_is_not_waited_for(tmp_path):
     path = tmp_path / "settings.json"
-    os.mkfifo(path)
+    make_pipe(path)
     assert [problem.code for problem in SettingsStore(path).problems] == ["settings_unreadable"]
 
 
@@ -166,7 +167,7 @@ def test_any_draft(tmp_path, content):
 
 
 def test_a_pipe_among_the_trajectories_is_not_waited_for(tmp_path):
-    os.mkfifo(tmp_path / "pipe.log")
+    make_pipe(tmp_path / "pipe.log")
     with pytest.raises(TrajectoryFileError):
         files.load(tmp_path / "pipe.log")
 
@@ -200,7 +201,7 @@ def test_no_robot_description_does_more_than_fail(tmp_path, content):
 
 
 def test_a_pipe_is_no_robot_description(tmp_path):
-    os.mkfifo(tmp_path / "arm.urdf")
+    make_pipe(tmp_path / "arm.urdf")
     _load_robot(tmp_path / "arm.urdf")
 
 

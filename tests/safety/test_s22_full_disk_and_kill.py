@@ -1,6 +1,5 @@
 """S22: a disk that is really full, a program that is killed: what the windows then say."""
 
-import os
 import shutil
 import subprocess
 import sys
@@ -16,6 +15,7 @@ from armui.ui.trajectory.editor.leave_question import LeaveQuestion
 from armui.ui.watch.recordings.sessions_window import SessionColumn, SessionsWindow
 from tests.operator.test_recording import Operator
 from tests.operator.test_sessions import Sessions
+from tests.posix import of_system
 
 pytestmark = pytest.mark.timeout(120)
 
@@ -104,7 +104,7 @@ def test_a_session_of_a_killed_program(sessions_on, tmp_path):
     until_s = time.monotonic() + 60.0
     while not any(path.stat().st_size > 20_000 for path in folder.glob("*.blf")):
         assert time.monotonic() < until_s
-        os.sched_yield()
+        of_system("sched_yield")()
     other.kill()
     other.wait()
     sessions = sessions_on(folder)

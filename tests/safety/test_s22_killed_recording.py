@@ -212,4 +212,5 @@ def test_a_disk_that_refuses_is_said_once_and_recording_goes_on(operator):
     operator.click("save_recording")
     assert operator.text("record_message").startswith("Saved as")
     (entry,) = Library(folder).entries()
+    assert entry.length_s is not None
     assert entry.length_s > 0.9

@@ -9,7 +9,6 @@ import argparse
 import math
 import os
 import random
-import signal
 from collections import defaultdict
 from pathlib import Path
 
@@ -25,6 +24,7 @@ from armui.session.frames import LATEST_S, NotALogError
 from armui.session.reader import LogFile
 from armui.session.recording.folder import list_recordings
 from tests.examples import sample
+from tests.posix import kill
 from tests.session.indexed import open_indexed
 from tests.session.recording.made import recorded, taken
 from tests.session.recordings import START_S, frames, greeting
@@ -179,7 +179,7 @@ def test_every_reader_of_it_says_so_and_goes_on(what, whole, tmp_path, capsys, m
 
 def ended_without_a_word(_path, _its):
     """As a segmentation fault ends a process."""
-    os.kill(os.getpid(), signal.SIGKILL)
+    kill(os.getpid())
 
 
 ODD_TIMES = {

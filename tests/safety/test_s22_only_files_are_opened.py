@@ -36,6 +36,7 @@ from armui.ui.dialogs.backup import BackupDialog
 from armui.ui.shell.workspace_layout import from_text
 from armui.ui.watch import layout_file
 from armui.viewport.messages import SceneError
+from tests.posix import make_pipe, of_system
 
 pytestmark = [
     pytest.mark.timeout(30),  # what is held up here is held up for good
@@ -47,16 +48,16 @@ KINDS = ("pipe", "folder", "socket", "device", "link to a pipe")
 def put(kind: str, path: Path) -> Path:
     """Put something there that is no file."""
     if kind == "pipe":
-        os.mkfifo(path)
+        make_pipe(path)
     elif kind == "folder":
         path.mkdir()
     elif kind == "socket":
-        with socket.socket(socket.AF_UNIX) as made:
+        with socket.socket(of_system("AF_UNIX", socket)) as made:
             made.bind(str(path))
     elif kind == "device":
         path.symlink_to("/dev/zero")
     else:
-        os.mkfifo(path.with_name("elsewhere"))
+        make_pipe(path.with_name("elsewhere"))
         path.symlink_to(path.with_name("elsewhere"))
     return path
 
@@ -78,7 +79,7 @@ def test_nothing_but_a_file_is_opened(no_file, mode):
 
 def test_a_pipe_that_comes_in_between_is_not_waited_for(tmp_path, monkeypatch):
     monkeypatch.setattr("armui.system.files.check_file", lambda path: None)
-    os.mkfifo(tmp_path / "a")
+    make_pipe(tmp_path / "a")
     with pytest.raises(NotAFileError):
         open_file(tmp_path / "a")
     with pytest.raises(OSError, match=r"[Dd]evice") as nobody_reads_it:
@@ -154,7 +155,7 @@ def test_the_program_log_that_is_exchanged_while_it_runs(tmp_path):
     with log_to(tmp_path) as path:
         assert path is not None
         path.unlink()
-        os.mkfifo(path)
+        make_pipe(path)
         logging.getLogger("armui").warning("still there")
     assert stat.S_ISFIFO(path.stat().st_mode)
 
@@ -178,14 +179,14 @@ def test_the_library(no_file):
 def test_a_robot_description_and_its_meshes(tmp_path):
     from armui.viewport.process.urdf_file import _content, _mesh  # noqa: PLC0415 - brings VTK
 
-    os.mkfifo(tmp_path / "a.urdf")
+    make_pipe(tmp_path / "a.urdf")
     with pytest.raises(SceneError):
         _content(tmp_path / "a.urdf")
-    os.mkfifo(tmp_path / "a.stl")
+    make_pipe(tmp_path / "a.stl")
     with pytest.raises(SceneError):
         _mesh(tmp_path / "a.stl")
     (tmp_path / "b.obj").write_text("mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
-    os.mkfifo(tmp_path / "a.mtl")  # a mesh brings others along
+    make_pipe(tmp_path / "a.mtl")  # a mesh brings others along
     assert len(_mesh(tmp_path / "b.obj").faces) == 1
 
 
@@ -200,7 +201,7 @@ def test_a_backup_in_the_window(app_driver, tmp_path):
     app_driver.window.open_backup_dialog()
     app_driver.box = app_driver.dialog(BackupDialog)
     app_driver.run(1.0)
-    os.mkfifo(tmp_path / "pipe.json")
+    make_pipe(tmp_path / "pipe.json")
     app_driver.box.open_file(tmp_path / "pipe.json")
     assert "it is a pipe, not a file" in app_driver.box._message.text()
     app_driver.box._write(tmp_path / "pipe.json", app_driver.box._now())

@@ -1,7 +1,6 @@
 """S24, S1: whatever happens in mid-drag, the drag has ended, whole, and the arm is not moved."""
 
 import os
-import signal
 import sys
 from dataclasses import replace
 
@@ -29,6 +28,7 @@ from armui.viewport.process.urdf_file import load_robot
 from armui.viewport.process_link import Lost
 from tests.app_driver import AppDriver
 from tests.picture_hand import Hand
+from tests.posix import KILL
 from tests.waiting import wait_until
 
 OUT = (20.0, 60.0, -70.0, 10.0, 35.0, 15.0)
@@ -391,7 +391,7 @@ class Drawn(Hand):
 
 @pytest.mark.skipif(sys.platform == "win32", reason="signals")
 @pytest.mark.timeout(300)
-@pytest.mark.parametrize("harm", [signal.SIGKILL, signal.SIGSTOP])
+@pytest.mark.parametrize("harm", [KILL, STOP])
 @pytest.mark.parametrize("kind", [HandleKind.TOOL, HandleKind.JOINTS, None])
 def test_the_picture_s_process_lost_in_mid_drag(drawing, kind, harm):
     hand, view = Drawn(drawing), drawing.program.view

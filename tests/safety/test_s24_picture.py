@@ -1,7 +1,5 @@
 """S24: what becomes of the picture's process changes nothing for window, bus and stop."""
 
-import os
-import signal
 import sys
 from typing import Any
 
@@ -20,6 +18,7 @@ from armui.viewport.watch import Restarts
 from tests.app_driver import AppDriver
 from tests.control.jogger import bend, hold
 from tests.control.under_way import run_moving
+from tests.posix import stand_still
 from tests.waiting import wait_until
 
 pytestmark = [
@@ -67,11 +66,11 @@ def lost(drawing):
 
 
 def kill(client):
-    os.kill(client.pid, signal.SIGKILL)
+    kill(client.pid)
 
 
 def freeze(client):
-    os.kill(client.pid, signal.SIGSTOP)
+    stand_still(client.pid)
 
 
 def move(app_driver):

@@ -28,6 +28,7 @@ from armui.ui.dialogs.confirm_dialog import ConfirmDialog
 from tests.arm_rig import thin_out
 from tests.examples import sample
 from tests.operator.editor.actions import OUT, Editor, to
+from tests.posix import HANG_UP
 from tests.test_window_process import LIMIT_MS, shared_memory_of, wait_for_the_end_of
 
 pytestmark = [
@@ -40,7 +41,7 @@ ABORT = (0x150, bytes([0, 6, 0, 0, 0, 0, 0, 0]))  # byte 1: the trajectory comma
 LONGEST_S = 1.0
 BUSY_COMPUTER_S = 1.0
 """What a computer that runs other tests beside may add to the end of a process."""
-SIGNALS = (signal.SIGTERM, signal.SIGHUP, signal.SIGINT)
+SIGNALS = (signal.SIGTERM, HANG_UP, signal.SIGINT)
 ROOT = Path(__file__).resolve().parents[2]
 
 
@@ -111,7 +112,7 @@ def outside(tmp_path):
 
 
 AT_NIGHT = [
-    ("run", signal.SIGHUP),
+    ("run", HANG_UP),
     ("run", signal.SIGINT),
     ("menu", signal.SIGTERM),
     ("dialog", signal.SIGTERM),

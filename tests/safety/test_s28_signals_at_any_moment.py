@@ -19,6 +19,7 @@ import pytest
 from armui.session.recording.mf4 import can_write
 from armui.session.recording.recorded_session import RecordedSession
 from tests.examples import sample
+from tests.posix import HANG_UP, kill
 
 pytestmark = [
     pytest.mark.skipif(sys.platform != "linux", reason="sends signals, reads /proc"),
@@ -32,7 +33,7 @@ BUSY_COMPUTER_S = 1.0
 COUNTED_S = 5.0
 """A recording is whole at once; then what it tells is counted, for which numpy is loaded."""
 BEGINS_WITHIN_S = 60.0
-SIGNALS = (signal.SIGTERM, signal.SIGHUP, signal.SIGINT)
+SIGNALS = (signal.SIGTERM, HANG_UP, signal.SIGINT)
 MOMENTS_S = (0.03, 0.1, 0.2, 0.3, 0.45, 0.6, 0.8, 1.0, 1.2, 1.4, 1.7, 2.0, 2.5, 3.0)
 """From the start of the process: Python itself, imports, Qt, the window, the bus."""
 
@@ -93,7 +94,7 @@ class Program:
                 time.sleep(0.02)
         finally:
             for process in processes_of(self.process.pid):
-                os.kill(process, signal.SIGKILL)
+                kill(process)
         gone_s = time.monotonic() - began_s
         print(f"{by.name}: ended with {self.process.returncode} after {gone_s:.2f} s")
         assert gone_s < within_s + BUSY_COMPUTER_S

@@ -12,6 +12,7 @@ import pytest
 
 from armui.system.helper_process import HelperProcess
 from armui.trajectory.planning.check import CheckRequest, check, warm_up
+from tests.posix import of_system
 from tests.trajectory.arms import ARM, joint, run
 
 MOST_S = 60.0
@@ -95,13 +96,14 @@ def test_it_does_not_outlive_a_killed_program(tmp_path):
         program.kill()
     deadline = time.monotonic() + MOST_S
     while _lives(pid) and time.monotonic() < deadline:
-        os.sched_yield()
+        of_system("sched_yield")()
     assert not _lives(pid)
 
 
 @pytest.mark.skipif(not hasattr(os, "nice"), reason="the system knows no such thing")
 def test_it_stands_back_and_leaves_ctrl_c_to_the_program(helper):
-    assert helper.submit(os.nice, 0).result(MOST_S) == min(os.nice(0) + 5, 19)
+    nice = of_system("nice")
+    assert helper.submit(nice, 0).result(MOST_S) == min(nice(0) + 5, 19)
     assert helper.submit(signal.getsignal, signal.SIGINT).result(MOST_S) == signal.SIG_IGN
 
 

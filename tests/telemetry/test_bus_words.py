@@ -7,7 +7,7 @@ from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
 from armui.protocol.layout import load_database
 from armui.telemetry.bus_errors import BusError, errors_of
-from armui.telemetry.bus_senders import Sender, sender_of, speaks_for_arm
+from armui.telemetry.bus_senders import FIXED_FEEDBACK, Sender, sender_of, speaks_for_arm
 from armui.telemetry.quantities import QUANTITIES, quantity_key
 
 # Senders ------------------------------------------------------------------------------------------
@@ -20,6 +20,30 @@ def test_senders_are_those_of_the_protocol(generation):
         # both send the version's; and a leader arm (0x470) sends commands as hosts do
         by_host = "HOST" in message.senders and message.name != "FirmwareVersion"
         assert sender is (Sender.OTHER if by_host else Sender.ARM), message.name
+
+
+def test_the_table_of_senders_has_no_identifier_that_the_protocol_has_not():
+    told = {
+        message.frame_id
+        for generation in Generation
+        for message in load_database(generation).messages
+        if "HOST" not in message.senders
+    }
+    assert FIXED_FEEDBACK - told == set()
+
+
+@pytest.mark.parametrize("offset", [0x10, 0x20])
+@pytest.mark.parametrize("generation", Generation)
+def test_commands_under_another_control_offset_are_another_hosts(generation, offset):
+    shifted = Addressing(control_offset=offset)
+    moved = {
+        shifted.to_wire(message.frame_id)
+        for message in load_database(generation).messages
+        if "HOST" in message.senders and shifted.to_wire(message.frame_id) != message.frame_id
+    }
+    assert moved
+    for identifier in moved:
+        assert sender_of(Frame(identifier, bytes(8)), 0, shifted) is Sender.OTHER, hex(identifier)
 
 
 @pytest.mark.parametrize("offset", [0x00, 0x10, 0x20])

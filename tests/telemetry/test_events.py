@@ -1,7 +1,6 @@
 """The log of events: bounded, followed by its revisions, repeats counted; and its lines."""
 
 import json
-import os
 import sys
 import threading
 from datetime import UTC, datetime, timedelta, timezone
@@ -24,6 +23,7 @@ from armui.telemetry.events import (
     EventOutcome,
     Level,
 )
+from tests.posix import make_pipe
 
 NOON = datetime(2026, 1, 15, 12, tzinfo=UTC)
 
@@ -273,7 +273,7 @@ def test_text_that_is_no_unicode_is_written_all_the_same(tmp_path):
 
 @pytest.mark.skipif(sys.platform == "win32", reason="there are no such pipes")
 def test_a_pipe_is_not_waited_for(tmp_path):
-    os.mkfifo(tmp_path / NAME)
+    make_pipe(tmp_path / NAME)
     with pytest.raises(OSError, match="not a file"):
         append(tmp_path, "one\n")
 

@@ -10,7 +10,6 @@ from __future__ import annotations
 
 import os
 import random
-import signal
 import sys
 import time
 from dataclasses import replace
@@ -22,6 +21,7 @@ from armui.protocol.codes import MoveMode
 from armui.trajectory.library.store import Library
 from armui.trajectory.points.program import Trajectory, Waypoint
 from armui.trajectory.samples.recording import Recording
+from tests.posix import kill, of_system
 
 STAYS = "never touched"
 POINT = Waypoint(MoveMode.MOVE_J, (0.0, 10.0, -20.0, 0.0, 0.0, 0.0))
@@ -84,7 +84,7 @@ def whole(library: Library, folder: Path) -> int:
 def kill_once(folder: Path, version: int, after_s: float) -> None:
     """Lets a process of its own write for a while, then kills it as a power cut would."""
     ready, begun = os.pipe()
-    child = os.fork()
+    child = of_system("fork")()
     if child == 0:
         try:
             library = Library(folder)
@@ -94,11 +94,11 @@ def kill_once(folder: Path, version: int, after_s: float) -> None:
             os._exit(1)
     os.read(ready, 1)
     time.sleep(after_s)
-    os.kill(child, signal.SIGKILL)
+    kill(child)
     _, status = os.waitpid(child, 0)
     os.close(ready)
     os.close(begun)
-    assert os.WIFSIGNALED(status), "the writer ended by itself"
+    assert of_system("WIFSIGNALED")(status), "the writer ended by itself"
 
 
 def main(folder: Path, count: int) -> int:

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from datetime import UTC, datetime
+from itertools import product
+from typing import Any
 
 import pytest
 from PySide6.QtWidgets import QApplication
@@ -21,6 +23,10 @@ from armui.telemetry.events import Asker, EventEntry, EventKind, EventOutcome, L
 from armui.ui.translation import Translator
 from armui.ui.words import event_log as words
 from armui.ui.words.text import NOT_KNOWN
+from tests.each import check_each
+
+InBoth = Callable[[Iterable[Any], Callable[[Any], str]], list[tuple[Any, str, str]]]
+"""Of each entry its text in English and in Chinese."""
 
 FIGURES: dict[ObservedCode, dict[str, object]] = {
     ObservedCode.CONTROL_MODE: {"mode": 1, "before": 0},
@@ -60,80 +66,105 @@ def entry(code: str, params: dict[str, object] | None = None) -> EventEntry:
     )
 
 
-def both(translated: Callable[[Language], None], text: Callable[[], str]) -> tuple[str, str]:
-    texts: list[str] = []
-    languages: tuple[Language, ...] = ("en", "zh")
-    for language in languages:
-        translated(language)
-        texts.append(text())
-    return texts[0], texts[1]
+@pytest.fixture
+def in_both(translated: Callable[[Language], None]) -> InBoth:
+    """Reads every entry of a table in English, then in Chinese."""
+
+    def read(entries: Iterable[Any], text: Callable[[Any], str]) -> list[tuple[Any, str, str]]:
+        entries = list(entries)
+        translated("en")
+        english = [text(each) for each in entries]
+        translated("zh")
+        chinese = [text(each) for each in entries]
+        return list(zip(entries, english, chinese, strict=True))
+
+    return read
 
 
-@pytest.mark.parametrize("code", ObservedCode)
-def test_what_was_observed(code, translated):
-    figures = FIGURES.get(code, {})
-    english, chinese = both(translated, lambda: words.entry_text(entry(code, figures)))
-    assert english
-    assert any("\u4e00" <= letter <= "\u9fff" for letter in chinese)
-    assert english != chinese
-    for text in (english, chinese):
-        assert NOT_KNOWN not in text
-        assert "{" not in text
-        assert f": {code}" not in text
+def test_what_was_observed(in_both):
+    def check_words(case):
+        code, english, chinese = case
+        assert english
+        assert any("\u4e00" <= letter <= "\u9fff" for letter in chinese)
+        assert english != chinese
+        for text in (english, chinese):
+            assert NOT_KNOWN not in text
+            assert "{" not in text
+            assert f": {code}" not in text
+
+    said = in_both(ObservedCode, lambda code: words.entry_text(entry(code, FIGURES.get(code, {}))))
+    check_each(said, check_words)
 
 
 def test_every_observed_code_has_its_sentence():
     assert frozenset(ObservedCode) == words.OBSERVED_CODES
 
 
-@pytest.mark.parametrize("code", EventCode)
-def test_what_was_noticed(code, translated):
-    english, chinese = both(translated, lambda: words.entry_text(entry(code)))
-    assert english != chinese
-    assert "{" not in english + chinese
-
-
-@pytest.mark.parametrize("end", [*(each.name for each in End), "short"])
-def test_what_ends_a_motion(end, translated):
-    outcome = EventOutcome(ObservedCode.MOTION_CUT, 0.0, Level.INFO, {"end": end})
-    english, chinese = both(translated, lambda: words.outcome_text(outcome))
-    assert english != chinese
-    assert end not in english + chinese.upper()
-
-
-@pytest.mark.parametrize("kind", InvalidFrameKind)
-def test_what_is_odd_about_a_frame(kind, translated):
-    odd = entry(ObservedCode.INVALID_FRAMES, {"kind": kind.name, "id": "0x4F0"})
-    english, chinese = both(translated, lambda: words.entry_text(odd))
-    assert kind.value.split()[0] in english
-    assert kind.value.split()[0] not in chinese
-
-
-@pytest.mark.parametrize("fault", GripperFault)
-def test_the_gripper(fault, translated):
-    trouble = entry(ObservedCode.GRIPPER_FAULT, {"fault": fault.value})
-    english, chinese = both(translated, lambda: words.entry_text(trouble))
-    assert english != chinese
-
-
-@pytest.mark.parametrize("word", sorted(FAULTS, key=str))
-@pytest.mark.parametrize("item", Item)
-def test_every_row_and_word_of_the_joints(item, word):
-    text = words.entry_text(
-        entry(ObservedCode.JOINT_FAULT, {"joint": 5, "item": item.name, "word": word.name})
-    )
-    assert text.startswith("J5 ")
-    assert NOT_KNOWN not in text
-
-
-def test_columns_and_filters(translated):
-    for text in (
-        *(lambda each=each: words.asker(each) for each in Asker),
-        *(lambda each=each: words.event_kind(each) for each in EventKind),
-        *(lambda each=each: words.event_level(each) for each in Level),
-    ):
-        english, chinese = both(translated, text)
+def test_what_was_noticed(in_both):
+    def check_words(case):
+        _code, english, chinese = case
         assert english != chinese
+        assert "{" not in english + chinese
+
+    check_each(in_both(EventCode, lambda code: words.entry_text(entry(code))), check_words)
+
+
+def test_what_ends_a_motion(in_both):
+    def cut(end):
+        return EventOutcome(ObservedCode.MOTION_CUT, 0.0, Level.INFO, {"end": end})
+
+    def check_words(case):
+        end, english, chinese = case
+        assert english != chinese
+        assert end not in english + chinese.upper()
+
+    ends = [*(each.name for each in End), "short"]
+    check_each(in_both(ends, lambda end: words.outcome_text(cut(end))), check_words)
+
+
+def test_what_is_odd_about_a_frame(in_both):
+    def odd(kind):
+        return entry(ObservedCode.INVALID_FRAMES, {"kind": kind.name, "id": "0x4F0"})
+
+    def check_words(case):
+        kind, english, chinese = case
+        assert kind.value.split()[0] in english
+        assert kind.value.split()[0] not in chinese
+
+    check_each(in_both(InvalidFrameKind, lambda kind: words.entry_text(odd(kind))), check_words)
+
+
+def test_the_gripper(in_both):
+    def trouble(fault):
+        return entry(ObservedCode.GRIPPER_FAULT, {"fault": fault.value})
+
+    def check_words(case):
+        _fault, english, chinese = case
+        assert english != chinese
+
+    check_each(in_both(GripperFault, lambda each: words.entry_text(trouble(each))), check_words)
+
+
+def test_every_row_and_word_of_the_joints():
+    def check_words(case):
+        item, word = case
+        text = words.entry_text(
+            entry(ObservedCode.JOINT_FAULT, {"joint": 5, "item": item.name, "word": word.name})
+        )
+        assert text.startswith("J5 ")
+        assert NOT_KNOWN not in text
+
+    check_each(product(Item, FAULTS), check_words)
+
+
+def test_columns_and_filters(in_both):
+    def check_words(case):
+        _code, english, chinese = case
+        assert english != chinese
+
+    check_each(in_both(Asker, words.asker), check_words)
+    check_each(in_both(EventKind, words.event_kind), check_words)
+    check_each(in_both(Level, words.event_level), check_words)
 
 
 def test_settings_are_named_with_their_values():

@@ -11,6 +11,7 @@ from PySide6.QtWidgets import QPushButton, QWidget
 import armui.ui
 from armui.ui import theme
 from armui.ui.theme import DARK, LIGHT, Theme, apply_theme, colors_of, style_sheet, ui_font
+from tests.each import check_each
 
 QSS = Path(theme.__file__).with_name("theme.qss")
 
@@ -50,17 +51,25 @@ SIGNS = [
 
 
 @pytest.mark.parametrize("colors", [LIGHT, DARK], ids=["light", "dark"])
-@pytest.mark.parametrize(("ink", "ground"), PAIRS)
-def test_text_can_be_read(colors, ink, ground):
+def test_text_can_be_read(colors):
     """WCAG 2, level AA: 4.5 : 1 for text of any size."""
-    assert contrast(getattr(colors, ink), getattr(colors, ground)) >= 4.5
+
+    def check_pair(pair):
+        ink, ground = pair
+        assert contrast(getattr(colors, ink), getattr(colors, ground)) >= 4.5
+
+    check_each(PAIRS, check_pair)
 
 
 @pytest.mark.parametrize("colors", [LIGHT, DARK], ids=["light", "dark"])
-@pytest.mark.parametrize(("sign", "ground"), SIGNS)
-def test_signs_can_be_seen(colors, sign, ground):
+def test_signs_can_be_seen(colors):
     """WCAG 2, level AA: 3 : 1 for what is no text."""
-    assert contrast(getattr(colors, sign), getattr(colors, ground)) >= 3.0
+
+    def check_pair(pair):
+        sign, ground = pair
+        assert contrast(getattr(colors, sign), getattr(colors, ground)) >= 3.0
+
+    check_each(SIGNS, check_pair)
 
 
 def rules():

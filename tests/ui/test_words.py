@@ -24,6 +24,7 @@ from armui.ui import words
 from armui.ui.translation import LANGUAGES, Language, Translator
 from armui.ui.words import events, refusals
 from armui.ui.words.text import sentence
+from tests.each import check_each
 
 AT = datetime(2026, 1, 2, 3, 4, 5).astimezone()
 
@@ -64,32 +65,32 @@ def test_there_is_a_sentence_for_every_refusal() -> None:
 
 
 @pytest.mark.parametrize("language", LANGUAGES)
-@pytest.mark.parametrize("code", sorted(refusals.CODES))
-def test_a_refusal_reads_as_sentences(
-    translator: Translator, language: Language, code: RefusalCode
-) -> None:
+def test_every_refusal_reads_as_sentences(translator: Translator, language: Language) -> None:
     translator.set_language(language)
 
-    text = words.refusal(Refusal(code))
+    def check_refusal(code: RefusalCode) -> None:
+        text = words.refusal(Refusal(code))
 
-    assert has_chinese(text) is (language == "zh")
-    assert code not in text
-    assert "{" not in text
-    assert text.endswith(("。", ".", "can_raw", "1000000", "pip install —"))
+        assert has_chinese(text) is (language == "zh")
+        assert code not in text
+        assert "{" not in text
+        assert text.endswith(("。", ".", "can_raw", "1000000", "pip install —"))
+
+    check_each(sorted(refusals.CODES), check_refusal)
 
 
 @pytest.mark.parametrize("language", LANGUAGES)
-@pytest.mark.parametrize("code", sorted(EventCode))
-def test_a_notice_reads_as_words(
-    translator: Translator, language: Language, code: EventCode
-) -> None:
+def test_every_notice_reads_as_words(translator: Translator, language: Language) -> None:
     translator.set_language(language)
 
-    text = event(code)
+    def check_notice(code: EventCode) -> None:
+        text = event(code)
 
-    assert not text.startswith(("Event:", "事件"))
-    assert "{" not in text
-    assert has_chinese(text) is (language == "zh")
+        assert not text.startswith(("Event:", "事件"))
+        assert "{" not in text
+        assert has_chinese(text) is (language == "zh")
+
+    check_each(sorted(EventCode), check_notice)
 
 
 def test_what_nobody_foresaw_is_still_said(qapp: QApplication) -> None:

@@ -21,6 +21,7 @@ from armui.viewport.messages import PicturePhase
 from armui.viewport.path_picture import PathPicture, Preview, Reach, Trail
 from armui.viewport.view import ArmView
 from armui.viewport.watch import LIMITS, Limits
+from tests.posix import CONTINUE, KILL, STOP, kill, of_system, stand_still
 from tests.viewport.bad_meshes import write_glb_beyond_its_vertices
 from tests.viewport.conftest import RAISED
 from tests.viewport.foreign import mesh, write_arm
@@ -79,7 +80,7 @@ def test_a_killed_process_comes_back_with_everything_as_it_was(view, losses, tmp
     dress(view, tmp_path)
     before, camera, pid = image_of(view), view.camera, view._client.pid
     # nothing is asked of it at rest: its end is noticed all the same
-    os.kill(pid, signal.SIGKILL)
+    kill(pid)
     wait_until(lambda: losses)
     assert losses[0].comes_back
     assert losses[0].reason == Refusal(RefusalCode.PICTURE_PROCESS_ENDED, {"text": "SIGKILL"})
@@ -96,7 +97,7 @@ def test_the_model_comes_back_though_its_file_is_gone(view, losses, tmp_path):
     dress(view, tmp_path)
     before = image_of(view)
     (tmp_path / "arm.urdf").unlink()
-    os.kill(view._client.pid, signal.SIGKILL)
+    kill(view._client.pid)
     wait_until(lambda: losses)
     wait_until(lambda: view._lost is None and view.is_settled)
     assert image_of(view) == before
@@ -107,7 +108,7 @@ def test_a_question_is_not_asked_again_of_the_next_process(view, losses, qtbot):
         qtbot.mouseDClick(view, Qt.MouseButton.LeftButton, pos=QPoint(440, 10))
     answers: list[Any] = []
     view._client.joint_picked.connect(answers.append)
-    os.kill(view._client.pid, signal.SIGKILL)
+    kill(view._client.pid)
     wait_until(lambda: losses)
     wait_until(lambda: view._lost is None)
     view.set_joints((0.0,) * 6, 0.0)
@@ -118,7 +119,7 @@ def test_a_question_is_not_asked_again_of_the_next_process(view, losses, qtbot):
 
 def test_a_process_that_stands_still_looks_old_at_once_and_is_replaced(view, losses, moving):
     pid = view._client.pid
-    os.kill(pid, signal.SIGSTOP)
+    stand_still(pid)
     wait_until(lambda: view._client.looks_old)
     assert not losses
     assert view._notice() == "Picture delayed"
@@ -149,13 +150,13 @@ def test_an_old_picture_is_faded(view):
 
 def test_a_starved_process_is_waited_for(view, losses, moving):
     pid = view._client.pid
-    turns = iter([signal.SIGSTOP, signal.SIGCONT] * 10_000)
+    turns = iter([STOP, CONTINUE] * 10_000)
     starving = QTimer(interval=45)
 
     def turn():
         signal_number = next(turns)
         # so long that its picture looks old, however fast the computer is
-        starving.setInterval(280 if signal_number == signal.SIGSTOP else 40)
+        starving.setInterval(280 if signal_number == STOP else 40)
         os.kill(pid, signal_number)
 
     starving.timeout.connect(turn)
@@ -164,7 +165,7 @@ def test_a_starved_process_is_waited_for(view, losses, moving):
     shown = view._picture.frame.sequence
     wait_until(lambda: view._picture.frame.sequence > shown + 5)
     starving.stop()
-    os.kill(pid, signal.SIGCONT)
+    os.kill(pid, CONTINUE)
     moving.stop()
     wait_until(lambda: view.is_settled)
     assert view._client.pid == pid
@@ -220,7 +221,9 @@ def test_a_file_that_never_ends_is_put_aside(qtbot, tmp_path, monkeypatch):
 def test_a_process_without_memory_comes_back(view, losses):
     import resource  # noqa: PLC0415 - not on Windows
 
-    resource.prlimit(view._client.pid, resource.RLIMIT_AS, (1 << 20, 1 << 20))
+    of_system("prlimit", resource)(
+        view._client.pid, of_system("RLIMIT_AS", resource), (1 << 20, 1 << 20)
+    )
     view.resize(1900, 1400)
     wait_until(lambda: losses)
     assert losses[0].comes_back
@@ -322,7 +325,7 @@ def test_a_reach_that_cannot_be_worked_out_leaves_the_picture(view, losses, tmp_
 
 
 @pytest.mark.parametrize("look", [in_perspective, without_perspective, following, fitting])
-@pytest.mark.parametrize("harm", [signal.SIGKILL, signal.SIGSTOP, signal.SIGSEGV])
+@pytest.mark.parametrize("harm", [KILL, STOP, signal.SIGSEGV])
 def test_the_picture_comes_back_with_every_camera_and_all_that_is_in_it(
     view, losses, tmp_path, look, harm
 ):
@@ -332,7 +335,7 @@ def test_the_picture_comes_back_with_every_camera_and_all_that_is_in_it(
     wait_until(lambda: view.is_settled)
     before, state, mode = image_of(view), view._state, view.mode
     os.kill(view._client.pid, harm)
-    if harm is signal.SIGSTOP:  # a process that is asked nothing may stand still
+    if harm is STOP:  # a process that is asked nothing may stand still
         view.highlight_joint(None)
         view.highlight_joint(3)
     wait_until(lambda: losses)
@@ -346,7 +349,7 @@ def test_the_picture_comes_back_with_every_camera_and_all_that_is_in_it(
 def test_the_camera_goes_on_as_with_a_picture_while_the_arm_moves_without_one(view, losses, look):
     """Lost in mid-motion; the same motion with a picture leads to the same view of the arm."""
     cameras = []
-    for harm in (None, signal.SIGKILL):
+    for harm in (None, KILL):
         view.set_joints(SWING[0], 35.0)
         view.reset_view()
         look(view)
@@ -374,7 +377,7 @@ def test_a_description_that_was_refused_is_not_tried_again_by_the_next_process(
         view.set_robot(bad)
     wait_until(lambda: view.is_settled)
     before = image_of(view)
-    os.kill(view._client.pid, signal.SIGKILL)
+    kill(view._client.pid)
     wait_until(lambda: losses)
     wait_until(lambda: view._lost is None and view.is_settled)
     assert image_of(view) == before

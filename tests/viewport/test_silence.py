@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 import itertools
-import os
-import signal
 import sys
 from typing import Any
 
@@ -21,6 +19,7 @@ from armui.viewport.process_link import (
 )
 from armui.viewport.view_state import BUILT_IN_ROBOT, ViewState
 from armui.viewport.watch import ThreadTurns
+from tests.posix import of_system, stand_still
 
 DRAWING, HEARTBEAT = 1, 2
 
@@ -89,8 +88,10 @@ def test_the_system_tells_the_turns_of_a_process():
             pass
         assert all(each.ran_s >= 0.0 for each in child.turns().values())
         assert child.pid is not None
-        os.kill(child.pid, signal.SIGSTOP)
-        os.waitid(os.P_PID, child.pid, os.WSTOPPED | os.WNOWAIT)
+        stand_still(child.pid)
+        of_system("waitid")(
+            of_system("P_PID"), child.pid, of_system("WSTOPPED") | of_system("WNOWAIT")
+        )
         standing = child.turns()
         assert standing == child.turns()
         assert not any(each.wants_to_run for each in standing.values())

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import json
 import os
 import shutil
@@ -42,7 +43,7 @@ def look_at_can() -> CanFacts:
         )
     except Exception as caught:  # noqa: BLE001 - drivers of others: any may fail in any way
         error = str(caught) or type(caught).__name__
-    if not sys.platform.startswith("linux"):
+    if not _is_linux():
         return CanFacts(devices=devices, error=error)
     return CanFacts(
         links=look_at_links(),
@@ -53,9 +54,13 @@ def look_at_can() -> CanFacts:
     )
 
 
+def _is_linux() -> bool:
+    return sys.platform == "linux"
+
+
 def look_at_adapters() -> CanFacts:
     """What the operating system alone tells of adapters: no driver of python-can's is asked."""
-    if not sys.platform.startswith("linux"):
+    if not _is_linux():
         return CanFacts()
     return CanFacts(
         links=look_at_links(), usb=tuple(usb_adapters(_USB)), ports=tuple(_serial_ports(_DEV))
@@ -64,7 +69,7 @@ def look_at_adapters() -> CanFacts:
 
 def look_at_links() -> tuple[LinkFacts, ...]:
     """The CAN interfaces of Linux; none elsewhere."""
-    if not sys.platform.startswith("linux"):
+    if not _is_linux():
         return ()
     return tuple(links_of(_ip_json(), _serials(_NET)))
 
@@ -164,10 +169,10 @@ def _may_open(path: Path) -> bool:
 
 
 def _group(path: Path) -> str:
-    try:
-        return path.group()
-    except (OSError, KeyError, NotImplementedError):
-        return ""
+    if sys.platform != "win32":  # which has none
+        with contextlib.suppress(OSError, KeyError):
+            return path.group()
+    return ""
 
 
 def _folders(path: Path) -> Iterable[Path]:

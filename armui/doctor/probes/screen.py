@@ -16,25 +16,9 @@ from typing import Final
 
 from armui.doctor.facts import ScreenFacts
 from armui.system.command_line import has_display
+from armui.system.command_process import this_program
 
 _PATIENCE_S: Final = 30.0
-_QT_CODE: Final = """
-import PySide6
-print("qt", PySide6.__version__, flush=True)
-from PySide6.QtWidgets import QApplication
-app = QApplication([])
-print("platform", app.platformName(), flush=True)
-"""
-_OPENGL_CODE: Final = """
-import vtkmodules.vtkRenderingOpenGL2
-from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow
-window = vtkRenderWindow()
-window.SetOffScreenRendering(1)
-window.SetSize(16, 16)
-window.AddRenderer(vtkRenderer())
-window.Render()
-print(window.ReportCapabilities(), flush=True)
-"""
 _RENDERER: Final = re.compile(r"OpenGL renderer string:\s*(.+)")
 _VERSION: Final = re.compile(r"OpenGL version string:\s*(.+)")
 _MISSING: Final = re.compile(r"^\s*(\S+) => not found", re.MULTILINE)
@@ -45,9 +29,40 @@ _QT_PLATFORMS: Final = ("Qt/plugins/platforms/libqxcb.so",)
 _QT_WAYLAND: Final = ("Qt/plugins/platforms/libqwayland.so",)
 
 
+def tell_of_qt() -> None:
+    """In a process of its own: load Qt, and print what it says of itself."""
+    import PySide6  # noqa: PLC0415 - what is missing here is to end nothing but this process
+
+    _print("qt", PySide6.__version__)
+    from PySide6.QtWidgets import QApplication  # noqa: PLC0415 - as above
+
+    _print("platform", QApplication([]).platformName())
+
+
+def tell_of_opengl() -> None:
+    """In a process of its own: draw a picture, and print what the graphics driver says."""
+    from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow  # noqa: PLC0415 - as above
+
+    window = vtkRenderWindow()
+    window.SetOffScreenRendering(1)
+    window.SetSize(16, 16)
+    window.AddRenderer(vtkRenderer())
+    window.Render()
+    _print(window.ReportCapabilities())
+
+
+TRIALS: Final = {"qt": tell_of_qt, "opengl": tell_of_opengl}
+"""What `armui doctor --try` does in a process of its own, by its name."""
+
+
+def _print(*words: str) -> None:
+    sys.stdout.write(" ".join(words) + "\n")
+    sys.stdout.flush()  # before what comes next ends the process
+
+
 def look_at_screen() -> ScreenFacts:
     """The facts; takes some seconds."""
-    answers, error = _run(_QT_CODE)
+    answers, error = _try("qt")
     words = dict(line.split(" ", 1) for line in answers.splitlines() if " " in line)
     missing = dict.fromkeys([*missing_libraries(), *_IN_MESSAGE.findall(error)])
     opengl, opengl_error = _look_at_opengl()
@@ -63,21 +78,21 @@ def look_at_screen() -> ScreenFacts:
 
 
 def _look_at_opengl() -> tuple[str | None, str]:
-    answers, error = _run(_OPENGL_CODE)
+    answers, error = _try("opengl")
     renderer, version = _RENDERER.search(answers), _VERSION.search(answers)
     if renderer is None:
         return None, error or "the picture could not be drawn"
     return f"{renderer.group(1)}, {version.group(1) if version else ''}".strip(", "), ""
 
 
-def _run(code: str) -> tuple[str, str]:
-    """What a piece of Python printed, and its last words if it failed."""
+def _try(name: str) -> tuple[str, str]:
+    """What one of the trials printed, and its last words if it failed."""
     environment = dict(os.environ, PYTHONFAULTHANDLER="")
     if not has_display():
         environment["QT_QPA_PLATFORM"] = "offscreen"
     try:
-        done = subprocess.run(  # noqa: S603 - this Python, with the text above
-            [sys.executable, "-c", code],
+        done = subprocess.run(  # noqa: S603 - this program itself
+            [*this_program(), "doctor", "--try", name],
             capture_output=True,
             timeout=_PATIENCE_S,
             env=environment,

@@ -12,7 +12,7 @@ from datetime import UTC, datetime, timedelta
 from pathlib import Path
 from typing import Final
 
-from armui.system.atomic import sync_folder, write_whole
+from armui.system.atomic import replace_file, sync_folder, write_whole
 from armui.system.files import check_file, read_file
 from armui.trajectory.library.drafts import is_draft
 from armui.trajectory.library.file_names import folded, free_stem
@@ -78,11 +78,11 @@ class Bin:
         moved: list[tuple[Path, Path]] = []
         try:
             for path in paths:
-                path.replace(room / path.name)
+                replace_file(path, room / path.name)
                 moved.append((path, room / path.name))
         except OSError:
             for path, place in moved:
-                place.replace(path)
+                replace_file(place, path)
             with contextlib.suppress(OSError):
                 room.rmdir()
             raise
@@ -142,7 +142,8 @@ class Bin:
         """
         name = Path(file)
         taken = {folded(path.stem) for path in folder.iterdir() if is_draft(path) == is_draft(name)}
-        path = place.replace(folder / f"{free_stem(name.stem, taken)}{name.suffix}")
+        path = folder / f"{free_stem(name.stem, taken)}{name.suffix}"
+        replace_file(place, path)
         self._tidy(place)
         sync_folder(folder)
         return path

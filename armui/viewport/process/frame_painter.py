@@ -175,16 +175,16 @@ def limited_memory(more_bytes: int) -> Iterator[None]:
     """
     if sys.platform != "linux":
         yield
-        return
-    import resource  # noqa: PLC0415 - not on Windows
+    else:
+        import resource  # noqa: PLC0415 - not on Windows
 
-    pages = int(read_file("/proc/self/statm").split()[0])
-    before, most = resource.getrlimit(resource.RLIMIT_AS)
-    limit = pages * resource.getpagesize() + more_bytes
-    if before != resource.RLIM_INFINITY:
-        limit = min(limit, before)
-    resource.setrlimit(resource.RLIMIT_AS, (limit, most))
-    try:
-        yield
-    finally:
-        resource.setrlimit(resource.RLIMIT_AS, (before, most))
+        pages = int(read_file("/proc/self/statm").split()[0])
+        before, most = resource.getrlimit(resource.RLIMIT_AS)
+        limit = pages * resource.getpagesize() + more_bytes
+        if before != resource.RLIM_INFINITY:
+            limit = min(limit, before)
+        resource.setrlimit(resource.RLIMIT_AS, (limit, most))
+        try:
+            yield
+        finally:
+            resource.setrlimit(resource.RLIMIT_AS, (before, most))

@@ -20,6 +20,7 @@ from typing import TYPE_CHECKING, Final
 
 from armui.arm.refusal import Refusal
 from armui.arm.refusal_codes import RefusalCode
+from armui.system.clock import steady_s
 from armui.system.files import open_file
 from armui.viewport.frame_memory import FrameMemory
 from armui.viewport.messages import (
@@ -147,9 +148,9 @@ class Heartbeat:
         while True:
             self._awake.wait()
             self._awake.clear()
-            due_s = time.monotonic() + _BEAT_S
+            due_s = steady_s() + _BEAT_S
             pause.wait(_BEAT_S)
-            self._late_s = time.monotonic() - due_s
+            self._late_s = steady_s() - due_s
             phase = self._phase
             if phase is None:
                 continue

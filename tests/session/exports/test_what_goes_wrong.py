@@ -6,7 +6,6 @@ import gzip
 import json
 import os
 import random
-import signal
 import subprocess
 import sys
 import time
@@ -31,6 +30,7 @@ from armui.session.exports.request import (
 )
 from armui.session.frames import Damage, FrameBatch
 from armui.session.reader import LogFile
+from tests.posix import KILL, make_pipe
 from tests.session.exports.logs import blf, candump, session
 from tests.session.exports.test_mcap import by_mcap
 
@@ -250,7 +250,7 @@ def test_a_cancelled_export_leaves_nothing(tmp_path, kind, monkeypatch):
 def test_a_killed_export_leaves_no_half_file_under_the_name(tmp_path):
     """Fed by a pipe, so that it is at work for as long as the test wants."""
     pipe = tmp_path / "live.log"
-    os.mkfifo(pipe)
+    make_pipe(pipe)
     target = tmp_path / "live.mcap"
     text = candump(tmp_path / "a.log", session(0.5)).read_text()
     process = subprocess.Popen(
@@ -265,7 +265,7 @@ def test_a_killed_export_leaves_no_half_file_under_the_name(tmp_path):
             first = json.loads(process.stdout.readline())
             while "frames" not in json.loads(process.stdout.readline()):
                 pass
-            process.send_signal(signal.SIGKILL)
+            process.send_signal(KILL)
             process.wait(timeout=30)
     except BrokenPipeError:  # what was not read yet
         pass

@@ -1,0 +1,77 @@
+"""The page of a release: its version, what has changed, its files with their checksums."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable
+from typing import Final
+
+_WHAT: Final = (
+    (".deb", "Debian 12 and 13; Ubuntu 24.04 untried"),
+    (".rpm", "other distributions with RPM; untried"),
+    ("-setup.exe", "Windows 10 and later, installer for one user; untried"),
+    (".zip", "Windows, unpacked anywhere; untried"),
+    (".whl", "Python 3.11 to 3.13: `pipx install`"),
+    (".tar.gz", "the sources"),
+    (".cdx.json", "bill of materials, CycloneDX"),
+    ("-licences.zip", "the licences of all that is in the packages"),
+)
+
+
+def changes_of(changelog: str, version: str) -> str:
+    """The section of one version in the change log, without its heading.
+
+    Raises:
+        ValueError: It has none.
+    """
+    heading = rf"^## {re.escape(version)} – \d{{4}}-\d\d-\d\d\n"
+    found = re.search(rf"{heading}(.*?)(?=^## |\Z)", changelog, re.MULTILINE | re.DOTALL)
+    if found is None:
+        raise ValueError(f"CHANGELOG.md has no section «## {version} – date»: write it first")
+    return found[1].strip()
+
+
+def page(version: str, day: str, changes: str, files: Iterable[tuple[str, int, str]]) -> str:
+    """The page in Markdown.
+
+    Args:
+        version: Of the program.
+        day: Of the release, as 2026-11-23.
+        changes: The section of the change log.
+        files: Name, bytes and SHA-256 of each.
+    """
+    rows = [
+        f"| {name} | {1e-6 * size:.1f} MB | {_what(name)} | `{digest}` |"
+        for name, size, digest in files
+    ]
+    return "\n".join(
+        [
+            f"# armui {version} – {day}",
+            "",
+            "**armui is no safety device: keep a hand at the power switch.**",
+            "",
+            "| file | size | for | SHA-256 |",
+            "| --- | --- | --- | --- |",
+            *rows,
+            "",
+            (
+                "Check what was downloaded: `sha256sum -c SHA256SUMS --ignore-missing`. Install: "
+                f"double click, or `sudo apt install ./armui_{version}-1_amd64.deb`."
+            ),
+            "",
+            (
+                "Qt is used under the LGPL 3: its libraries stand beside the program as files of "
+                "their own (`PySide6/Qt/lib`) and may be replaced; the text is among the licences."
+            ),
+            "",
+            "## What has changed",
+            "",
+            changes,
+            "",
+        ]
+    )
+
+
+def _what(name: str) -> str:
+    endings = sorted(_WHAT, key=lambda each: -len(each[0]))
+    return next((text for ending, text in endings if name.endswith(ending)), "")
