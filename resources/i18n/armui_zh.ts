@@ -3824,12 +3824,16 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
         <translation>关节</translation>
     </message>
     <message>
-        <source>Base axes</source>
+        <source>Base</source>
         <translation>基坐标系</translation>
     </message>
     <message>
-        <source>Tool axes</source>
+        <source>Tool</source>
         <translation>工具坐标系</translation>
+    </message>
+    <message>
+        <source>Gripper</source>
+        <translation>夹爪</translation>
     </message>
     <message>
         <source>Step of − and +</source>
