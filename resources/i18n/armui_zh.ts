@@ -3812,20 +3812,24 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
         <translation>关节</translation>
     </message>
     <message>
-        <source>Base axes</source>
-        <translation>基坐标系</translation>
-    </message>
-    <message>
-        <source>Tool axes</source>
-        <translation>工具坐标系</translation>
-    </message>
-    <message>
         <source>Step of − and +</source>
         <translation>− 和 + 的步长</translation>
     </message>
     <message>
         <source>How far one press of − or + moves</source>
         <translation>每按一次 − 或 + 移动多少</translation>
+    </message>
+    <message>
+        <source>Base</source>
+        <translation>基坐标系</translation>
+    </message>
+    <message>
+        <source>Tool</source>
+        <translation>工具坐标系</translation>
+    </message>
+    <message>
+        <source>Gripper</source>
+        <translation>夹爪</translation>
     </message>
 </context>
 <context>

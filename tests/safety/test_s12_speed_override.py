@@ -368,3 +368,48 @@ def test_a_slow_run_is_not_given_up(ready):
     override(ready, 100)
     ready.run_until(lambda: not player.running)
     assert player.phase is RunPhase.DONE
+
+
+# Arms and computers of every kind -----------------------------------------------------------------
+
+
+@pytest.mark.parametrize("percents", [(5,), (0,), (60, 20, 5, 0)])
+def test_joints_of_low_acceleration_are_given_their_time(any_rig, percents):
+    """From 70 °/s to rest a joint of 30 °/s² takes more than two seconds."""
+    any_rig.firmware.settings.accelerations_deg_s2[:] = [30.0] * 6
+    ready = made_ready(any_rig)
+    player = started(ready, (145.0, *HERE[1:]), (-145.0, *HERE[1:]), percent=100)
+    ready.run_until(lambda: ready.firmware.mechanics.speeds_deg_s[0] < -70.0)
+    for percent in percents:
+        override(ready, percent)
+        ready.run(0.3)
+    ready.run(3.0)
+    assert player.progress.reason is None
+    assert player.running
+
+
+def test_a_line_is_given_the_time_to_brake(ready):
+    start = (0.0, 70.0, -60.0, 0.0, 30.0, 0.0)
+    assert ready.controller.motion.send_joints(start) is None
+    ready.run(4.0)
+    pose = ready.firmware.kinematics.forward(start)
+    end = (pose[0], pose[1] + 250.0, *pose[2:])
+    run = Run("line", [Waypoint(MoveMode.MOVE_L, end, speed_percent=100)], [3.0])
+    assert ready.controller.player.start(run) is None
+    ready.run(0.7)
+    override(ready, 0)
+    ready.run(2.0)
+    assert ready.controller.player.phase is RunPhase.PAUSED
+    assert not ready.firmware.mechanics.moving
+    assert "motion_too_fast" not in ready.codes()
+
+
+def test_after_a_pause_of_the_program_the_pace_is_that_of_the_override(ready):
+    replayer = replaying(ready)
+    override(ready, 10)
+    ready.run(1.0)
+    before_deg = ready.firmware.joints_deg[0]
+    ready.step(0.3)  # the program was held up; the recorded time goes on by one period
+    ready.run(0.5)
+    assert ready.firmware.joints_deg[0] - before_deg == pytest.approx(1.2 * 0.52, abs=0.25)
+    assert replayer.phase is RunPhase.MOVING

@@ -61,6 +61,7 @@ def test_the_gripper_is_opened_and_closed_beside_the_jog_and_inserted_as_measure
     editor = Editor(app_driver, to(OUT))
     app_driver.ready()
     editor.click("editor_jog")
+    editor.click("box_gripper")
     app_driver.run_until(editor.child("box_gripper_open").isEnabled)  # the stroke was read: 70 mm
     app_driver.heard()
     app_driver.click(editor.child("box_gripper_open"))
@@ -82,6 +83,7 @@ def test_without_a_gripper_nothing_is_inserted(app_driver):
     editor = Editor(app_driver, to(OUT))
     app_driver.ready()
     editor.click("editor_jog")
+    editor.click("box_gripper")
     app_driver.click(editor.child("box_gripper_inserted"))
     app_driver.node.link.mute_on.add(0x2A8)
     app_driver.run(1.0)

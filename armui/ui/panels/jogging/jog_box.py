@@ -27,9 +27,9 @@ from armui.ui.widgets.buttons import (
     named,
     push_button,
 )
-from armui.ui.widgets.flow import Flow
+from armui.ui.widgets.flow import Flow, in_flow
 from armui.ui.widgets.hold_guard import HOLD_UNATTENDED, UNATTENDED_S
-from armui.ui.widgets.layouts import STRETCH, in_column, in_row
+from armui.ui.widgets.layouts import in_column, in_row
 from armui.ui.widgets.text_label import ValueLabel
 from armui.ui.widgets.translated import Translated
 
@@ -119,8 +119,8 @@ class GripperLine(Translated, QWidget):
         self._close = push_button("box_gripper_close", on_enter=False)
         self._open = push_button("box_gripper_open", on_enter=False)
         self.inserted = named("box_gripper_inserted", QCheckBox())
-        parts = (self._name, self._measured, self._close, self._open, 12, self.inserted, STRETCH)
-        in_row(*parts, on=self, spacing=6, margins=0)
+        parts = (self._name, self._measured, self._close, self._open, self.inserted)
+        in_flow(*parts, on=self)
         self._close.clicked.connect(lambda _checked=False: self._move(opened=False))
         self._open.clicked.connect(lambda _checked=False: self._move(opened=True))
         self.retranslate_ui()
@@ -170,6 +170,8 @@ class JogKind(enum.Enum):
     JOINTS = "joints"
     BASE = "base"
     TOOL = "tool"
+    GRIPPER = "gripper"
+    """Its own buttons stand in the place of − and +: there is no room for both."""
 
 
 _FRAMES: Final = {JogKind.BASE: JogFrame.BASE, JogKind.TOOL: JogFrame.TOOL}
@@ -251,9 +253,12 @@ class JogBox(Translated, QFrame):
         self._show_kind()
 
     def _show_kind(self) -> None:
-        joints = self.kind is JogKind.JOINTS
+        joints, gripper = self.kind is JogKind.JOINTS, self.kind is JogKind.GRIPPER
         self._degrees.setVisible(joints)
-        self._lengths.setVisible(not joints)
+        self._lengths.setVisible(not joints and not gripper)
+        self.gripper.setVisible(gripper)
+        for cell in self._cells:
+            cell.setVisible(not gripper)
         for place, cell in enumerate(self._cells):
             if joints:
                 cell.stand_for(_JOINTS[place], "°")
@@ -351,7 +356,7 @@ class JogBox(Translated, QFrame):
 
     def retranslate_ui(self) -> None:
         """Put every word into the operator's language."""
-        texts = (self.tr("Joints"), self.tr("Base axes"), self.tr("Tool axes"))
+        texts = (self.tr("Joints"), self.tr("Base"), self.tr("Tool"), self.tr("Gripper"))
         for button, text in zip(self._choices.values(), texts, strict=True):
             caption(button, text)
         for box in (self._degrees, self._lengths):

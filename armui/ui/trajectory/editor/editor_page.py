@@ -88,10 +88,9 @@ class EditorJog(Translated, QWidget):
     def retranslate_ui(self) -> None:
         """Put every word into the operator's language."""
         text = self.tr("Insert current pose")
-        self._insert.setText(f"{text}  ({self._keys})")
-        self._insert.setAccessibleName(text)
+        self._insert.setText(text)
         tip = self.tr("Makes a point of where the arm is now, after the chosen row.")
-        self._insert.setToolTip(tip)
+        self._insert.setToolTip(f"{tip} ({self._keys})")
 
 
 _OF_POINTS: Final = ("go_to", "find", "check")
