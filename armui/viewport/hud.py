@@ -145,7 +145,9 @@ class Hud:
         line = int(
             (place.y() - frame.top() - _PADDING_PX) / (self._metrics.height() * _LINE_SPACING)
         )
-        line = min(max(line - 1, 0), 5)  # below the name of the point
+        if line == 0:
+            return None  # the name of the point
+        line = min(line - 1, 5)
         if place.x() < frame.center().x():
             return f"arm.pose_{_POSE[line][0].lower()}"
         return f"arm.joint_angle.{line + 1}"

@@ -134,12 +134,14 @@ def test_each_figure_over_the_picture(qapp):
     hud, font = Hud(), qapp.font()
     frame = hud.frame(font)
     keys = [
-        hud.quantity_at(frame.topLeft() + QPoint(x, 18 + round(line * frame.height() / 6.9)), font)
+        hud.quantity_at(frame.topLeft() + QPoint(x, 18 + round(line * frame.height() / 7.9)), font)
         for x in (20, round(frame.width()) - 20)
-        for line in range(6)
+        for line in range(7)
     ]
     assert keys == [
+        None,  # the name of the point, with no figure beside it
         *(f"arm.pose_{axis}" for axis in ("x", "y", "z", "rx", "ry", "rz")),
+        None,
         *(f"arm.joint_angle.{joint}" for joint in range(1, 7)),
     ]
     assert hud.quantity_at(frame.bottomRight() + QPoint(3, 3), font) is None
