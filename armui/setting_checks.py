@@ -7,9 +7,27 @@ from typing import Final, Literal, get_args
 
 from armui.arm.json_fields import finite
 from armui.arm.limits import JOINTS
-from armui.arm.refusal import Refusal
-from armui.arm.refusal_codes import RefusalCode
+from armui.arm.refusal import Reason, Refusal
 from armui.protocol.generation import PiperModel
+
+SETTING_BAD = Reason(
+    "setting_bad",
+    "Setting “{field}”: “{value}” is not possible. Its first setting is used instead.",
+)
+JOG_STEP_NOT_A_NUMBER = Reason(
+    "jog_step_not_a_number",
+    "Jog step: “{value}” is not an angle. Enter degrees in figures, for example 0.5.",
+)
+JOG_STEP_OUT_OF_RANGE = Reason(
+    "jog_step_out_of_range",
+    "Jog step {value}° is out of range. Enter a value from {minimum}° to {maximum}°.",
+)
+TOOL_NOT_POSSIBLE = Reason(
+    "tool_not_possible",
+    "Tool centre point: {value} is not possible. Enter lengths up to {maximum} mm and angles "
+    "up to 180°.",
+)
+
 
 Language = Literal["zh", "en"]
 ThemeName = Literal["light", "dark", "system"]
@@ -75,7 +93,7 @@ def check(name: str, value: object) -> Refusal | None:
     }
     if allowed.get(name, False):
         return None
-    return Refusal(RefusalCode.SETTING_BAD, {"field": name, "value": shown(value)})
+    return SETTING_BAD(field=name, value=shown(value))
 
 
 def shown(value: object) -> str:
@@ -145,10 +163,10 @@ def _is_name(value: object) -> bool:
 def _check_jog_step(value: object) -> Refusal | None:
     figure = finite(value)
     if figure is None:
-        return Refusal(RefusalCode.JOG_STEP_NOT_A_NUMBER, {"value": shown(value)})
+        return JOG_STEP_NOT_A_NUMBER(value=shown(value))
     if not JOG_STEP_MIN_DEG <= figure <= JOG_STEP_MAX_DEG:
         bounds = {"minimum": JOG_STEP_MIN_DEG, "maximum": JOG_STEP_MAX_DEG}
-        return Refusal(RefusalCode.JOG_STEP_OUT_OF_RANGE, {"value": figure, **bounds})
+        return JOG_STEP_OUT_OF_RANGE(value=figure, **bounds)
     return None
 
 
@@ -160,8 +178,5 @@ def _check_tool(value: object) -> Refusal | None:
     for figure, longest in zip(figures, _TOOL_LONGEST, strict=True):
         size = finite(figure)
         if size is None or abs(size) > longest:
-            return Refusal(
-                RefusalCode.TOOL_NOT_POSSIBLE,
-                {"value": shown(figure), "maximum": round(TOOL_LONGEST_MM)},
-            )
+            return TOOL_NOT_POSSIBLE(value=shown(figure), maximum=round(TOOL_LONGEST_MM))
     return None

@@ -22,9 +22,9 @@ from typing import TYPE_CHECKING, Any, Final, TypedDict, Unpack
 import platformdirs
 from filelock import FileLock, Timeout
 
-from armui.arm.refusal import Refusal
-from armui.arm.refusal_codes import RefusalCode
+from armui.arm.refusal import Reason, Refusal
 from armui.setting_checks import (
+    SETTING_BAD,
     GamepadButtons,
     GamepadMode,
     Language,
@@ -41,6 +41,27 @@ from armui.system.files import error_text, open_file
 
 if TYPE_CHECKING:
     from concurrent.futures import Executor, Future
+
+SETTINGS_IN_USE = Reason(
+    "settings_in_use",
+    "Another program is writing the settings file {path}. The settings hold until this program "
+    "ends; change them once more to save them.",
+)
+SETTINGS_NOT_SAVED = Reason(
+    "settings_not_saved",
+    "The settings could not be saved in {path}: {text}. They hold until the program ends.",
+)
+SETTINGS_UNREADABLE = Reason(
+    "settings_unreadable",
+    "The settings file {path} could not be read: {text}. The program starts with its first "
+    "settings.",
+)
+SETTINGS_BROKEN = Reason(
+    "settings_broken",
+    "The settings file could not be read and was put aside as {kept}. The program starts with "
+    "its first settings.",
+)
+
 
 _MOST_BYTES: Final = 1_000_000
 """A thousand times what the settings need: a larger file is something else."""
@@ -270,14 +291,14 @@ class SettingsStore:
                 self._path.parent.mkdir(parents=True, exist_ok=True)
                 write_whole(self._path, f"{json.dumps(entries, indent=2)}\n".encode())
         except Timeout:
-            return Refusal(RefusalCode.SETTINGS_IN_USE, {"path": str(self._path)})
+            return SETTINGS_IN_USE(path=str(self._path))
         except (OSError, ValueError, RecursionError) as error:
             return self._not_saved(error)
         return None
 
     def _not_saved(self, error: BaseException) -> Refusal:
         params = {"path": str(self._path), "text": error_text(error)}
-        return Refusal(RefusalCode.SETTINGS_NOT_SAVED, params)
+        return SETTINGS_NOT_SAVED(**params)
 
 
 @contextlib.contextmanager
@@ -340,7 +361,7 @@ def _read(path: Path) -> tuple[Settings, tuple[Refusal, ...]]:
         return Settings(), ()
     except OSError as error:
         params = {"path": str(path), "text": error_text(error)}
-        return Settings(), (Refusal(RefusalCode.SETTINGS_UNREADABLE, params),)
+        return Settings(), (SETTINGS_UNREADABLE(**params),)
     except (ValueError, RecursionError):
         return Settings(), (_put_aside(path),)
     if not isinstance(entries, dict):
@@ -360,7 +381,7 @@ def _from_entries(entries: Mapping[str, Any]) -> tuple[Settings, tuple[Refusal, 
             good[each.name] = tuple(value) if isinstance(value, list) else value
         else:
             params = {"field": each.name, "value": shown(value)}
-            problems.append(Refusal(RefusalCode.SETTING_BAD, params))
+            problems.append(SETTING_BAD(**params))
     return Settings(**good), tuple(problems)
 
 
@@ -371,5 +392,5 @@ def _put_aside(path: Path) -> Refusal:
         path.replace(kept)
     except OSError as error:
         params = {"path": str(path), "text": error_text(error)}
-        return Refusal(RefusalCode.SETTINGS_UNREADABLE, params)
-    return Refusal(RefusalCode.SETTINGS_BROKEN, {"kept": str(kept)})
+        return SETTINGS_UNREADABLE(**params)
+    return SETTINGS_BROKEN(kept=str(kept))

@@ -8,9 +8,13 @@ from typing import Any
 
 import pytest
 
-from armui.arm.refusal_codes import RefusalCode
-from armui.setting_checks import check
-from armui.settings import Settings, SettingsStore, default_path
+from armui.setting_checks import (
+    JOG_STEP_NOT_A_NUMBER,
+    JOG_STEP_OUT_OF_RANGE,
+    TOOL_NOT_POSSIBLE,
+    check,
+)
+from armui.settings import SETTINGS_NOT_SAVED, Settings, SettingsStore, default_path
 
 
 @pytest.fixture
@@ -170,7 +174,7 @@ def test_a_jog_step_out_of_range_names_value_and_limits(step_deg: float) -> None
     refusal = check("jog_step_deg", step_deg)
 
     assert refusal is not None
-    assert refusal.code == RefusalCode.JOG_STEP_OUT_OF_RANGE
+    assert refusal.reason == JOG_STEP_OUT_OF_RANGE
     assert refusal.params == {"value": step_deg, "minimum": 0.001, "maximum": 30.0}
 
 
@@ -179,7 +183,7 @@ def test_a_jog_step_that_is_no_number(step_deg: object) -> None:
     refusal = check("jog_step_deg", step_deg)
 
     assert refusal is not None
-    assert refusal.code == RefusalCode.JOG_STEP_NOT_A_NUMBER
+    assert refusal.reason == JOG_STEP_NOT_A_NUMBER
 
 
 def test_a_refused_change_changes_nothing(path: Path) -> None:
@@ -190,7 +194,7 @@ def test_a_refused_change_changes_nothing(path: Path) -> None:
     refusal = store.change(theme="dark", jog_step_deg=99.0)
 
     assert refusal is not None
-    assert refusal.code == RefusalCode.JOG_STEP_OUT_OF_RANGE
+    assert refusal.reason == JOG_STEP_OUT_OF_RANGE
     assert store.settings == Settings()
     assert heard == []
     assert not path.exists()
@@ -206,7 +210,7 @@ def test_settings_that_cannot_be_saved_hold_for_this_run(tmp_path: Path) -> None
     problem = store.change(theme="dark")
 
     assert problem is not None
-    assert problem.code == RefusalCode.SETTINGS_NOT_SAVED
+    assert problem.reason == SETTINGS_NOT_SAVED
     assert problem.params["path"] == str(in_the_way / "settings.json")
     assert store.settings.theme == "dark"
     assert heard == [store.settings]
@@ -259,6 +263,6 @@ def test_a_tool_that_cannot_be_is_refused(path: Path, tool: Any, named: str) -> 
     refusal = store.change(tool=tool)
 
     assert refusal is not None
-    assert refusal.code == RefusalCode.TOOL_NOT_POSSIBLE
+    assert refusal.reason == TOOL_NOT_POSSIBLE
     assert refusal.params["value"] == named
     assert store.settings.tool == (0.0,) * 6

@@ -1,7 +1,9 @@
 """The Qt Linguist files: ``python -m tests.translations`` brings them up to date with the code.
 
 It also writes ``names.json`` anew: short Chinese texts with their English and their pinyin, for the
-search of the command palette. New strings come in as unfinished (translate them in Qt Linguist or
+search of the command palette; and ``refusals.json``: the sentence of each reason by its id, as
+recordings and event files keep it. Ids that the code no longer has stay in it: older files hold
+them. New strings come in as unfinished (translate them in Qt Linguist or
 any editor), strings that the code no longer has go out, and the compiled ``.qm`` is written anew.
 """
 
@@ -15,6 +17,7 @@ import tempfile
 import xml.etree.ElementTree as ET
 from collections.abc import Iterator
 from pathlib import Path
+from typing import NamedTuple
 
 from pypinyin import lazy_pinyin
 
@@ -25,18 +28,54 @@ from armui.ui.words.frames import signal_word
 ROOT = Path(__file__).resolve().parent.parent
 TS = ROOT / "resources" / "i18n" / "armui_zh.ts"
 NAMES = TS.with_name("names.json")
+REFUSALS = TS.with_name("refusals.json")
 LONGEST = 20
 """Characters of a Chinese text that may be a name; a longer one is a sentence."""
 
 
+class RaisedReason(NamedTuple):
+    """A ``NAME = Reason("id", "sentence")`` of the code."""
+
+    path: Path
+    name: str
+    id: str
+    source: str
+
+
+def reasons() -> Iterator[RaisedReason]:
+    """Every reason against an action, where it stands."""
+    for path in _modules():
+        for node in ast.parse(path.read_text(encoding="utf-8")).body:
+            match node:
+                case ast.Assign(
+                    targets=[ast.Name(id=name)],
+                    value=ast.Call(
+                        func=ast.Name(id="Reason"),
+                        args=[ast.Constant(value=str(code)), ast.Constant(value=str(source))],
+                    ),
+                ):
+                    yield RaisedReason(path, name, code, source)
+
+
+def refusals(kept: str) -> str:
+    """The sentences by id as JSON, together with those kept before that the code has no more."""
+    rows = json.loads(kept) | {reason.id: reason.source for reason in reasons()}
+    return json.dumps(rows, ensure_ascii=False, indent=0, sort_keys=True) + "\n"
+
+
+def _modules() -> list[Path]:
+    return sorted((ROOT / "armui").rglob("*.py"))
+
+
 def lupdate(ts: Path) -> None:
     """Collect the strings of the code into a .ts file, keeping the translations it has."""
-    sources = sorted((ROOT / "armui").rglob("*.py"))
+    sources = _modules()
     options = ["-locations", "none", "-no-obsolete", "-source-language", "en_US"]
     options += ["-tr-function-alias", "QT_TRANSLATE_NOOP+=Text"]
     with tempfile.TemporaryDirectory() as folder:
         tables = Path(folder) / "tables.py"
         texts = [*_of_value_tables(), *(text for path in sources for text in _of_tables(path))]
+        texts += [("Refusal", text) for text in json.loads(REFUSALS.read_text("utf-8")).values()]
         tables.write_text("\n".join(map(_marked, texts)), encoding="utf-8")
         of_code = [*map(str, sources), str(tables)]
         _run("lupdate", *options, "-target-language", "zh_CN", *of_code, "-ts", str(ts))
@@ -123,6 +162,7 @@ def _run(tool: str, *arguments: str) -> None:
 
 def main() -> None:
     """Update and compile."""
+    REFUSALS.write_text(refusals(REFUSALS.read_text(encoding="utf-8")), encoding="utf-8")
     lupdate(TS)
     lrelease(TS, TS.with_suffix(".qm"))
     NAMES.write_text(names(TS), encoding="utf-8")

@@ -17,10 +17,43 @@ from typing import Final
 from armui.arm.json_fields import FieldError, FieldProblem, Fields
 from armui.arm.limits import JOINTS
 from armui.arm.parameters import KINDS, Group, Parameter, check_value, heard
-from armui.arm.refusal import Refusal
-from armui.arm.refusal_codes import RefusalCode
+from armui.arm.refusal import Reason, Refusal
 from armui.arm.state import ArmState
 from armui.protocol.generation import PiperModel
+
+BACKUP_NO_JSON = Reason(
+    "backup_no_json",
+    "The file is broken or cut short: line {line}, column {column} is no JSON. Nothing was "
+    "changed; choose another file, or mend that line.",
+)
+BACKUP_FOREIGN = Reason(
+    "backup_foreign",
+    "This is not a parameter backup of this program. Nothing was changed; choose another file.",
+)
+BACKUP_VERSION = Reason(
+    "backup_version",
+    "The file has format version {version}; this program reads version {known}. Open it with "
+    "the program that wrote it, or update this one.",
+)
+BACKUP_FIELD_MISSING = Reason(
+    "backup_field_missing",
+    "The file lacks the field “{field}”. Nothing was changed; choose another file, or add the "
+    "field.",
+)
+BACKUP_FIELD_BAD = Reason(
+    "backup_field_bad",
+    "The file says “{value}” in the field “{field}”, which is not possible. Nothing was "
+    "changed; choose another file, or mend the field.",
+)
+BACKUP_EMPTY = Reason(
+    "backup_empty", "The file holds no parameter. Nothing was changed; choose another file."
+)
+BACKUP_TWICE = Reason(
+    "backup_twice",
+    "The file names {parameter} a second time, in “{field}”. Nothing was changed; take one of "
+    "the two away.",
+)
+
 
 FORMAT: Final = "armui-parameters"
 VERSION: Final = 1
@@ -95,21 +128,21 @@ def from_text(text: str) -> Backup | Refusal:
     try:
         entries = json.loads(text)
     except json.JSONDecodeError as error:
-        return Refusal(RefusalCode.BACKUP_NO_JSON, {"line": error.lineno, "column": error.colno})
+        return BACKUP_NO_JSON(line=error.lineno, column=error.colno)
     except (RecursionError, ValueError):  # thousands of brackets, or of digits
-        return Refusal(RefusalCode.BACKUP_FOREIGN)
+        return BACKUP_FOREIGN()
     if not isinstance(entries, dict) or entries.get("format") != FORMAT:
-        return Refusal(RefusalCode.BACKUP_FOREIGN)
+        return BACKUP_FOREIGN()
     version = entries.get("version")
     if version != VERSION or isinstance(version, bool):
-        return Refusal(RefusalCode.BACKUP_VERSION, {"version": str(version), "known": VERSION})
+        return BACKUP_VERSION(version=str(version), known=VERSION)
     try:
         return _backup(Fields(entries))
     except FieldError as error:
         if error.problem is FieldProblem.MISSING:
-            return Refusal(RefusalCode.BACKUP_FIELD_MISSING, {"field": error.place})
+            return BACKUP_FIELD_MISSING(field=error.place)
         bad = {"field": error.place, "value": _shortened(error.value)}
-        return error.reason or Refusal(RefusalCode.BACKUP_FIELD_BAD, bad)
+        return error.reason or BACKUP_FIELD_BAD(**bad)
 
 
 def _backup(entries: Fields) -> Backup:
@@ -135,13 +168,13 @@ def _model(arm: Fields) -> PiperModel | None:
 
 def _values(entries: Fields, rows: Sequence[Fields]) -> Mapping[Parameter, float]:
     if not rows:
-        raise entries.wrong("parameters", Refusal(RefusalCode.BACKUP_EMPTY))
+        raise entries.wrong("parameters", BACKUP_EMPTY())
     values: dict[Parameter, float] = {}
     for place, row in enumerate(rows, start=1):
         parameter = _parameter(row)
         if parameter in values:
             where = {"field": f"parameters[{place}]", "parameter": parameter.name}
-            raise row.wrong("name", Refusal(RefusalCode.BACKUP_TWICE, where))
+            raise row.wrong("name", BACKUP_TWICE(**where))
         values[parameter] = _value(row, parameter)
     return values
 

@@ -10,8 +10,18 @@ import math
 from collections.abc import Sequence
 from typing import Final, NamedTuple
 
-from armui.arm.refusal import Refusal
-from armui.arm.refusal_codes import RefusalCode
+from armui.arm.refusal import Reason, Refusal
+
+JOINT_NOT_A_NUMBER = Reason(
+    "joint_not_a_number",
+    "Joint {joint}: “{value}” is not an angle. Enter degrees in figures, for example 12.5.",
+)
+JOINT_OUT_OF_LIMITS = Reason(
+    "joint_out_of_limits",
+    "Joint {joint}: {value}° is beyond its limits of {minimum}° to {maximum}°. Enter an angle "
+    "within them.",
+)
+
 
 JOINTS: Final = range(1, 7)
 """The numbers of the six joints, the lowest first."""
@@ -45,17 +55,11 @@ def plausible(limits: JointLimits) -> bool:
 def check_joint(joint: int, angle_deg: float, limits: JointLimits) -> Refusal | None:
     """Whether a joint may be sent to an angle: None, or the reason against it."""
     if not math.isfinite(angle_deg):
-        return Refusal(RefusalCode.JOINT_NOT_A_NUMBER, {"joint": joint, "value": angle_deg})
+        return JOINT_NOT_A_NUMBER(joint=joint, value=angle_deg)
     half_step = ANGLE_STEP_DEG / 2
     if not limits.min_deg - half_step <= angle_deg <= limits.max_deg + half_step:
-        return Refusal(
-            RefusalCode.JOINT_OUT_OF_LIMITS,
-            {
-                "joint": joint,
-                "value": angle_deg,
-                "minimum": limits.min_deg,
-                "maximum": limits.max_deg,
-            },
+        return JOINT_OUT_OF_LIMITS(
+            joint=joint, value=angle_deg, minimum=limits.min_deg, maximum=limits.max_deg
         )
     return None
 

@@ -10,12 +10,24 @@ from collections.abc import Callable, Iterable, Sequence
 from typing import TYPE_CHECKING, Final, NamedTuple
 
 from armui.arm.models import ModelData, all_models, model_data
-from armui.arm.refusal import Refusal
-from armui.arm.refusal_codes import RefusalCode
+from armui.arm.refusal import Reason, Refusal
 from armui.protocol.generation import PiperModel
 
 if TYPE_CHECKING:
     from armui.kinematics.geometry import Geometry
+
+MODEL_DIFFERS = Reason(
+    "model_differs",
+    "The pose the arm reports does not fit its joint angles: the program cannot compute its "
+    "way. Check the joints' zeros; the joints can still be moved one by one.",
+)
+MODEL_OTHER = Reason(
+    "model_other",
+    "This arm was connected as a {chosen}, but the pose it reports is that of a {fits}: the "
+    "program would compute with the wrong lengths. Connect it as a {fits}; until then the "
+    "joints can be moved one by one.",
+)
+
 
 FITS_MM: Final = 1.0
 FITS_DEG: Final = 1.0
@@ -108,11 +120,9 @@ class ModelFit(NamedTuple):
         if self.fitting is None or self.chosen in self.fitting:
             return None
         if not self.fitting:
-            return Refusal(RefusalCode.MODEL_DIFFERS)
+            return MODEL_DIFFERS()
         fits = ", ".join(model_data(model).name for model in PiperModel if model in self.fitting)
-        return Refusal(
-            RefusalCode.MODEL_OTHER, {"chosen": model_data(self.chosen).name, "fits": fits}
-        )
+        return MODEL_OTHER(chosen=model_data(self.chosen).name, fits=fits)
 
 
 def fitting_arms(

@@ -14,12 +14,23 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Final, NamedTuple
 
 from armui.arm.limits import JOINTS, plausible
-from armui.arm.refusal import Refusal
-from armui.arm.refusal_codes import RefusalCode
+from armui.arm.refusal import Reason, Refusal
 from armui.arm.state import ArmState, Reading, Six
 
 if TYPE_CHECKING:
     from armui.arm.models import ModelData
+
+SETTING_OUT_OF_RANGE = Reason(
+    "setting_out_of_range",
+    "{parameter}: {value} is out of range. Enter a value from {minimum} to {maximum}.",
+)
+SETTING_NO_CHOICE = Reason(
+    "setting_no_choice", "{parameter}: {value} is not possible. Choose one of {choices}."
+)
+SETTING_NOT_A_NUMBER = Reason(
+    "setting_not_a_number",
+    "{parameter}: “{value}” is not a number. Enter a value from {minimum} to {maximum}.",
+)
 
 
 class Group(enum.Enum):
@@ -285,10 +296,10 @@ def check_value(parameter: Parameter, value: float) -> Refusal | None:
         return not_a_number(parameter, str(value))
     figures = _figures(parameter, value)
     if not kind.minimum <= value <= kind.maximum:
-        return Refusal(RefusalCode.SETTING_OUT_OF_RANGE, figures)
+        return SETTING_OUT_OF_RANGE(**figures)
     if kind.choices and value not in kind.choices:
         choices = ", ".join(f"{choice:g}" for choice in kind.choices)
-        return Refusal(RefusalCode.SETTING_NO_CHOICE, figures | {"choices": choices})
+        return SETTING_NO_CHOICE(**(figures | {"choices": choices}))
     return None
 
 
@@ -319,7 +330,7 @@ def factory_bound(parameter: Parameter, value: float, data: ModelData) -> float 
 
 def not_a_number(parameter: Parameter, text: str) -> Refusal:
     """The reason against what was typed for a parameter and is no number."""
-    return Refusal(RefusalCode.SETTING_NOT_A_NUMBER, _figures(parameter, text))
+    return SETTING_NOT_A_NUMBER(**_figures(parameter, text))
 
 
 def _figures(parameter: Parameter, value: float | str) -> dict[str, float | int | str]:

@@ -4,13 +4,23 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from armui.arm.refusal import Refusal
-from armui.arm.refusal_codes import RefusalCode
+from armui.arm.refusal import Reason, Refusal
 from armui.protocol.firmware_version import FirmwareVersion, ModeExit, first_with, quirks_of
 
 if TYPE_CHECKING:
     from armui.arm.state import ArmState
     from armui.protocol.firmware_version import FirmwareQuirks
+
+FIRMWARE_UNKNOWN = Reason(
+    "firmware_unknown",
+    "The arm has not named its firmware, and only {since} and later have this. Connect again "
+    "to ask for it.",
+)
+NEEDS_FIRMWARE = Reason(
+    "needs_firmware",
+    "The arm's firmware {firmware} does not have this: it came with {since}. Updates come from "
+    "the maker's support.",
+)
 
 
 def told_quirks(state: ArmState) -> FirmwareQuirks | None:
@@ -40,7 +50,7 @@ def why_not_by_firmware(state: ArmState, field: str) -> Refusal | None:
     quirks = told_quirks(state)
     since = str(first_with(field))
     if quirks is None:
-        return Refusal(RefusalCode.FIRMWARE_UNKNOWN, {"since": since})
+        return FIRMWARE_UNKNOWN(since=since)
     if getattr(quirks, field):
         return None
-    return Refusal(RefusalCode.NEEDS_FIRMWARE, {"firmware": str(quirks.version), "since": since})
+    return NEEDS_FIRMWARE(firmware=str(quirks.version), since=since)

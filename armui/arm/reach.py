@@ -9,13 +9,38 @@ from typing import Final
 import numpy as np
 
 from armui.arm.limits import JointLimits, check_joints
-from armui.arm.refusal import Refusal
-from armui.arm.refusal_codes import RefusalCode
+from armui.arm.refusal import Reason, Refusal
 from armui.kinematics.arm_kinematics import Kinematics
 from armui.kinematics.follow import follow
 from armui.kinematics.poses import Joints, Matrix, Pose
 from armui.kinematics.singularity import fine_steps, leaps
 from armui.kinematics.tool_path import ToolPath
+
+POSE_OUT_OF_REACH = Reason(
+    "pose_out_of_reach",
+    "The target is {missing} mm out of the arm's reach. Choose one nearer to the arm, or "
+    "turn the tool.",
+)
+POSE_BEYOND_LIMITS = Reason(
+    "pose_beyond_limits",
+    "At the target joint {joint} would stand at {value}°, beyond its limits of {minimum}° to "
+    "{maximum}°. Choose another position or turn the tool.",
+)
+PATH_OUT_OF_REACH = Reason(
+    "path_out_of_reach",
+    "After {gone} % of the way the arm reaches no further. Choose MOVE P, or another target.",
+)
+PATH_SINGULAR = Reason(
+    "path_singular",
+    "After {gone} % of the way the arm comes to a singular pose: joint {joint} would have to "
+    "jump. Choose MOVE P, or move joint 5 away from 0° first.",
+)
+PATH_BEYOND_LIMITS = Reason(
+    "path_beyond_limits",
+    "After {gone} % of the way joint {joint} would be at {value}°, beyond its limits of "
+    "{minimum}° to {maximum}°. Choose MOVE P, or another target.",
+)
+
 
 _FINE_STEPS: Final = 2.0
 """Between two places that are looked at."""
@@ -38,14 +63,12 @@ def check_pose(
     """
     solutions = kinematics.inverse(pose, near_deg)
     if not solutions:
-        return Refusal(
-            RefusalCode.POSE_OUT_OF_REACH, {"missing": round(kinematics.missing_mm(pose), 1)}
-        )
+        return POSE_OUT_OF_REACH(missing=round(kinematics.missing_mm(pose), 1))
     problems = [check_joints(solution, limits) for solution in solutions]
     for solution, problem in zip(solutions, problems, strict=True):
         if problem is None:
             return solution
-    return Refusal(RefusalCode.POSE_BEYOND_LIMITS, problems[0].params if problems[0] else {})
+    return POSE_BEYOND_LIMITS(**(problems[0].params if problems[0] else {}))
 
 
 def check_path(
@@ -68,13 +91,13 @@ def check_path(
         gone_percent = round(100.0 * index / (len(joints) - 1))
         here = joints[index]
         if np.isnan(here[0]):
-            return Refusal(RefusalCode.PATH_OUT_OF_REACH, {"gone": gone_percent})
+            return PATH_OUT_OF_REACH(gone=gone_percent)
         if singular[index - 1]:
             joint = int(np.argmax(np.abs(here - joints[index - 1]))) + 1
-            return Refusal(RefusalCode.PATH_SINGULAR, {"joint": joint, "gone": gone_percent})
+            return PATH_SINGULAR(joint=joint, gone=gone_percent)
         beyond = check_joints(here.tolist(), limits)
         if beyond is not None:
-            return Refusal(RefusalCode.PATH_BEYOND_LIMITS, {**beyond.params, "gone": gone_percent})
+            return PATH_BEYOND_LIMITS(**beyond.params, gone=gone_percent)
     return None
 
 

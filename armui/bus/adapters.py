@@ -12,10 +12,45 @@ from typing import Any, Final
 import can
 
 from armui.arm.device import DEFAULT_BITRATE, Device, bitrate_is_ours
-from armui.arm.refusal import Refusal
-from armui.arm.refusal_codes import RefusalCode
+from armui.arm.refusal import Reason, Refusal
 from armui.bus.send_errors import causes
 from armui.system.files import error_text
+
+BUS_BACKEND_MISSING = Reason(
+    "bus_backend_missing",
+    "{device} needs a Python package that is not installed. Install it in a terminal: "
+    "pip install {package}",
+)
+BUS_BAD_ARGUMENT = Reason(
+    "bus_bad_argument",
+    "{device} does not accept these settings: {text}. Check interface, channel and bit rate.",
+)
+BUS_FAILED = Reason(
+    "bus_failed",
+    "{device} could not be opened: {text}. Check the device and its driver, then connect again.",
+)
+BUS_GONE = Reason(
+    "bus_gone", "{device} is not there. Check that it is plugged in and its cable is sound."
+)
+BUS_BUSY = Reason(
+    "bus_busy", "{device} is in use by another program. Close that program, then connect again."
+)
+BUS_DOWN = Reason(
+    "bus_down",
+    "{device} is switched off in the system. Switch it on in a terminal (with your "
+    "interface's name for can0): sudo ip link set can0 up type can bitrate 1000000",
+)
+BUS_DRIVER_MISSING = Reason(
+    "bus_driver_missing",
+    "The driver for {device} ({interface}) is missing. Install the driver of the adapter's "
+    "maker; for socketcan load the kernel's modules: sudo modprobe can_raw",
+)
+BUS_PERMISSION = Reason(
+    "bus_permission",
+    "You may not open {device}. On Linux add your account to the group dialout (serial "
+    "adapters) or install the adapter's udev rule (USB adapters), then log in again.",
+)
+
 
 _SEARCH_S: Final = 5.0
 
@@ -92,38 +127,38 @@ def explain(device: Device, error: BaseException) -> Refusal:
             return Refusal(code, params)
         if isinstance(cause, can.CanInterfaceNotImplementedError | ImportError):
             package = _PACKAGES.get(device.interface, device.interface)
-            return Refusal(RefusalCode.BUS_BACKEND_MISSING, {**params, "package": package})
+            return BUS_BACKEND_MISSING(**params, package=package)
     text = error_text(error)
     lowered = text.lower()
     for words, code in _CODE_OF_WORDS:
         if any(word in lowered for word in words):
             return Refusal(code, {**params, "text": text})
     bad = isinstance(error, ValueError | TypeError)
-    code = RefusalCode.BUS_BAD_ARGUMENT if bad else RefusalCode.BUS_FAILED
+    code = BUS_BAD_ARGUMENT if bad else BUS_FAILED
     return Refusal(code, {**params, "text": text})
 
 
 _CODE_OF_ERRNO: Final = {
-    errno.ENODEV: RefusalCode.BUS_GONE,
-    errno.ENXIO: RefusalCode.BUS_GONE,
-    errno.ENOENT: RefusalCode.BUS_GONE,
-    errno.EBUSY: RefusalCode.BUS_BUSY,
-    errno.EADDRINUSE: RefusalCode.BUS_BUSY,
-    errno.ENETDOWN: RefusalCode.BUS_DOWN,
-    errno.EAFNOSUPPORT: RefusalCode.BUS_DRIVER_MISSING,
-    errno.EACCES: RefusalCode.BUS_PERMISSION,
-    errno.EPERM: RefusalCode.BUS_PERMISSION,
+    errno.ENODEV: BUS_GONE,
+    errno.ENXIO: BUS_GONE,
+    errno.ENOENT: BUS_GONE,
+    errno.EBUSY: BUS_BUSY,
+    errno.EADDRINUSE: BUS_BUSY,
+    errno.ENETDOWN: BUS_DOWN,
+    errno.EAFNOSUPPORT: BUS_DRIVER_MISSING,
+    errno.EACCES: BUS_PERMISSION,
+    errno.EPERM: BUS_PERMISSION,
 }
 
 _CODE_OF_WORDS: Final = (
-    (("library not found", "driver", "dll", "is not defined"), RefusalCode.BUS_DRIVER_MISSING),
+    (("library not found", "driver", "dll", "is not defined"), BUS_DRIVER_MISSING),
     (
         ("no such device", "could not find", "not found", "no device", "disconnected"),
-        RefusalCode.BUS_GONE,
+        BUS_GONE,
     ),
-    ((RefusalCode.BUSY, "in use", "already open"), RefusalCode.BUS_BUSY),
-    (("permission", "access is denied", "access denied"), RefusalCode.BUS_PERMISSION),
-    (("network is down",), RefusalCode.BUS_DOWN),
+    (("busy", "in use", "already open"), BUS_BUSY),
+    (("permission", "access is denied", "access denied"), BUS_PERMISSION),
+    (("network is down",), BUS_DOWN),
 )
 """For back-ends that put the reason into words only; the last entry of the first line is what
 python-can's back-ends stumble over when the maker's library is not there."""

@@ -6,9 +6,28 @@ import enum
 from typing import Final, NamedTuple
 
 from armui.arm.device import Device
-from armui.arm.refusal import Refusal
-from armui.arm.refusal_codes import RefusalCode
+from armui.arm.refusal import Reason, Refusal
 from armui.telemetry.bus_errors import LINUX_ERROR_FRAMES
+
+BUS_OFF = Reason(
+    "bus_off",
+    "{device} is bus off: too many errors on the CAN bus, so its controller takes no part any "
+    "more. Check CAN_H and CAN_L, both terminating resistors (120 Ω) and the bit rate, then "
+    "disconnect and connect again; on socketcan run «sudo ip link set {channel} type can "
+    "restart» before.",
+)
+BUS_SEND_BLOCKED = Reason(
+    "bus_send_blocked",
+    "For half a second {device} has taken no frame to send, though frames are heard. "
+    "Unplug the adapter and plug it in again; if that does not help, check its driver.",
+)
+BUS_UNACKNOWLEDGED = Reason(
+    "bus_unacknowledged",
+    "For half a second {device} could send nothing, because nobody on the bus acknowledges. "
+    "Check the arm's power, the CAN cable, the terminating resistors and the bit rate "
+    "(1 Mbit/s).",
+)
+
 
 HEARD_S: Final = 0.5
 """Frames heard not longer ago than this: the receiving side works."""
@@ -87,10 +106,8 @@ class BusHealth:
             "channel": str(device.channel),
         }
         if self._bus_off:
-            return Refusal(RefusalCode.BUS_OFF, params)
+            return BUS_OFF(**params)
         if not blocked:
             return None
         heard = self._heard_s is not None and now_s - self._heard_s < HEARD_S
-        return Refusal(
-            RefusalCode.BUS_SEND_BLOCKED if heard else RefusalCode.BUS_UNACKNOWLEDGED, params
-        )
+        return Refusal(BUS_SEND_BLOCKED if heard else BUS_UNACKNOWLEDGED, params)

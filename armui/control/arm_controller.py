@@ -14,8 +14,7 @@ from typing import TYPE_CHECKING, Any, Final
 from PySide6.QtCore import QObject, Qt, QTimer, Signal
 
 from armui.arm.device import Device
-from armui.arm.refusal import Refusal
-from armui.arm.refusal_codes import RefusalCode
+from armui.arm.refusal import Reason, Refusal
 from armui.arm.state import ArmState
 from armui.bus.link import BusReport
 from armui.control.assessment_inputs import Assessor
@@ -43,6 +42,17 @@ if TYPE_CHECKING:
     from armui.control.link.connection import MakeWorker
     from armui.control.operations.started import Started
     from armui.telemetry.store import Telemetry
+
+RUN_LEFT = Reason(
+    "run_left",
+    "The device was disconnected while it ran: the arm was told before to end its motion.",
+)
+SYSTEM_ENDS = Reason(
+    "system_ends",
+    "The computer was about to sleep, or to end this program: the arm was told before to end "
+    "its motion.",
+)
+
 
 _TICK_MS: Final = 33
 _SENT_WITHIN_S: Final = 0.15
@@ -188,7 +198,7 @@ class ArmController(ControllerParts):
         device = self._connection.device
         if device is None:
             return
-        self._end_run_because(Refusal(RefusalCode.RUN_LEFT))
+        self._end_run_because(RUN_LEFT())
         if self._authority.holds:
             abort_motion(self._context)
         self._forget_arm()
@@ -210,7 +220,7 @@ class ArmController(ControllerParts):
         Returns:
             Whether all threads have ended within two seconds: a driver may keep one.
         """
-        self._motion_end.end(RefusalCode.RUN_LEFT, single=not self._lets_finish)
+        self._motion_end.end(RUN_LEFT, single=not self._lets_finish)
         self._motion_end.await_rest(self.tick, self._wait)
         self._connection.wait_until_sent(_SENT_WITHIN_S)
         self.disconnect_device()
@@ -304,7 +314,7 @@ class ArmController(ControllerParts):
 
     def end_all_motion(self) -> None:
         """End every motion of this program, since the system is about to end it or to sleep."""
-        self._motion_end.end(RefusalCode.SYSTEM_ENDS)
+        self._motion_end.end(SYSTEM_ENDS)
 
     def abort_from_any_thread(self) -> bool:
         """Tell the arm to end a motion of ours, also while the window's thread is held up.

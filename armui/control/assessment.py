@@ -11,11 +11,12 @@ from armui.arm.limits import plausible
 from armui.arm.model_check import ModelFit
 from armui.arm.models import model_data
 from armui.arm.refusal import Refusal
-from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import ArmState, Six, is_fresh
 from armui.control.authority import Authority
 from armui.control.link.offsets import OffsetFollower
 from armui.control.operating_state import (
+    BUSY,
+    RUN_UNDER_WAY,
     Busy,
     LinkState,
     OperatingState,
@@ -25,6 +26,7 @@ from armui.control.operating_state import (
 )
 from armui.control.run.progress import RunPhase
 from armui.control.safety import interlocks
+from armui.control.safety.interlocks import CONTROL_OFFSET_UNKNOWN, SPEED_ZERO
 from armui.protocol.generation import Generation
 
 
@@ -77,8 +79,8 @@ def assess(state: ArmState, around: AssessmentInputs, now_s: float) -> Operating
     )
     cannot_run = _first(
         lambda: no_command,
-        lambda: None if around.offsets.certain else Refusal(RefusalCode.CONTROL_OFFSET_UNKNOWN),
-        lambda: Refusal(RefusalCode.BUSY, {"what": tasks.altering}) if tasks.altering else None,
+        lambda: None if around.offsets.certain else CONTROL_OFFSET_UNKNOWN(),
+        lambda: BUSY(what=tasks.altering) if tasks.altering else None,
         authority.why_not_ours,
         lambda: interlocks.why_not_enabled(enabled),
         lambda: interlocks.why_not_ready(state),
@@ -101,8 +103,8 @@ def assess(state: ArmState, around: AssessmentInputs, now_s: float) -> Operating
         busy=around.busy,
         cannot_move=_first(
             lambda: cannot_run,
-            lambda: Refusal(RefusalCode.RUN_UNDER_WAY) if tasks.running else held,
-            lambda: Refusal(RefusalCode.SPEED_ZERO) if around.speed_percent == 0 else None,
+            lambda: RUN_UNDER_WAY() if tasks.running else held,
+            lambda: SPEED_ZERO() if around.speed_percent == 0 else None,
         ),
         cannot_run=cannot_run,
         running=tasks.running,

@@ -9,8 +9,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Final
 
-from armui.arm.refusal import Refusal
-from armui.arm.refusal_codes import RefusalCode
+from armui.arm.refusal import Reason, Refusal
 from armui.control.motion.motion_command import (
     CommandKind,
     End,
@@ -20,6 +19,7 @@ from armui.control.motion.motion_command import (
     Observation,
     why_held,
 )
+from armui.control.operating_state import NOT_CONNECTED
 from armui.control.safety.feedback_freshness import any_motor_off, in_drag_teaching, why_silent
 from armui.control.safety.interlocks import MOVABLE_STATUSES
 from armui.control.safety.other_command import OtherCommand
@@ -33,6 +33,13 @@ if TYPE_CHECKING:
     from armui.control.operations.started import Started
     from armui.control.safety.overspeed import ToolPace
     from armui.kinematics.poses import Matrix
+
+PART_FAILED = Reason(
+    "part_failed",
+    "A part of the program has failed: every motion of this program ends, and none begins "
+    "while it fails. Copy the details of the error, then start the program again.",
+)
+
 
 ARRIVED_DEG: Final = 0.5
 """Measured this close to its target a joint has arrived: it may sag by that much under load."""
@@ -72,7 +79,7 @@ class Authority:
         self._rest = RestWatch()
         self._overspeed = OverspeedWatch()
         self._seen: Observation | None = None
-        self._silent: Refusal | None = Refusal(RefusalCode.NOT_CONNECTED)
+        self._silent: Refusal | None = NOT_CONNECTED()
         self._cancelled_s: float | None = None
         self._zero_since_s = 0.0
         self._mode_sent: tuple[MoveMode, float] | None = None
@@ -176,7 +183,7 @@ class Authority:
 
     def why_not_ours(self) -> Refusal | None:
         """The same, but for a motion of ours that is held back in the arm."""
-        failed = Refusal(RefusalCode.PART_FAILED) if self.failed else None
+        failed = PART_FAILED() if self.failed else None
         return failed or self.why_silent() or self.other.why_not()
 
     def why_silent(self) -> Refusal | None:
@@ -386,7 +393,7 @@ class Authority:
         self.other.reconnected()
         self.arm_percent = self._mode_sent = None
         self._rest.forget()
-        self._seen, self._silent = None, Refusal(RefusalCode.NOT_CONNECTED)
+        self._seen, self._silent = None, NOT_CONNECTED()
 
     @property
     def _percent_shown(self) -> int | None:

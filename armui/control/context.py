@@ -6,13 +6,12 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from armui.arm.refusal import Refusal
-from armui.arm.refusal_codes import RefusalCode
+from armui.arm.refusal import Reason, Refusal
 from armui.arm.state import ArmState
 from armui.control.authority import Authority
 from armui.control.events import EventCode
 from armui.control.motion.motion_command import CommandKind, End, MotionCommand
-from armui.control.operating_state import OperatingState, why_unreachable
+from armui.control.operating_state import LINK_LOST, OperatingState, why_unreachable
 from armui.control.operations.started import (
     Ending,
     Started,
@@ -31,6 +30,14 @@ if TYPE_CHECKING:
     from armui.kinematics.poses import Matrix
     from armui.protocol.codes import MoveMode
     from armui.protocol.frame import Frame
+
+COMMAND_OVER = Reason(
+    "command_over", "Something else has ended this motion. Look at the arm, then start again."
+)
+GENERATION_UNKNOWN = Reason(
+    "generation_unknown",
+    "The program is still finding out which protocol the arm speaks. Wait a second.",
+)
 
 
 @dataclass(frozen=True, slots=True)
@@ -142,7 +149,7 @@ class Context:
         self.connection.void(command.number)
         if not self.connection.send([*lead, *frames], keep_s, command.number):
             self.authority.end(End.NOT_SENT)
-            return Refusal(RefusalCode.LINK_LOST)
+            return LINK_LOST()
         return command
 
     def _pace(self, way: Sequence[Sequence[float]]) -> ToolPace:
@@ -172,10 +179,10 @@ class Context:
             return refusal
         further = self.authority.extend(command, joints_deg, self.clock())
         if further is None:
-            return Refusal(RefusalCode.COMMAND_OVER)
+            return COMMAND_OVER()
         if not self.connection.send(frames, keep_s, further.number):
             self.authority.end(End.NOT_SENT)
-            return Refusal(RefusalCode.LINK_LOST)
+            return LINK_LOST()
         return further
 
     def lead_frames(self, speed_percent: int) -> list[Frame]:
@@ -206,7 +213,7 @@ class Context:
         connection = self.connection
         refusal = why_unreachable(connection.link, connection.device)
         if refusal is None and connection.generation is None:
-            return Refusal(RefusalCode.GENERATION_UNKNOWN)
+            return GENERATION_UNKNOWN()
         return refusal
 
 

@@ -6,10 +6,10 @@ import logging
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Final
 
-from armui.arm.refusal import Refusal
-from armui.arm.refusal_codes import RefusalCode
+from armui.arm.refusal import Reason, Refusal
+from armui.control.authority import PART_FAILED
 from armui.control.operating_state import LinkState
-from armui.control.run.run_end import abort_motion
+from armui.control.run.run_end import RUN_STOPPED, abort_motion
 from armui.control.safety.standstill import why_not_still
 from armui.protocol import commands
 from armui.protocol.addressing import OFFSETS
@@ -56,13 +56,13 @@ class MotionEnd:
         self._context = context
         self._stopping = stopping
         self._ending = False
-        self._code = RefusalCode.PART_FAILED
+        self._code = PART_FAILED
         self._aborted: int | None = None
         self._ended_s: float | None = None
         self._was_lost = False
         self.stuck = False
 
-    def end(self, code: RefusalCode = RefusalCode.PART_FAILED, *, single: bool = True) -> None:
+    def end(self, code: Reason = PART_FAILED, *, single: bool = True) -> None:
         """End everything; where nothing moves, nothing is sent.
 
         Args:
@@ -182,7 +182,7 @@ class MotionEnd:
     def _reason(self) -> Refusal:
         """Why something ends; after a stop the arm is told nothing more."""
         stopped = self._stopping()
-        return Refusal(RefusalCode.RUN_STOPPED if stopped else self._code)
+        return Refusal(RUN_STOPPED if stopped else self._code)
 
     def _note(self) -> None:
         self._ended_s, self._was_lost = self._context.clock(), False

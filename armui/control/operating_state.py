@@ -11,13 +11,42 @@ from armui.arm.device import Device
 from armui.arm.limits import JointLimits
 from armui.arm.model_check import ModelFit
 from armui.arm.models import model_data
-from armui.arm.refusal import Refusal
-from armui.arm.refusal_codes import RefusalCode
+from armui.arm.refusal import Reason, Refusal
 from armui.arm.state import Six, Status
 from armui.control.motion.motion_command import Hold, Mover, why_held
 from armui.control.run.progress import RunPhase
 from armui.protocol.addressing import Addressing
 from armui.protocol.generation import Generation, PiperModel
+
+LISTEN_ONLY = Reason(
+    "listen_only",
+    "This connection only listens: nothing is sent but the emergency stop. Connect without "
+    "Listen only to command the arm.",
+)
+REPLAYED_LOG = Reason(
+    "replayed_log",
+    "This is a recording that is replayed: nothing can be sent. Whatever is to reach an arm is "
+    "done in the main window.",
+)
+LINK_LOST = Reason(
+    "link_lost", "The CAN device is gone. Plug it in again: the program reconnects by itself."
+)
+OFFLINE = Reason(
+    "offline",
+    "The device is open, but nothing is heard from the arm. Check its power, the CAN cable "
+    "and the bit rate.",
+)
+NOT_CONNECTED = Reason(
+    "not_connected",
+    "No arm is connected. Click the button at the top left, choose a device and connect it.",
+)
+BUSY = Reason("busy", "Still under way: {what}. Wait until it is done.")
+RUN_UNDER_WAY = Reason(
+    "run_under_way",
+    "A trajectory or recording is under way, be it paused or dwelling. Wait until it is done, "
+    "or end the run first.",
+)
+JOG_UNDER_WAY = Reason("jog_under_way", "The arm is being jogged. Let go first, then press again.")
 
 
 class LinkState(enum.Enum):
@@ -37,7 +66,7 @@ def why_only_heard(device: Device | None) -> Refusal | None:
     """The reason why an arm that is heard is not spoken to, or ``None``: it may be."""
     if device is None or not device.listen_only:
         return None
-    return Refusal(RefusalCode.LISTEN_ONLY if device.recorded is None else RefusalCode.REPLAYED_LOG)
+    return Refusal(LISTEN_ONLY if device.recorded is None else REPLAYED_LOG)
 
 
 def why_unreachable(link: LinkState, device: Device | None = None) -> Refusal | None:
@@ -50,10 +79,10 @@ def why_unreachable(link: LinkState, device: Device | None = None) -> Refusal | 
     if link is LinkState.ONLINE and (refusal := why_only_heard(device)) is not None:
         return refusal
     if link is LinkState.LOST:
-        return Refusal(RefusalCode.LINK_LOST)
+        return LINK_LOST()
     if link is LinkState.OFFLINE:
-        return Refusal(RefusalCode.OFFLINE)
-    return None if link is LinkState.ONLINE else Refusal(RefusalCode.NOT_CONNECTED)
+        return OFFLINE()
+    return None if link is LinkState.ONLINE else NOT_CONNECTED()
 
 
 class StopState(enum.Enum):
@@ -146,11 +175,9 @@ class OperatingState:
     stop_lapsed: bool = False
     enabled: Six[bool | None] = (None, None, None, None, None, None)
     busy: Busy | None = None
-    cannot_move: Refusal | None = field(default_factory=lambda: Refusal(RefusalCode.NOT_CONNECTED))
-    cannot_run: Refusal | None = field(default_factory=lambda: Refusal(RefusalCode.NOT_CONNECTED))
-    cannot_enable: Refusal | None = field(
-        default_factory=lambda: Refusal(RefusalCode.NOT_CONNECTED)
-    )
+    cannot_move: Refusal | None = field(default_factory=NOT_CONNECTED)
+    cannot_run: Refusal | None = field(default_factory=NOT_CONNECTED)
+    cannot_enable: Refusal | None = field(default_factory=NOT_CONNECTED)
     limits: tuple[JointLimits, ...] = field(default_factory=lambda: model_data().limits)
     limits_read: Six[bool] = (False, False, False, False, False, False)
     speed_percent: int = 0
@@ -197,7 +224,7 @@ class OperatingState:
 
     def why_pending(self, part: str) -> Refusal | None:
         """Return the reason that a part still waits for the arm's answer, or ``None``."""
-        return Refusal(RefusalCode.BUSY, {"what": part}) if part in self.pending else None
+        return BUSY(what=part) if part in self.pending else None
 
     @property
     def held(self) -> Refusal | None:
@@ -212,9 +239,9 @@ class OperatingState:
         the arm stands still then, and goes on.
         """
         if self.running:
-            return Refusal(RefusalCode.RUN_UNDER_WAY)
+            return RUN_UNDER_WAY()
         if self.jogging:
-            return Refusal(RefusalCode.JOG_UNDER_WAY)
+            return JOG_UNDER_WAY()
         if self.held is not None:
             return self.held
         if self.other_host is None or self.teaching_input:

@@ -13,7 +13,6 @@ from typing import TYPE_CHECKING, Final
 
 from armui.arm.device import DEFAULT_BITRATE, Device, bitrate_is_ours
 from armui.arm.refusal import Refusal
-from armui.arm.refusal_codes import RefusalCode
 from armui.bus.adapters import explain
 from armui.record.listening import SIMULATED, BusListener, opened
 from armui.session.recording import mf4
@@ -21,6 +20,9 @@ from armui.session.recording.collector import Collector, FrameRing
 from armui.session.recording.counted import counted, keep
 from armui.session.recording.kinds import (
     MF4_SUFFIX,
+    SESSION_DISK_FULL,
+    SESSION_FOLDER_GONE,
+    SESSION_READ_ONLY,
     RecordingFormat,
     is_name,
     name_for,
@@ -51,10 +53,9 @@ _KEPT_S: Final = 1.0
 """The ring holds next to nothing: nobody asks it."""
 _LARGEST_MB: Final = 4000
 _WORDS: Final = {
-    RefusalCode.SESSION_DISK_FULL: "the disk is full: free some room, or name another folder (-o)",
-    RefusalCode.SESSION_READ_ONLY: "the folder cannot be written: name another one (-o)",
-    RefusalCode.SESSION_FOLDER_GONE: "the folder or its disk is gone: plug it in, or name another "
-    "folder (-o)",
+    SESSION_DISK_FULL: "the disk is full: free some room, or name another folder (-o)",
+    SESSION_READ_ONLY: "the folder cannot be written: name another one (-o)",
+    SESSION_FOLDER_GONE: "the folder or its disk is gone: plug it in, or name another folder (-o)",
 }
 
 
@@ -256,7 +257,7 @@ def _summary(
 def _explained(recording: SessionRecording) -> str:
     folder = recording.plan.folder
     reason: Refusal = why_not_written(recording.failure or OSError("unknown"), folder)
-    words = _WORDS.get(reason.code, str(recording.failure))
+    words = _WORDS.get(reason.reason, str(recording.failure))
     return f"{folder.absolute()}: {words}"
 
 

@@ -13,8 +13,7 @@ from pathlib import Path
 from typing import Any, Final
 
 from armui.arm.device import Device
-from armui.arm.refusal import Refusal
-from armui.arm.refusal_codes import RefusalCode
+from armui.arm.refusal import Reason, Refusal
 from armui.system.files import open_file
 from armui.telemetry.events import Asker, EventEntry, EventKind, EventOutcome, Level
 
@@ -153,10 +152,8 @@ def _value(read: Any) -> object:
     if not isinstance(read, dict):
         return read
     if "refusal" in read:
-        code = read["refusal"]
-        known = code in RefusalCode.__members__.values()
-        params = _params(read.get("params", {}))
-        return Refusal(RefusalCode(code), params) if known else str(code)  # type: ignore[arg-type]
+        reason = Reason(_text(read["refusal"]))
+        return Refusal(reason, _params(read.get("params", {})))  # type: ignore[arg-type]
     if "device" in read:
         fields = dict(read["device"])
         fields["options"] = tuple(tuple(each) for each in fields.get("options", ()))

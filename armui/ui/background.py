@@ -9,10 +9,14 @@ from typing import Generic, TypeVar
 
 from PySide6.QtCore import QObject, Signal
 
-from armui.arm.refusal import Refusal
-from armui.arm.refusal_codes import RefusalCode
+from armui.arm.refusal import Reason, Refusal
 from armui.system.files import error_text
 from armui.system.helper_process import FileThread
+
+WORK_FAILED = Reason(
+    "work_failed", "The program did not come to the end of its work: {text}. Try again."
+)
+
 
 Result = TypeVar("Result")
 
@@ -80,4 +84,4 @@ class Background(QObject):
         if error is None:
             job.then(done.result())
         else:
-            job.then(Refusal(RefusalCode.WORK_FAILED, {"text": error_text(error)}))
+            job.then(WORK_FAILED(text=error_text(error)))

@@ -10,7 +10,7 @@ from PySide6.QtCore import QCoreApplication, QPoint, QPointF, QRect, QRectF, QSi
 from PySide6.QtGui import QColor, QFont, QFontMetrics, QFontMetricsF, QImage, QPainter, QPixmap
 from PySide6.QtWidgets import QPushButton, QVBoxLayout, QWidget
 
-from armui.arm.refusal_codes import RefusalCode
+from armui.viewport.messages import NO_OPENGL
 from armui.viewport.palette import ScenePalette
 
 if TYPE_CHECKING:
@@ -216,18 +216,10 @@ _PLATE_OPACITY: Final = 0.85
 
 def lost_text(lost: Lost) -> str:
     """Say why there is no picture, and what comes next."""
-    if lost.reason.code == RefusalCode.NO_OPENGL:
-        return QCoreApplication.translate(
-            "ArmView",
-            "The 3D view is not available: this computer offers no OpenGL. Install a graphics "
-            "driver or Mesa (on Debian the packages libegl1 and libgl1-mesa-dri) and start the "
-            "3D view again.",
-        )
-    if lost.reason.code == RefusalCode.PICTURE_PROCESS_HUNG:
-        text = QCoreApplication.translate("ArmView", "The 3D view did not answer any more.")
-    else:
-        text = QCoreApplication.translate("ArmView", "The 3D view has ended ({text}).")
-        text = text.format_map(lost.reason.params)
+    reason = lost.reason.reason
+    text = QCoreApplication.translate("Refusal", reason.source).format_map(lost.reason.params)
+    if reason == NO_OPENGL:
+        return text
     if lost.comes_back:
         outlook = QCoreApplication.translate(
             "ArmView", "It is being started again; the arm is not affected."

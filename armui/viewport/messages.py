@@ -10,13 +10,29 @@ import enum
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Final
 
-from armui.arm.refusal import Refusal
-from armui.arm.refusal_codes import RefusalCode
+from armui.arm.refusal import Reason, Refusal
 
 if TYPE_CHECKING:
     from armui.viewport.path_picture import PathPicture
     from armui.viewport.robot_shape import RobotShape
     from armui.viewport.view_state import ViewState
+
+DRAWING_STOPPED = Reason("drawing_stopped", "The 3D view has ended ({text}).")
+NO_OPENGL = Reason(
+    "no_opengl",
+    (
+        "The 3D view is not available: this computer offers no OpenGL. Install a graphics "
+        "driver or Mesa (on Debian the packages libegl1 and libgl1-mesa-dri) and start the "
+        "3D view again."
+    ),
+)
+PICTURE_PROCESS_ENDED = Reason("picture_process_ended", "The 3D view has ended ({text}).")
+PICTURE_PROCESS_HUNG = Reason("picture_process_hung", "The 3D view did not answer any more.")
+URDF_MISSING = Reason(
+    "urdf_missing",
+    "Robot description: the file {path} is not there. Choose another file, or use the "
+    "built-in one.",
+)
 
 
 class SceneError(Exception):
@@ -30,7 +46,7 @@ class SceneError(Exception):
         refusal: the reason, to be put into words by the user interface.
     """
 
-    def __init__(self, code: RefusalCode, **params: float | int | str) -> None:
+    def __init__(self, code: Reason, **params: float | int | str) -> None:
         self.refusal = Refusal(code, params)
         super().__init__(str(self.refusal))
 

@@ -20,12 +20,15 @@ from multiprocessing.connection import wait
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Final, Generic, TypeVar
 
-from armui.arm.refusal import Refusal
-from armui.arm.refusal_codes import RefusalCode
+from armui.arm.refusal import Reason, Refusal
 from armui.system.files import read_file
 from armui.viewport.frame_memory import SLOTS, FrameMemory
 from armui.viewport.messages import (
     BYTES_PER_PIXEL,
+    DRAWING_STOPPED,
+    NO_OPENGL,
+    PICTURE_PROCESS_ENDED,
+    PICTURE_PROCESS_HUNG,
     Draw,
     Drawn,
     Failed,
@@ -53,6 +56,17 @@ if TYPE_CHECKING:
     from armui.viewport.messages import Answer
     from armui.viewport.path_picture import PathPicture
     from armui.viewport.view_state import PickRequest, ViewState
+
+URDF_HANGS_VIEW = Reason(
+    "urdf_hangs_view",
+    "Robot description: loading {path} does not come to an end. It is put aside; choose "
+    "another one.",
+)
+URDF_ENDS_VIEW = Reason(
+    "urdf_ends_view",
+    "Robot description: {path} ended the 3D view while it was loaded ({text}). It is put "
+    "aside; choose another one.",
+)
 
 
 @dataclass(frozen=True, slots=True)
@@ -456,9 +470,7 @@ class RenderSession:
             try:
                 memory = FrameMemory.create(self._image_bytes)
             except OSError as error:
-                raise ProcessLostError(
-                    Refusal(RefusalCode.PICTURE_PROCESS_ENDED, {"text": str(error)})
-                ) from error
+                raise ProcessLostError(PICTURE_PROCESS_ENDED(text=str(error))) from error
         path = state.preview.path
         is_new_path = path is not None and path is not self._path
         message = Draw(
@@ -520,7 +532,7 @@ class RenderSession:
         while True:
             message = self._receive()
             if message is None:
-                raise ProcessLostError(Refusal(RefusalCode.PICTURE_PROCESS_HUNG))
+                raise ProcessLostError(PICTURE_PROCESS_HUNG())
             if isinstance(message, Ready):
                 self._heartbeat_thread = message.heartbeat_thread
             if isinstance(message, kind):
@@ -532,7 +544,7 @@ class RenderSession:
                 turns, looked_s = self._turns(), time.monotonic()
                 starved = is_starved(before, turns, looked_s - before_s)
                 if is_stuck(message, looked_s - since_s, starved=starved):
-                    raise ProcessLostError(Refusal(RefusalCode.PICTURE_PROCESS_HUNG))
+                    raise ProcessLostError(PICTURE_PROCESS_HUNG())
             elif isinstance(message, RobotRead):
                 self._keep(message.content)
             elif isinstance(message, Failed):
@@ -614,14 +626,12 @@ class ProcessLink:
                 reason = self._draw_in_one_process()
             except Exception as error:  # noqa: BLE001 - the view must learn of it, and try again
                 _LOG.exception("The link to the 3D view's process failed")
-                reason = Refusal(
-                    RefusalCode.DRAWING_STOPPED, {"text": f"{type(error).__name__}: {error}"}
-                )
+                reason = DRAWING_STOPPED(text=f"{type(error).__name__}: {error}")
             if self._mailbox.is_closed:
                 return
             _LOG.warning("The 3D view's process is lost: %s", reason or "a robot was put aside")
             comes_back = reason is None or (
-                reason.code != RefusalCode.NO_OPENGL and self._restarts.lost(time.monotonic())
+                reason.reason != NO_OPENGL and self._restarts.lost(time.monotonic())
             )
             if reason is not None:
                 self._tell(Lost(reason, comes_back))
@@ -635,7 +645,7 @@ class ProcessLink:
         try:
             child = ChildProcess(self._entry, self._mailbox.interrupt)
         except OSError as error:
-            return Refusal(RefusalCode.PICTURE_PROCESS_ENDED, {"text": str(error)})
+            return PICTURE_PROCESS_ENDED(text=str(error))
         with self._lock:
             self._child = child
             if self._mailbox.is_closed:  # while the process was started
@@ -661,7 +671,7 @@ class ProcessLink:
         self._asked_serial = session.asked_serial
         # the next process has none that could stay in the picture
         self._put_aside = session.failed_robot or self._put_aside
-        reason = reason or Refusal(RefusalCode.PICTURE_PROCESS_ENDED, {"text": how})
+        reason = reason or PICTURE_PROCESS_ENDED(text=how)
         return None if self._blames_robot(session, reason) else reason
 
     def _draw_one(self, session: RenderSession) -> None:
@@ -695,13 +705,9 @@ class ProcessLink:
         ):
             return False
         self._put_aside = suspect
-        hung = reason.code == RefusalCode.PICTURE_PROCESS_HUNG
+        hung = reason.reason == PICTURE_PROCESS_HUNG
         params: dict[str, float | int | str] = {"path": str(suspect.path)}
         if not hung:
             params["text"] = str(reason.params.get("text", ""))
-        self._tell(
-            LoadFailed(
-                Refusal(RefusalCode.URDF_HANGS_VIEW if hung else RefusalCode.URDF_ENDS_VIEW, params)
-            )
-        )
+        self._tell(LoadFailed(Refusal(URDF_HANGS_VIEW if hung else URDF_ENDS_VIEW, params)))
         return True

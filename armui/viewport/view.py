@@ -89,8 +89,7 @@ class ArmView(QWidget):
     a link picks its joint. With the focus: arrow keys turn, + and − zoom, Home resets.
 
     Signals:
-        load_failed: why a robot description can't be shown, a `Refusal` with one of the codes
-            `armui.arm.refusal_codes.RefusalCode`; the old one stays.
+        load_failed: why a robot description can't be shown, a `Refusal`; the old one stays.
         first_frame_shown: the arm is on the screen for the first time.
         settled: the picture on the screen shows the newest state, see `is_settled`.
         view_changed: how the arm is looked at has changed, by whomever.

@@ -527,18 +527,6 @@
         <translation>重新启动3D 视图</translation>
     </message>
     <message>
-        <source>The 3D view is not available: this computer offers no OpenGL. Install a graphics driver or Mesa (on Debian the packages libegl1 and libgl1-mesa-dri) and start the 3D view again.</source>
-        <translation>3D 视图不可用：这台电脑没有 OpenGL。请安装显卡驱动或 Mesa（Debian 上为软件包 libegl1 和 libgl1-mesa-dri），然后重新启动3D 视图。</translation>
-    </message>
-    <message>
-        <source>The 3D view did not answer any more.</source>
-        <translation>3D 视图没有响应。</translation>
-    </message>
-    <message>
-        <source>The 3D view has ended ({text}).</source>
-        <translation>3D 视图意外结束（{text}）。</translation>
-    </message>
-    <message>
         <source>It is being started again; the arm is not affected.</source>
         <translation>正在重新启动；机械臂不受影响。</translation>
     </message>
@@ -3824,6 +3812,14 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
         <translation>关节</translation>
     </message>
     <message>
+        <source>Step of − and +</source>
+        <translation>− 和 + 的步长</translation>
+    </message>
+    <message>
+        <source>How far one press of − or + moves</source>
+        <translation>每按一次 − 或 + 移动多少</translation>
+    </message>
+    <message>
         <source>Base</source>
         <translation>基坐标系</translation>
     </message>
@@ -3834,14 +3830,6 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
     <message>
         <source>Gripper</source>
         <translation>夹爪</translation>
-    </message>
-    <message>
-        <source>Step of − and +</source>
-        <translation>− 和 + 的步长</translation>
-    </message>
-    <message>
-        <source>How far one press of − or + moves</source>
-        <translation>每按一次 − 或 + 移动多少</translation>
     </message>
 </context>
 <context>
@@ -7754,10 +7742,6 @@ The other program must have ended.</source>
         <translation>程序停顿了 {value} 毫秒。请松开后重新按下。</translation>
     </message>
     <message>
-        <source>The arm has not reported its pose yet. Wait until all six values are shown.</source>
-        <translation>机械臂尚未上报末端位姿。请等六个数值全部显示。</translation>
-    </message>
-    <message>
         <source>The arm itself refuses its last target: {status}. Send another one.</source>
         <translation>机械臂拒绝了上一个目标：{status}。请发送其他目标。</translation>
     </message>
@@ -8058,6 +8042,18 @@ The other program must have ended.</source>
         <translation>没有已暂停的轨迹，无法继续。</translation>
     </message>
     <message>
+        <source>The 3D view has ended ({text}).</source>
+        <translation>3D 视图意外结束（{text}）。</translation>
+    </message>
+    <message>
+        <source>The 3D view is not available: this computer offers no OpenGL. Install a graphics driver or Mesa (on Debian the packages libegl1 and libgl1-mesa-dri) and start the 3D view again.</source>
+        <translation>3D 视图不可用：这台电脑没有 OpenGL。请安装显卡驱动或 Mesa（Debian 上为软件包 libegl1 和 libgl1-mesa-dri），然后重新启动3D 视图。</translation>
+    </message>
+    <message>
+        <source>The 3D view did not answer any more.</source>
+        <translation>3D 视图没有响应。</translation>
+    </message>
+    <message>
         <source>“{name}” has no points. Add points, or choose another trajectory.</source>
         <translation>“{name}”没有轨迹点，请添加轨迹点或选择其他轨迹。</translation>
     </message>
@@ -8200,10 +8196,6 @@ The other program must have ended.</source>
     <message>
         <source>The file holds nothing.</source>
         <translation>文件为空。</translation>
-    </message>
-    <message>
-        <source>The file ends too early.</source>
-        <translation>文件不完整，提前结束。</translation>
     </message>
     <message>
         <source>The file is damaged: {text}.</source>

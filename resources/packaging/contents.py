@@ -69,7 +69,6 @@ UNUSED: Final = [
     "pyarrow._substrait",
     "pyarrow.cffi",
     "pyarrow.tests",
-    "pydoc",
     "pygments",
     "pytest",
     "rich",

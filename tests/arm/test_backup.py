@@ -8,11 +8,20 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from armui.arm.backup import Backup, ComparisonVerdict, compare, from_text, to_text
+from armui.arm.backup import (
+    BACKUP_EMPTY,
+    BACKUP_FIELD_BAD,
+    BACKUP_FOREIGN,
+    BACKUP_NO_JSON,
+    Backup,
+    ComparisonVerdict,
+    compare,
+    from_text,
+    to_text,
+)
 from armui.arm.limits import JointLimits
-from armui.arm.parameters import Parameter, all_batches
+from armui.arm.parameters import SETTING_OUT_OF_RANGE, Parameter, all_batches
 from armui.arm.refusal import Refusal
-from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import ArmState, Reading
 from armui.protocol.generation import PiperModel
 
@@ -86,7 +95,7 @@ def test_a_truncated_file_is_never_taken(data):
     )
 )
 def test_foreign_json_is_refused_in_words(value):
-    assert from_text(json.dumps(value)).code == RefusalCode.BACKUP_FOREIGN
+    assert from_text(json.dumps(value)).reason == BACKUP_FOREIGN
 
 
 JSON_LIKE = (
@@ -176,8 +185,8 @@ def test_what_is_wrong_is_named_with_its_place(old, new, code, params):
 
 def test_an_empty_list_and_a_pit_of_brackets():
     entries = json.loads(TEXT) | {"parameters": []}
-    assert from_text(json.dumps(entries)).code == RefusalCode.BACKUP_EMPTY
-    assert from_text("[" * 100_000).code in {RefusalCode.BACKUP_FOREIGN, RefusalCode.BACKUP_NO_JSON}
+    assert from_text(json.dumps(entries)).reason == BACKUP_EMPTY
+    assert from_text("[" * 100_000).reason in {BACKUP_FOREIGN, BACKUP_NO_JSON}
 
 
 # Comparison ---------------------------------------------------------------------------------------
@@ -205,7 +214,7 @@ def test_every_way_in_which_file_and_arm_can_compare():
 def test_what_the_arm_could_not_be_sent_is_not_restorable():
     rows = compare({MAX_J1: 6553.5, LINEAR: 0.5}, STATE, [MAX_J1, LINEAR], lambda *_: False)
     assert [row.restorable for row in rows] == [False, True]
-    assert rows[0].against.code == RefusalCode.SETTING_OUT_OF_RANGE
+    assert rows[0].against.reason == SETTING_OUT_OF_RANGE
 
 
 def test_the_model_stands_in_the_file_and_older_files_have_none():
@@ -214,5 +223,5 @@ def test_the_model_stands_in_the_file_and_older_files_have_none():
     assert from_text(to_text(of_x)) == of_x
     assert from_text(TEXT).model is None
     refusal = from_text(to_text(of_x).replace("piper_x", "nero"))
-    assert refusal.code == RefusalCode.BACKUP_FIELD_BAD
+    assert refusal.reason == BACKUP_FIELD_BAD
     assert refusal.params["field"] == "arm.model"

@@ -2,8 +2,7 @@ import math
 
 import pytest
 
-from armui.arm.limits import check_joint, check_joints
-from armui.arm.refusal_codes import RefusalCode
+from armui.arm.limits import JOINT_NOT_A_NUMBER, JOINT_OUT_OF_LIMITS, check_joint, check_joints
 from tests.family import FACTORY_LIMITS
 
 
@@ -22,7 +21,7 @@ def test_an_angle_within_the_limits_is_not_refused(angle_deg):
 def test_an_angle_beyond_the_limits_is_refused_with_its_figures(angle_deg):
     refusal = check_joint(1, angle_deg, FACTORY_LIMITS[0])
     assert refusal is not None
-    assert refusal.code == RefusalCode.JOINT_OUT_OF_LIMITS
+    assert refusal.reason == JOINT_OUT_OF_LIMITS
     assert refusal.params == {"joint": 1, "value": angle_deg, "minimum": -150, "maximum": 150}
 
 
@@ -30,7 +29,7 @@ def test_an_angle_beyond_the_limits_is_refused_with_its_figures(angle_deg):
 def test_what_is_no_angle_is_refused(angle_deg):
     refusal = check_joint(4, angle_deg, FACTORY_LIMITS[3])
     assert refusal is not None
-    assert refusal.code == RefusalCode.JOINT_NOT_A_NUMBER
+    assert refusal.reason == JOINT_NOT_A_NUMBER
 
 
 def test_of_six_angles_the_first_bad_one_is_named():

@@ -3,9 +3,8 @@
 import numpy as np
 import pytest
 
-from armui.arm.model_check import ModelFit, fitting_arms, fitting_models
+from armui.arm.model_check import MODEL_DIFFERS, MODEL_OTHER, ModelFit, fitting_arms, fitting_models
 from armui.arm.models import model_data
-from armui.arm.refusal_codes import RefusalCode
 from armui.kinematics.forward import flange_transforms
 from armui.protocol.codec import Codec, Message
 from armui.protocol.generation import Generation, PiperModel
@@ -79,11 +78,11 @@ def test_what_the_comparison_says_of_the_choice():
     assert not ModelFit(piper, frozenset({piper, longer})).confirmed
     assert ModelFit(piper, frozenset({longer})).other is longer
     wrong = ModelFit(piper, frozenset({longer})).wrong
-    assert (wrong.code, wrong.params) == (
-        RefusalCode.MODEL_OTHER,
+    assert (wrong.reason, wrong.params) == (
+        MODEL_OTHER,
         {"chosen": "PiPER", "fits": "PiPER L"},
     )
-    assert ModelFit(piper, frozenset()).wrong.code == RefusalCode.MODEL_DIFFERS
+    assert ModelFit(piper, frozenset()).wrong.reason == MODEL_DIFFERS
     assert ModelFit(piper, frozenset()).other is None
 
 

@@ -5,8 +5,14 @@ import can
 import pytest
 
 from armui.arm.device import Device
-from armui.arm.refusal_codes import RefusalCode
-from armui.bus.adapters import explain, find_devices, open_bus
+from armui.bus.adapters import (
+    BUS_BACKEND_MISSING,
+    BUS_BUSY,
+    BUS_GONE,
+    explain,
+    find_devices,
+    open_bus,
+)
 
 CAN0 = Device("socketcan", "can0", None)
 
@@ -41,7 +47,7 @@ def test_what_goes_wrong_with_a_device_is_told_apart(error, code):
 def test_the_reason_is_found_behind_the_exception_a_backend_wraps_it_in():
     wrapper = can.CanInitializationError("could not open")
     wrapper.__cause__ = OSError(errno.EBUSY, "busy")
-    assert explain(CAN0, wrapper).code == RefusalCode.BUS_BUSY
+    assert explain(CAN0, wrapper).reason == BUS_BUSY
 
 
 def test_a_missing_backend_names_the_package_to_install():
@@ -82,9 +88,9 @@ def test_a_device_that_is_not_there_cannot_be_opened():
     device = Device("slcan", "/dev/does-not-exist")
     with pytest.raises((can.CanError, OSError)) as failure:
         open_bus(device)
-    assert explain(device, failure.value).code in {
-        RefusalCode.BUS_GONE,
-        RefusalCode.BUS_BACKEND_MISSING,
+    assert explain(device, failure.value).reason in {
+        BUS_GONE,
+        BUS_BACKEND_MISSING,
     }
 
 

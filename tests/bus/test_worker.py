@@ -8,7 +8,7 @@ import can
 import pytest
 
 from armui.arm.device import Device
-from armui.arm.refusal_codes import RefusalCode
+from armui.bus.adapters import BUS_BUSY, BUS_GONE
 from armui.bus.link import BusState
 from armui.bus.worker import BusWorker
 from armui.protocol.codec import Codec
@@ -103,7 +103,7 @@ def test_a_device_that_cannot_be_opened_is_reported_and_the_thread_ends(rig):
     rig.failures = [OSError(errno.EBUSY, "busy")]
     rig.worker.start()
     rig.wait_for(BusState.FAILED)
-    assert rig.reports[-1].problem.code == RefusalCode.BUS_BUSY
+    assert rig.reports[-1].problem.reason == BUS_BUSY
     assert rig.worker.wait(5000)
     assert not rig.worker.send([Frame(0x155, b"")])
 
@@ -113,7 +113,7 @@ def test_an_unplugged_device_is_noticed_and_reopened_when_it_is_back(rig):
     rig.failures = [OSError(errno.ENODEV, "gone")]
     rig.unplug(can.CanOperationError("unplugged", error_code=errno.ENODEV))
     rig.wait_for(BusState.LOST)
-    assert rig.reports[-1].problem.code == RefusalCode.BUS_GONE
+    assert rig.reports[-1].problem.reason == BUS_GONE
     assert not rig.worker.send([Frame(0x155, b"never")])
     rig.qtbot.waitUntil(lambda: rig.reports[-1].state is BusState.OPEN)
     states = [report.state for report in rig.reports]

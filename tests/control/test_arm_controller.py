@@ -7,11 +7,21 @@ import can
 import pytest
 
 from armui.arm.device import Device
-from armui.arm.refusal_codes import RefusalCode
-from armui.control.operating_state import LinkState, StopState
+from armui.arm.limits import JOINT_NOT_A_NUMBER
+from armui.control.devices.motors import NOT_STOPPED
+from armui.control.operating_state import (
+    BUSY,
+    LINK_LOST,
+    NOT_CONNECTED,
+    OFFLINE,
+    LinkState,
+    StopState,
+)
+from armui.control.safety.interlocks import NOT_ENABLED, SPEED_ZERO, STOPPED
 from armui.protocol.codes import ControlMode
 from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
+from armui.trajectory.files.errors import SPEED_OUT_OF_RANGE
 from tests.moments import now
 
 STOP = Frame(0x150, bytes.fromhex("01 00 00 00 00 00 00 00"))
@@ -26,9 +36,9 @@ def angles(rig):
 
 def test_without_a_device_everything_is_refused_and_says_so(rig):
     assert rig.controller.operating_state.link is LinkState.NO_DEVICE
-    assert rig.controller.motion.jog(1, 1.0).code == RefusalCode.NOT_CONNECTED
-    assert rig.controller.motors.enable().code == RefusalCode.NOT_CONNECTED
-    assert rig.controller.motion.send_joints([0] * 6).code == RefusalCode.NOT_CONNECTED
+    assert rig.controller.motion.jog(1, 1.0).reason == NOT_CONNECTED
+    assert rig.controller.motors.enable().reason == NOT_CONNECTED
+    assert rig.controller.motion.send_joints([0] * 6).reason == NOT_CONNECTED
     rig.controller.emergency_stop()
     assert rig.codes()[-1] == "stop_not_sent"
 
@@ -56,14 +66,14 @@ def test_enable_and_disable_are_over_when_the_drivers_say_so(any_rig):
     rig.connect()
     assert rig.controller.operating_state.enabled == (False,) * 6
     assert rig.controller.motors.enable() is None
-    assert rig.controller.motion.jog(1, 1.0).code == RefusalCode.BUSY
+    assert rig.controller.motion.jog(1, 1.0).reason == BUSY
     rig.run_until(lambda: "enabled" in rig.codes())
     assert rig.controller.operating_state.enabled == (True,) * 6
     assert rig.heard()[0] == ENABLE
     assert rig.controller.motors.disable() is None
     rig.run_until(lambda: "disabled" in rig.codes())
     assert rig.heard()[0] == DISABLE
-    assert rig.controller.motion.jog(1, 1.0).code == RefusalCode.NOT_ENABLED
+    assert rig.controller.motion.jog(1, 1.0).reason == NOT_ENABLED
 
 
 def test_six_angles_are_sent_as_the_protocol_says_and_reached(any_rig):
@@ -138,9 +148,7 @@ def test_angles_beyond_the_limits_are_refused_and_nothing_is_sent(rig):
     rig.heard()
     refusal = rig.controller.motion.send_joints([0, 0, 0, 0, 70.001, 0])
     assert refusal.params == {"joint": 5, "value": 70.001, "minimum": -70, "maximum": 70}
-    assert (
-        rig.controller.motion.send_joints([float("nan")] * 6).code == RefusalCode.JOINT_NOT_A_NUMBER
-    )
+    assert rig.controller.motion.send_joints([float("nan")] * 6).reason == JOINT_NOT_A_NUMBER
     rig.step()
     assert rig.heard() == []
 
@@ -164,14 +172,14 @@ def test_the_speed_goes_to_the_arm_in_the_mode_it_is_in(rig):
 @pytest.mark.parametrize("percent", [-1, 100.5, 255])
 def test_an_impossible_speed_is_refused(rig, percent):
     rig.connect()
-    assert rig.controller.motion.set_speed_percent(percent).code == RefusalCode.SPEED_OUT_OF_RANGE
+    assert rig.controller.motion.set_speed_percent(percent).reason == SPEED_OUT_OF_RANGE
     assert rig.controller.operating_state.speed_percent == 30
 
 
 def test_at_zero_percent_a_motion_is_refused(rig):
     rig.ready()
     rig.controller.motion.set_speed_percent(0)
-    assert rig.controller.motion.go_home().code == RefusalCode.SPEED_ZERO
+    assert rig.controller.motion.go_home().reason == SPEED_ZERO
 
 
 def test_stop_resume_enable_and_on(any_rig):
@@ -186,15 +194,15 @@ def test_stop_resume_enable_and_on(any_rig):
     rig.run_until(lambda: rig.controller.operating_state.stop is StopState.STOPPED)
     assert rig.firmware.stopped
     assert rig.codes()[-1] == "stop_confirmed"
-    assert rig.controller.motion.jog(1, 1.0).code == RefusalCode.STOPPED
-    assert rig.controller.motors.enable().code == RefusalCode.STOPPED
+    assert rig.controller.motion.jog(1, 1.0).reason == STOPPED
+    assert rig.controller.motors.enable().reason == STOPPED
 
     assert rig.controller.motors.resume() is None
     rig.run_until(lambda: rig.controller.operating_state.stop is StopState.RUNNING)
     assert rig.heard()[0] == RESUME
     assert not rig.firmware.stopped
     rig.run(0.3)  # the slow driver feedback has to come round
-    assert rig.controller.motion.jog(1, 1.0).code == RefusalCode.NOT_ENABLED
+    assert rig.controller.motion.jog(1, 1.0).reason == NOT_ENABLED
 
     before = angles(rig)
     assert rig.controller.motors.enable() is None
@@ -231,7 +239,7 @@ def test_a_stop_is_repeated_until_the_arm_confirms_it(rig):
 
 def test_resume_is_refused_unless_the_arm_is_stopped(rig):
     rig.ready()
-    assert rig.controller.motors.resume().code == RefusalCode.NOT_STOPPED
+    assert rig.controller.motors.resume().reason == NOT_STOPPED
 
 
 def test_a_silent_arm_is_offline_after_half_a_second_and_moves_no_more(rig):
@@ -242,7 +250,7 @@ def test_a_silent_arm_is_offline_after_half_a_second_and_moves_no_more(rig):
     rig.run(0.12)
     assert now(rig.controller.operating_state.link) is LinkState.OFFLINE
     assert rig.controller.operating_state.enabled == (None,) * 6
-    assert rig.controller.motion.jog(1, 1.0).code == RefusalCode.OFFLINE
+    assert rig.controller.motion.jog(1, 1.0).reason == OFFLINE
     rig.powered = True
     rig.run_until(lambda: rig.controller.operating_state.link is LinkState.ONLINE)
     assert rig.codes().count("online") == 2
@@ -255,7 +263,7 @@ def test_a_stopped_arm_that_falls_silent_can_be_stopped_again_not_resumed(rig):
     rig.powered = False
     rig.run(0.6)
     assert rig.controller.operating_state.stop is StopState.RUNNING
-    assert rig.controller.motors.resume().code == RefusalCode.NOT_STOPPED
+    assert rig.controller.motors.resume().reason == NOT_STOPPED
     rig.heard()
     rig.controller.emergency_stop()
     assert rig.heard() == [STOP]
@@ -279,7 +287,7 @@ def test_an_unplugged_device_is_told_and_taken_up_again(rig, qtbot):
     qtbot.waitUntil(lambda: "link_lost" in rig.codes())
     operating_state = rig.controller.operating_state
     assert (operating_state.link, operating_state.link_problem.code) == (LinkState.LOST, "bus_gone")
-    assert rig.controller.motion.jog(1, 1.0).code == RefusalCode.LINK_LOST
+    assert rig.controller.motion.jog(1, 1.0).reason == LINK_LOST
     rig.plug_in()
     qtbot.waitUntil(lambda: "reconnected" in rig.codes())
     rig.run_until(lambda: rig.controller.operating_state.cannot_move is None)

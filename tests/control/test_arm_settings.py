@@ -5,9 +5,16 @@ import math
 import can
 import pytest
 
-from armui.arm.parameters import Batch, Group, Parameter, all_batches, heard
-from armui.arm.refusal_codes import RefusalCode
+from armui.arm.parameters import SETTING_NO_CHOICE, Batch, Group, Parameter, all_batches, heard
+from armui.control.operating_state import LINK_LOST
+from armui.control.operations.started import SETTING_NOT_READ_BACK, SETTING_UNANSWERED
+from armui.control.parameters.arm_settings import SETTING_NOT_KEPT
 from armui.control.parameters.setting_cell import CellState
+from armui.control.parameters.setting_checks import (
+    SETTING_CORRUPT,
+    SETTING_NOT_TAKEN,
+    SETTING_UNKNOWN,
+)
 from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
 from tests.family import FACTORY_LIMITS
@@ -129,7 +136,7 @@ def test_end_limits_and_collision_levels(arm):
 
 def test_levels_not_read_yet_are_not_made_up(arm):
     refusal = arm.controller.settings.save({Parameter("collision_level", 4): 8})
-    assert refusal.code == RefusalCode.SETTING_UNKNOWN
+    assert refusal.reason == SETTING_UNKNOWN
     assert settings_heard(arm) == []
 
 
@@ -137,7 +144,7 @@ def test_a_value_the_arm_answers_and_does_not_take(arm):
     saved(arm, {SPEED_J2: 300.0})  # more than the motors can do
     assert states(arm, SPEED_J2) == [CellState.REFUSED]
     refusal = reason(arm, SPEED_J2)
-    assert refusal.code == RefusalCode.SETTING_NOT_TAKEN
+    assert refusal.reason == SETTING_NOT_TAKEN
     assert refusal.params["held"] == pytest.approx(math.degrees(3.0), abs=3.0)
     assert arm.codes()[-1] == "settings_refused"
 
@@ -146,7 +153,7 @@ def test_an_arm_that_neither_answers_nor_takes_it(arm):
     arm.ear.deaf_to = {0x474}
     saved(arm, {MAX_J2: 170.0})
     assert states(arm, MAX_J2) == [CellState.REFUSED]
-    assert reason(arm, MAX_J2).code == RefusalCode.SETTING_UNANSWERED
+    assert reason(arm, MAX_J2).reason == SETTING_UNANSWERED
     assert heard(arm.controller.state, MAX_J2).value == FACTORY_LIMITS[1].max_deg
 
 
@@ -160,7 +167,7 @@ def test_an_answer_alone_proves_nothing(arm):
     arm.ear.mute_on = {0x473}
     saved(arm, {MAX_J2: 170.0})
     assert states(arm, MAX_J2) == [CellState.REFUSED]
-    assert reason(arm, MAX_J2).code == RefusalCode.SETTING_NOT_READ_BACK
+    assert reason(arm, MAX_J2).reason == SETTING_NOT_READ_BACK
 
 
 def test_an_arm_that_says_nothing_when_asked(arm):
@@ -168,7 +175,7 @@ def test_an_arm_that_says_nothing_when_asked(arm):
     arm.controller.settings.read([END])
     settled(arm)
     assert states(arm, LINEAR_SPEED) == [CellState.REFUSED]
-    assert reason(arm, LINEAR_SPEED).code == RefusalCode.SETTING_NOT_READ_BACK
+    assert reason(arm, LINEAR_SPEED).reason == SETTING_NOT_READ_BACK
 
 
 def test_a_link_lost_half_way(arm, qtbot):
@@ -178,8 +185,8 @@ def test_a_link_lost_half_way(arm, qtbot):
     arm.unplug(can.CanOperationError("gone"))
     qtbot.waitUntil(lambda: "link_lost" in arm.codes())
     assert not arm.controller.settings.busy
-    assert reason(arm, MAX_J2).code == RefusalCode.LINK_LOST
-    assert arm.controller.settings.save({MAX_J2: 170.0}).code == RefusalCode.LINK_LOST
+    assert reason(arm, MAX_J2).reason == LINK_LOST
+    assert arm.controller.settings.save({MAX_J2: 170.0}).reason == LINK_LOST
 
 
 @pytest.mark.parametrize(
@@ -199,7 +206,7 @@ def test_what_cannot_be_is_not_sent(arm, parameter, value, code):
 
 def test_a_value_that_is_none_of_the_few_is_not_sent(arm2):
     refusal = arm2.controller.settings.save({Parameter("stroke_limit_mm"): 50.0})
-    assert refusal.code == RefusalCode.SETTING_NO_CHOICE
+    assert refusal.reason == SETTING_NO_CHOICE
     assert settings_heard(arm2) == []
 
 
@@ -208,8 +215,8 @@ def test_an_arm_without_a_teaching_handle_is_neither_asked_nor_told(any_rig):
     any_rig.connect()
     ear = HardOfHearing(any_rig.firmware)
     settings = any_rig.controller.settings
-    assert settings.read([Batch(Group.TEACHING)]).code == RefusalCode.SETTING_NOT_KEPT
-    assert settings.save({Parameter("stroke_limit_mm"): 70.0}).code == RefusalCode.SETTING_NOT_KEPT
+    assert settings.read([Batch(Group.TEACHING)]).reason == SETTING_NOT_KEPT
+    assert settings.save({Parameter("stroke_limit_mm"): 70.0}).reason == SETTING_NOT_KEPT
     any_rig.run(0.2)
     assert ear.heard == []
 
@@ -218,7 +225,7 @@ def test_corrupt_limits_are_known_and_can_be_mended(arm):
     arm.firmware.corrupt_limits(2)
     arm.controller.settings.read([Batch(Group.JOINT_LIMITS, 2)])
     settled(arm)
-    assert arm.controller.settings.save({MAX_J2: 170.0}).code == RefusalCode.SETTING_CORRUPT
+    assert arm.controller.settings.save({MAX_J2: 170.0}).reason == SETTING_CORRUPT
     saved(arm, {MAX_J2: 170.0, MIN_J2: 1.0, SPEED_J2: 90.0})
     assert states(arm, MAX_J2, MIN_J2, SPEED_J2) == [CellState.SAVED] * 3
     assert arm.firmware.settings.limits[1].min_deg == 1.0
@@ -240,7 +247,7 @@ def test_a_reset_that_is_not_answered(arm):
     arm.controller.settings.reset_end_limits()
     settled(arm)
     assert states(arm, LINEAR_SPEED) == [CellState.REFUSED]
-    assert reason(arm, LINEAR_SPEED).code == RefusalCode.SETTING_UNANSWERED
+    assert reason(arm, LINEAR_SPEED).reason == SETTING_UNANSWERED
 
 
 def test_saving_waits_for_what_is_under_way(arm):

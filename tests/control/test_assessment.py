@@ -9,14 +9,31 @@ import pytest
 
 from armui.arm.device import Device
 from armui.arm.limits import JointLimits
-from armui.arm.refusal import Refusal
-from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import ArmState, Reading
 from armui.control.assessment import ActiveTasks, AssessmentInputs, assess
 from armui.control.link.offsets import OffsetFollower
-from armui.control.motion.motion_command import Hold, Mover
-from armui.control.operating_state import Busy, LinkState, StopState
+from armui.control.motion.motion_command import PLAN_PAUSED, Hold, Mover
+from armui.control.operating_state import (
+    BUSY,
+    LINK_LOST,
+    LISTEN_ONLY,
+    OFFLINE,
+    RUN_UNDER_WAY,
+    Busy,
+    LinkState,
+    StopState,
+)
 from armui.control.run.progress import RunPhase
+from armui.control.safety.feedback_freshness import FEEDBACK_SILENT
+from armui.control.safety.interlocks import (
+    ARM_FAULT,
+    CONTROL_OFFSET_UNKNOWN,
+    NOT_ENABLED,
+    OTHER_CONTROL,
+    SPEED_ZERO,
+    STOPPED,
+)
+from armui.control.safety.other_command import OTHER_HOST
 from armui.protocol.addressing import Addressing
 from armui.protocol.codes import ArmStatusCode, ControlMode
 from armui.protocol.generation import Generation
@@ -76,7 +93,7 @@ def console():
 
 
 def code(refusal):
-    return refusal and refusal.code
+    return refusal and refusal.reason
 
 
 # Reasons ------------------------------------------------------------------------------------------
@@ -136,22 +153,22 @@ def offline(console):
 
 
 AGAINST_A_MOTION = [
-    (speed_zero, RefusalCode.SPEED_ZERO),
-    (held, RefusalCode.PLAN_PAUSED),
-    (running, RefusalCode.RUN_UNDER_WAY),
+    (speed_zero, SPEED_ZERO),
+    (held, PLAN_PAUSED),
+    (running, RUN_UNDER_WAY),
 ]
 AGAINST_A_RUN = [
-    (not_ready, RefusalCode.OTHER_CONTROL),
-    (disabled, RefusalCode.NOT_ENABLED),
-    (other_host, RefusalCode.OTHER_HOST),
-    (silent, RefusalCode.FEEDBACK_SILENT),
-    (altering, RefusalCode.BUSY),
-    (uncertain, RefusalCode.CONTROL_OFFSET_UNKNOWN),
+    (not_ready, OTHER_CONTROL),
+    (disabled, NOT_ENABLED),
+    (other_host, OTHER_HOST),
+    (silent, FEEDBACK_SILENT),
+    (altering, BUSY),
+    (uncertain, CONTROL_OFFSET_UNKNOWN),
 ]
 AGAINST_ANYTHING = [
-    (busy, RefusalCode.BUSY),
-    (stopped, RefusalCode.STOPPED),
-    (offline, RefusalCode.OFFLINE),
+    (busy, BUSY),
+    (stopped, STOPPED),
+    (offline, OFFLINE),
 ]
 
 
@@ -191,7 +208,7 @@ def test_what_is_being_set_is_named(console):
 
 def test_a_connection_that_only_listens_sends_nothing(console):
     console.given(device=replace(DEVICE, listen_only=True))
-    assert code(console.assess().cannot_enable) == RefusalCode.LISTEN_ONLY
+    assert code(console.assess().cannot_enable) == LISTEN_ONLY
 
 
 # Motors -------------------------------------------------------------------------------------------
@@ -315,7 +332,7 @@ def test_at_first_the_program_does_nothing_to_the_arm():
 
 
 def test_what_the_program_does_and_knows_is_told(console):
-    problem = Refusal(RefusalCode.LINK_LOST)
+    problem = LINK_LOST()
     console.given(
         link_problem=problem,
         stop_unconfirmed=True,
@@ -367,4 +384,4 @@ def test_a_cancel_that_is_not_heeded_is_told(console):
 @pytest.mark.parametrize("fault", [ArmStatusCode.COLLISION])
 def test_a_fault_of_the_arm_is_told(console, fault):
     console.arm.status = status(arm_status=fault)
-    assert console.assess().cannot_run == Refusal(RefusalCode.ARM_FAULT, {"status": fault})
+    assert console.assess().cannot_run == ARM_FAULT(status=fault)

@@ -6,8 +6,8 @@ import pytest
 
 from armui.arm.limits import JointLimits
 from armui.arm.other_hosts import OtherHosts
-from armui.arm.refusal_codes import RefusalCode
-from armui.control.motion.motion_command import CommandKind, End, Hold, Mover
+from armui.control.motion.motion_command import HELD_AT_ZERO, CommandKind, End, Hold, Mover
+from armui.control.safety.other_command import OTHER_HOST
 from armui.protocol.codes import ArmStatusCode, ControlMode, MoveMode
 from tests.control.heard_arm import HERE, NOWHERE, THERE, Arm, status
 from tests.moments import now
@@ -168,7 +168,7 @@ def test_another_host_is_remembered_over_a_new_connection(arm):
     arm.authority.end(End.FORGOTTEN)
     arm.hosts = OtherHosts()
     arm.wait(0.5)
-    assert arm.authority.why_not().code == RefusalCode.OTHER_HOST
+    assert arm.authority.why_not().reason == OTHER_HOST
     arm.wait(1.6)
     assert arm.authority.why_not() is None
 
@@ -214,12 +214,12 @@ def test_frames_of_a_command_that_is_over_are_outdated(arm):
 def test_another_host_counts_for_two_seconds_and_until_the_arm_rests(arm):
     arm.other()
     arm.wait(1.9)
-    assert arm.authority.why_not().code == RefusalCode.OTHER_HOST
+    assert arm.authority.why_not().reason == OTHER_HOST
     assert arm.authority.mover is Mover.OTHER_HOST
     for k in range(20):
         arm.joints_deg = (1.0 * k, *HERE[1:])
         arm.wait(0.02)
-    assert arm.authority.why_not().code == RefusalCode.OTHER_HOST
+    assert arm.authority.why_not().reason == OTHER_HOST
     arm.wait(0.4)
     assert arm.authority.why_not() is None
 
@@ -240,7 +240,7 @@ def test_after_a_take_over_its_next_frame_counts_again(arm):
     arm.wait(0.1)
     arm.other()
     arm.wait(0.1)
-    assert arm.authority.why_not().code == RefusalCode.OTHER_HOST
+    assert arm.authority.why_not().reason == OTHER_HOST
 
 
 @pytest.mark.parametrize(("offsets", "counts"), [((0,), False), ((0, 0x10, 0x20), True)])
@@ -262,7 +262,7 @@ def test_zero_percent_holds_back_what_is_under_way_and_nothing_else(arm):
     arm.wait(0.1)
     arm.authority.told_percent(0)
     assert arm.authority.holds == {Hold.SPEED_ZERO}
-    assert arm.authority.why_not().code == RefusalCode.HELD_AT_ZERO
+    assert arm.authority.why_not().reason == HELD_AT_ZERO
     assert arm.authority.mover is Mover.OURS
 
 

@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import pytest
 
-from armui.arm.refusal_codes import RefusalCode
 from armui.control.authority import Authority
-from armui.control.motion.motion_command import CommandKind, End, Mover
+from armui.control.motion.motion_command import HELD_AT_ZERO, PLAN_PAUSED, CommandKind, End, Mover
+from armui.control.operating_state import NOT_CONNECTED
+from armui.control.safety.feedback_freshness import FEEDBACK_SILENT
+from armui.control.safety.other_command import OTHER_HOST
 from armui.protocol.codes import ControlMode, MoveMode
 from tests.control.heard_arm import HERE, NOWHERE, THERE, Arm, status
 
@@ -92,7 +94,7 @@ def test_who_moves_the_arm(arm, what):
 def test_before_anything_is_heard_nothing_is_known():
     authority = Authority()
     assert authority.mover is Mover.UNKNOWN
-    assert authority.why_silent().code == authority.why_not().code == RefusalCode.NOT_CONNECTED
+    assert authority.why_silent().reason == authority.why_not().reason == NOT_CONNECTED
     assert authority.joint_base_deg() is None
     assert authority.tool_base() is None
     assert authority.mode_in_force() is None
@@ -117,14 +119,14 @@ def test_the_first_reason_against_a_motion(arm):
     arm.send()
     arm.wait(0.1)
     arm.authority.told_percent(0)
-    assert arm.authority.why_not().code == RefusalCode.HELD_AT_ZERO
+    assert arm.authority.why_not().reason == HELD_AT_ZERO
     arm.authority.paused()
-    assert arm.authority.why_not().code == RefusalCode.PLAN_PAUSED
+    assert arm.authority.why_not().reason == PLAN_PAUSED
     arm.other()
     arm.look()
-    assert arm.authority.why_not().code == RefusalCode.OTHER_HOST
+    assert arm.authority.why_not().reason == OTHER_HOST
     silent(arm)
-    assert arm.authority.why_not().code == RefusalCode.FEEDBACK_SILENT
+    assert arm.authority.why_not().reason == FEEDBACK_SILENT
 
 
 # Where the next motion starts ---------------------------------------------------------------------
@@ -151,7 +153,7 @@ def test_a_motion_held_back_is_told_with_its_target(arm):
 def test_what_is_held_back_by_nobody_knows_which_command_has_no_target(arm):
     arm.authority.paused()
     assert arm.authority.held_target_deg is None
-    assert arm.authority.why_held().code == RefusalCode.PLAN_PAUSED
+    assert arm.authority.why_held().reason == PLAN_PAUSED
 
 
 @pytest.mark.parametrize(("age_s", "known"), [(0.04, True), (0.06, False)])

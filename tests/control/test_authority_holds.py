@@ -6,8 +6,8 @@ import pytest
 
 from armui.arm.limits import JointLimits
 from armui.arm.other_hosts import OtherHosts
-from armui.arm.refusal_codes import RefusalCode
 from armui.control.motion.motion_command import End, Hold, Mover
+from armui.control.safety.other_command import OTHER_HOST, OTHER_MODE
 from armui.protocol.codes import ArmStatusCode, ControlMode, MoveMode
 from tests.control.heard_arm import HERE, THERE, Arm, status
 
@@ -158,13 +158,13 @@ def test_over_a_new_connection_everything_is_heard_anew(arm):
     arm.other(0x151, bytes.fromhex("01 04 00 AD 00 00 00 00"))
     arm.status = status(move_mode=MoveMode.MOVE_M)
     arm.wait(0.1)
-    assert arm.authority.why_not().code == RefusalCode.OTHER_MODE
+    assert arm.authority.why_not().reason == OTHER_MODE
     assert arm.authority.at_rest
     arm.authority.end(End.FORGOTTEN)
     assert not arm.authority.at_rest
     assert arm.authority.measured_deg() is None
     assert arm.authority.mode_in_force() is None
-    assert arm.authority.other.why_not().code == RefusalCode.OTHER_HOST
+    assert arm.authority.other.why_not().reason == OTHER_HOST
 
 
 # Cancel -------------------------------------------------------------------------------------------

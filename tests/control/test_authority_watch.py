@@ -8,7 +8,6 @@ import pytest
 
 from armui.arm.other_hosts import OtherHosts
 from armui.arm.refusal import Refusal
-from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import ArmState, Reading
 from armui.control.authority import Authority
 from armui.control.authority_watch import AuthorityWatch
@@ -16,6 +15,8 @@ from armui.control.events import EventCode
 from armui.control.link.offsets import OffsetFollower
 from armui.control.motion.motion_command import CommandKind, End, Mover
 from armui.control.operating_state import LinkState
+from armui.control.safety.other_command import OTHER_HOST, OTHER_HOST_STREAMS, OTHER_MODE
+from armui.control.safety.overspeed import TOO_FAST
 from armui.protocol.addressing import Addressing
 from armui.protocol.codes import MoveMode
 from armui.protocol.generation import PiperModel
@@ -218,7 +219,7 @@ def test_a_stream_is_not_taken_over(program):
     program.other(0x155)
     program.wait(0.25)
     refusal = program.watch.take_over(program.now_s)
-    assert refusal.code == RefusalCode.OTHER_HOST_STREAMS
+    assert refusal.reason == OTHER_HOST_STREAMS
     assert EventCode.TAKEN_OVER not in program.codes
 
 
@@ -226,7 +227,7 @@ def test_a_frame_heard_just_before_a_take_over_counts(program):
     program.other(0x155)
     program.wait(0.6)
     program.other(0x155)
-    assert program.watch.take_over(program.now_s).code == RefusalCode.OTHER_HOST_STREAMS
+    assert program.watch.take_over(program.now_s).reason == OTHER_HOST_STREAMS
 
 
 def test_a_cancel_that_is_not_heeded_is_told_once(program):
@@ -241,7 +242,7 @@ def test_a_motion_that_is_far_too_fast_is_ended_and_told(program):
     program.connection.status = status(reached=False)
     program.send(5)
     program.wait(0.25, deg=1.0)
-    assert {each.code for each in program.ended} == {RefusalCode.TOO_FAST}
+    assert {each.reason for each in program.ended} == {TOO_FAST}
     code, params = program.told[0]
     assert code == EventCode.MOTION_TOO_FAST
     assert params == {"reason": program.ended[0]}
@@ -269,7 +270,7 @@ def test_another_host_is_reported_while_it_stands_against_a_motion(program):
     report = program.watch.report()
     assert report.frames == "0x155"
     assert report.rate_hz == 60
-    assert report.reason.code == RefusalCode.OTHER_HOST
+    assert report.reason.reason == OTHER_HOST
     assert report.may_be_taken_over is False
     program.wait(0.6)
     later = program.watch.report()
@@ -300,7 +301,7 @@ def test_a_mode_without_frames_is_reported_too(program):
     program.connection.status = status(move_mode=MoveMode.MOVE_M)
     program.wait(STEP_S)
     report = program.watch.report()
-    assert report.reason.code == RefusalCode.OTHER_MODE
+    assert report.reason.reason == OTHER_MODE
     assert report.since is program.watch.report().since
     program.connection.status = status()
     program.wait(STEP_S)

@@ -6,14 +6,13 @@ from typing import Any, cast
 
 import pytest
 
-from armui.arm.refusal import Refusal
-from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import ArmState
-from armui.control.context import Context
+from armui.control.context import COMMAND_OVER, Context
 from armui.control.events import EventCode
 from armui.control.motion.motion_command import CommandKind, End, MotionCommand
-from armui.control.operating_state import OperatingState
+from armui.control.operating_state import LINK_LOST, OFFLINE, OperatingState
 from armui.control.operations.started import Started
+from armui.control.safety.other_command import OTHER_HOST
 from armui.protocol.codec import Codec
 from armui.protocol.codes import ControlMode, MoveMode
 from armui.protocol.frame import Frame
@@ -81,7 +80,7 @@ def other_host(part):
 
 
 def test_what_is_not_done_is_told(part):
-    refusal = Refusal(RefusalCode.OFFLINE)
+    refusal = OFFLINE()
     assert part.context.refuse(refusal) is refusal
     assert part.told == [(EventCode.REFUSED, {"reason": refusal})]
 
@@ -105,7 +104,7 @@ def test_a_motion_is_ours_from_the_moment_it_is_sent(part):
 
 def test_who_moves_the_arm_is_looked_at_first(part):
     other_host(part)
-    assert part.send().code == RefusalCode.OTHER_HOST
+    assert part.send().reason == OTHER_HOST
     assert part.looks == 1
     assert part.connection.happened == []
     assert part.arm.authority.command is None
@@ -113,7 +112,7 @@ def test_who_moves_the_arm_is_looked_at_first(part):
 
 def test_what_could_not_be_sent_is_not_ours(part):
     part.connection.works = False
-    assert part.send().code == RefusalCode.LINK_LOST
+    assert part.send().reason == LINK_LOST
     assert part.arm.authority.command is None
     assert part.arm.authority.ended is End.NOT_SENT
 
@@ -166,7 +165,7 @@ def test_a_stream_that_is_over_does_not_go_on(part):
     first = part.send()
     part.send()
     part.connection.happened.clear()
-    assert go_on(part, first).code == RefusalCode.COMMAND_OVER
+    assert go_on(part, first).reason == COMMAND_OVER
     assert part.connection.happened == []
 
 
@@ -175,7 +174,7 @@ def test_a_stream_gives_way_to_another_host(part):
     part.connection.happened.clear()
     part.arm.now_s += 0.02
     other_host(part)
-    assert go_on(part, command).code == RefusalCode.OTHER_HOST
+    assert go_on(part, command).reason == OTHER_HOST
     assert part.connection.happened == []
     assert part.looks == 2
 
@@ -183,6 +182,6 @@ def test_a_stream_gives_way_to_another_host(part):
 def test_a_setpoint_that_cannot_be_sent_is_told(part):
     command = part.send()
     part.connection.works = False
-    assert go_on(part, command).code == RefusalCode.LINK_LOST
+    assert go_on(part, command).reason == LINK_LOST
     assert part.arm.authority.command is None
     assert part.arm.authority.ended is End.NOT_SENT

@@ -4,9 +4,13 @@ from __future__ import annotations
 
 import pytest
 
-from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import ArmState, Reading
-from armui.control.safety.feedback_freshness import any_motor_off, in_drag_teaching, why_silent
+from armui.control.safety.feedback_freshness import (
+    FEEDBACK_SILENT,
+    any_motor_off,
+    in_drag_teaching,
+    why_silent,
+)
 from armui.protocol.codes import ArmStatusCode, ControlMode
 from tests.control.heard_arm import DRIVER, status
 
@@ -31,7 +35,7 @@ def test_all_of_it_heard_within_half_a_second_is_no_silence():
 @pytest.mark.parametrize("status_heard", [None, Reading(status(), STALE_S)])
 def test_a_silent_status_is_named(status_heard):
     silent = HEARD._replace(status=status_heard)
-    assert why_silent(silent, NOW_S).code == RefusalCode.FEEDBACK_SILENT
+    assert why_silent(silent, NOW_S).reason == FEEDBACK_SILENT
     assert why_silent(silent, NOW_S).params == {"frames": "0x2A1", "seconds": 0.5}
 
 

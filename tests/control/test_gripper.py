@@ -6,9 +6,15 @@ import can
 import pytest
 
 from armui.arm.parameters import Parameter
-from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import GripperFault, gripper_of
-from armui.control.devices.gripper_ranges import figures_of
+from armui.control.devices.gripper import GRIPPER_SILENT
+from armui.control.devices.gripper_ranges import (
+    GRIPPER_NOT_A_NUMBER,
+    GRIPPER_OUT_OF_RANGE,
+    figures_of,
+)
+from armui.control.operating_state import LINK_LOST, NOT_CONNECTED, OFFLINE
+from armui.control.safety.interlocks import OTHER_CONTROL, STOPPED
 from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
 from tests.faulty_arm import FaultyDrivers, HardOfHearing
@@ -140,10 +146,10 @@ def test_not_beyond_the_stroke(arm2):
     arm2.run_until(lambda: not arm2.controller.settings.busy)
     assert arm2.gripper.figures.stroke_read
     refusal = arm2.gripper.move(70.001, 1.0)
-    assert refusal.code == RefusalCode.GRIPPER_OUT_OF_RANGE
+    assert refusal.reason == GRIPPER_OUT_OF_RANGE
     assert refusal.params["maximum"] == 70.0
     assert arm2.gripper.move(20.0, 5.001).params["gripper"] == "torque"
-    assert arm2.gripper.move(float("nan"), 1.0).code == RefusalCode.GRIPPER_NOT_A_NUMBER
+    assert arm2.gripper.move(float("nan"), 1.0).reason == GRIPPER_NOT_A_NUMBER
     arm2.step()
     assert sent(arm2) == []
     assert arm2.gripper.move(70.0, 5.0) is None
@@ -157,13 +163,13 @@ def test_not_in_a_stop_and_a_stop_ends_it(arm):
     arm.run(2.0)
     assert sent(arm) == []
     for refusal in (arm.gripper.move(1.0, 1.0), arm.gripper.enable(1.0), arm.gripper.disable()):
-        assert refusal.code == RefusalCode.STOPPED
+        assert refusal.reason == STOPPED
 
 
 def test_not_while_the_arm_is_led_by_hand(arm):
     arm.firmware.condition.control_mode = 2
     arm.run(0.1)
-    assert arm.gripper.move(5.0, 1.0).code == RefusalCode.OTHER_CONTROL
+    assert arm.gripper.move(5.0, 1.0).reason == OTHER_CONTROL
     assert arm.gripper.disable() is None
 
 
@@ -171,8 +177,8 @@ def test_not_where_no_gripper_is_heard(arm):
     feedback = FaultyDrivers(arm.firmware)
     feedback.missing = {0x2A8}
     arm.run(0.7)
-    assert arm.gripper.move(5.0, 1.0).code == RefusalCode.GRIPPER_SILENT
-    assert arm.gripper.disable().code == RefusalCode.GRIPPER_SILENT
+    assert arm.gripper.move(5.0, 1.0).reason == GRIPPER_SILENT
+    assert arm.gripper.disable().reason == GRIPPER_SILENT
     feedback.mend()
     arm.run(0.1)
     assert arm.gripper.move(5.0, 1.0) is None
@@ -182,13 +188,13 @@ def test_a_link_lost_half_way(arm):
     arm.gripper.move(80.0, 0.2)
     arm.unplug(can.CanOperationError("gone", error_code=errno.ENODEV))
     arm.run_until(lambda: arm.controller.operating_state.unreachable is not None)
-    assert arm.gripper.move(5.0, 1.0).code in {RefusalCode.LINK_LOST, RefusalCode.OFFLINE}
+    assert arm.gripper.move(5.0, 1.0).reason in {LINK_LOST, OFFLINE}
     arm.run(1.0)
     assert told(arm, "gripper_there") == told(arm, "gripper_not_there") == []
 
 
 def test_nothing_is_known_without_an_arm(any_rig):
-    assert any_rig.controller.gripper.move(5.0, 1.0).code == RefusalCode.NOT_CONNECTED
+    assert any_rig.controller.gripper.move(5.0, 1.0).reason == NOT_CONNECTED
     assert any_rig.controller.gripper.figures.travel.name == "opening"
 
 

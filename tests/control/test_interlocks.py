@@ -4,15 +4,23 @@ from __future__ import annotations
 
 import pytest
 
-from armui.arm.refusal import Refusal
-from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import ArmState, Reading, Six
-from armui.control.operating_state import Busy, StopState
+from armui.control.operating_state import BUSY, Busy, StopState
+from armui.control.operating_state import OFFLINE as OFFLINE_REASON
 from armui.control.safety import interlocks
+from armui.control.safety.interlocks import (
+    ARM_FAULT,
+    ENABLED_UNKNOWN,
+    JOINTS_UNKNOWN,
+    NOT_ENABLED,
+    OTHER_CONTROL,
+    STOP_REQUESTED,
+    STOPPED,
+)
 from armui.protocol.codes import ArmStatusCode, ControlMode
 from tests.control.heard_arm import status
 
-OFFLINE = Refusal(RefusalCode.OFFLINE)
+OFFLINE = OFFLINE_REASON()
 
 
 @pytest.mark.parametrize(
@@ -20,15 +28,15 @@ OFFLINE = Refusal(RefusalCode.OFFLINE)
     [
         (None, StopState.RUNNING, None, None),
         (None, StopState.RESUMING, None, None),
-        (None, StopState.RUNNING, Busy.ZEROING, RefusalCode.BUSY),
-        (None, StopState.STOPPED, Busy.ZEROING, RefusalCode.STOPPED),
-        (None, StopState.REQUESTED, Busy.ZEROING, RefusalCode.STOP_REQUESTED),
-        (OFFLINE, StopState.REQUESTED, Busy.ZEROING, RefusalCode.OFFLINE),
+        (None, StopState.RUNNING, Busy.ZEROING, BUSY),
+        (None, StopState.STOPPED, Busy.ZEROING, STOPPED),
+        (None, StopState.REQUESTED, Busy.ZEROING, STOP_REQUESTED),
+        (OFFLINE, StopState.REQUESTED, Busy.ZEROING, OFFLINE_REASON),
     ],
 )
 def test_the_first_reason_against_any_command(unreachable, stop, busy, code):
     refusal = interlocks.why_no_command(unreachable, stop, busy)
-    assert (None if refusal is None else refusal.code) == code
+    assert (None if refusal is None else refusal.reason) == code
 
 
 @pytest.mark.parametrize("busy", Busy)
@@ -53,9 +61,7 @@ def test_motors_that_are_all_on_are_no_reason():
 def test_a_motor_that_is_off_is_named_before_one_that_is_not_heard(joint):
     unknown: list[bool | None] = [None] * 6
     unknown[joint - 1] = False
-    assert interlocks.why_not_enabled(six(unknown)) == Refusal(
-        RefusalCode.NOT_ENABLED, {"joints": str(joint)}
-    )
+    assert interlocks.why_not_enabled(six(unknown)) == NOT_ENABLED(joints=str(joint))
 
 
 def test_all_motors_that_are_off_are_named():
@@ -66,7 +72,7 @@ def test_all_motors_that_are_off_are_named():
 @pytest.mark.parametrize("index", range(6))
 def test_a_motor_that_is_not_heard_is_a_reason(index):
     one = tuple(None if each == index else True for each in range(6))
-    assert interlocks.why_not_enabled(six(one)) == Refusal(RefusalCode.ENABLED_UNKNOWN)
+    assert interlocks.why_not_enabled(six(one)) == ENABLED_UNKNOWN()
 
 
 READY = ArmState(status=Reading(status(), 0.0), joints_deg=(Reading(0.0, 0.0),) * 6)
@@ -84,22 +90,18 @@ def test_who_controls_the_arm(mode):
     refusal = interlocks.why_not_ready(
         READY._replace(status=Reading(status(control_mode=mode), 0.0))
     )
-    expected = None if mode in MOVABLE_MODES else Refusal(RefusalCode.OTHER_CONTROL, {"mode": mode})
+    expected = None if mode in MOVABLE_MODES else OTHER_CONTROL(mode=mode)
     assert refusal == expected
 
 
 @pytest.mark.parametrize("code", ArmStatusCode)
 def test_a_fault_of_the_arm(code):
     refusal = interlocks.why_not_ready(READY._replace(status=Reading(status(arm_status=code), 0.0)))
-    assert refusal == (
-        None if code in MOVABLE else Refusal(RefusalCode.ARM_FAULT, {"status": code})
-    )
+    assert refusal == (None if code in MOVABLE else ARM_FAULT(status=code))
 
 
 @pytest.mark.parametrize(
     "changes", [{"status": None}, {"joints_deg": (*READY.joints_deg[:5], None)}]
 )
 def test_an_arm_that_has_not_been_heard_in_full(changes):
-    assert interlocks.why_not_ready(READY._replace(**changes)) == Refusal(
-        RefusalCode.JOINTS_UNKNOWN
-    )
+    assert interlocks.why_not_ready(READY._replace(**changes)) == JOINTS_UNKNOWN()

@@ -4,11 +4,10 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from armui.arm.limits import JointLimits
-from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import Reading
 from armui.control.motion.jog_pace import REST_S, accelerations, pace
 from armui.control.motion.jog_path import JointJog, JointJogPath
-from armui.control.motion.jog_stream import JogStream
+from armui.control.motion.jog_stream import JOG_NOT_FOLLOWING, JogStream
 from armui.sim.mechanics.powered_joints import JointMotion
 from tests.examples import examples
 from tests.family import FACTORY_ACCELERATION_DEG_S2
@@ -80,7 +79,7 @@ def test_the_setpoint_waits_for_an_arm_that_stands():
     reasons = [stream.advance(BASE_DEG, 0.01, now) for _ in range(70)]
     assert 0.9 * now.leads_deg[0] < stream.setpoint_deg[0] <= now.leads_deg[0]
     assert reasons[:40] == [None] * 40
-    assert reasons[-1].code == RefusalCode.JOG_NOT_FOLLOWING
+    assert reasons[-1].reason == JOG_NOT_FOLLOWING
 
 
 def test_a_joint_that_sags_under_load_is_not_pulled_back():

@@ -5,11 +5,12 @@ from contextlib import suppress
 
 import pytest
 
-from armui.arm.refusal import Refusal
-from armui.arm.refusal_codes import RefusalCode
 from armui.control.motion.jog_pace import REST_S, pace
-from armui.control.motion.jog_path import JointJog, ToolJog
+from armui.control.motion.jog_path import JOG_AT_LIMIT, JointJog, ToolJog
+from armui.control.motion.jog_stream import JOG_SINGULAR
+from armui.control.operating_state import BUSY, NOT_CONNECTED
 from armui.control.operations.started import Started
+from armui.control.safety.interlocks import NOT_ENABLED
 from armui.kinematics.arm_kinematics import Kinematics
 from armui.kinematics.axes import AXES, JogFrame
 from armui.kinematics.poses import matrix_to_pose, shifted, tool_matrix
@@ -165,7 +166,7 @@ def test_a_joint_stops_at_its_limit_and_says_so(any_rig):
     assert angles(rig)[0] == 150.0
     told = rig.events[-1]
     assert told.code == "jog_ended"
-    assert told.params["reason"].code == RefusalCode.JOG_AT_LIMIT
+    assert told.params["reason"].reason == JOG_AT_LIMIT
     assert dict(told.params["reason"].params) == {"joint": 1, "limit": 150.0}
     jogging.start(JointJog(1, 1))
     hold(rig, 0.1)
@@ -204,7 +205,7 @@ def test_at_a_singular_pose_the_tool_does_not_go_sideways(rig):
     rig.controller.jogging.start(ToolJog(1, 1, JogFrame.BASE))
     hold(rig, 0.3)
     told = rig.events[-1]
-    assert told.params["reason"].code == RefusalCode.JOG_SINGULAR
+    assert told.params["reason"].reason == JOG_SINGULAR
     assert angles(rig) == pytest.approx(before, abs=0.2)
 
 
@@ -329,9 +330,9 @@ def test_an_arm_in_motion_is_not_jogged(rig):
 
 
 def test_without_an_arm_it_is_refused(rig):
-    assert rig.controller.jogging.start(JointJog(1, 1)).code == RefusalCode.NOT_CONNECTED
+    assert rig.controller.jogging.start(JointJog(1, 1)).reason == NOT_CONNECTED
     rig.connect()
-    assert rig.controller.jogging.start(JointJog(1, 1)).code == RefusalCode.NOT_ENABLED
+    assert rig.controller.jogging.start(JointJog(1, 1)).reason == NOT_ENABLED
     assert not rig.controller.jogging.active
 
 
@@ -358,7 +359,7 @@ def test_a_record_that_cannot_be_closed_holds_no_jog(rig, monkeypatch):
 
     monkeypatch.setattr(Started, "close", fail)
     jogging = rig.controller.jogging
-    for let_go in (jogging.stop, jogging.halt, lambda: jogging.end(Refusal(RefusalCode.BUSY))):
+    for let_go in (jogging.stop, jogging.halt, lambda: jogging.end(BUSY())):
         assert jogging.start(JointJog(1, 1)) is None
         with suppress(RuntimeError):
             let_go()

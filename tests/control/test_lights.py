@@ -2,8 +2,8 @@
 
 import pytest
 
-from armui.arm.refusal_codes import RefusalCode
-from armui.control.devices.lights import check_light
+from armui.control.devices.lights import LIGHT_OUT_OF_RANGE, check_light
+from armui.control.operating_state import NOT_CONNECTED, OFFLINE
 from armui.protocol.codes import ALL_LAMPS
 from armui.protocol.frame import Frame
 
@@ -49,7 +49,7 @@ def test_what_was_refused_is_not_counted(rig):
     rig.connect()
     rig.heard()
     lights = rig.controller.lights
-    assert lights.set_light(1, 0, 256, 0, 0).code == RefusalCode.LIGHT_OUT_OF_RANGE
+    assert lights.set_light(1, 0, 256, 0, 0).reason == LIGHT_OUT_OF_RANGE
     assert rig.codes()[-1] == "refused"
     assert lights.set_light(1, 0, 1, 2, 3) is None
     rig.step()
@@ -71,12 +71,12 @@ def test_the_counter_goes_on_over_another_connection(rig):
 
 def test_without_an_arm_it_is_refused_with_the_reason(rig):
     lights = rig.controller.lights
-    assert lights.set_light(1, 0, 0, 0, 0).code == RefusalCode.NOT_CONNECTED
+    assert lights.set_light(1, 0, 0, 0, 0).reason == NOT_CONNECTED
     rig.connect()
     rig.powered = False
     rig.run(0.6)
     rig.heard()
-    assert lights.set_light(1, 0, 0, 0, 0).code == RefusalCode.OFFLINE
+    assert lights.set_light(1, 0, 0, 0, 0).reason == OFFLINE
     rig.step()
     assert rig.heard() == []
 
@@ -105,7 +105,7 @@ def test_a_stopped_arm_can_be_lit(rig):
 )
 def test_out_of_range_names_figure_value_and_range(figures, wrong):
     refusal = check_light(**figures)
-    assert refusal.code == RefusalCode.LIGHT_OUT_OF_RANGE
+    assert refusal.reason == LIGHT_OUT_OF_RANGE
     assert tuple(refusal.params.values()) == wrong
 
 

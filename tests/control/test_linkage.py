@@ -3,9 +3,11 @@
 import can
 import pytest
 
-from armui.arm.refusal_codes import RefusalCode
+from armui.control.devices.linkage import LINKAGE_WHILE_MOVING, OFFSET_NOT_POSSIBLE
 from armui.control.link.offsets import OffsetFollower
-from armui.control.operating_state import LinkState
+from armui.control.operating_state import NOT_CONNECTED, LinkState
+from armui.control.operations.started import SETTING_UNANSWERED
+from armui.control.safety.interlocks import CONTROL_OFFSET_UNKNOWN
 from armui.protocol.addressing import Addressing
 from armui.protocol.codes import LinkageRole
 from armui.protocol.frame import Frame
@@ -83,7 +85,7 @@ def test_until_standby_it_is_not_sure(any_rig):
     arm.ear = HardOfHearing(arm.firmware)
     arm.controller.linkage.set(OUTPUT, control_offset=0x20)
     arm.run(0.5)
-    assert arm.controller.operating_state.cannot_move.code == RefusalCode.CONTROL_OFFSET_UNKNOWN
+    assert arm.controller.operating_state.cannot_move.reason == CONTROL_OFFSET_UNKNOWN
     assert used(arm) == Addressing()
 
 
@@ -106,7 +108,7 @@ def test_an_arm_left_with_offsets_is_found(any_rig):
     arm.run_until(lambda: "limits_read" in arm.codes())
     assert arm.controller.motors.enable() is None
     arm.run_until(lambda: all(arm.controller.operating_state.enabled))
-    assert arm.controller.operating_state.cannot_move.code == RefusalCode.CONTROL_OFFSET_UNKNOWN
+    assert arm.controller.operating_state.cannot_move.reason == CONTROL_OFFSET_UNKNOWN
     arm.controller.emergency_stop()
     arm.run_until(lambda: "stop_confirmed" in arm.codes(), seconds=0.5)
 
@@ -129,7 +131,7 @@ def test_no_answer(arm):
     arm.run_until(lambda: "linkage_failed" in arm.codes())
     assert used(arm) == Addressing()
     failed = next(each for each in arm.events if each.code == "linkage_failed")
-    assert failed.params["reason"].code == RefusalCode.SETTING_UNANSWERED
+    assert failed.params["reason"].reason == SETTING_UNANSWERED
 
 
 def test_an_answer_that_got_lost_does_not_lose_the_arm(arm):
@@ -150,12 +152,12 @@ def test_another_arm_on_the_bus_is_not_mixed_in(arm, request):
 
 def test_refused(any_rig):
     linkage = any_rig.controller.linkage
-    assert linkage.release().code == RefusalCode.NOT_CONNECTED
+    assert linkage.release().reason == NOT_CONNECTED
     any_rig.ready()
-    assert linkage.set(OUTPUT, feedback_offset=0x30).code == RefusalCode.OFFSET_NOT_POSSIBLE
+    assert linkage.set(OUTPUT, feedback_offset=0x30).reason == OFFSET_NOT_POSSIBLE
     any_rig.controller.motion.send_joints((20.0, 0.0, 0.0, 0.0, 0.0, 0.0))
     any_rig.run_until(lambda: any_rig.controller.operating_state.moving)
-    assert linkage.release().code == RefusalCode.LINKAGE_WHILE_MOVING
+    assert linkage.release().reason == LINKAGE_WHILE_MOVING
 
 
 def test_what_is_the_same_is_no_wish():

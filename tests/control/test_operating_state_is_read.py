@@ -1,8 +1,9 @@
 """The operating state is read without a look at the arm; what sends a motion looks for itself."""
 
-from armui.arm.refusal_codes import RefusalCode
 from armui.control.authority import Authority
 from armui.control.devices.zeroing import why_not_zero
+from armui.control.safety.feedback_freshness import FEEDBACK_SILENT
+from armui.control.safety.other_command import OTHER_HOST
 from tests.company import OtherHost
 from tests.sim.talk import target
 
@@ -46,12 +47,12 @@ def test_a_motion_is_judged_by_what_was_heard_since_the_last_tick(rig):
     assert rig.controller.operating_state is operating_state
     assert operating_state.cannot_move is None
     context = rig.controller._context
-    assert context.why_no_motion().code == RefusalCode.OTHER_HOST
+    assert context.why_no_motion().reason == OTHER_HOST
     assert (
         rig.controller.operating_state is operating_state
     )  # the interlocks tell nobody in mid-command
-    assert rig.controller.motion.jog(1, 1.0).code == RefusalCode.OTHER_HOST
-    assert rig.controller.operating_state.cannot_move.code == RefusalCode.OTHER_HOST
+    assert rig.controller.motion.jog(1, 1.0).reason == OTHER_HOST
+    assert rig.controller.operating_state.cannot_move.reason == OTHER_HOST
 
 
 def test_a_command_of_the_operator_is_judged_by_the_time_it_is_given(rig):
@@ -59,5 +60,5 @@ def test_a_command_of_the_operator_is_judged_by_the_time_it_is_given(rig):
     assert rig.controller.operating_state.cannot_move is None
     rig.heard()
     rig.time_s += 5.0
-    assert rig.controller.motion.jog(1, 1.0).code == RefusalCode.FEEDBACK_SILENT
+    assert rig.controller.motion.jog(1, 1.0).reason == FEEDBACK_SILENT
     assert not rig.heard()

@@ -5,9 +5,16 @@ from __future__ import annotations
 import pytest
 
 from armui.arm.other_hosts import OtherHosts
-from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import ArmState, Reading
-from armui.control.safety.other_command import OtherCommand, OtherMode
+from armui.control.safety.other_command import (
+    LEADER_ARM,
+    NOBODY_ELSE,
+    OTHER_HOST,
+    OTHER_HOST_STREAMS,
+    OTHER_MODE,
+    OtherCommand,
+    OtherMode,
+)
 from armui.protocol.codes import ArmStatusCode, ControlMode
 from tests.control.heard_arm import status
 
@@ -238,10 +245,10 @@ def test_it_is_over_two_seconds_later_and_at_rest(company, after_s, at_rest, com
 @pytest.mark.parametrize(
     ("after_s", "code"),
     [
-        (0.49, RefusalCode.OTHER_HOST_STREAMS),
+        (0.49, OTHER_HOST_STREAMS),
         (0.5, None),
         (0.75, None),
-        (2.1, RefusalCode.NOBODY_ELSE),
+        (2.1, NOBODY_ELSE),
     ],
 )
 def test_when_it_may_be_taken_over(company, after_s, code):
@@ -250,7 +257,7 @@ def test_when_it_may_be_taken_over(company, after_s, code):
     company.look(NOW_S + after_s)
     assert company.other.may_be_taken_over is (code is None)
     refusal = company.other.take_over()
-    assert (None if refusal is None else refusal.code) == code
+    assert (None if refusal is None else refusal.reason) == code
     if code is None:
         assert company.other.why_not() is None
 
@@ -258,14 +265,14 @@ def test_when_it_may_be_taken_over(company, after_s, code):
 @pytest.mark.parametrize(
     ("mode", "reason"),
     [
-        ("01 04 00 AD 00 00 00 00", RefusalCode.OTHER_MODE),
-        ("01 01 32 00 00 00 00 00", RefusalCode.OTHER_HOST),
+        ("01 04 00 AD 00 00 00 00", OTHER_MODE),
+        ("01 01 32 00 00 00 00 00", OTHER_HOST),
     ],
 )
 def test_the_reason_names_the_mode_before_the_host(company, mode, reason):
     company.say(0x151, mode)
     company.look(NOW_S + 0.1)
-    assert company.other.why_not().code == reason
+    assert company.other.why_not().reason == reason
 
 
 def test_nobody_is_there_at_first(company):
@@ -286,11 +293,11 @@ def test_a_leader_arm_is_named_as_one(company):
             company.say(each, "01 01 32 00 00 00 00 00", NOW_S + 0.005 * k)
         company.look(NOW_S + 0.005 * k)
     assert company.other.is_leader
-    assert company.other.why_not().code == RefusalCode.LEADER_ARM
+    assert company.other.why_not().reason == LEADER_ARM
     company.say(0x150, "01 00 00 00 00 00 00 00", NOW_S + 0.05)
     company.look(NOW_S + 0.05)
     assert not company.other.is_leader
-    assert company.other.why_not().code == RefusalCode.OTHER_HOST
+    assert company.other.why_not().reason == OTHER_HOST
 
 
 def test_frames_for_another_arm_count_until_our_own_offset_is_known(company):

@@ -6,9 +6,8 @@ import pytest
 
 from armui.arm.limits import JointLimits
 from armui.arm.refusal import Refusal
-from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import ArmState, Reading
-from armui.control.safety.overspeed import OverspeedWatch
+from armui.control.safety.overspeed import TOO_FAST, OverspeedWatch
 from tests.family import FACTORY_LIMITS
 from tests.ui.arm_states import heard_six
 
@@ -59,7 +58,7 @@ def motion():
 @pytest.mark.parametrize("direction", [1, -1])
 def test_the_joint_its_speed_and_the_speed_shown_are_named(motion, joint, direction):
     refusal = motion.turn(direction * 40.25, 9, joint)
-    assert refusal.code == RefusalCode.TOO_FAST
+    assert refusal.reason == TOO_FAST
     assert refusal.params == {"joint": joint, "value": 40.2, "maximum": 20.0}
 
 

@@ -5,8 +5,13 @@ from dataclasses import replace
 import can
 import pytest
 
-from armui.arm.refusal_codes import RefusalCode
+from armui.control.motion.point_frames import GRIPPER_OTHER_GENERATION
+from armui.control.operating_state import LINK_LOST, OFFLINE, RUN_UNDER_WAY
+from armui.control.run.arrival import RUN_ELSEWHERE
+from armui.control.run.player import NOT_PAUSED, NOT_RUNNING, RUN_TOO_SLOW
 from armui.control.run.progress import ENDLESS, Run, RunPhase
+from armui.control.run.run_end import RUN_STOPPED
+from armui.control.safety.interlocks import ARM_FAULT, NOT_ENABLED
 from armui.kinematics.arm_kinematics import Kinematics
 from armui.protocol.codes import MoveMode
 from armui.protocol.generation import Generation
@@ -205,7 +210,7 @@ def test_gripper_and_lamps_act_on_arrival(ready):
     other = GripperAngle(10.0) if generation is Generation.TWO else GripperOpening(30.0)
     player = ready.controller.player
     refusal = player.start(run_of(to(OUT, gripper=other)))
-    assert refusal.code == RefusalCode.GRIPPER_OTHER_GENERATION
+    assert refusal.reason == GRIPPER_OTHER_GENERATION
     player.start(run_of(to(OUT, gripper=gripper, light=LightAction(2, 255, 0, 0), dwell_s=3.0)))
     ready.run_until(over(ready))
     assert ready.firmware.settings.lights[2][:4] == (255, 255, 0, 0)
@@ -219,7 +224,7 @@ def test_a_point_beyond_the_limits_ends_the_run_with_the_arms_word(ready):
     ready.run_until(over(ready))
     progress = ready.controller.player.progress
     assert (progress.phase, progress.index) == (RunPhase.FAILED, 1)
-    assert progress.reason.code == RefusalCode.ARM_FAULT
+    assert progress.reason.reason == ARM_FAULT
     assert _near(ready.firmware.joints_deg, OUT)
 
 
@@ -228,7 +233,7 @@ def test_an_emergency_stop_ends_the_run(ready):
     ready.run(0.4)
     ready.controller.emergency_stop()
     assert phase(ready) is RunPhase.FAILED
-    assert ready.controller.player.progress.reason.code == RefusalCode.RUN_STOPPED
+    assert ready.controller.player.progress.reason.reason == RUN_STOPPED
     ready.run(1.0)
     assert not ready.controller.player.running
 
@@ -238,7 +243,7 @@ def test_a_lost_cable_ends_the_run(ready, qtbot):
     ready.run(0.4)
     ready.unplug(can.CanOperationError("gone"))
     qtbot.waitUntil(lambda: "link_lost" in ready.codes())
-    assert ready.controller.player.progress.reason.code == RefusalCode.LINK_LOST
+    assert ready.controller.player.progress.reason.reason == LINK_LOST
 
 
 def test_a_silent_arm_ends_the_run(ready):
@@ -246,7 +251,7 @@ def test_a_silent_arm_ends_the_run(ready):
     ready.run(0.4)
     ready.powered = False
     ready.run_until(over(ready))
-    assert ready.controller.player.progress.reason.code == RefusalCode.OFFLINE
+    assert ready.controller.player.progress.reason.reason == OFFLINE
 
 
 def test_a_collision_ends_the_run(ready):
@@ -256,7 +261,7 @@ def test_a_collision_ends_the_run(ready):
     ready.run_until(over(ready))
     progress = ready.controller.player.progress
     assert progress.phase is RunPhase.FAILED
-    assert progress.reason.code in {RefusalCode.ARM_FAULT, RefusalCode.NOT_ENABLED}
+    assert progress.reason.reason in {ARM_FAULT, NOT_ENABLED}
 
 
 def test_a_blocked_arm_does_not_run_for_ever(ready):
@@ -264,9 +269,9 @@ def test_a_blocked_arm_does_not_run_for_ever(ready):
     ear.deaf_to = {0x156}  # a whole target never comes
     ready.controller.player.start(run_of(to(OUT)))
     ready.run_until(over(ready), seconds=60.0)
-    assert ready.controller.player.progress.reason.code in {
-        RefusalCode.RUN_ELSEWHERE,
-        RefusalCode.RUN_TOO_SLOW,
+    assert ready.controller.player.progress.reason.reason in {
+        RUN_ELSEWHERE,
+        RUN_TOO_SLOW,
     }
 
 
@@ -274,16 +279,16 @@ def test_nothing_else_moves_the_arm_meanwhile(ready):
     ready.controller.player.start(run_of(to(OUT)))
     ready.step()
     refusal = ready.controller.motion.jog(1, 5.0)
-    assert refusal.code == RefusalCode.RUN_UNDER_WAY
-    assert ready.controller.player.start(run_of(to(BACK))).code == RefusalCode.RUN_UNDER_WAY
+    assert refusal.reason == RUN_UNDER_WAY
+    assert ready.controller.player.start(run_of(to(BACK))).reason == RUN_UNDER_WAY
     ready.run_until(over(ready))
     assert _near(ready.firmware.joints_deg, OUT)
 
 
 def test_an_arm_that_is_not_enabled_is_not_run(any_rig):
     any_rig.connect()
-    assert any_rig.controller.player.start(run_of(to(OUT))).code == RefusalCode.NOT_ENABLED
-    assert any_rig.controller.player.start(run_of()).code == RefusalCode.NOT_ENABLED
+    assert any_rig.controller.player.start(run_of(to(OUT))).reason == NOT_ENABLED
+    assert any_rig.controller.player.start(run_of()).reason == NOT_ENABLED
 
 
 @pytest.mark.parametrize(
@@ -296,7 +301,7 @@ def test_a_run_of_nothing_is_refused(ready, run, code):
 
 def test_words_out_of_place(ready):
     player = ready.controller.player
-    assert player.pause().code == RefusalCode.NOT_RUNNING
-    assert player.go_on().code == RefusalCode.NOT_PAUSED
+    assert player.pause().reason == NOT_RUNNING
+    assert player.go_on().reason == NOT_PAUSED
     player.stop()
     assert phase(ready) is RunPhase.IDLE

@@ -6,8 +6,8 @@ from typing import Any
 
 import pytest
 
-from armui.arm.refusal_codes import RefusalCode
-from armui.control.operating_state import LinkState
+from armui.control.operating_state import BUSY, LinkState
+from armui.control.safety.recovery import STEP_GONE
 from armui.control.safety.recovery_steps import Action, StepKind
 from armui.protocol.codes import ControlMode, TeachingState
 from armui.protocol.frame import Frame
@@ -42,7 +42,7 @@ def obey(rig: ArmRig, seconds: float = 30.0) -> list[StepKind]:
         elif step.action not in {None, Action.CONNECT} and not step.waiting:
             refusal = rig.controller.recovery.act(step)
             # the arm may have changed since the step was shown: then the next one is
-            assert refusal is None or refusal.code == RefusalCode.STEP_GONE, step
+            assert refusal is None or refusal.reason == STEP_GONE, step
         rig.step()
     return kinds
 
@@ -122,7 +122,7 @@ def test_a_step_that_has_passed_is_not_taken(rig):
     rig.controller.emergency_stop()
     until(rig, StepKind.STOPPED)
     rig.heard()
-    assert rig.controller.recovery.act(enable).code == RefusalCode.STEP_GONE
+    assert rig.controller.recovery.act(enable).reason == STEP_GONE
     rig.run(0.2)
     assert Frame(0x471, bytes.fromhex("07 02 00 00 00 00 00 00")) not in rig.heard()
 
@@ -133,7 +133,7 @@ def test_a_step_under_way_is_not_taken_twice(rig):
     until(rig, StepKind.OVERCURRENT)
     step = step_of(rig)
     assert rig.controller.recovery.act(step) is None
-    assert rig.controller.recovery.act(step).code == RefusalCode.BUSY
+    assert rig.controller.recovery.act(step).reason == BUSY
 
 
 def test_an_arm_that_leads_becomes_a_motion_output_again(any_rig):

@@ -12,8 +12,6 @@ import pytest
 
 from armui.arm.device import Device
 from armui.arm.other_hosts import OtherHosts, OtherTraffic
-from armui.arm.refusal import Refusal
-from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import ArmState, DriverSlow, Reading, Status
 from armui.control.assessment import ActiveTasks, AssessmentInputs, assess
 from armui.control.authority import Authority
@@ -28,7 +26,7 @@ from armui.control.operating_state import (
     StopState,
 )
 from armui.control.run.progress import OVER, RunPhase
-from armui.control.safety.recovery_rules import next_step
+from armui.control.safety.recovery_rules import STEP_IN_VAIN, next_step
 from armui.control.safety.recovery_steps import UNHINDERED, Action, Step, StepKind
 from armui.protocol.codes import ArmStatusCode, ControlMode, TeachingState
 from armui.protocol.generation import Generation
@@ -339,7 +337,7 @@ def test_what_was_tried_in_vain_leads_to_the_next_stronger_means():
     )
     assert first.action is Action.CLEAR_ERRORS
     assert words.step(first).startswith("The arm did not react.")
-    assert (second.action, second.failed) == (Action.RESET, Refusal(RefusalCode.STEP_IN_VAIN))
+    assert (second.action, second.failed) == (Action.RESET, STEP_IN_VAIN())
     assert second.dangerous
 
 

@@ -3,8 +3,12 @@
 import pytest
 
 from armui.arm.parameters import Batch, Group
-from armui.arm.refusal_codes import RefusalCode
+from armui.control.devices.gripper import RUN_LET_GO
+from armui.control.devices.lights import RUN_SETS_LAMPS
+from armui.control.run.player import RUN_TOO_SLOW
 from armui.control.run.progress import RunPhase
+from armui.control.safety.interlocks import CONTROL_OFFSET_UNKNOWN
+from armui.control.safety.standstill import JOINTS_MOVING
 from armui.protocol.codes import TeachingState, TrajectoryCommand
 from armui.protocol.frame import Frame
 from armui.trajectory.points.program import LightAction
@@ -120,7 +124,7 @@ def test_reading_and_recording_are_fine_at_any_time(ready, begin):
 def test_lamps_that_a_run_speaks_by_are_left_to_it(ready):
     point = to(OUT, light=LightAction(2, 255, 0, 0), dwell_s=60.0)
     ready.controller.player.start(run_of(point))
-    assert ready.controller.lights.set_light(1, 0, 1, 2, 3).code == RefusalCode.RUN_SETS_LAMPS
+    assert ready.controller.lights.set_light(1, 0, 1, 2, 3).reason == RUN_SETS_LAMPS
     ready.controller.player.stop()
     ready.run_until(lambda: not ready.controller.player.running)
     assert ready.controller.lights.set_light(1, 0, 1, 2, 3) is None
@@ -144,7 +148,7 @@ def test_settings_wait_until_no_joint_turns(ready):
     ready.run_until(lambda: ready.controller.operating_state.moving)
     ready.run(0.2)
     ready.ear.heard.clear()
-    assert SETTINGS["factory end limits"](ready).code == RefusalCode.JOINTS_MOVING
+    assert SETTINGS["factory end limits"](ready).reason == JOINTS_MOVING
     ready.step()
     assert ready.ear.heard == []
     ready.run_until(lambda: not ready.controller.operating_state.moving)
@@ -180,7 +184,7 @@ def test_the_gripper_can_always_let_go_and_the_run_says_so(ready):
     assert ready.controller.gripper.disable() is None
     ready.step()
     assert [frame.arbitration_id for frame in ready.ear.heard][:2] == [0x150, 0x159]
-    assert ready.controller.player.progress.reason.code == RefusalCode.RUN_LET_GO
+    assert ready.controller.player.progress.reason.reason == RUN_LET_GO
 
 
 @pytest.mark.parametrize("begin", RUNS.values(), ids=RUNS)
@@ -244,7 +248,7 @@ def test_an_arm_held_up_does_not_set_out_for_the_point_of_a_run_that_is_over(rea
     ready.run(0.2)
     ready.firmware.on_frame(frame(mode(0)))
     ready.run_until(lambda: not ready.controller.player.running, seconds=60.0)
-    assert ready.controller.player.progress.reason.code == RefusalCode.RUN_TOO_SLOW
+    assert ready.controller.player.progress.reason.reason == RUN_TOO_SLOW
     here = tuple(ready.firmware.joints_deg)
     ready.firmware.on_frame(frame(mode(100)))
     ready.run(2.0)
@@ -299,8 +303,8 @@ def test_an_arm_is_not_made_to_drop_on_identifiers_nobody_knows(uncertain):
     uncertain.run_until(lambda: "stop_confirmed" in uncertain.codes())
     assert ids(uncertain) == {0x150, 0x160, 0x170}
     uncertain.ear.heard.clear()
-    assert uncertain.controller.motors.resume().code == RefusalCode.CONTROL_OFFSET_UNKNOWN
+    assert uncertain.controller.motors.resume().reason == CONTROL_OFFSET_UNKNOWN
     step = uncertain.controller.recovery.step
-    assert uncertain.controller.recovery.act(step).code == RefusalCode.CONTROL_OFFSET_UNKNOWN
+    assert uncertain.controller.recovery.act(step).reason == CONTROL_OFFSET_UNKNOWN
     uncertain.run(0.1)
     assert uncertain.ear.heard == []

@@ -6,9 +6,9 @@ from datetime import UTC, datetime
 import numpy as np
 import pytest
 
-from armui.arm.refusal_codes import RefusalCode
+from armui.control.operating_state import BUSY, NOT_CONNECTED
 from armui.control.run.progress import ENDLESS, RunPhase
-from armui.control.run.replay import Replay
+from armui.control.run.replay import REPLAY_LAGGING, Replay
 from armui.trajectory.samples.recording import Recording
 
 STILL = (0.0, 30.0, -30.0, 0.0, 0.0, 0.0)
@@ -127,7 +127,7 @@ def test_an_arm_that_does_not_follow_is_noticed(ready):
     ready.run_until(lambda: replayer.progress.done > 0.05)
     ready.firmware.on_frame = lambda _frame: []
     ready.run_until(over(ready))
-    assert replayer.progress.reason.code == RefusalCode.REPLAY_LAGGING
+    assert replayer.progress.reason.reason == REPLAY_LAGGING
 
 
 def test_a_joint_may_be_as_late_as_the_one_that_brakes_longest(ready):
@@ -176,7 +176,7 @@ def test_the_gripper_follows_where_it_was_recorded(rig):
 def test_what_the_arm_does_is_recorded(ready):
     recorder = ready.controller.recorder
     assert recorder.start() is None
-    assert recorder.start().code == RefusalCode.BUSY
+    assert recorder.start().reason == BUSY
     ready.controller.motion.send_joints([10, 20, -20, 0, 0, 0])
     ready.run(3.0)
     recording = recorder.finish("led by hand").joined()
@@ -199,5 +199,5 @@ def test_a_lost_arm_leaves_what_was_recorded(ready):
 
 
 def test_nothing_recorded_is_nothing(any_rig):
-    assert any_rig.controller.recorder.start().code == RefusalCode.NOT_CONNECTED
+    assert any_rig.controller.recorder.start().reason == NOT_CONNECTED
     assert any_rig.controller.recorder.finish("empty") is None

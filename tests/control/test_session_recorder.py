@@ -14,14 +14,26 @@ import can
 import pytest
 from can.interfaces.virtual import VirtualBus
 
-from armui.arm.refusal_codes import RefusalCode
 from armui.control.sessions import mf4_converter
 from armui.control.sessions.choices import SessionChoices
-from armui.control.sessions.mf4_converter import Mf4Converter
+from armui.control.sessions.mf4_converter import SESSION_MF4_CALLED_OFF, Mf4Converter
+from armui.control.sessions.session_recorder import (
+    SESSION_NAME_BAD,
+    SESSION_NONE,
+    SESSION_RECORDED,
+    SESSION_RING_EMPTY,
+)
 from armui.protocol.frame import Frame, FrameFlag
 from armui.session.recording import mf4, writer
 from armui.session.recording.folder import RecordingEntry, list_recordings, rename
-from armui.session.recording.kinds import RecordingFormat
+from armui.session.recording.kinds import (
+    SESSION_DISK_FULL,
+    SESSION_FAILED,
+    SESSION_FOLDER_GONE,
+    SESSION_NO_MF4,
+    SESSION_READ_ONLY,
+    RecordingFormat,
+)
 from armui.session.recording.lane import MOST_WAITING
 from armui.session.recording.recorded_session import RecordedSession
 from armui.session.session import MarkKind
@@ -191,26 +203,26 @@ def test_a_lost_device_does_not_end_a_recording(rig, sessions, wait_for):
 
 def test_a_recording_under_way_can_be_begun_only_once(rig, sessions, wait_for):
     rig.connect()
-    assert sessions.stop().code is RefusalCode.SESSION_NONE
-    assert sessions.save_ring().code is RefusalCode.SESSION_RING_EMPTY or sessions.saving
+    assert sessions.stop().reason is SESSION_NONE
+    assert sessions.save_ring().reason is SESSION_RING_EMPTY or sessions.saving
     assert sessions.start("first") is None
-    assert sessions.start("second").code is RefusalCode.SESSION_RECORDED
+    assert sessions.start("second").reason is SESSION_RECORDED
     assert sessions.stop() is None
     wait_for(lambda: "session_ended" in rig.codes())
 
 
 @pytest.mark.parametrize("name", ["", "a/b", ".hidden", "x.002", "a\\b", "?", " a"])
 def test_a_name_that_is_none_is_refused(rig, sessions, name):
-    assert sessions.start(name).code is RefusalCode.SESSION_NAME_BAD
+    assert sessions.start(name).reason is SESSION_NAME_BAD
     assert not sessions.recording
 
 
 @pytest.mark.parametrize(
     ("error", "code"),
     [
-        (OSError(errno.ENOSPC, "No space left on device"), RefusalCode.SESSION_DISK_FULL),
-        (OSError(errno.EIO, "Input/output error"), RefusalCode.SESSION_FOLDER_GONE),
-        (OSError(errno.EROFS, "Read-only file system"), RefusalCode.SESSION_READ_ONLY),
+        (OSError(errno.ENOSPC, "No space left on device"), SESSION_DISK_FULL),
+        (OSError(errno.EIO, "Input/output error"), SESSION_FOLDER_GONE),
+        (OSError(errno.EROFS, "Read-only file system"), SESSION_READ_ONLY),
     ],
 )
 def test_a_disk_that_fails_ends_it_with_a_clear_word(
@@ -230,7 +242,7 @@ def test_a_disk_that_fails_ends_it_with_a_clear_word(
     monkeypatch.undo()
 
     told = next(event for event in rig.events if event.code == "session_failed")
-    assert told.params["reason"].code is code
+    assert told.params["reason"].reason == code
     assert not sessions.recording
     (entry,) = list_recordings(sessions.choices.folder)
     assert opened(entry).frames > 0
@@ -326,10 +338,10 @@ def test_the_files_of_which_an_mf4_file_is_made_stay_in_their_places(
 @pytest.mark.parametrize(
     ("spoil", "code"),
     [
-        (lambda patch: patch.setattr(mf4, "can_write", lambda: False), RefusalCode.SESSION_NO_MF4),
+        (lambda patch: patch.setattr(mf4, "can_write", lambda: False), SESSION_NO_MF4),
         (
             lambda patch: patch.setattr(Mf4InMemory, "stop", lambda _self: 1 / 0),
-            RefusalCode.SESSION_FAILED,
+            SESSION_FAILED,
         ),
     ],
 )
@@ -340,7 +352,7 @@ def test_an_mf4_file_that_cannot_be_made_is_told(rig, as_mf4, wait_for, monkeypa
     wait_for(lambda: "mf4_not_saved" in rig.codes())
     told = next(event for event in rig.events if event.code == "mf4_not_saved")
     (entry,) = list_recordings(as_mf4.choices.folder)
-    assert (told.params["name"], told.params["reason"].code) == (entry.name, code)
+    assert (told.params["name"], told.params["reason"].reason) == (entry.name, code)
     assert session.frames > 0
     files = {path.suffix for path in as_mf4.choices.folder.iterdir()}
     assert files == {".blf", ".idx", ".jsonl"}
@@ -358,7 +370,7 @@ def test_making_an_mf4_file_is_called_off_and_nothing_is_left(rig, as_mf4, wait_
     as_mf4.mf4.call_off()
     wait_for(lambda: "mf4_not_saved" in rig.codes())
     told = next(event for event in rig.events if event.code == "mf4_not_saved")
-    assert told.params["reason"].code == RefusalCode.SESSION_MF4_CALLED_OFF
+    assert told.params["reason"].reason == SESSION_MF4_CALLED_OFF
     assert {path.suffix for path in folder.iterdir()} == {".blf", ".idx", ".jsonl"}
     assert not as_mf4.busy_names()
     assert as_mf4.mf4.share is None

@@ -3,11 +3,11 @@
 import pytest
 
 from armui.arm.limits import JointLimits
-from armui.arm.parameters import Parameter
-from armui.arm.refusal import Refusal
-from armui.arm.refusal_codes import RefusalCode
+from armui.arm.parameters import SETTING_NOT_A_NUMBER, Parameter
 from armui.arm.state import ArmState, Reading
+from armui.control.operating_state import LINK_LOST
 from armui.control.parameters.setting_cell import CellState, SettingCellState
+from armui.control.parameters.setting_checks import LIMITS_CROSSED
 from armui.control.parameters.setting_draft import CellStatus, SettingDraft
 
 MAX_J1 = Parameter("max_angle_deg", 1)
@@ -43,12 +43,12 @@ def test_a_field_left_empty_is_no_change_where_nothing_is_known(draft):
     draft.enter(ArmState(), SPEED_J1, " ", None)
     assert not draft.changed
     draft.enter(HELD, SPEED_J1, " ", None)
-    assert draft.first_wrong(HELD).code == RefusalCode.SETTING_NOT_A_NUMBER
+    assert draft.first_wrong(HELD).reason == SETTING_NOT_A_NUMBER
 
 
 def test_two_ends_are_judged_together(draft):
     draft.enter(HELD, MIN_J1, "160", 160.0)
-    assert draft.why_wrong(HELD, MIN_J1).code == RefusalCode.LIMITS_CROSSED
+    assert draft.why_wrong(HELD, MIN_J1).reason == LIMITS_CROSSED
     draft.enter(HELD, MAX_J1, "170", 170.0)
     assert draft.first_wrong(HELD) is None
 
@@ -65,13 +65,13 @@ def test_two_ends_are_judged_together(draft):
         (SettingCellState(CellState.SAVING), 140.0, HELD, CellStatus.SAVING),
         (SettingCellState(CellState.SAVED), None, HELD, CellStatus.SAVED),
         (
-            SettingCellState(CellState.REFUSED, Refusal(RefusalCode.LINK_LOST)),
+            SettingCellState(CellState.REFUSED, LINK_LOST()),
             140.0,
             HELD,
             CellStatus.NOT_SAVED,
         ),
         (
-            SettingCellState(CellState.REFUSED, Refusal(RefusalCode.LINK_LOST)),
+            SettingCellState(CellState.REFUSED, LINK_LOST()),
             None,
             HELD,
             CellStatus.NOT_READ,

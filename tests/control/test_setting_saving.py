@@ -3,10 +3,10 @@
 import pytest
 
 from armui.arm.limits import JointLimits
-from armui.arm.parameters import Parameter
-from armui.arm.refusal import Refusal
-from armui.arm.refusal_codes import RefusalCode
+from armui.arm.parameters import SETTING_OUT_OF_RANGE, Parameter
 from armui.arm.state import ArmState, Reading
+from armui.control.operating_state import BUSY
+from armui.control.operations.started import SETTING_UNANSWERED
 from armui.control.parameters.setting_cell import CellState, SettingCellState
 from armui.control.parameters.setting_draft import SettingDraft
 from armui.control.parameters.setting_saving import SettingSaving
@@ -14,7 +14,7 @@ from armui.control.parameters.setting_saving import SettingSaving
 MAX_J1 = Parameter("max_angle_deg", 1)
 SPEED_J1 = Parameter("max_speed_deg_s", 1)
 HELD = ArmState()._replace(limits=(Reading(JointLimits(-150.0, 150.0, 171.887), 1.0), *(None,) * 5))
-SILENT = Refusal(RefusalCode.SETTING_UNANSWERED)
+SILENT = SETTING_UNANSWERED()
 
 
 class Settings:
@@ -78,7 +78,7 @@ def test_what_was_not_taken_stays_in_the_draft(saving, settings, draft):
 
 
 def test_what_the_controller_refuses_is_not_under_way(saving, settings):
-    settings.answer = Refusal(RefusalCode.BUSY, {"what": "settings"})
+    settings.answer = BUSY(what="settings")
     assert saving.begin(HELD) is settings.answer
     assert not saving.running
     assert saving.asked == {}
@@ -86,7 +86,7 @@ def test_what_the_controller_refuses_is_not_under_way(saving, settings):
 
 def test_what_is_wrong_is_not_sent(saving, settings, draft):
     draft.enter(HELD, MAX_J1, "400", 400.0)
-    assert saving.begin(HELD).code == RefusalCode.SETTING_OUT_OF_RANGE
+    assert saving.begin(HELD).reason == SETTING_OUT_OF_RANGE
     assert settings.saved == []
     assert not saving.running
 

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import pytest
 
-from armui.arm.refusal import Refusal
-from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import ArmState, DriverFast, Reading
 from armui.control.safety.standstill import (
+    JOINTS_MOVING,
     QUIET_DEG,
     QUIET_S,
+    SPEED_UNKNOWN,
     RestWatch,
     why_moving,
     why_not_still,
@@ -168,19 +168,19 @@ STILL = (0.0,) * 6
 )
 def test_joints_that_are_measured_to_move_are_named(values, joints):
     refusal = why_moving(speeds(values))
-    expected = Refusal(RefusalCode.JOINTS_MOVING, {"joints": joints})
+    expected = JOINTS_MOVING(joints=joints)
     assert refusal == (None if joints is None else expected)
 
 
 def test_a_joint_that_tells_nothing_is_no_reason_unless_it_must_be_known():
     state = speeds((20.0, None, 0.0, 0.0, 0.0, None))
     assert why_moving(state).params == {"joints": "1"}
-    assert why_not_still(state) == Refusal(RefusalCode.SPEED_UNKNOWN, {"joints": "2, 6"})
+    assert why_not_still(state) == SPEED_UNKNOWN(joints="2, 6")
 
 
 def test_all_speeds_known_the_joints_that_move_are_the_reason():
     assert why_not_still(speeds(STILL)) is None
-    assert why_not_still(speeds((20.0, *STILL[1:]))).code == RefusalCode.JOINTS_MOVING
+    assert why_not_still(speeds((20.0, *STILL[1:]))).reason == JOINTS_MOVING
 
 
 @pytest.mark.parametrize(

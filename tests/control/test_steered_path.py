@@ -8,9 +8,8 @@ from scipy.spatial.transform import Rotation
 
 from armui.arm.limits import JointLimits
 from armui.arm.refusal import Refusal
-from armui.arm.refusal_codes import RefusalCode
 from armui.control.motion.jog_pace import pace
-from armui.control.motion.jog_path import JointJogPath
+from armui.control.motion.jog_path import JOG_AT_LIMIT, JOG_OUT_OF_REACH, JointJogPath
 from armui.control.motion.jog_stream import JogStream
 from armui.control.motion.jogging import axes_text
 from armui.control.motion.steered_path import SteeredJog, SteeredToolPath
@@ -69,7 +68,7 @@ def test_it_ends_at_the_first_limit(rates, joint, limit, room):
     path = JointJogPath(rates, BENT_DEG, FACTORY_LIMITS)
     expected = 2 * (FACTORY_LIMITS[4].max_deg - BENT_DEG[4]) if room is None else room
     assert path.room() == pytest.approx(expected)
-    assert path.end().code == RefusalCode.JOG_AT_LIMIT
+    assert path.end().reason == JOG_AT_LIMIT
     assert path.end().params == {"joint": joint, "limit": limit}
     assert path.joints_at(path.room(), BENT_DEG)[joint - 1] == pytest.approx(limit)
 
@@ -118,7 +117,7 @@ def test_beyond_reach_is_said():
         tool=(0.0,) * 6,
         limits=FACTORY_LIMITS,
     )
-    assert path.joints_at(1000.0, BENT_DEG) == Refusal(RefusalCode.JOG_OUT_OF_REACH)
+    assert path.joints_at(1000.0, BENT_DEG) == JOG_OUT_OF_REACH()
 
 
 # On the way ---------------------------------------------------------------------------------------

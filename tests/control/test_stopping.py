@@ -7,12 +7,11 @@ from typing import Any, cast
 import pytest
 
 from armui.arm.device import Device
-from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import ArmState, Reading
 from armui.control.events import EventCode
 from armui.control.link.offsets import OffsetFollower
-from armui.control.operating_state import LinkState, StopState
-from armui.control.safety.stopping import Stopping
+from armui.control.operating_state import LINK_LOST, NOT_CONNECTED, OFFLINE, LinkState, StopState
+from armui.control.safety.stopping import HALT_LISTEN_ONLY, Stopping
 from armui.protocol.addressing import OFFSETS, Addressing
 from armui.protocol.codec import Codec
 from armui.protocol.codes import ArmStatusCode, ControlMode, TeachingState
@@ -325,18 +324,18 @@ def test_a_recording_that_the_arm_runs_is_aborted_too(console, changes, aborts):
         (
             Device("virtual", "one", listen_only=True),
             LinkState.ONLINE,
-            RefusalCode.HALT_LISTEN_ONLY,
+            HALT_LISTEN_ONLY,
         ),
-        (DEVICE, LinkState.OFFLINE, RefusalCode.OFFLINE),
-        (DEVICE, LinkState.LOST, RefusalCode.LINK_LOST),
-        (None, LinkState.NO_DEVICE, RefusalCode.NOT_CONNECTED),
+        (DEVICE, LinkState.OFFLINE, OFFLINE),
+        (DEVICE, LinkState.LOST, LINK_LOST),
+        (None, LinkState.NO_DEVICE, NOT_CONNECTED),
         (DEVICE, LinkState.ONLINE, None),
     ],
 )
 def test_when_there_is_nothing_to_halt(console, device, link, code):
     console.connection.device, console.connection.link = device, link
     refusal = console.stopping.why_no_halt()
-    assert (refusal and refusal.code) == code
+    assert (refusal and refusal.reason) == code
     assert halt(console) == refusal
     if code is not None:
         assert console.take() == [EventCode.REFUSED]

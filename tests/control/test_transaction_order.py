@@ -4,8 +4,14 @@ from __future__ import annotations
 
 import pytest
 
-from armui.arm.refusal_codes import RefusalCode
-from armui.control.operating_state import LinkState
+from armui.control.operating_state import BUSY, LINK_LOST, OFFLINE, LinkState
+from armui.control.operations.started import (
+    ARM_CHANGED,
+    ENDED_BY_STOP,
+    ORDER_TOO_LATE,
+    SETTING_NOT_READ_BACK,
+    SETTING_UNANSWERED,
+)
 from armui.control.requests.transactions import Transaction
 from tests.control.transaction_line import (
     BEGIN_S,
@@ -34,13 +40,13 @@ def test_an_unanswered_question_is_asked_twice(program):
     program.line.submit(program.question("a"))
     program.wait(1.5)
     assert [at_s for at_s, _, _ in program.sent] == [0.0, 0.5]
-    assert program.done == [("a", RefusalCode.SETTING_NOT_READ_BACK)]
+    assert program.done == [("a", SETTING_NOT_READ_BACK)]
 
 
 def test_a_question_waits_as_long_as_it_must(program):
     program.line.submit(program.question("a", 1), program.question("b", 2))
     program.wait(1.0)
-    assert program.done == [("a", RefusalCode.SETTING_NOT_READ_BACK)]
+    assert program.done == [("a", SETTING_NOT_READ_BACK)]
     assert program.frames[-1] == (question(2),)
     program.heard("b")
     program.wait(STEP_S)
@@ -81,7 +87,7 @@ def test_a_question_is_not_put_to_another_arm(program):
     program.line.submit(program.question("a"))
     program.connection.arm = 2
     program.wait(0.5)
-    assert program.done == [("a", RefusalCode.ARM_CHANGED)]
+    assert program.done == [("a", ARM_CHANGED)]
     assert len(program.sent) == 1
 
 
@@ -91,8 +97,8 @@ def test_a_question_is_not_put_to_another_arm(program):
 @pytest.mark.parametrize(
     ("arm", "link", "code"),
     [
-        (None, LinkState.OFFLINE, RefusalCode.OFFLINE),
-        (2, LinkState.ONLINE, RefusalCode.ARM_CHANGED),
+        (None, LinkState.OFFLINE, OFFLINE),
+        (2, LinkState.ONLINE, ARM_CHANGED),
     ],
 )
 def test_what_was_meant_for_one_arm_is_not_said_to_another(program, arm, link, code):
@@ -116,7 +122,7 @@ def test_what_was_checked_is_checked_again_before_each_frame(program):
     program.line.submit(program.order("a", 1, recheck=lambda: reasons.pop(0)))
     program.wait(0.5)
     assert len(program.sent) == 1
-    assert program.done == [("a", RefusalCode.BUSY)]
+    assert program.done == [("a", BUSY)]
 
 
 def test_it_is_checked_by_the_newest_operating_state(program):
@@ -128,7 +134,7 @@ def test_it_is_checked_by_the_newest_operating_state(program):
 
 def test_what_is_not_right_at_once_is_not_sent(program):
     program.line.submit(program.order("a", 1, recheck=lambda: NO), program.order("b", 2))
-    assert program.done == [("a", RefusalCode.BUSY)]
+    assert program.done == [("a", BUSY)]
     assert program.frames == [(frame(2),)]
 
 
@@ -186,7 +192,7 @@ def test_an_action_begins_within_a_second_or_not_at_all(program, after_s, begins
     program.now_s = BEGIN_S + after_s
     program.answer(OTHER_INDEX)
     assert ((frame(2),) in program.frames) is begins
-    assert (("b", RefusalCode.ORDER_TOO_LATE) in program.done) is not begins
+    assert (("b", ORDER_TOO_LATE) in program.done) is not begins
 
 
 def test_what_is_too_late_is_told_while_another_is_under_way(program):
@@ -195,7 +201,7 @@ def test_what_is_too_late_is_told_while_another_is_under_way(program):
     program.wait(0.984375)
     assert program.done == []
     program.wait(STEP_S)
-    assert program.done == [("b", RefusalCode.ORDER_TOO_LATE)]
+    assert program.done == [("b", ORDER_TOO_LATE)]
 
 
 def test_a_command_that_waited_may_be_sent_no_later_than_a_second_after_its_press(program):
@@ -206,7 +212,7 @@ def test_a_command_that_waited_may_be_sent_no_later_than_a_second_after_its_pres
     assert program.sent[-1] == (0.75, (frame(2),), 0.25)
     program.wait(0.75)
     assert program.frames.count((frame(2),)) == 1
-    assert program.done[-1] == ("b", RefusalCode.SETTING_UNANSWERED)
+    assert program.done[-1] == ("b", SETTING_UNANSWERED)
 
 
 def test_a_command_never_waits_for_a_question(program):
@@ -243,7 +249,7 @@ def test_a_value_set_aside_is_read_however_late(program):
     program.wait(0.5)
     program.line.submit(program.order("b", 2))
     program.wait(1.0)
-    assert program.done == [("b", RefusalCode.SETTING_UNANSWERED)]
+    assert program.done == [("b", SETTING_UNANSWERED)]
     assert program.frames[-1] == (question(1),)
     program.heard("a")
     program.wait(STEP_S)
@@ -277,7 +283,7 @@ def test_a_stop_ends_those_that_say_so(program):
     program.line.submit(program.order("a", 1, ends_with_stop=True), program.order("b", 2))
     program.line.submit(program.order("c", 3, ends_with_stop=True))
     program.line.halt()
-    assert program.done == [("c", RefusalCode.ENDED_BY_STOP), ("a", RefusalCode.ENDED_BY_STOP)]
+    assert program.done == [("c", ENDED_BY_STOP), ("a", ENDED_BY_STOP)]
     assert program.frames == [(frame(1),), (frame(2),)]
     program.line.halt()
     assert len(program.done) == 2
@@ -294,7 +300,7 @@ def test_a_question_that_a_stop_ends_is_not_asked_afterwards(program):
     program.answer()
     program.wait(2.0)
     assert program.frames == [(frame(1),)]
-    assert program.done == [("q", RefusalCode.ENDED_BY_STOP), ("a", None)]
+    assert program.done == [("q", ENDED_BY_STOP), ("a", None)]
 
 
 def test_a_stop_with_nothing_under_way(program):
@@ -307,9 +313,9 @@ def test_over_a_lost_link_nothing_survives(program):
     program.line.submit(program.order("a", 1), program.order("b", 2), program.question("c"))
     program.line.forget()
     assert program.done == [
-        ("a", RefusalCode.LINK_LOST),
-        ("b", RefusalCode.LINK_LOST),
-        ("c", RefusalCode.LINK_LOST),
+        ("a", LINK_LOST),
+        ("b", LINK_LOST),
+        ("c", LINK_LOST),
     ]
     assert not program.line.busy
     program.answer()

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from armui.arm.refusal_codes import RefusalCode
+from armui.control.operating_state import BUSY, LINK_LOST
+from armui.control.operations.started import SETTING_NOT_READ_BACK, SETTING_UNANSWERED
 from tests.control.transaction_line import (
     BEGIN_S,
     INDEX,
@@ -53,7 +54,7 @@ def test_an_answer_that_nobody_waits_for_changes_nothing(program):
 def test_an_answer_may_speak_against_it(program):
     program.line.submit(program.order("a", 1, against=lambda _answer: NO))
     program.answer()
-    assert program.done == [("a", RefusalCode.BUSY)]
+    assert program.done == [("a", BUSY)]
 
 
 def test_an_order_without_an_answer_is_done_when_it_is_sent(program):
@@ -71,7 +72,7 @@ def test_unanswered_it_is_sent_twice_and_given_up(program):
     program.wait(0.484375)
     assert program.done == []
     program.wait(STEP_S)
-    assert program.done == [("a", RefusalCode.SETTING_UNANSWERED)]
+    assert program.done == [("a", SETTING_UNANSWERED)]
     assert len(program.sent) == 2
 
 
@@ -80,7 +81,7 @@ def test_it_is_never_sent_later_than_a_second_after_the_press(program, attempts,
     program.line.submit(program.order("a", 1, attempts=attempts))
     program.wait(5.0)
     assert [at_s for at_s, _, _ in program.sent] == times
-    assert program.done == [("a", RefusalCode.SETTING_UNANSWERED)]
+    assert program.done == [("a", SETTING_UNANSWERED)]
 
 
 def test_a_repeat_may_wait_no_longer_than_until_then(program):
@@ -101,14 +102,14 @@ def test_an_answer_to_the_repeat_will_do(program):
 def test_what_cannot_be_sent_is_over(program):
     program.connection.works = False
     program.line.submit(program.order("a", 1))
-    assert program.done == [("a", RefusalCode.LINK_LOST)]
+    assert program.done == [("a", LINK_LOST)]
     assert not program.line.busy
 
 
 def test_without_an_answer_to_await_it_is_over_all_the_same(program):
     program.connection.works = False
     program.line.submit(program.order("a", 1, index=None))
-    assert program.done == [("a", RefusalCode.LINK_LOST)]
+    assert program.done == [("a", LINK_LOST)]
 
 
 # Read back ----------------------------------------------------------------------------------------
@@ -131,7 +132,7 @@ def test_the_value_read_decides(program):
     program.answer()
     program.heard("a")
     program.wait(STEP_S)
-    assert program.done == [("a", RefusalCode.BUSY)]
+    assert program.done == [("a", BUSY)]
 
 
 def test_a_value_of_before_the_question_is_none(program):
@@ -159,7 +160,7 @@ def test_it_is_asked_for_twice(program):
     program.wait(STEP_S)
     assert program.sent[1:] == [(0.0, (question(1),), 0.5), (0.5, (question(1),), 0.5)]
     program.wait(0.5)
-    assert program.done == [("a", RefusalCode.SETTING_NOT_READ_BACK)]
+    assert program.done == [("a", SETTING_NOT_READ_BACK)]
 
 
 def test_an_answer_to_the_first_question_that_is_seen_after_the_second_will_do(program):
@@ -183,9 +184,9 @@ def test_an_answer_to_a_setting_is_none_to_a_question(program):
     ("against", "proves", "code"),
     [
         (None, True, None),
-        (None, False, RefusalCode.SETTING_UNANSWERED),
-        (NO, True, RefusalCode.SETTING_UNANSWERED),
-        (NO, False, RefusalCode.SETTING_UNANSWERED),
+        (None, False, SETTING_UNANSWERED),
+        (NO, True, SETTING_UNANSWERED),
+        (NO, False, SETTING_UNANSWERED),
     ],
 )
 def test_unanswered_the_arm_is_asked_what_it_holds(program, against, proves, code):
@@ -210,4 +211,4 @@ def test_unanswered_and_not_read_the_missing_answer_is_told(program):
     program.line.submit(program.order("a", 1, read_back=program.reading("a")))
     program.wait(3.0)
     assert program.frames == [(frame(1),)] * 2 + [(question(1),)] * 2
-    assert program.done == [("a", RefusalCode.SETTING_UNANSWERED)]
+    assert program.done == [("a", SETTING_UNANSWERED)]

@@ -5,7 +5,11 @@ import errno
 import can
 import pytest
 
-from armui.arm.refusal_codes import RefusalCode
+from armui.control.devices.zeroing import ZERO_NOT_SET, ZERO_NOT_TAKEN
+from armui.control.operating_state import BUSY, LINK_LOST, NOT_CONNECTED
+from armui.control.operations.started import ENDED_BY_STOP, SETTING_UNANSWERED
+from armui.control.safety.interlocks import STOPPED
+from armui.control.safety.standstill import JOINTS_MOVING, SPEED_UNKNOWN
 from armui.protocol.frame import Frame
 from tests.faulty_arm import FaultyDrivers, laid_down
 
@@ -40,7 +44,7 @@ def last(arm):
 
 def test_one_joint(arm, generation):
     assert arm.controller.zeroing.set_zero(2) is None
-    assert arm.controller.operating_state.cannot_move.code == RefusalCode.BUSY
+    assert arm.controller.operating_state.cannot_move.reason == BUSY
     done(arm)
     assert sent(arm) == [ZERO_2[generation]]
     assert arm.firmware.settings.zeros_deg == [0.0, 10.0, 0.0, 0.0, 0.0, 0.0]
@@ -63,7 +67,7 @@ def test_an_arm_that_says_no(arm):
     arm.controller.zeroing.set_zero(2)
     done(arm)
     assert last(arm).code == "zero_failed"
-    assert last(arm).params["reason"].code == RefusalCode.ZERO_NOT_SET
+    assert last(arm).params["reason"].reason == ZERO_NOT_SET
     assert last(arm).params["reason"].params == {"joints": "2"}
     assert arm.controller.state.angles_deg()[1] == 10.0
 
@@ -72,7 +76,7 @@ def test_an_arm_that_says_yes_and_does_nothing(arm):
     arm.firmware.settings_applier.set_zero = lambda _indices: True
     arm.controller.zeroing.set_zero()
     done(arm)
-    assert last(arm).params["reason"].code == RefusalCode.ZERO_NOT_TAKEN
+    assert last(arm).params["reason"].reason == ZERO_NOT_TAKEN
     assert last(arm).params["reason"].params == {"joints": "1, 2, 3, 5, 6"}  # 4 lies at 0
 
 
@@ -80,9 +84,9 @@ def test_an_arm_that_does_not_hear(arm, generation):
     arm.ear.deaf_to = {0x475}
     arm.controller.zeroing.set_zero(3)
     done(arm)
-    assert last(arm).params["reason"].code in {
-        RefusalCode.ZERO_NOT_TAKEN,
-        RefusalCode.SETTING_UNANSWERED,
+    assert last(arm).params["reason"].reason in {
+        ZERO_NOT_TAKEN,
+        SETTING_UNANSWERED,
     }
     assert arm.firmware.settings.zeros_deg == [0.0] * 6
 
@@ -105,8 +109,8 @@ def test_a_stop_ends_it_and_nothing_is_sent_again(arm):
     assert not arm.controller.zeroing.busy
     arm.run(2.0)
     assert len(sent(arm)) == 1
-    reasons = [each.params["reason"].code for each in arm.events if each.code == "zero_failed"]
-    assert reasons == ["ended_by_stop"]
+    reasons = [each.params["reason"].reason for each in arm.events if each.code == "zero_failed"]
+    assert reasons == [ENDED_BY_STOP]
 
 
 def test_a_stop_drops_those_that_wait(arm):
@@ -125,7 +129,7 @@ def test_a_link_lost_half_way_ends_it(arm):
     arm.unplug(can.CanOperationError("gone", error_code=errno.ENODEV))
     arm.run_until(lambda: "zero_failed" in arm.codes())
     failed = next(each for each in arm.events if each.code == "zero_failed")
-    assert failed.params["reason"].code == RefusalCode.LINK_LOST
+    assert failed.params["reason"].reason == LINK_LOST
     assert not arm.controller.zeroing.busy
 
 
@@ -136,7 +140,7 @@ def test_not_while_it_moves(any_rig):
     any_rig.run(0.3)
     any_rig.heard()
     refusal = any_rig.controller.zeroing.set_zero(2)
-    assert refusal.code == RefusalCode.JOINTS_MOVING
+    assert refusal.reason == JOINTS_MOVING
     assert refusal.params == {"joints": "1"}
     any_rig.step()
     assert 0x475 not in [frame.arbitration_id for frame in any_rig.heard()]
@@ -144,11 +148,11 @@ def test_not_while_it_moves(any_rig):
 
 def test_not_without_an_arm_nor_in_a_stop(any_rig):
     zeroing = any_rig.controller.zeroing
-    assert zeroing.set_zero(1).code == RefusalCode.NOT_CONNECTED
+    assert zeroing.set_zero(1).reason == NOT_CONNECTED
     any_rig.connect()
     any_rig.controller.emergency_stop()
     any_rig.run_until(lambda: "stop_confirmed" in any_rig.codes())
-    assert zeroing.set_zero(1).code == RefusalCode.STOPPED
+    assert zeroing.set_zero(1).reason == STOPPED
 
 
 def test_not_while_the_speeds_are_unknown(any_rig):
@@ -157,6 +161,6 @@ def test_not_while_the_speeds_are_unknown(any_rig):
     drivers.missing = {0x254}
     any_rig.run(0.7)
     refusal = any_rig.controller.zeroing.set_zero()
-    assert refusal.code == RefusalCode.SPEED_UNKNOWN
+    assert refusal.reason == SPEED_UNKNOWN
     assert refusal.params == {"joints": "4"}
     drivers.mend()

@@ -5,9 +5,7 @@ from __future__ import annotations
 from types import SimpleNamespace
 from typing import Any, cast
 
-from armui.arm.refusal import Refusal
-from armui.arm.refusal_codes import RefusalCode
-from armui.control.operating_state import LinkState
+from armui.control.operating_state import BUSY, LinkState
 from armui.control.requests.transactions import ReadBack, Transaction, TransactionQueue
 from armui.protocol.codes import SettingIndex
 from armui.protocol.frame import Frame
@@ -17,7 +15,7 @@ STEP_S = 0.015625
 INDEX = SettingIndex.END_LIMIT_SETTING
 LOWER_INDEX = int(INDEX) - 1
 OTHER_INDEX = int(INDEX) + 1
-NO = Refusal(RefusalCode.BUSY)
+NO = BUSY()
 
 
 def frame(number):
@@ -83,7 +81,7 @@ class Program:
         fields.setdefault("index", INDEX)
         return Transaction(
             tuple(frame(each) for each in numbers),
-            lambda refusal: self.done.append((name, refusal and refusal.code)),
+            lambda refusal: self.done.append((name, refusal and refusal.reason)),
             **fields,
         )
 

@@ -5,8 +5,7 @@ from __future__ import annotations
 import can
 from PySide6.QtWidgets import QWidget
 
-from armui.arm.refusal import Refusal
-from armui.arm.refusal_codes import RefusalCode
+from armui.bus.link import BUS_OFF
 from armui.ui.watch.bus.bus_page import BusPage
 from tests.app_driver import AppDriver
 from tests.company import OtherHost
@@ -87,9 +86,7 @@ def blocked(app_driver: AppDriver) -> QWidget:
     app_driver.run(0.3)
     connection = app_driver.controller._connection
     device = connection.device
-    connection.problem = Refusal(
-        RefusalCode.BUS_OFF, {"device": "can0", "interface": "socketcan", "channel": "can0"}
-    )
+    connection.problem = BUS_OFF(device="can0", interface="socketcan", channel="can0")
     app_driver.step()
     window.look()
     connection.problem = None

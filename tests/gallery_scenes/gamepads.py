@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from PySide6.QtWidgets import QDialog
 
-from armui.arm.refusal import Refusal
-from armui.arm.refusal_codes import RefusalCode
+from armui.control.gamepad.pilot import GAMEPAD_NOT_IN_FRONT
 from armui.gamepad.device_state import DeviceInfo
 from armui.ui.dialogs.settings import SettingsDialog
 from armui.ui.gamepad.gamepad_dialog import GamepadDialog
@@ -45,7 +44,7 @@ def taken_away(app_driver: AppDriver) -> None:
     pick_up(app_driver, pads)
     pads.push(left_x=-1.0)
     pass_time(app_driver, 0.2)
-    app_driver.controller.gamepad.lose(Refusal(RefusalCode.GAMEPAD_NOT_IN_FRONT))
+    app_driver.controller.gamepad.lose(GAMEPAD_NOT_IN_FRONT())
 
 
 def _settings(app_driver: AppDriver, pads: Pads, *found: DeviceInfo) -> QDialog:

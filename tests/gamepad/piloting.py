@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from armui.arm.refusal import Refusal
-from armui.arm.refusal_codes import RefusalCode
+from armui.arm.refusal import Reason, Refusal
 from armui.control.events import EventCode
 from armui.control.gamepad.pilot import GamepadPilot
 from armui.gamepad.device_state import DeviceInfo
@@ -70,12 +69,12 @@ def pilot(app_driver: AppDriver) -> GamepadPilot:
     return app_driver.controller.gamepad
 
 
-def reasons(app_driver: AppDriver) -> list[RefusalCode]:
+def reasons(app_driver: AppDriver) -> list[Reason]:
     """Why jogs have ended."""
-    found: list[RefusalCode] = []
+    found: list[Reason] = []
     for event in app_driver.events:
         if event.code == EventCode.JOG_ENDED:
             reason = event.params["reason"]
             assert isinstance(reason, Refusal)
-            found.append(reason.code)
+            found.append(reason.reason)
     return found

@@ -6,8 +6,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QLabel, QTableView
 
 from armui.arm.joint_status import StatusVerdict
-from armui.arm.refusal_codes import RefusalCode
-from armui.control.operating_state import LinkState
+from armui.control.operating_state import NOT_CONNECTED, LinkState
 from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
 from armui.ui.dialogs.joint_status import JointStatusDialog
@@ -340,5 +339,5 @@ def test_after_disconnecting_no_answer_is_missed(ready):
 
 
 def test_without_an_arm_nothing_is_cleared(app_driver):
-    assert app_driver.controller.joint_errors.clear(1).code == RefusalCode.NOT_CONNECTED
+    assert app_driver.controller.joint_errors.clear(1).reason == NOT_CONNECTED
     assert app_driver.codes() == ["refused"]

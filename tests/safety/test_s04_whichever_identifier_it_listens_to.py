@@ -3,7 +3,7 @@
 import can
 import pytest
 
-from armui.arm.refusal_codes import RefusalCode
+from armui.control.safety.interlocks import CONTROL_OFFSET_UNKNOWN
 from armui.protocol.addressing import Addressing
 from armui.protocol.codes import LinkageRole
 from armui.protocol.frame import Frame
@@ -72,7 +72,7 @@ def test_a_linkage_change_the_arm_never_heard_is_not_told_as_in_use(any_rig):
     assert operating_state.addressing == Addressing()
     assert rig.controller.motors.enable() is None
     rig.run_until(lambda: all(rig.controller.operating_state.enabled))
-    assert rig.controller.operating_state.cannot_move.code == RefusalCode.CONTROL_OFFSET_UNKNOWN
+    assert rig.controller.operating_state.cannot_move.reason == CONTROL_OFFSET_UNKNOWN
     rig.controller.emergency_stop()
     rig.step()
     assert rig.firmware.stopped

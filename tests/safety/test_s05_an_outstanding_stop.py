@@ -6,8 +6,8 @@ import can
 import pytest
 
 from armui.arm.device import Device
-from armui.arm.refusal_codes import RefusalCode
 from armui.control.operating_state import LinkState, StopState
+from armui.control.safety.interlocks import STOP_REQUESTED
 from armui.control.safety.recovery_steps import Action, StepKind
 from armui.ui.widgets.stop_button import StopButton
 from tests.faulty_arm import HardOfHearing
@@ -65,7 +65,7 @@ def test_after_ten_seconds_the_operator_is_asked(moving, qtbot):
     assert "stop_lapsed" in rig.codes()
     step = rig.controller.recovery.step
     assert (step.kind, step.action) == (StepKind.STOP_LAPSED, Action.WITHDRAW_STOP)
-    assert rig.controller.operating_state.cannot_move.code == RefusalCode.STOP_REQUESTED
+    assert rig.controller.operating_state.cannot_move.reason == STOP_REQUESTED
     rig.controller.emergency_stop()
     rig.run_until(lambda: rig.controller.operating_state.stop is StopState.STOPPED)
 

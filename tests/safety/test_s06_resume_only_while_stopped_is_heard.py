@@ -2,7 +2,7 @@
 
 import pytest
 
-from armui.arm.refusal_codes import RefusalCode
+from armui.control.devices.motors import NOT_STOPPED
 from armui.control.operating_state import StopState
 from armui.ui.widgets.stop_button import StopButton
 from tests.faulty_arm import FaultyDrivers
@@ -25,7 +25,7 @@ def test_with_a_silent_status_the_button_stops(stopped):
     app_driver.firmware.on_frame(frame(RESUME))  # another host has resumed; nobody hears of it
     button = app_driver.window.findChild(StopButton)
     assert button.text() == "Emergency stop"
-    assert app_driver.controller.motors.resume().code == RefusalCode.NOT_STOPPED
+    assert app_driver.controller.motors.resume().reason == NOT_STOPPED
     app_driver.time_s += 2.0  # no double click
     app_driver.press(button)
     app_driver.run(0.1)

@@ -8,7 +8,6 @@ from dataclasses import replace
 import pytest
 
 from armui.arm.models import model_data, robot_description
-from armui.arm.refusal_codes import RefusalCode
 from armui.control.operating_state import LinkState
 from armui.control.parameters.arm_model import arm_model, start_deg
 from armui.kinematics.arm_kinematics import Kinematics
@@ -19,7 +18,7 @@ from armui.sim.node import Node
 from armui.trajectory.library.run_options import RunOptions
 from armui.trajectory.planning.check import CheckRequest, check
 from armui.trajectory.points.program import Trajectory
-from armui.ui.trajectory.running.run_request import CheckBasis, Preflight
+from armui.ui.trajectory.running.run_request import MODEL_CHANGED_SINCE_CHECK, CheckBasis, Preflight
 from armui.viewport.process.urdf_file import load_robot
 from tests.arm_rig import ArmRig
 from tests.control.under_way import OUT, to
@@ -71,7 +70,7 @@ def test_a_check_made_for_the_other_zeros_is_outdated(rig):
     todays = replace(arm, kinematics=Kinematics(model_data().geometry))
     outdated = Preflight(request, outcome, replace(basis, arm=todays))
     refusal = outdated.why_outdated(rig.controller, basis.options)
-    assert refusal.code == RefusalCode.MODEL_CHANGED_SINCE_CHECK
+    assert refusal.reason == MODEL_CHANGED_SINCE_CHECK
 
 
 def test_another_arm_on_the_adapter_has_its_own_zeros(app_driver):

@@ -7,8 +7,8 @@ from dataclasses import replace
 
 import pytest
 
+from armui.arm.model_check import MODEL_OTHER
 from armui.arm.models import model_data
-from armui.arm.refusal_codes import RefusalCode
 from armui.control.motion.jog_path import ToolJog
 from armui.kinematics.axes import JogFrame
 from armui.protocol.codes import MoveMode
@@ -38,7 +38,7 @@ def test_a_tool_step_with_the_wrong_model_is_refused_and_sends_nothing(rig, true
     # at once, before the comparison has been made twice
     refusal = rig.controller.cartesian.step(2, 5.0, JogFrame.BASE)
 
-    assert refusal.code == RefusalCode.MODEL_OTHER
+    assert refusal.reason == MODEL_OTHER
     rig.run(2.0)
     fit = now(rig.controller.operating_state.model_fit)
     assert (fit.chosen, fit.other) == (chosen, true)
@@ -48,7 +48,7 @@ def test_a_tool_step_with_the_wrong_model_is_refused_and_sends_nothing(rig, true
         lambda: rig.controller.jogging.start(ToolJog(0, 1, JogFrame.BASE)),
     ):
         refusal = tried()
-        assert refusal.code == RefusalCode.MODEL_OTHER
+        assert refusal.reason == MODEL_OTHER
         assert refusal.params["fits"] == model_data(true).name
     rig.run(0.2)
     assert rig.heard() == []
@@ -115,6 +115,6 @@ def test_no_trajectory_begins_with_the_wrong_model(rig):
 
     refusal = rig.controller.player.start(run_of(to(OUT)))
 
-    assert refusal.code == RefusalCode.MODEL_OTHER
+    assert refusal.reason == MODEL_OTHER
     rig.run(0.2)
     assert rig.heard() == []

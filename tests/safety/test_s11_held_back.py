@@ -2,8 +2,8 @@
 
 import pytest
 
-from armui.arm.refusal_codes import RefusalCode
 from armui.control.motion.motion_command import Hold
+from armui.control.safety.interlocks import SPEED_ZERO
 from armui.control.safety.recovery_steps import Action, StepKind
 from armui.protocol.codes import TrajectoryCommand
 
@@ -85,7 +85,7 @@ def test_it_does_not_go_on_at_zero_percent(any_rig):
 
     refusal = controller.planned_motion.command(TrajectoryCommand.CONTINUE)
 
-    assert refusal.code == RefusalCode.SPEED_ZERO
+    assert refusal.reason == SPEED_ZERO
     assert controller.operating_state.holds == {Hold.SPEED_ZERO}
 
 

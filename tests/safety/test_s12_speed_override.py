@@ -6,13 +6,14 @@ from itertools import pairwise
 import numpy as np
 import pytest
 
-from armui.arm.refusal_codes import RefusalCode
 from armui.control.motion.jog_path import JointJog
 from armui.control.motion.motion_command import Hold
+from armui.control.run.player import NOT_RUNNING, OVERRIDE_ZERO
 from armui.control.run.progress import Run, RunPhase
 from armui.control.run.replay import Replay
 from armui.protocol.codes import MoveMode
 from armui.protocol.frame import Frame
+from armui.trajectory.files.errors import SPEED_OUT_OF_RANGE
 from armui.trajectory.points.program import Waypoint
 from armui.trajectory.samples.recording import Recording
 from tests.arm_rig import STEP_S
@@ -220,7 +221,7 @@ def test_0_percent_holds_back_and_only_continue_goes_on(ready, what):
     assert ready.controller.operating_state.running
     ready.run(1.5)
     stood_deg = ready.firmware.joints_deg
-    assert part.go_on().code == RefusalCode.OVERRIDE_ZERO
+    assert part.go_on().reason == OVERRIDE_ZERO
     override(ready, 60)
     ready.run(1.0)
     ready.controller.motion.jog(6, 1.0)
@@ -264,7 +265,7 @@ def test_step_by_step_does_not_go_on_at_0_percent(ready):
     ready.run_until(lambda: player.phase is RunPhase.WAITING)
     override(ready, 0)
     ready.heard()
-    assert player.go_on().code == RefusalCode.OVERRIDE_ZERO
+    assert player.go_on().reason == OVERRIDE_ZERO
     ready.step()
     assert ready.heard() == []
     override(ready, 50)
@@ -272,7 +273,7 @@ def test_step_by_step_does_not_go_on_at_0_percent(ready):
 
 
 def test_it_is_there_for_a_run_and_stays_for_the_next(ready):
-    assert override(ready, 0).code == RefusalCode.NOT_RUNNING
+    assert override(ready, 0).reason == NOT_RUNNING
     player = started(ready, FAR)
     override(ready, 30)
     override(ready, 0)
@@ -288,7 +289,7 @@ def test_it_is_there_for_a_run_and_stays_for_the_next(ready):
 
 def test_a_figure_that_is_no_percentage_is_refused(ready):
     for value in (-1, 101, math.nan):
-        assert override(ready, value).code == RefusalCode.SPEED_OUT_OF_RANGE
+        assert override(ready, value).reason == SPEED_OUT_OF_RANGE
     assert ready.controller.speed_override.percent == 100
 
 

@@ -5,8 +5,9 @@ from dataclasses import replace
 import pytest
 from PySide6.QtWidgets import QCheckBox, QTableView
 
-from armui.arm.refusal_codes import RefusalCode
+from armui.control.operating_state import LISTEN_ONLY
 from armui.control.safety.recovery_steps import StepKind
+from armui.control.safety.stopping import HALT_LISTEN_ONLY
 from armui.protocol.codes import LinkageRole, TrajectoryCommand
 from armui.ui.dialogs.connect import ConnectDialog
 
@@ -65,7 +66,7 @@ def test_the_stop_goes_out_and_nothing_else(listening):
 
     assert set(rig.said) == STOPS
     assert rig.firmware.condition.stopped
-    assert controller.halt_and_hold().code == RefusalCode.HALT_LISTEN_ONLY
+    assert controller.halt_and_hold().reason == HALT_LISTEN_ONLY
     said = len(rig.said)
     controller.disconnect_device()
     rig.node.poll(0.02)
@@ -83,4 +84,4 @@ def test_it_is_chosen_where_the_arm_is_connected(app_driver):
     app_driver.run_until(lambda: app_driver.controller.operating_state.link.name == "ONLINE")
 
     assert app_driver.controller.operating_state.device.listen_only
-    assert app_driver.controller.operating_state.cannot_move.code == RefusalCode.LISTEN_ONLY
+    assert app_driver.controller.operating_state.cannot_move.reason == LISTEN_ONLY

@@ -3,11 +3,11 @@
 import can
 import pytest
 
-from armui.arm.refusal_codes import RefusalCode
 from armui.bus.worker import is_own_echo
 from armui.control.motion.jog_path import JointJog
 from armui.control.motion.motion_command import Mover
 from armui.control.run.progress import Run, RunPhase
+from armui.control.safety.other_command import LEADER_ARM, OTHER_HOST, OTHER_HOST_STREAMS
 from armui.control.safety.recovery_steps import Action, StepKind
 from armui.protocol.codes import MoveMode
 from armui.trajectory.points.program import Waypoint
@@ -44,10 +44,10 @@ def test_each_motion_frame_of_another_host_holds_ours_back(ready, other_host, fr
     rig.run(0.2)
 
     refusal = controller.operating_state.cannot_move
-    assert refusal.code == RefusalCode.OTHER_HOST
+    assert refusal.reason == OTHER_HOST
     assert refusal.params["frames"] == name
     assert "other_host_moves" in rig.codes()
-    assert controller.motion.jog(6, 1.0).code == RefusalCode.OTHER_HOST
+    assert controller.motion.jog(6, 1.0).reason == OTHER_HOST
     rig.run(1.7)
     assert controller.operating_state.cannot_move is not None
     rig.run(0.5)
@@ -93,7 +93,7 @@ def test_against_a_stream_only_the_stop_wins(ready, other_host):
     rig, controller = ready, ready.controller
     stream = other_host.stream_targets(lambda _t_s: A, rate_hz=200, speed_percent=30)
     rig.run(0.5)
-    assert controller.take_over().code == RefusalCode.OTHER_HOST_STREAMS
+    assert controller.take_over().reason == OTHER_HOST_STREAMS
     controller.emergency_stop()
     rig.run(0.3)
 
@@ -124,7 +124,7 @@ def test_it_goes_on_until_the_arm_rests(ready, other_host):
     rig.run(3.0)
 
     assert rig.firmware.mechanics.moving
-    assert controller.operating_state.cannot_move.code == RefusalCode.OTHER_HOST
+    assert controller.operating_state.cannot_move.reason == OTHER_HOST
     rig.run(8.0)
     assert controller.operating_state.cannot_move is None
 
@@ -139,7 +139,7 @@ def test_a_run_cut_off_by_another_host_leaves_its_motion_alone(ready, other_host
     rig.run(4.0)
 
     assert controller.player.progress.phase is RunPhase.FAILED
-    assert controller.player.progress.reason.code == RefusalCode.OTHER_HOST
+    assert controller.player.progress.reason.reason == OTHER_HOST
     assert rig.firmware.mechanics.positions_deg == pytest.approx((60.0, *A[1:]), abs=0.05)
     assert not [frame for frame in rig.heard() if frame.arbitration_id == 0x150]
 
@@ -175,7 +175,7 @@ def test_enabling_waits_while_another_host_streams_targets(ready, other_host):
     stream = other_host.stream_targets(lambda _t_s: A, rate_hz=200, speed_percent=30)
     rig.run(0.3)
 
-    assert controller.motors.enable().code == RefusalCode.OTHER_HOST
+    assert controller.motors.enable().reason == OTHER_HOST
     stream.end()
 
 
@@ -184,7 +184,7 @@ def test_a_leader_arm_is_called_one(ready):
     leader = OtherArm.leader(rig)
     rig.run(1.0)
 
-    assert controller.operating_state.cannot_move.code == RefusalCode.LEADER_ARM
+    assert controller.operating_state.cannot_move.reason == LEADER_ARM
     assert controller.operating_state.mover is Mover.LEADER
     assert controller.recovery.step.kind is StepKind.LEADER_ARM
     leader.close()

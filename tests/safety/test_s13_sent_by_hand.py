@@ -4,10 +4,14 @@ from dataclasses import replace
 
 import pytest
 
-from armui.arm.refusal_codes import RefusalCode
+from armui.control.link.bus_access import FRAME_NOT_HELD
 from armui.control.motion.jog_path import JointJog
 from armui.control.motion.motion_command import End, Mover
+from armui.control.operating_state import LISTEN_ONLY, NOT_CONNECTED, OFFLINE
 from armui.control.run.progress import Run, RunPhase
+from armui.control.safety.feedback_freshness import FEEDBACK_SILENT
+from armui.control.safety.interlocks import STOP_REQUESTED, STOPPED
+from armui.control.safety.other_command import OTHER_HOST, OTHER_HOST_STREAMS, OTHER_MODE
 from armui.control.safety.recovery_steps import StepKind
 from armui.protocol.codes import MoveMode
 from armui.trajectory.points.program import Waypoint
@@ -48,8 +52,8 @@ def test_the_arm_obeys_and_our_own_motion_waits(ready):
 
     assert said(rig) == lines
     assert controller.operating_state.mover is Mover.OTHER_HOST
-    assert controller.operating_state.cannot_move.code == RefusalCode.OTHER_HOST
-    assert controller.motion.jog(6, 1.0).code == RefusalCode.OTHER_HOST
+    assert controller.operating_state.cannot_move.reason == OTHER_HOST
+    assert controller.motion.jog(6, 1.0).reason == OTHER_HOST
     rig.run(8.0)
     assert rig.firmware.mechanics.positions_deg == pytest.approx(A, abs=0.05)
     assert controller.operating_state.cannot_move is None
@@ -74,7 +78,7 @@ def test_our_command_ends_before_the_frame_leaves(ready):
     assert controller._authority.command is None
     assert controller._authority.ended is End.OTHER_HOST
     # a step does not start from the target that was ours
-    assert controller.motion.jog(6, 1.0).code == RefusalCode.OTHER_HOST
+    assert controller.motion.jog(6, 1.0).reason == OTHER_HOST
 
 
 def test_what_waits_of_ours_is_dropped(ready):
@@ -97,7 +101,7 @@ def test_a_run_ends_and_cuts_nothing_off(ready):
     rig.run(5.0)
 
     assert controller.player.progress.phase is RunPhase.FAILED
-    assert controller.player.progress.reason.code == RefusalCode.OTHER_HOST
+    assert controller.player.progress.reason.reason == OTHER_HOST
     assert rig.firmware.mechanics.positions_deg == pytest.approx((60.0, *A[1:]), abs=0.05)
     assert not [each for each in rig.heard() if each.arbitration_id == 0x150]
 
@@ -116,7 +120,7 @@ def test_the_operator_may_take_the_arm_back(ready):
     rig, controller = ready, ready.controller
     move_by_hand(rig, A, 10)
     rig.run(0.3)
-    assert controller.take_over().code == RefusalCode.OTHER_HOST_STREAMS
+    assert controller.take_over().reason == OTHER_HOST_STREAMS
     rig.run(0.4)
     assert controller.take_over() is None
     rig.step()
@@ -138,7 +142,7 @@ def test_questions_and_lamps_change_nothing(ready):
 )
 def test_what_acts_needs_the_held_press(ready, line):
     rig = ready
-    assert send(rig, line, held=False) == [RefusalCode.FRAME_NOT_HELD]
+    assert send(rig, line, held=False) == [FRAME_NOT_HELD.id]
     rig.run(0.1)
     assert said(rig) == []
     assert rig.codes()[-1] == "refused"
@@ -184,13 +188,13 @@ def test_a_connection_that_only_listens_sends_none(rig):
     rig.run(1.0)
     rig.heard()
 
-    assert send(rig, QUESTION, mode(10), DISABLE) == [RefusalCode.LISTEN_ONLY] * 3
+    assert send(rig, QUESTION, mode(10), DISABLE) == [LISTEN_ONLY.id] * 3
     rig.run(0.2)
     assert said(rig) == []
 
 
 def test_without_a_device_there_is_nobody_to_send_to(rig):
-    assert send(rig, QUESTION) == [RefusalCode.NOT_CONNECTED]
+    assert send(rig, QUESTION) == [NOT_CONNECTED.id]
 
 
 def test_a_silent_arm_is_asked_but_not_moved(ready):
@@ -199,7 +203,7 @@ def test_a_silent_arm_is_asked_but_not_moved(ready):
     rig.run(1.0)
     rig.heard()
 
-    assert send(rig, mode(10)) == [RefusalCode.OFFLINE]
+    assert send(rig, mode(10)) == [OFFLINE.id]
     assert send(rig, QUESTION, DISABLE) == [None, None]
 
 
@@ -208,7 +212,7 @@ def test_an_arm_whose_angles_are_silent_is_not_moved(ready):
     silence(rig, 0x2A6)
     rig.run(1.0)
 
-    assert send(rig, mode(10)) == [RefusalCode.FEEDBACK_SILENT]
+    assert send(rig, mode(10)) == [FEEDBACK_SILENT.id]
 
 
 def silence(rig, arbitration_id):
@@ -224,7 +228,7 @@ def test_while_a_stop_is_not_confirmed_nothing_is_sent(ready):
     controller.emergency_stop()
     rig.heard()
 
-    assert send(rig, QUESTION, mode(10)) == [RefusalCode.STOP_REQUESTED] * 2
+    assert send(rig, QUESTION, mode(10)) == [STOP_REQUESTED.id] * 2
 
 
 def test_a_stopped_arm_is_not_moved(ready):
@@ -233,7 +237,7 @@ def test_a_stopped_arm_is_not_moved(ready):
     rig.run(0.5)
     rig.heard()
 
-    assert send(rig, mode(10), "471#0702000000000000") == [RefusalCode.STOPPED] * 2
+    assert send(rig, mode(10), "471#0702000000000000") == [STOPPED.id] * 2
     assert said(rig) == []
 
 
@@ -254,7 +258,7 @@ def test_no_motion_of_another_host_is_interfered_with(ready, other_host):
     rig.run(0.5)
     rig.heard()
 
-    assert send(rig, mode(10), "159#0000000000000100") == [RefusalCode.OTHER_HOST] * 2
+    assert send(rig, mode(10), "159#0000000000000100") == [OTHER_HOST.id] * 2
     # a question is answered, and what ends motion is never refused
     assert send(rig, QUESTION, "150#0006000000000000") == [None, None]
     stream.end()
@@ -288,8 +292,8 @@ def test_a_mode_that_leaves_the_joints_limp_is_another_hosts_from_then_on(ready)
     rig.heard()
 
     assert controller.recovery.step.kind is StepKind.OTHER_MODE
-    assert controller.motion.jog(6, 1.0).code == RefusalCode.OTHER_MODE
-    assert send(rig, mode(10)) == [RefusalCode.OTHER_MODE]
+    assert controller.motion.jog(6, 1.0).reason == OTHER_MODE
+    assert send(rig, mode(10)) == [OTHER_MODE.id]
     rig.run(0.5)
     assert said(rig) == []
 

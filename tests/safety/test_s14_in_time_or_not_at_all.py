@@ -3,8 +3,10 @@
 import pytest
 
 from armui.arm.parameters import Batch, Group, Parameter
-from armui.arm.refusal_codes import RefusalCode
+from armui.control.operating_state import OFFLINE
+from armui.control.operations.started import ARM_CHANGED
 from armui.control.parameters.parameter_reader import ParameterReader
+from armui.control.safety.interlocks import JOINTS_UNKNOWN
 from tests.faulty_arm import HardOfHearing, laid_down
 
 END = Batch(Group.END_LIMITS)
@@ -99,7 +101,7 @@ def test_no_zero_while_the_angles_are_silent(any_rig):
         frame for frame in step(dt_s) if frame.arbitration_id not in silence
     ]
     any_rig.run(0.7)
-    assert any_rig.controller.zeroing.set_zero(1).code == RefusalCode.JOINTS_UNKNOWN
+    assert any_rig.controller.zeroing.set_zero(1).reason == JOINTS_UNKNOWN
     del any_rig.firmware.step
 
 
@@ -126,7 +128,7 @@ def test_a_command_meant_for_one_arm_is_not_given_to_the_next(arm):
     connection._start_anew(connection._worker, arm.time_s)  # it was silent, and an arm came
     arm.run(3.0)
     assert len([each for each in arm.ear.heard if each.arbitration_id == 0x479]) == 1
-    assert arm.controller.settings.cell(LINEAR_SPEED).reason.code in {
-        RefusalCode.ARM_CHANGED,
-        RefusalCode.OFFLINE,
+    assert arm.controller.settings.cell(LINEAR_SPEED).reason.reason in {
+        ARM_CHANGED,
+        OFFLINE,
     }

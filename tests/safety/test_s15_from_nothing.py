@@ -8,9 +8,9 @@ import can
 import pytest
 
 from armui.arm.parameters import Batch, Group, Parameter, heard
-from armui.arm.refusal_codes import RefusalCode
 from armui.control.operating_state import LinkState
 from armui.control.parameters.setting_cell import CellState
+from armui.control.parameters.setting_checks import SETTING_UNKNOWN
 from armui.control.safety.recovery_steps import StepKind
 from armui.protocol.codes import LinkageRole
 from armui.protocol.frame import Frame
@@ -57,7 +57,7 @@ def test_another_arm_on_the_same_adapter_is_asked_anew(qapp, request, first):
     assert heard(rig.controller.state, LINEAR_SPEED) is None
     assert rig.controller.settings.cell(LINEAR_SPEED).state is CellState.UNREAD
     ear = HardOfHearing(rig.firmware)
-    assert rig.controller.settings.save({LINEAR_SPEED: 0.25}).code == RefusalCode.SETTING_UNKNOWN
+    assert rig.controller.settings.save({LINEAR_SPEED: 0.25}).reason == SETTING_UNKNOWN
     rig.run(0.1)
     assert all(frame.arbitration_id != 0x479 for frame in ear.heard)
     rig.controller.settings.read([END])

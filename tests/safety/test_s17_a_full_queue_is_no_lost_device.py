@@ -7,8 +7,8 @@ import pytest
 from can.interfaces.kvaser import constants as kvaser
 
 from armui.arm.device import Device
-from armui.arm.refusal_codes import RefusalCode
-from armui.bus.link import BusHealth, BusState
+from armui.bus.link import BUS_OFF as BUS_OFF_REASON
+from armui.bus.link import BUS_SEND_BLOCKED, BUS_UNACKNOWLEDGED, BusHealth, BusState
 from armui.bus.send_errors import queue_is_full
 from armui.control.operating_state import LinkState
 from armui.ui import words
@@ -107,9 +107,7 @@ def test_it_is_waited_for_and_after_half_a_second_called_what_it_is(rig, qtbot, 
     step_blocked(rig, qtbot, tries, 0.7)
     qtbot.waitUntil(lambda: "bus_blocked" in rig.codes())
     told = next(each for each in rig.events if each.code == "bus_blocked")
-    assert (
-        told.params["reason"].code == RefusalCode.BUS_SEND_BLOCKED
-    )  # the arm is heard all the while
+    assert told.params["reason"].reason == BUS_SEND_BLOCKED  # the arm is heard all the while
     assert "link_lost" not in rig.codes()
     assert rig.controller.operating_state.link is LinkState.ONLINE
     assert "Unplug the adapter" in words.event(told)
@@ -170,10 +168,10 @@ def test_bus_off_is_said_until_frames_are_heard_again():
 
 def test_who_is_to_blame_is_told_by_what_is_heard():
     health = BusHealth(Device("socketcan", "can0", None))
-    assert health.problem(1.0, blocked=True).code == RefusalCode.BUS_UNACKNOWLEDGED
+    assert health.problem(1.0, blocked=True).reason == BUS_UNACKNOWLEDGED
     health.on_frame(1.0)
-    assert health.problem(1.4, blocked=True).code == RefusalCode.BUS_SEND_BLOCKED
-    assert health.problem(1.6, blocked=True).code == RefusalCode.BUS_UNACKNOWLEDGED
+    assert health.problem(1.4, blocked=True).reason == BUS_SEND_BLOCKED
+    assert health.problem(1.6, blocked=True).reason == BUS_UNACKNOWLEDGED
 
 
 def test_error_frames_of_another_layout_are_not_read():
@@ -190,8 +188,8 @@ def test_bus_off_reaches_the_operator(rig, qtbot, monkeypatch):
     )
     qtbot.waitUntil(lambda: "bus_blocked" in rig.codes())
     told = next(each for each in rig.events if each.code == "bus_blocked")
-    assert told.params["reason"].code == RefusalCode.BUS_OFF
-    assert rig.controller.operating_state.link_problem.code == RefusalCode.BUS_OFF
+    assert told.params["reason"].reason == BUS_OFF_REASON
+    assert rig.controller.operating_state.link_problem.reason == BUS_OFF_REASON
     rig.run(0.1)
     qtbot.waitUntil(lambda: "bus_unblocked" in rig.codes())
     assert BusState.BLOCKED is not rig.controller._connection._bus_state

@@ -4,8 +4,8 @@ import pytest
 from PySide6.QtCore import QEvent
 from PySide6.QtWidgets import QApplication, QMenu
 
-from armui.arm.refusal_codes import RefusalCode
 from armui.control.events import EventCode
+from armui.control.gamepad.pilot import GAMEPAD_NOT_IN_FRONT
 from armui.control.motion.jog_path import JointJog
 from armui.gamepad.dead_man import HoldPhase
 from armui.gamepad.layout import JogMode
@@ -33,7 +33,7 @@ def test_an_open_menu_takes_it_away(ready, pads):
     menu.popup(ready.window.mapToGlobal(ready.window.rect().center()))
     pass_time(ready, 0.02)
     assert not ready.controller.jogging.active
-    assert reasons(ready) == [RefusalCode.GAMEPAD_NOT_IN_FRONT]
+    assert reasons(ready) == [GAMEPAD_NOT_IN_FRONT]
     menu.close()
     menu.deleteLater()
 

@@ -10,11 +10,10 @@ import pytest
 from filelock import FileLock
 
 from armui.arm.device import Device
-from armui.arm.refusal_codes import RefusalCode
 from armui.control.events import Event
 from armui.control.link.instance_registry import InstanceRegistry
 from armui.control.operating_state import OperatingState
-from armui.settings import SettingsStore, _lock_path
+from armui.settings import SETTINGS_IN_USE, SettingsStore, _lock_path
 from armui.system.presence import Presence
 from tests.posix import kill
 from tests.ui.fake_controller import FakeController
@@ -69,7 +68,7 @@ def test_a_file_another_program_holds_is_not_waited_for(tmp_path):
     store = SettingsStore(path)
     with FileLock(_lock_path(path)):
         began_s = time.perf_counter()
-        assert store.change(theme="dark").code == RefusalCode.SETTINGS_IN_USE
+        assert store.change(theme="dark").reason == SETTINGS_IN_USE
         assert time.perf_counter() - began_s < 2.0
     assert store.settings.theme == "dark"
     assert not path.exists()

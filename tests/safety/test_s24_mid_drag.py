@@ -10,8 +10,6 @@ from PySide6.QtGui import QMouseEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QPushButton, QWidget
 
-from armui.arm.refusal import Refusal
-from armui.arm.refusal_codes import RefusalCode
 from armui.control.operating_state import LinkState
 from armui.protocol.codes import MoveMode
 from armui.protocol.generation import Generation
@@ -23,6 +21,7 @@ from armui.ui.trajectory.library.library_page import LibraryPage
 from armui.viewport.client import PictureClient
 from armui.viewport.grips import GripKind
 from armui.viewport.handles import HandleKind
+from armui.viewport.messages import PICTURE_PROCESS_ENDED, PICTURE_PROCESS_HUNG
 from armui.viewport.process.robot import shape_of
 from armui.viewport.process.urdf_file import load_robot
 from armui.viewport.process_link import Lost
@@ -75,12 +74,12 @@ def has_ended(hand):
 
 
 def picture_lost(hand):
-    lost = Lost(Refusal(RefusalCode.PICTURE_PROCESS_ENDED, {"text": "SIGKILL"}), True)
+    lost = Lost(PICTURE_PROCESS_ENDED(text="SIGKILL"), True)
     hand.view._client.lost.emit(lost)
 
 
 def picture_given_up(hand):
-    lost = Lost(Refusal(RefusalCode.PICTURE_PROCESS_HUNG), False)
+    lost = Lost(PICTURE_PROCESS_HUNG(), False)
     hand.view._client.lost.emit(lost)
 
 

@@ -2,8 +2,9 @@
 
 import pytest
 
-from armui.arm.refusal_codes import RefusalCode
 from armui.control.motion.motion_command import Mover
+from armui.control.safety.interlocks import SPEED_ZERO
+from armui.control.safety.other_command import OTHER_HOST_STREAMS, OTHER_MODE
 from armui.control.safety.recovery_steps import Action, StepKind
 from armui.protocol.codes import MoveMode, TrajectoryCommand
 from tests.named_version import name_version
@@ -66,7 +67,7 @@ def test_what_0x2a1_shows_is_enough(raised, shown):
     rig.run(0.5)
     rig.heard()
     controller.motion.set_speed_percent(10)
-    assert controller.motion.jog(6, 1.0).code == RefusalCode.OTHER_MODE
+    assert controller.motion.jog(6, 1.0).reason == OTHER_MODE
     rig.run(2.0)
     assert rig.heard() == []
 
@@ -149,7 +150,7 @@ def test_against_a_stream_only_the_stop_wins(raised, other_host):
     step = controller.recovery.step
     assert step.action is Action.LEAVE_MODE
     rig.heard()
-    assert controller.recovery.act(step).code == RefusalCode.OTHER_HOST_STREAMS
+    assert controller.recovery.act(step).reason == OTHER_HOST_STREAMS
     ours = [each for each in rig.heard() if each == frame("151#01013C0000000000")]
     assert ours == []
 
@@ -162,7 +163,7 @@ def test_it_is_not_left_at_no_speed(raised, other_host):
     rig.run(3.0)
     controller.motion.set_speed_percent(0)
     rig.run(0.2)
-    assert controller.recovery.act(controller.recovery.step).code == RefusalCode.SPEED_ZERO
+    assert controller.recovery.act(controller.recovery.step).reason == SPEED_ZERO
 
 
 def test_an_arm_that_does_not_leave_its_mode_is_said_to_be_in_it(raised, other_host):
@@ -174,7 +175,7 @@ def test_an_arm_that_does_not_leave_its_mode_is_said_to_be_in_it(raised, other_h
     assert controller.recovery.act(controller.recovery.step) is None
     rig.run(1.0)
     assert controller.recovery.step.kind is StepKind.OTHER_MODE
-    assert controller.motion.jog(6, 1.0).code == RefusalCode.OTHER_MODE
+    assert controller.motion.jog(6, 1.0).reason == OTHER_MODE
 
 
 def test_the_way_back_is_the_reset(raised, other_host):
@@ -195,7 +196,7 @@ def test_high_follow_is_over_after_the_reset(raised, other_host):
     rig, controller = raised, raised.controller
     other_host.say(HIGH_FOLLOW)
     rig.run(3.0)
-    assert controller.operating_state.cannot_move.code == RefusalCode.OTHER_MODE
+    assert controller.operating_state.cannot_move.reason == OTHER_MODE
     controller.emergency_stop()
     resume_and_enable(rig)
     assert controller.operating_state.cannot_move is None

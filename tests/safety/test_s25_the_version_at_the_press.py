@@ -3,8 +3,8 @@
 import can
 import pytest
 
-from armui.arm.refusal_codes import RefusalCode
 from armui.control.operating_state import LinkState
+from armui.control.safety.mode_exit import VERSION_UNANSWERED
 from armui.control.safety.recovery_steps import Action
 from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation, PiperModel
@@ -60,7 +60,7 @@ def mode_words(rig):
 
 
 def reasons(rig):
-    return [event.params["reason"].code for event in rig.events if event.params.get("reason")]
+    return [event.params["reason"].reason for event in rig.events if event.params.get("reason")]
 
 
 def version_frames(text, model=PiperModel.PIPER):
@@ -165,7 +165,7 @@ def test_without_an_answer_nothing_is_sent(held):
     held.run(3.0)
     assert len(asked) == 3
     assert mode_words(held) == []
-    assert RefusalCode.VERSION_UNANSWERED in reasons(held)
+    assert VERSION_UNANSWERED in reasons(held)
 
 
 @pytest.mark.parametrize("lost", range(11))

@@ -7,8 +7,8 @@ import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 
-from armui.arm.refusal_codes import RefusalCode
-from armui.control.operating_state import StopState
+from armui.control.operating_state import NOT_CONNECTED, StopState
+from armui.control.safety.stopping import HALT_LISTEN_ONLY
 from armui.protocol.codes import LinkageRole, TeachingState
 from armui.protocol.frame import Frame
 from armui.sim.parameters.settings import LinkageSettings
@@ -132,11 +132,11 @@ def _full():
 
 
 def test_refused_only_where_nothing_can_be_reached(rig):
-    assert rig.controller.halt_and_hold().code == RefusalCode.NOT_CONNECTED
+    assert rig.controller.halt_and_hold().reason == NOT_CONNECTED
     rig.device = replace(rig.device, listen_only=True)
     rig.controller.connect_device(rig.device)
     rig.run(1.0)
-    assert rig.controller.halt_and_hold().code == RefusalCode.HALT_LISTEN_ONLY
+    assert rig.controller.halt_and_hold().reason == HALT_LISTEN_ONLY
     rig.controller.emergency_stop()
     rig._settle()
     said = []

@@ -11,7 +11,6 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from armui.arm.refusal_codes import RefusalCode
 from armui.protocol.codes import MoveMode
 from armui.trajectory import files
 from armui.trajectory.files import TrajectoryFileError
@@ -153,11 +152,10 @@ def test_a_broken_file_says_where_and_why(tmp_path, text, line, column, code):
     assert error.file == "broken.log"
     assert str(error).startswith("broken.log")
     assert "?" not in str(error)
-    assert code in set(RefusalCode)
 
 
 def test_what_cannot_be_read_at_all_says_why(tmp_path):
-    with pytest.raises(TrajectoryFileError, match=r"nowhere\.log: cannot be read: No such file"):
+    with pytest.raises(TrajectoryFileError, match=r"nowhere\.log: The file cannot be read: No "):
         files.load(tmp_path / "nowhere.log")
 
 
@@ -193,7 +191,7 @@ def survives(data: bytes) -> None:
     except TrajectoryFileError as caught:
         error = caught
     if error is not None:
-        assert error.reason.code in set(RefusalCode)
+        assert error.reason.reason.source
         assert error.reason.code not in str(error)
 
 
@@ -247,7 +245,7 @@ def test_good_files_are_read_and_bad_ones_named(tmp_path: Path) -> None:
     assert files.load(tmp_path / "3.json") == recording()
     with pytest.raises(TrajectoryFileError) as bad:
         files.load(tmp_path / "2.log")
-    with pytest.raises(TrajectoryFileError, match=r"4\.log: cannot be read"):
+    with pytest.raises(TrajectoryFileError, match=r"4\.log: The file cannot be read"):
         files.load(tmp_path / "4.log")
 
     assert bad.value.file == "2.log"

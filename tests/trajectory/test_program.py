@@ -11,13 +11,19 @@ import numpy as np
 import pytest
 from hypothesis import given
 
-from armui.arm.refusal import Refusal
-from armui.arm.refusal_codes import RefusalCode
 from armui.kinematics.arm_kinematics import Kinematics
 from armui.protocol.codes import MoveMode
-from armui.trajectory.planning.convert import to_joints, to_pose
+from armui.trajectory.planning.convert import (
+    CONVERT_NEEDS_MIDDLE,
+    CONVERT_OUT_OF_REACH,
+    to_joints,
+    to_pose,
+)
 from armui.trajectory.points import edits
 from armui.trajectory.points.program import (
+    POINT_NOT_WHOLE,
+    POINT_OUT_OF_RANGE,
+    TEXT_TOO_LONG,
     GripperOpening,
     LightAction,
     Trajectory,
@@ -82,9 +88,8 @@ def test_what_no_arm_can_do_is_refused_by_field(changes, code, field):
 
 
 def test_a_refusal_names_value_limits_and_unit():
-    assert check_point(replace(POINT, dwell_s=5000.0)) == Refusal(
-        RefusalCode.POINT_OUT_OF_RANGE,
-        {"field": "dwell", "value": 5000.0, "minimum": 0.0, "maximum": 3600.0, "unit": "s"},
+    assert check_point(replace(POINT, dwell_s=5000.0)) == POINT_OUT_OF_RANGE(
+        field="dwell", value=5000.0, minimum=0.0, maximum=3600.0, unit="s"
     )
 
 
@@ -140,13 +145,11 @@ def test_a_way_within_the_limits_goes_before_a_nearer_one():
 
 def test_a_pose_out_of_reach_stays_a_pose():
     far = Waypoint(MoveMode.MOVE_P, (900.0, 0.0, 0.0, 0.0, 0.0, 0.0))
-    assert to_joints(far, KINEMATICS, HERE) == Refusal(
-        RefusalCode.CONVERT_OUT_OF_REACH, {"x": 900.0, "y": 0.0, "z": 0.0}
-    )
+    assert to_joints(far, KINEMATICS, HERE) == CONVERT_OUT_OF_REACH(x=900.0, y=0.0, z=0.0)
 
 
 def test_no_conversion_invents_the_middle_of_an_arc():
-    assert to_pose(POINT, KINEMATICS, MoveMode.MOVE_C).code == RefusalCode.CONVERT_NEEDS_MIDDLE
+    assert to_pose(POINT, KINEMATICS, MoveMode.MOVE_C).reason == CONVERT_NEEDS_MIDDLE
 
 
 # Find and replace ---------------------------------------------------------------------------------
@@ -157,7 +160,7 @@ def test_find_and_replace_in_notes():
     assert list(edits.find_text(points, "over")) == [0, 2]
     assert list(edits.find_text(points, "over", match_case=True)) == [0]
     assert edits.replace_text(points[0], "tray", "box").note == "over the box"
-    assert edits.replace_text(points[0], "tray", "x" * 5000).code == RefusalCode.TEXT_TOO_LONG
+    assert edits.replace_text(points[0], "tray", "x" * 5000).reason == TEXT_TOO_LONG
 
 
 def test_find_and_replace_figures():
@@ -169,8 +172,8 @@ def test_find_and_replace_figures():
     assert edits.replace_figure(points[0], "X", 71.0) is points[0]
     assert edits.replace_figure(points[0], "speed", 20.0).speed_percent == 20
     assert edits.replace_figure(points[0], "dwell", 2.0).dwell_s == 2.0
-    assert edits.replace_figure(points[0], "J2", 400.0).code == RefusalCode.POINT_OUT_OF_RANGE
-    assert edits.replace_figure(points[0], "speed", 20.5).code == RefusalCode.POINT_NOT_WHOLE
+    assert edits.replace_figure(points[0], "J2", 400.0).reason == POINT_OUT_OF_RANGE
+    assert edits.replace_figure(points[0], "speed", 20.5).reason == POINT_NOT_WHOLE
 
 
 def test_the_points_alone_need_no_numpy():

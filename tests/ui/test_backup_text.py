@@ -7,9 +7,8 @@ from pathlib import Path
 import pytest
 
 from armui.arm.backup import Backup
-from armui.arm.refusal import Refusal
-from armui.arm.refusal_codes import RefusalCode
 from armui.control.events import Level
+from armui.control.operating_state import LINK_LOST
 from armui.protocol.generation import Generation, PiperModel
 from armui.ui.dialogs.backup import difference_text, origin_text, restored_text, saved_text
 
@@ -72,7 +71,7 @@ def test_what_is_missing_in_a_file_is_said(qapp):
 
 def test_what_was_not_restored_is_told_with_the_first_reason(qapp):
     assert restored_text(3, [])[1] is Level.DONE
-    text, level = restored_text(3, [Refusal(RefusalCode.LINK_LOST), None])
+    text, level = restored_text(3, [LINK_LOST(), None])
     assert text.startswith("2 of 3 parameters were not restored. ")
     assert "device is gone" in text
     assert level is Level.FAULT

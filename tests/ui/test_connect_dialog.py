@@ -10,9 +10,8 @@ from PySide6.QtWidgets import QApplication, QLabel, QLineEdit, QTableView
 from pytestqt.qtbot import QtBot
 
 from armui.arm.device import Device
-from armui.arm.refusal import Refusal
-from armui.arm.refusal_codes import RefusalCode
-from armui.control.operating_state import LinkState, OperatingState
+from armui.bus.adapters import BUS_BUSY
+from armui.control.operating_state import OFFLINE, LinkState, OperatingState
 from armui.doctor.facts import CanFacts, Diagnosis, LinkFacts, SerialPortFacts
 from armui.doctor.judge import judge_can
 from armui.ui.background import Background
@@ -328,7 +327,7 @@ def test_the_chosen_bit_rate_makes_it_no_other_device(
 def test_a_device_that_does_not_open_says_why_and_what_to_do(
     controller: FakeController, connect: ConnectDialog
 ) -> None:
-    controller.be(OperatingState(link_problem=Refusal(RefusalCode.BUS_BUSY, {"device": "can0"})))
+    controller.be(OperatingState(link_problem=BUS_BUSY(device="can0")))
 
     assert message(connect) == (
         "can0 is in use by another program. Close that program, then connect again."
@@ -337,7 +336,7 @@ def test_a_device_that_does_not_open_says_why_and_what_to_do(
 
 
 def test_offline_says_what_to_check(controller: FakeController, connect: ConnectDialog) -> None:
-    offline = Refusal(RefusalCode.OFFLINE)
+    offline = OFFLINE()
     controller.be(operating_state(device=CAN0, link=LinkState.OFFLINE, cannot_move=offline))
 
     assert "Check its power, the CAN cable and the bit rate." in message(connect)

@@ -11,8 +11,7 @@ from PySide6.QtWidgets import QLineEdit, QProgressBar, QPushButton
 from pytestqt.qtbot import QtBot
 
 from armui.arm.device import Device
-from armui.arm.refusal import Refusal
-from armui.arm.refusal_codes import RefusalCode
+from armui.bus.adapters import BUS_BUSY
 from armui.control.operating_state import LinkState
 from armui.doctor.facts import Diagnosis, DiagnosisLevel, Section
 from armui.ui.dialogs.connect import ConnectDialog
@@ -174,7 +173,7 @@ def test_the_diagnosis_is_offered_when_connecting_fails(qtbot, controller):
     assert not dialog.diagnosis_button.isVisible()
     adapter = Device("gs_usb", "0")
     controller.devices_found.emit([adapter])
-    refusal = Refusal(RefusalCode.BUS_BUSY, {"device": "gs_usb 0", "interface": "gs_usb"})
+    refusal = BUS_BUSY(device="gs_usb 0", interface="gs_usb")
     controller.be(operating_state(link=LinkState.NO_DEVICE, device=None, link_problem=refusal))
     assert dialog.diagnosis_button.isVisible()
     with qtbot.waitSignal(dialog.diagnosis_wanted) as wanted:

@@ -11,14 +11,14 @@ import pytest
 from PySide6.QtWidgets import QApplication
 
 from armui.arm.joint_status import FAULTS, Item
-from armui.arm.refusal import Refusal
-from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import GripperFault
 from armui.control.event_log.observed import ObservedCode
 from armui.control.events import EventCode
 from armui.control.motion.motion_command import End
+from armui.control.operating_state import LINK_LOST
 from armui.protocol.codec import InvalidFrameKind
 from armui.setting_checks import Language
+from armui.telemetry.event_json import from_json
 from armui.telemetry.events import Asker, EventEntry, EventKind, EventOutcome, Level
 from armui.ui.translation import Translator
 from armui.ui.words import event_log as words
@@ -45,7 +45,7 @@ FIGURES: dict[ObservedCode, dict[str, object]] = {
     ObservedCode.RUN_POINT: {"row": 7},
     ObservedCode.MOTION_CUT: {"end": "STOPPED"},
     ObservedCode.ANSWERED: {"index": "0x71"},
-    ObservedCode.PROBLEM: {"reason": Refusal(RefusalCode.LINK_LOST)},
+    ObservedCode.PROBLEM: {"reason": LINK_LOST()},
     ObservedCode.NOT_KEPT: {"text": "No space left on device"},
     ObservedCode.LOGGED_TARGETS: {"message": "MitControl1"},
     ObservedCode.UNKNOWN_MARK: {"code": "another_planet"},
@@ -193,3 +193,26 @@ def test_settings_are_named_with_their_values():
 )
 def test_figures_of_another_program_are_shown_as_they_are(code, figures):
     assert words.entry_text(entry(code, figures))
+
+
+OLD_LINE = (
+    '{"number":7,"wall":"2026-05-02T10:00:00.000+08:00","at_s":12.5,"level":"warning",'
+    '"kind":"program","who":"program","code":"problem","params":{"reason":{"refusal":"jog_at_limit",'
+    '"params":{"joint":3,"limit":-12.5}}}}'
+)
+"""As older versions wrote it, which kept the reason's id and figures only."""
+
+
+def test_an_event_of_an_older_file_reads_as_a_sentence(translated):
+    read = from_json(OLD_LINE)
+    translated("en")
+    assert words.entry_text(read) == "Joint 3 is at its limit of -12.500°. Jog the other way."
+    translated("zh")
+    assert words.entry_text(read) == "关节 3 已到限位 -12.500°。请向反方向点动。"
+
+
+def test_a_reason_of_a_newer_program_is_named(translated):
+    read = from_json(OLD_LINE.replace("jog_at_limit", "jog_on_the_moon"))
+    translated("en")
+    said = "Not possible now: jog_on_the_moon(joint=3, limit=-12.5)."
+    assert words.entry_text(read) == said

@@ -11,11 +11,9 @@ from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
 from armui.arm.joint_status import Item, StatusVerdict, Word
-from armui.arm.refusal import Refusal
-from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import ArmState, DriverFast, DriverSlow, Reading
 from armui.control.devices.joint_monitor import JointMonitor
-from armui.control.operating_state import LinkState
+from armui.control.operating_state import LINK_LOST, LinkState
 from armui.protocol.generation import Generation
 from armui.ui import words
 from armui.ui.dialogs.joint_status import CELL_ROLE, CellView, JointStatusDialog, JointStatusModel
@@ -199,10 +197,10 @@ def test_only_cells_that_changed_are_drawn_again(
 def test_a_refusal_to_clear_is_said_in_the_window(
     qtbot: QtBot, controller: FakeController, dialog: JointStatusDialog
 ) -> None:
-    controller.answer = Refusal(RefusalCode.LINK_LOST)
+    controller.answer = LINK_LOST()
     qtbot.mouseClick(dialog.clear_buttons[3], Qt.MouseButton.LeftButton)
     assert controller.calls[-1] == ("clear_joint_error", 4)
-    assert message(dialog) == words.refusal(Refusal(RefusalCode.LINK_LOST))
+    assert message(dialog) == words.refusal(LINK_LOST())
 
 
 def test_the_buttons_stand_under_their_columns(dialog: JointStatusDialog) -> None:

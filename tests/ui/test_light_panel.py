@@ -5,8 +5,7 @@ from PySide6.QtCore import QPoint, Qt
 from PySide6.QtWidgets import QAbstractButton, QColorDialog, QLineEdit, QSlider, QSpinBox, QWidget
 
 from armui.arm.refusal import Refusal
-from armui.arm.refusal_codes import RefusalCode
-from armui.control.operating_state import LinkState
+from armui.control.operating_state import LINK_LOST, LinkState
 from armui.protocol.codes import ALL_LAMPS
 from armui.ui.panels.light_panel import ColorStrip, LightPanel
 from armui.ui.translation import Translator
@@ -254,7 +253,7 @@ def test_what_hinders_motion_does_not_hinder_light(panel, controller, qtbot, rea
 
 
 def test_the_controllers_no_is_shown_until_something_is_changed(panel, controller, qtbot):
-    controller.answer = Refusal(RefusalCode.LINK_LOST)
+    controller.answer = LINK_LOST()
     confirm(qtbot, panel)
     assert "device is gone" in message(panel)
     qtbot.mouseClick(button(panel, "light_joint_2"), LEFT)

@@ -17,8 +17,6 @@ from PySide6.QtWidgets import (
 )
 
 from armui.arm.models import robot_description
-from armui.arm.refusal import Refusal
-from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import ArmState
 from armui.control.operating_state import LinkState, OperatingState
 from armui.protocol.generation import PiperModel
@@ -33,6 +31,7 @@ from armui.ui.theme import LIGHT, Theme, apply_theme
 from armui.ui.translation import Translator
 from armui.viewport import palette
 from armui.viewport.camera import ViewDirection
+from armui.viewport.process.urdf_file import MESH_EMPTY
 from tests.app_driver import AtOnce
 from tests.ui.arm_states import arm_state, operating_state
 from tests.ui.dialog_reading import message
@@ -228,7 +227,7 @@ def test_the_icon_of_the_chosen_panel_has_the_accent_colour(window, qtbot):
 
 
 def test_a_robot_that_cannot_be_loaded_is_said(window, view):
-    view.load_failed.emit(Refusal(RefusalCode.MESH_EMPTY, {"mesh": "hand.stl"}))
+    view.load_failed.emit(MESH_EMPTY(mesh="hand.stl"))
     said = window.findChild(QLabel, "notice_label").text()
     assert said.endswith("the mesh hand.stl holds no surface. Export it again.")
 
@@ -236,7 +235,7 @@ def test_a_robot_that_cannot_be_loaded_is_said(window, view):
 def test_a_robot_chosen_in_the_settings_that_cannot_be_loaded_is_said_there(window, view):
     window.open_settings_dialog()
     dialog = window.findChild(SettingsDialog)
-    view.load_failed.emit(Refusal(RefusalCode.MESH_EMPTY, {"mesh": "hand.stl"}))
+    view.load_failed.emit(MESH_EMPTY(mesh="hand.stl"))
     assert "hand.stl" in message(dialog)
     dialog.close()
 

@@ -5,11 +5,10 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QComboBox, QLineEdit, QPushButton
 
 from armui.arm.device import Device
-from armui.arm.limits import JointLimits
-from armui.arm.refusal import Refusal
-from armui.arm.refusal_codes import RefusalCode
+from armui.arm.limits import JOINT_OUT_OF_LIMITS, JointLimits
 from armui.arm.state import ArmState
 from armui.control.operating_state import LinkState
+from armui.control.safety.interlocks import NOT_ENABLED, STOPPED
 from armui.settings import SettingsStore
 from armui.ui.panels.jogging.motion_panel import MotionPanel
 from armui.ui.widgets.jog_button import JogButton
@@ -206,7 +205,7 @@ def test_jog_moves_at_once_and_takes_the_target_along(panel, controller, qtbot, 
 
 def test_refused_jog_leaves_the_field_and_says_why(panel, controller, qtbot):
     controller.be_ready(ANGLES)
-    controller.answer = Refusal(RefusalCode.NOT_ENABLED, {"joints": "1, 3"})
+    controller.answer = NOT_ENABLED(joints="1, 3")
     qtbot.mouseClick(push(panel, "jog_plus_1"), LEFT)
     assert texts(panel)[0] == "10.000"
     assert "1, 3" in message(panel)
@@ -257,7 +256,7 @@ def test_a_button_disabled_while_held_goes_no_further(panel, controller, qtbot):
     controller.be_ready(ANGLES)
     button = panel.findChild(JogButton, "jog_plus_1")
     qtbot.mousePress(button, LEFT)
-    controller.be(operating_state(cannot_move=Refusal(RefusalCode.STOPPED)))
+    controller.be(operating_state(cannot_move=STOPPED()))
     button._on_timeout()
     assert controller.calls == [("jog", 1, 1.0)]
     assert not button._timer.isActive()
@@ -271,10 +270,7 @@ def test_out_of_limits_is_marked_said_and_left_to_the_controller(panel, controll
     assert field(panel, 2).property("attention")
     assert "200" in message(panel)
     assert "180" in message(panel)
-    controller.answer = Refusal(
-        RefusalCode.JOINT_OUT_OF_LIMITS,
-        {"joint": 2, "value": 200.0, "minimum": 0.0, "maximum": 180.0},
-    )
+    controller.answer = JOINT_OUT_OF_LIMITS(joint=2, value=200.0, minimum=0.0, maximum=180.0)
     qtbot.mouseClick(push(panel, "send_button"), LEFT)
     assert controller.calls[-1][1][1] == 200.0
     assert "180" in message(panel)
@@ -313,7 +309,7 @@ def test_factory_limits_say_that_they_are(panel, controller):
 def test_what_cannot_be_used_says_why(panel, controller):
     controller.be_ready(ANGLES)
     assert push(panel, "send_button").isEnabled()
-    controller.be(operating_state(cannot_move=Refusal(RefusalCode.STOPPED)))
+    controller.be(operating_state(cannot_move=STOPPED()))
     for name in ("send_button", "home_button", "jog_plus_1", "jog_minus_6"):
         assert not push(panel, name).isEnabled()
         assert "emergency stop" in push(panel, name).toolTip()

@@ -10,13 +10,12 @@ from PySide6.QtWidgets import QLineEdit
 from pytestqt.qtbot import QtBot
 
 from armui.arm.model_check import ModelFit
-from armui.arm.refusal import Refusal
-from armui.arm.refusal_codes import RefusalCode
 from armui.protocol.generation import PiperModel
 from armui.settings import SettingsStore
 from armui.ui.dialogs.files import FileDialog
 from armui.ui.dialogs.settings import SettingsDialog
 from armui.ui.widgets.text_label import ElidedLabel
+from armui.viewport.process.urdf_file import URDF_JOINT_COUNT
 from tests.moments import now
 from tests.ui.arm_states import operating_state
 from tests.ui.dialog_reading import message, shown, words_of
@@ -146,7 +145,7 @@ def test_what_the_3d_view_finds_wrong_with_it_is_shown(
 ) -> None:
     file = tmp_path / "other.urdf"
     file.write_text("<robot/>")
-    reason = Refusal(RefusalCode.URDF_JOINT_COUNT, {"path": "other.urdf", "found": 0, "wanted": 6})
+    reason = URDF_JOINT_COUNT(path="other.urdf", found=0, wanted=6)
     store.subscribe(lambda _settings: preferences.show_robot_problem(reason))
     preferences._on_urdf_chosen(file)
 

@@ -4,11 +4,11 @@ import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QSpinBox
 
-from armui.arm.refusal import Refusal
-from armui.arm.refusal_codes import RefusalCode
 from armui.control.operating_state import Busy, LinkState, OperatingState
+from armui.control.safety.interlocks import STOPPED
 from armui.protocol.codes import ALL_JOINTS
 from armui.protocol.generation import Generation
+from armui.trajectory.files.errors import SPEED_OUT_OF_RANGE
 from armui.ui.dialogs.confirm_dialog import ConfirmDialog
 from armui.ui.shell.top_bar import CommunicationButton, EnableButton, TopBar
 from armui.ui.widgets.text_label import ValueLabel
@@ -125,7 +125,7 @@ def test_a_drag_sends_once_when_the_handle_is_let_go(slider, field, controller, 
 
 def test_a_refused_speed_is_not_shown_as_a_fact(field, slider, controller, qtbot):
     controller.be(operating_state())
-    controller.answer = Refusal(RefusalCode.SPEED_OUT_OF_RANGE, {"value": 60})
+    controller.answer = SPEED_OUT_OF_RANGE(value=60)
     field.setValue(60)
     assert field.value() == 30
     assert slider.requested == 30
@@ -190,7 +190,7 @@ def test_what_cannot_be_enabled_says_why(enable, controller):
     controller.be(OperatingState())
     assert not enable.isEnabled()
     assert "connected" in enable.toolTip()
-    controller.be(operating_state(cannot_enable=Refusal(RefusalCode.STOPPED)))
+    controller.be(operating_state(cannot_enable=STOPPED()))
     assert "emergency stop" in enable.toolTip()
     controller.be(operating_state())
     assert enable.isEnabled()

@@ -12,19 +12,25 @@ import pytest
 from PySide6.QtWidgets import QApplication
 
 from armui.arm.device import Device
-from armui.arm.refusal import Refusal
-from armui.arm.refusal_codes import RefusalCode
+from armui.arm.limits import JOINT_NOT_A_NUMBER, JOINT_OUT_OF_LIMITS
+from armui.arm.refusal import Reason, Refusal
+from armui.bus.adapters import BUS_BACKEND_MISSING, BUS_DOWN
 from armui.control.events import Event, EventCode, Level
+from armui.control.operating_state import BUSY
+from armui.control.safety.interlocks import ARM_FAULT, JOINTS_UNKNOWN, NOT_ENABLED, OTHER_CONTROL
 from armui.protocol.codes import MoveMode
 from armui.setting_checks import check
 from armui.settings import SettingsStore
 from armui.trajectory import columns, files
+from armui.trajectory.files.errors import SPEED_OUT_OF_RANGE
+from armui.trajectory.files.text import NUMBER_BAD
 from armui.trajectory.points.program import GripperOpening, Waypoint, check_point
 from armui.ui import words
 from armui.ui.translation import LANGUAGES, Language, Translator
-from armui.ui.words import events, refusals
+from armui.ui.words import events
 from armui.ui.words.text import sentence
 from tests.each import check_each
+from tests.translations import reasons
 
 AT = datetime(2026, 1, 2, 3, 4, 5).astimezone()
 
@@ -45,38 +51,27 @@ def has_chinese(text: str) -> bool:
 # Every code ---------------------------------------------------------------------------------------
 
 
-IN_THE_PICTURE = frozenset(
-    {
-        RefusalCode.NO_OPENGL,
-        RefusalCode.DRAWING_STOPPED,
-        RefusalCode.PICTURE_PROCESS_ENDED,
-        RefusalCode.PICTURE_PROCESS_HUNG,
-    }
-)
-"""Said in the picture's own place, by its overlay."""
+REASONS = {each.id: Reason(each.id, each.source) for each in reasons()}
 
 
 def test_there_is_a_sentence_for_every_event() -> None:
     assert set(EventCode) == events.CODES
 
 
-def test_there_is_a_sentence_for_every_refusal() -> None:
-    assert set(RefusalCode) - IN_THE_PICTURE == refusals.CODES
-
-
 @pytest.mark.parametrize("language", LANGUAGES)
 def test_every_refusal_reads_as_sentences(translator: Translator, language: Language) -> None:
     translator.set_language(language)
 
-    def check_refusal(code: RefusalCode) -> None:
-        text = words.refusal(Refusal(code))
+    def check_refusal(code: str) -> None:
+        text = words.refusal(REASONS[code]())
 
         assert has_chinese(text) is (language == "zh")
         assert code not in text
         assert "{" not in text
         assert text.endswith(("。", ".", "can_raw", "1000000", "pip install —"))
+        assert words.refusal(Refusal(Reason(code))) == text  # as a file names it
 
-    check_each(sorted(refusals.CODES), check_refusal)
+    check_each(sorted(REASONS), check_refusal)
 
 
 @pytest.mark.parametrize("language", LANGUAGES)
@@ -94,7 +89,7 @@ def test_every_notice_reads_as_words(translator: Translator, language: Language)
 
 
 def test_what_nobody_foresaw_is_still_said(qapp: QApplication) -> None:
-    odd = Refusal("odd", {"a": 1})  # type: ignore[arg-type]
+    odd = Refusal(Reason("odd"), {"a": 1})
     assert words.refusal(odd) == "Not possible now: odd(a=1)."
     assert event("odd") == "Event: odd"  # type: ignore[arg-type]
 
@@ -102,7 +97,7 @@ def test_what_nobody_foresaw_is_still_said(qapp: QApplication) -> None:
 # Files -------------------------------------------------------------------------------------------
 
 
-PLACED = Refusal(RefusalCode.NUMBER_BAD, {"value": "o"})
+PLACED = NUMBER_BAD(value="o")
 
 
 @pytest.mark.parametrize(
@@ -143,7 +138,7 @@ def test_a_figure_of_a_point_is_named_with_its_unit_and_limits(qapp: QApplicatio
 def test_an_angle_out_of_limits_names_joint_value_and_limits(chinese: None) -> None:
     limits = {"joint": 2, "value": 181.0, "minimum": 0.0, "maximum": 180.0}
 
-    assert words.refusal(Refusal(RefusalCode.JOINT_OUT_OF_LIMITS, limits)) == (
+    assert words.refusal(JOINT_OUT_OF_LIMITS(**limits)) == (
         "关节 2：181.000° 超出限位 0.000° 至 180.000°。请输入限位以内的角度。"
     )
 
@@ -151,16 +146,16 @@ def test_an_angle_out_of_limits_names_joint_value_and_limits(chinese: None) -> N
 @pytest.mark.parametrize(
     ("refusal", "expected"),
     [
-        (Refusal(RefusalCode.NOT_ENABLED, {"joints": "1, 3"}), "1、3"),
-        (Refusal(RefusalCode.SPEED_OUT_OF_RANGE, {"value": 101}), "101 %"),
-        (Refusal(RefusalCode.JOINT_NOT_A_NUMBER, {"joint": 4, "value": "abc"}), "“abc”"),
-        (Refusal(RefusalCode.OTHER_CONTROL, {"mode": 2}), "示教模式"),
-        (Refusal(RefusalCode.OTHER_CONTROL, {"mode": 0x2F}), "未知 (0x2F)"),
-        (Refusal(RefusalCode.ARM_FAULT, {"status": 7}), "机械臂发生碰撞"),
-        (Refusal(RefusalCode.BUSY, {"what": "enabling"}), "使能电机"),
-        (Refusal(RefusalCode.BUS_DOWN, {"device": "can0"}), "ip link set can0 up"),
+        (NOT_ENABLED(joints="1, 3"), "1、3"),
+        (SPEED_OUT_OF_RANGE(value=101), "101 %"),
+        (JOINT_NOT_A_NUMBER(joint=4, value="abc"), "“abc”"),
+        (OTHER_CONTROL(mode=2), "示教模式"),
+        (OTHER_CONTROL(mode=0x2F), "未知 (0x2F)"),
+        (ARM_FAULT(status=7), "机械臂发生碰撞"),
+        (BUSY(what="enabling"), "使能电机"),
+        (BUS_DOWN(device="can0"), "ip link set can0 up"),
         (
-            Refusal(RefusalCode.BUS_BACKEND_MISSING, {"device": "a", "package": "gs_usb"}),
+            BUS_BACKEND_MISSING(device="a", package="gs_usb"),
             "install gs_usb",
         ),
     ],
@@ -170,7 +165,7 @@ def test_a_refusal_names_what_it_is_about(chinese: None, refusal: Refusal, expec
 
 
 def test_a_notice_holds_the_reason_in_the_same_language(chinese: None) -> None:
-    assert event(EventCode.REFUSED, reason=Refusal(RefusalCode.JOINTS_UNKNOWN)) == (
+    assert event(EventCode.REFUSED, reason=JOINTS_UNKNOWN()) == (
         "未发送。尚未收到全部关节角度。请等待 6 个关节的角度都显示出来。"
     )
 
@@ -333,7 +328,8 @@ def test_the_manuals_status_bar(chinese: None) -> None:
 
 
 def test_sentences_use_only_plain_placeholders() -> None:
-    for source in [*refusals._REFUSALS.values(), *events._NOTICES.values()]:
+    said = [each.source for each in REASONS.values()]
+    for source in [*said, *events._NOTICES.values()]:
         for _text, name, spec, conversion in string.Formatter().parse(str(source)):
             assert name is None or name.isidentifier()
             assert not spec

@@ -11,14 +11,20 @@ import pytest
 from PySide6.QtCore import QPoint, Qt, QTimer
 
 from armui.arm.models import robot_description
-from armui.arm.refusal import Refusal
-from armui.arm.refusal_codes import RefusalCode
 from armui.protocol.generation import PiperModel
 from armui.viewport.camera import ViewDirection
 from armui.viewport.camera_input import press_key
 from armui.viewport.client import PictureClient
-from armui.viewport.messages import PicturePhase
+from armui.viewport.messages import (
+    DRAWING_STOPPED,
+    NO_OPENGL,
+    PICTURE_PROCESS_ENDED,
+    PICTURE_PROCESS_HUNG,
+    PicturePhase,
+)
 from armui.viewport.path_picture import PathPicture, Preview, Reach, Trail
+from armui.viewport.process.urdf_file import MESH_MISSING
+from armui.viewport.process_link import URDF_ENDS_VIEW, URDF_HANGS_VIEW
 from armui.viewport.view import ArmView
 from armui.viewport.watch import LIMITS, Limits
 from tests.posix import CONTINUE, KILL, STOP, kill, of_system, stand_still
@@ -83,7 +89,7 @@ def test_a_killed_process_comes_back_with_everything_as_it_was(view, losses, tmp
     kill(pid)
     wait_until(lambda: losses)
     assert losses[0].comes_back
-    assert losses[0].reason == Refusal(RefusalCode.PICTURE_PROCESS_ENDED, {"text": "SIGKILL"})
+    assert losses[0].reason == PICTURE_PROCESS_ENDED(text="SIGKILL")
     assert "SIGKILL" in view._notice()
     assert not view._again_button.isVisible()
     wait_until(lambda: view._lost is None and view.is_settled)
@@ -125,7 +131,7 @@ def test_a_process_that_stands_still_looks_old_at_once_and_is_replaced(view, los
     assert view._notice() == "Picture delayed"
     wait_until(lambda: losses)
     assert losses[0].comes_back
-    assert losses[0].reason == Refusal(RefusalCode.PICTURE_PROCESS_HUNG)
+    assert losses[0].reason == PICTURE_PROCESS_HUNG()
     wait_until(lambda: view._lost is None)
     assert view._client.pid != pid
     moving.stop()
@@ -178,7 +184,7 @@ def test_after_three_times_in_a_minute_a_button_is_offered(view, losses, qtbot):
     view._show(replace(good, angles_deg=(0.0,)))
     wait_until(lambda: len(losses) == 3)
     assert [lost.comes_back for lost in losses] == [True, True, False]
-    assert {lost.reason.code for lost in losses} == {RefusalCode.DRAWING_STOPPED}
+    assert {lost.reason.reason for lost in losses} == {DRAWING_STOPPED}
     assert "ValueError" in view._notice()
     assert view._again_button.isVisible()
     assert view._client.pid is None
@@ -195,9 +201,7 @@ def test_a_file_that_crashes_the_process_is_put_aside(view, losses, qtbot, tmp_p
     bad = write_arm(tmp_path, visual=mesh("bad.glb"))
     with qtbot.waitSignal(view.load_failed, timeout=LIMIT_MS) as failed:
         view.set_robot(bad)
-    assert failed.args == [
-        Refusal(RefusalCode.URDF_ENDS_VIEW, {"path": str(bad), "text": "SIGSEGV"})
-    ]
+    assert failed.args == [URDF_ENDS_VIEW(path=str(bad), text="SIGSEGV")]
     wait_until(lambda: view.is_settled)
     assert image_of(view) == before
     assert not losses
@@ -211,7 +215,7 @@ def test_a_file_that_never_ends_is_put_aside(qtbot, tmp_path, monkeypatch):
     with qtbot.waitSignal(view.load_failed, timeout=LIMIT_MS) as failed:
         view.show()
     expected = {"path": str(tmp_path / "endless.urdf")}
-    assert failed.args == [Refusal(RefusalCode.URDF_HANGS_VIEW, expected)]
+    assert failed.args == [URDF_HANGS_VIEW(**expected)]
     wait_until(lambda: view.is_settled)  # the program's own arm
     assert view._notice() == ""
     client.stop()
@@ -250,7 +254,7 @@ def test_without_opengl_the_widget_says_so(qtbot):
     loading_text = view._notice()
     with qtbot.waitSignal(client.lost, timeout=LIMIT_MS) as lost:
         view.show()
-    assert (lost.args[0].reason, lost.args[0].comes_back) == (Refusal(RefusalCode.NO_OPENGL), False)
+    assert (lost.args[0].reason, lost.args[0].comes_back) == (NO_OPENGL(), False)
     assert "OpenGL" in view._notice() != loading_text
     assert view._again_button.isVisible()
     view.shutdown()
@@ -392,7 +396,7 @@ def test_a_description_refused_at_the_start_leaves_the_program_s_own_arm(view, q
     qtbot.addWidget(bad)
     with qtbot.waitSignal(bad.load_failed, timeout=LIMIT_MS) as failed:
         bad.show()
-    assert failed.args[0].code == RefusalCode.MESH_MISSING
+    assert failed.args[0].reason == MESH_MISSING
     wait_until(lambda: bad.is_settled)
     assert image_of(bad) == image_of(view)
     bad.shutdown()

@@ -8,8 +8,7 @@ from typing import Any
 
 import pytest
 
-from armui.arm.refusal_codes import RefusalCode
-from armui.viewport.messages import Drawn, PicturePhase, Ready
+from armui.viewport.messages import PICTURE_PROCESS_HUNG, Drawn, PicturePhase, Ready
 from armui.viewport.process_link import (
     ChildProcess,
     Mailbox,
@@ -77,7 +76,7 @@ def test_one_that_stands_in_line_is_waited_for():
 def test_one_that_hangs_is_not(child):
     with pytest.raises(ProcessLostError) as lost:
         draw(child)
-    assert lost.value.reason.code == RefusalCode.PICTURE_PROCESS_HUNG
+    assert lost.value.reason.reason == PICTURE_PROCESS_HUNG
 
 
 @pytest.mark.skipif(sys.platform != "linux", reason="/proc")

@@ -12,13 +12,11 @@ from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtGui import QMouseEvent, QWheelEvent
 from PySide6.QtWidgets import QApplication
 
-from armui.arm.refusal import Refusal
-from armui.arm.refusal_codes import RefusalCode
 from armui.system.paths import URDF
 from armui.viewport.client import PictureClient
 from armui.viewport.hud import Hud
 from armui.viewport.palette import DARK
-from armui.viewport.process.urdf_file import load_robot
+from armui.viewport.process.urdf_file import URDF_JOINT_COUNT, load_robot
 from armui.viewport.view import ArmView
 from armui.viewport.viewpoint import ViewMode
 from tests.viewport.foreign import write_arm
@@ -187,7 +185,7 @@ def test_another_robot_is_shown_a_broken_one_told_and_ours_comes_back(view, qtbo
     with qtbot.waitSignal(view.load_failed, timeout=LIMIT_MS) as failed:
         view.set_robot(broken)
     expected: dict[str, str | int] = {"path": str(broken), "found": 2, "wanted": 6}
-    assert failed.args == [Refusal(RefusalCode.URDF_JOINT_COUNT, expected)]
+    assert failed.args == [URDF_JOINT_COUNT(**expected)]
     settle(view, qtbot)
     before = image_of(view)
     ball = '<visual><geometry><sphere radius="0.05"/></geometry></visual>'

@@ -5,10 +5,9 @@ from __future__ import annotations
 from functools import partial
 from typing import Final
 
-from armui.arm.refusal import Refusal
-from armui.arm.refusal_codes import RefusalCode
+from armui.arm.refusal import Reason, Refusal
 from armui.arm.state import ArmState
-from armui.control.context import Context
+from armui.control.context import GENERATION_UNKNOWN, Context
 from armui.control.events import EventCode
 from armui.control.operating_state import OperatingState
 from armui.control.operations.operation import begun, operation
@@ -16,6 +15,14 @@ from armui.control.operations.started import Ending, Started, ending_of
 from armui.control.requests.transactions import ReadBack, Transaction, TransactionQueue
 from armui.protocol import commands
 from armui.protocol.codes import EndLoad, SettingIndex
+
+LOAD_WHILE_MOVING = Reason(
+    "load_while_moving", "The arm is moving. Wait until it stands still, then set the end load."
+)
+END_FEEDBACK_GOES_ON = Reason(
+    "end_feedback_goes_on", "The arm has answered, but goes on reporting. Try again."
+)
+
 
 _SILENT_S: Final = 0.3
 """After so long without one, the frames 0x481–0x486 have ended."""
@@ -26,7 +33,7 @@ def why_not_switch(now: OperatingState) -> Refusal | None:
     if now.unreachable is not None:
         return now.unreachable
     if now.generation is None:
-        return Refusal(RefusalCode.GENERATION_UNKNOWN)
+        return GENERATION_UNKNOWN()
     return now.why_pending("end_reports")
 
 
@@ -38,7 +45,7 @@ def why_no_load(now: OperatingState) -> Refusal | None:
 def _why_in_use(now: OperatingState) -> Refusal | None:
     if now.occupied is not None:
         return now.occupied
-    return Refusal(RefusalCode.LOAD_WHILE_MOVING) if now.moving else None
+    return LOAD_WHILE_MOVING() if now.moving else None
 
 
 class EndReports:
@@ -145,4 +152,4 @@ def _against(state: ArmState, *, on: bool) -> Refusal | None:
     still = any(
         heard is not None and now_s - heard.at_s < _SILENT_S / 2 for heard in state.end_motion
     )
-    return Refusal(RefusalCode.END_FEEDBACK_GOES_ON) if still and not on else None
+    return END_FEEDBACK_GOES_ON() if still and not on else None

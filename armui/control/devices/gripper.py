@@ -8,22 +8,40 @@ from typing import Final
 
 from armui.arm.parameters import Parameter
 from armui.arm.quirks import why_not_by_firmware
-from armui.arm.refusal import Refusal
-from armui.arm.refusal_codes import RefusalCode
+from armui.arm.refusal import Reason, Refusal
 from armui.arm.state import ArmState, GripperState
-from armui.control.context import Context, ControllerPart
+from armui.control.context import GENERATION_UNKNOWN, Context, ControllerPart
 from armui.control.devices.gripper_ranges import Figures, check, figures_of
 from armui.control.events import EventCode
-from armui.control.operating_state import OperatingState
+from armui.control.operating_state import LINK_LOST, RUN_UNDER_WAY, OperatingState
 from armui.control.operations.operation import Consent, begun, operation
 from armui.control.operations.started import Ending, Started
-from armui.control.parameters.arm_settings import ArmSettings
+from armui.control.parameters.arm_settings import SETTING_NOT_KEPT, ArmSettings
 from armui.control.parameters.setting_cell import CellState
 from armui.control.requests.request import Request, RequestOutcome
+from armui.control.safety.interlocks import CONTROL_OFFSET_UNKNOWN, OTHER_CONTROL
 from armui.protocol import commands
 from armui.protocol.codes import ControlMode
 from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
+
+GRIPPER_SILENT = Reason(
+    "gripper_silent", "No gripper is heard. If one is mounted, check its cable and its power."
+)
+GRIPPER_NO_ZERO = Reason(
+    "gripper_no_zero", "The gripper of a generation 1 arm has no command for its zero."
+)
+GRIPPER_RANGE_UNKNOWN = Reason(
+    "gripper_range_unknown",
+    "How far this gripper opens is not known: the arm has told no stroke limit. Set it in "
+    "Gripper settings, or enter a target in Gripper control.",
+)
+RUN_LET_GO = Reason(
+    "run_let_go",
+    "The gripper was disabled while it ran: the arm was told to end its motion. See what it "
+    "held; then the run can go on from this row.",
+)
+
 
 _THERE: Final = 0.5
 """So close, in mm or degrees, the gripper is where it was sent."""
@@ -70,13 +88,13 @@ def why_not_gripper(
     """
     refusal = now.cannot_enable
     if refusal is None and now.generation is None:
-        refusal = Refusal(RefusalCode.GENERATION_UNKNOWN)
+        refusal = GENERATION_UNKNOWN()
     if refusal is None and not now.gripper_heard:
-        refusal = Refusal(RefusalCode.GRIPPER_SILENT)
+        refusal = GRIPPER_SILENT()
     if refusal is None and not now.control_certain:
-        refusal = Refusal(RefusalCode.CONTROL_OFFSET_UNKNOWN)
+        refusal = CONTROL_OFFSET_UNKNOWN()
     if refusal is None and now.running and not letting_go:
-        refusal = Refusal(RefusalCode.RUN_UNDER_WAY)
+        refusal = RUN_UNDER_WAY()
     if refusal is not None or not moving:
         return refusal
     no_motion = now.cannot_send_motion or now.held
@@ -85,7 +103,7 @@ def why_not_gripper(
     mode = None if now.status is None else now.status.control_mode
     if mode is None or mode in _OBEYS:
         return None
-    return Refusal(RefusalCode.OTHER_CONTROL, {"mode": mode})
+    return OTHER_CONTROL(mode=mode)
 
 
 def why_not_move_gripper(now: OperatingState) -> Refusal | None:
@@ -97,7 +115,7 @@ def why_not_set_zero(now: OperatingState) -> Refusal | None:
     """Tell why the gripper's zero may not be set; generation 1 has no frame for it."""
     refusal = why_not_gripper(now)
     if refusal is None and now.generation is not Generation.TWO:
-        return Refusal(RefusalCode.GRIPPER_NO_ZERO)
+        return GRIPPER_NO_ZERO()
     return refusal
 
 
@@ -143,9 +161,9 @@ class GripperControl(ControllerPart):
         """Why this arm's gripper cannot be told an angle in the place of an opening."""
         generation = self._context.connection.generation
         if generation is None:
-            return Refusal(RefusalCode.GENERATION_UNKNOWN)
+            return GENERATION_UNKNOWN()
         if generation is Generation.ONE:
-            return Refusal(RefusalCode.SETTING_NOT_KEPT, {"generation": 1})
+            return SETTING_NOT_KEPT(generation=1)
         return why_not_by_firmware(self._context.state(), "has_gripper_angle")
 
     @property
@@ -185,10 +203,10 @@ class GripperControl(ControllerPart):
         )
         heard = self._heard()
         if refusal is not None or heard is None:
-            return self._context.refuse(refusal or Refusal(RefusalCode.GRIPPER_SILENT))
+            return self._context.refuse(refusal or GRIPPER_SILENT())
         by_angle = self.tells_angle
         if not self._context.connection.send(self._hold(travel, effort, by_angle=by_angle)):
-            return self._context.refuse(Refusal(RefusalCode.LINK_LOST))
+            return self._context.refuse(LINK_LOST())
         self.forget()
         unit, started = figures.travel.unit, begun(self.move)
         self._travel = _Travel(travel, heard.travel, self._context.clock(), unit, effort, started)
@@ -199,7 +217,7 @@ class GripperControl(ControllerPart):
         """Tell why the gripper cannot be moved to an end of its stroke."""
         refusal = why_not_move_gripper(self._context.operating_state())
         if refusal is None and opened and not self.figures.stroke_read:
-            return Refusal(RefusalCode.GRIPPER_RANGE_UNKNOWN)
+            return GRIPPER_RANGE_UNKNOWN()
         return refusal
 
     def move_to_end(self, *, opened: bool, effort: float | None = None) -> Refusal | None:
@@ -228,7 +246,7 @@ class GripperControl(ControllerPart):
         )
         heard = self._heard()
         if refusal is not None or heard is None:
-            return self._context.refuse(refusal or Refusal(RefusalCode.GRIPPER_SILENT))
+            return self._context.refuse(refusal or GRIPPER_SILENT())
         # told as it tells itself: a number of another kind would move it
         frames = self._hold(heard.travel, effort, by_angle=heard.opening_mm is None)
         self._start(self.enable, "enable", frames, lambda gripper: gripper.enabled)
@@ -240,7 +258,7 @@ class GripperControl(ControllerPart):
         refusal = why_not_let_go(self._context.refresh())
         if refusal is not None:
             return self._context.refuse(refusal)
-        self._end_run(Refusal(RefusalCode.RUN_LET_GO))
+        self._end_run(RUN_LET_GO())
         frames = commands.disable_gripper(self._context.connection.codec)
         self._start(self.disable, "disable", frames, lambda gripper: not gripper.enabled)
         return None

@@ -6,11 +6,20 @@ import math
 from dataclasses import dataclass
 from typing import Final
 
-from armui.arm.refusal import Refusal
-from armui.arm.refusal_codes import RefusalCode
+from armui.arm.refusal import Reason, Refusal
 from armui.arm.state import ArmState
 from armui.protocol.generation import Generation
 from armui.trajectory.points.program import RANGES
+
+GRIPPER_NOT_A_NUMBER = Reason(
+    "gripper_not_a_number",
+    "{gripper}: “{value}” is not a number. Enter a value from {minimum} to {maximum} {unit}.",
+)
+GRIPPER_OUT_OF_RANGE = Reason(
+    "gripper_out_of_range",
+    "{gripper}: {value} {unit} is out of range. Enter a value from {minimum} to {maximum} {unit}.",
+)
+
 
 WIDEST_MM: Final = 100.0
 """The stroke of the large gripper: nothing of this arm opens wider."""
@@ -107,7 +116,7 @@ def check(figure: Figure, value: float) -> Refusal | None:
         "unit": figure.unit,
     }
     if not math.isfinite(value):
-        return Refusal(RefusalCode.GRIPPER_NOT_A_NUMBER, params)
+        return GRIPPER_NOT_A_NUMBER(**params)
     if figure.minimum <= value <= figure.maximum:
         return None
-    return Refusal(RefusalCode.GRIPPER_OUT_OF_RANGE, params)
+    return GRIPPER_OUT_OF_RANGE(**params)

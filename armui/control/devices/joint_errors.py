@@ -5,12 +5,11 @@ from __future__ import annotations
 from functools import partial
 
 from armui.arm.refusal import Refusal
-from armui.arm.refusal_codes import RefusalCode
 from armui.control.context import Context
 from armui.control.events import EventCode
-from armui.control.operating_state import OperatingState
+from armui.control.operating_state import BUSY, OperatingState
 from armui.control.operations.operation import begun, operation
-from armui.control.operations.started import Ending, Started, ending_of
+from armui.control.operations.started import SETTING_UNANSWERED, Ending, Started, ending_of
 from armui.control.requests.transactions import Transaction, TransactionQueue
 from armui.protocol import commands
 from armui.protocol.codes import SettingIndex
@@ -49,7 +48,7 @@ class JointErrors:
         context = self._context
         refusal = why_not_clear(context.refresh())
         if refusal is None and self._joint is not None:
-            refusal = Refusal(RefusalCode.BUSY, {"what": "clearing_error"})
+            refusal = BUSY(what="clearing_error")
         if refusal is not None:
             return context.refuse(refusal)
         self._joint = joint
@@ -72,7 +71,7 @@ class JointErrors:
         close = self._context.close
         if refusal is None:
             close(started, Ending.ANSWERED, EventCode.CLEAR_ERROR_ANSWERED, joint=joint)
-        elif refusal.code == RefusalCode.SETTING_UNANSWERED:
+        elif refusal.reason == SETTING_UNANSWERED:
             close(started, Ending.FAILED, EventCode.CLEAR_ERROR_UNANSWERED, joint=joint)
         else:
             started.close(ending_of(refusal))

@@ -6,15 +6,24 @@ from collections.abc import Mapping
 from typing import Final
 
 from armui.arm.limits import JOINTS
-from armui.arm.refusal import Refusal
-from armui.arm.refusal_codes import RefusalCode
+from armui.arm.refusal import Reason, Refusal
 from armui.control.context import Context
 from armui.control.events import EventCode
-from armui.control.operating_state import OperatingState
+from armui.control.operating_state import LINK_LOST, OperatingState
 from armui.control.operations.operation import begun, operation
 from armui.control.operations.started import Ending
 from armui.protocol import commands
 from armui.protocol.codes import ALL_LAMPS
+
+RUN_SETS_LAMPS = Reason(
+    "run_sets_lamps",
+    "The run under way sets the lamps itself. Wait until it is done, or end the run first.",
+)
+LIGHT_OUT_OF_RANGE = Reason(
+    "light_out_of_range",
+    "{light}: {value} is out of range. Enter a whole number from {minimum} to {maximum}.",
+)
+
 
 RANGES: Final[Mapping[str, range]] = {
     "joint": JOINTS,
@@ -31,7 +40,7 @@ _COUNTS: Final = 256
 def why_no_lamps(now: OperatingState) -> Refusal | None:
     """Tell why no lamp may be set: lamps move nothing, but a run may signal by them."""
     if now.unreachable is None and now.run_sets_lamps:
-        return Refusal(RefusalCode.RUN_SETS_LAMPS)
+        return RUN_SETS_LAMPS()
     return now.unreachable
 
 
@@ -76,7 +85,7 @@ class Lights:
                 counter=self._counter,
             )
             if not self._context.connection.send(frames):
-                refusal = Refusal(RefusalCode.LINK_LOST)
+                refusal = LINK_LOST()
         if refusal is not None:
             return self._context.refuse(refusal)
         self._counter = (self._counter + 1) % _COUNTS
@@ -98,8 +107,5 @@ def check_light(**figures: int) -> Refusal | None:
         allowed = RANGES[name]
         if value in allowed or (name == "lamp" and value == ALL_LAMPS):
             continue
-        return Refusal(
-            RefusalCode.LIGHT_OUT_OF_RANGE,
-            {"light": name, "value": value, "minimum": allowed[0], "maximum": allowed[-1]},
-        )
+        return LIGHT_OUT_OF_RANGE(light=name, value=value, minimum=allowed[0], maximum=allowed[-1])
     return None

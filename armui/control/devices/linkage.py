@@ -5,8 +5,7 @@ from __future__ import annotations
 from functools import partial
 from typing import Final
 
-from armui.arm.refusal import Refusal
-from armui.arm.refusal_codes import RefusalCode
+from armui.arm.refusal import Reason, Refusal
 from armui.control.context import Context, ControllerPart
 from armui.control.events import EventCode
 from armui.control.operating_state import (
@@ -21,6 +20,14 @@ from armui.control.requests.transactions import Transaction, TransactionQueue
 from armui.protocol import commands
 from armui.protocol.addressing import OFFSETS, Addressing
 from armui.protocol.codes import LinkageRole, SettingIndex
+
+LINKAGE_WHILE_MOVING = Reason(
+    "linkage_while_moving", "The arm is moving. Wait until it stands still, then set the linkage."
+)
+OFFSET_NOT_POSSIBLE = Reason(
+    "offset_not_possible", "An offset of {value} is not possible. Choose 0x00, 0x10 or 0x20."
+)
+
 
 _NO_OFFSET: Final = Addressing()
 
@@ -38,7 +45,7 @@ def _why_in_use(now: OperatingState) -> Refusal | None:
     """Tell what the arm does that a change of its identifiers would cut off."""
     if now.occupied is not None:
         return now.occupied
-    return Refusal(RefusalCode.LINKAGE_WHILE_MOVING) if now.moving else None
+    return LINKAGE_WHILE_MOVING() if now.moving else None
 
 
 class LinkageControl(ControllerPart):
@@ -87,15 +94,9 @@ class LinkageControl(ControllerPart):
         """
         context = self._context
         refusal = why_not_link(context.refresh())
-        for name, offset in (
-            ("feedback_offset", feedback_offset),
-            ("control_offset", control_offset),
-            ("target_offset", target_offset),
-        ):
+        for offset in (feedback_offset, control_offset, target_offset):
             if refusal is None and offset not in OFFSETS:
-                refusal = Refusal(
-                    RefusalCode.OFFSET_NOT_POSSIBLE, {"offset": name, "value": offset}
-                )
+                refusal = OFFSET_NOT_POSSIBLE(value=offset)
         if refusal is not None:
             return context.refuse(refusal)
         self.busy = True

@@ -6,8 +6,7 @@ from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING
 
 from armui.arm.limits import JOINTS
-from armui.arm.refusal import Refusal
-from armui.arm.refusal_codes import RefusalCode
+from armui.arm.refusal import Reason, Refusal
 from armui.arm.state import ArmState
 from armui.control.context import Context, ControllerPart
 from armui.control.events import EventCode
@@ -18,12 +17,22 @@ from armui.control.operations.started import Ending, Started
 from armui.control.requests import reports
 from armui.control.requests.request import Request, RequestOutcome
 from armui.control.safety.emergency_stop import is_stopped
+from armui.control.safety.interlocks import CONTROL_OFFSET_UNKNOWN
 from armui.protocol import commands
 from armui.protocol.codes import ALL_JOINTS, SettingIndex
 from armui.protocol.frame import Frame
 
 if TYPE_CHECKING:
     from armui.protocol.codec import Message
+
+NOT_STOPPED = Reason(
+    "not_stopped", "The arm is not in emergency stop: there is nothing to resume from."
+)
+RUN_DISABLED = Reason(
+    "run_disabled",
+    "Motors were disabled while it ran: the arm was told to end its motion. Enable the motors; "
+    "then the run can go on from this row.",
+)
 
 
 def why_not_enable(now: OperatingState) -> Refusal | None:
@@ -39,10 +48,10 @@ def why_not_disable(now: OperatingState) -> Refusal | None:
 def why_not_resume(now: OperatingState) -> Refusal | None:
     """Tell why the stop cannot be ended: there is none, or another arm might drop (0x150)."""
     if now.stop is not StopState.STOPPED:
-        return Refusal(RefusalCode.NOT_STOPPED)
+        return NOT_STOPPED()
     if (refusal := why_only_heard(now.device)) is not None:
         return refusal
-    return None if now.control_certain else Refusal(RefusalCode.CONTROL_OFFSET_UNKNOWN)
+    return None if now.control_certain else CONTROL_OFFSET_UNKNOWN()
 
 
 class Motors(ControllerPart):
@@ -141,7 +150,7 @@ class Motors(ControllerPart):
         if refusal is not None:
             return context.refuse(refusal)
         if not on:
-            self._end_run(Refusal(RefusalCode.RUN_DISABLED))
+            self._end_run(RUN_DISABLED())
         context.authority.end(End.DISABLED)
         joints = JOINTS if joint == ALL_JOINTS else (joint,)
         command = commands.enable_motors if on else commands.disable_motors

@@ -5,11 +5,14 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from armui.arm.quirks import why_not_by_firmware
-from armui.arm.refusal import Refusal
-from armui.arm.refusal_codes import RefusalCode
+from armui.arm.refusal import Reason, Refusal
+from armui.control.context import GENERATION_UNKNOWN
 from armui.control.events import EventCode
+from armui.control.operating_state import LINK_LOST
 from armui.control.operations.operation import begun, operation
 from armui.control.operations.started import Ending
+from armui.control.parameters.arm_settings import SETTING_NOT_KEPT
+from armui.control.safety.interlocks import CONTROL_OFFSET_UNKNOWN
 from armui.control.safety.standstill import why_moving
 from armui.protocol import commands
 from armui.protocol.codes import Mounting
@@ -21,19 +24,25 @@ if TYPE_CHECKING:
     from armui.control.context import Context
     from armui.control.operating_state import OperatingState
 
+MODE_UNKNOWN = Reason(
+    "mode_unknown",
+    "The arm's control mode is not known, or another one has the command: it would be changed "
+    "along with this. Bring the arm to standby or CAN control first.",
+)
+
 
 def why_not_mount(now: OperatingState) -> Refusal | None:
     """Tell why the arm may not be told its mounting; its firmware and its speed come on top."""
     if now.unreachable is not None:
         return now.unreachable
     if now.generation is None:
-        return Refusal(RefusalCode.GENERATION_UNKNOWN)
+        return GENERATION_UNKNOWN()
     if now.generation is Generation.ONE:
-        return Refusal(RefusalCode.SETTING_NOT_KEPT, {"generation": 1})
+        return SETTING_NOT_KEPT(generation=1)
     if now.occupied is not None:
         return now.occupied
     if not now.control_certain:
-        return Refusal(RefusalCode.CONTROL_OFFSET_UNKNOWN)
+        return CONTROL_OFFSET_UNKNOWN()
     return now.cannot_send_motion or now.held
 
 
@@ -57,9 +66,9 @@ class MountingControl:
         refusal = self.why_not(mounting) or context.why_no_motion()
         mode = context.authority.mode_in_force()
         if refusal is None and mode is None:
-            refusal = Refusal(RefusalCode.MODE_UNKNOWN)
+            refusal = MODE_UNKNOWN()
         if refusal is not None or mode is None:
-            return context.refuse(refusal or Refusal(RefusalCode.MODE_UNKNOWN))
+            return context.refuse(refusal or MODE_UNKNOWN())
         percent = self._speed_percent()
         frames = commands.set_mode(
             context.connection.codec,
@@ -69,7 +78,7 @@ class MountingControl:
             mounting=mounting,
         )
         if not context.connection.send(frames):
-            return context.refuse(Refusal(RefusalCode.LINK_LOST))
+            return context.refuse(LINK_LOST())
         context.authority.told_percent(percent)
         started = begun(self.tell)
         started.close(Ending.SENT)

@@ -6,12 +6,31 @@ import enum
 from collections.abc import Mapping
 from typing import Final
 
-from armui.arm.refusal import Refusal
-from armui.arm.refusal_codes import RefusalCode
+from armui.arm.refusal import Reason, Refusal
 from armui.arm.state import ArmState, Status
 from armui.control.operating_state import OperatingState
 from armui.control.safety import interlocks
+from armui.control.safety.interlocks import (
+    ARM_FAULT,
+    CONTROL_OFFSET_UNKNOWN,
+    JOINTS_UNKNOWN,
+    OTHER_CONTROL,
+)
 from armui.protocol.codes import ArmStatusCode, ControlMode, TeachingState
+
+TEACHING_OFF = Reason(
+    "teaching_off",
+    "The arm is not in drag teaching. Start recording first, or press the button on the arm.",
+)
+TEACHING_IDLE = Reason(
+    "teaching_idle", "Nothing is under way in drag teaching. Start recording or replay first."
+)
+TEACHING_RECORDING = Reason("teaching_recording", "The arm is recording. Stop recording first.")
+TEACHING_REPLAYING = Reason(
+    "teaching_replaying", "The arm is replaying. Pause or terminate the replay first."
+)
+TEACHING_PAUSED = Reason("teaching_paused", "The replay is paused. Continue or terminate it first.")
+
 
 NEAR_REST_DEG: Final = 15.0
 """So near to its zero each joint must be for a reset to end drag teaching. The maker says «near
@@ -73,12 +92,12 @@ _SOUND: Final = frozenset(
     }
 )
 
-_UNSUITED: Final[Mapping[TeachingPhase, RefusalCode]] = {
-    TeachingPhase.OFF: RefusalCode.TEACHING_OFF,
-    TeachingPhase.IDLE: RefusalCode.TEACHING_IDLE,
-    TeachingPhase.RECORDING: RefusalCode.TEACHING_RECORDING,
-    TeachingPhase.REPLAYING: RefusalCode.TEACHING_REPLAYING,
-    TeachingPhase.PAUSED: RefusalCode.TEACHING_PAUSED,
+_UNSUITED: Final[Mapping[TeachingPhase, Reason]] = {
+    TeachingPhase.OFF: TEACHING_OFF,
+    TeachingPhase.IDLE: TEACHING_IDLE,
+    TeachingPhase.RECORDING: TEACHING_RECORDING,
+    TeachingPhase.REPLAYING: TEACHING_REPLAYING,
+    TeachingPhase.PAUSED: TEACHING_PAUSED,
 }
 """The reason that a phase is against a command it does not suit."""
 
@@ -124,12 +143,12 @@ def why_not_teach(now: OperatingState, command: TeachingState) -> Refusal | None
         now.unreachable, now.stop, now.busy
     )
     if refusal is None and not now.control_certain:
-        refusal = Refusal(RefusalCode.CONTROL_OFFSET_UNKNOWN)
+        refusal = CONTROL_OFFSET_UNKNOWN()
     if refusal is not None:
         return refusal
     status = now.status
     if status is None:
-        return Refusal(RefusalCode.JOINTS_UNKNOWN)
+        return JOINTS_UNKNOWN()
     phase = phase_of(status)
     if phase not in _SUITS[command]:
         return Refusal(_UNSUITED[phase])
@@ -139,7 +158,7 @@ def why_not_teach(now: OperatingState, command: TeachingState) -> Refusal | None
     if refusal is not None:
         return refusal
     if phase is TeachingPhase.OFF and status.control_mode not in interlocks.MOVABLE_MODES:
-        return Refusal(RefusalCode.OTHER_CONTROL, {"mode": status.control_mode})
+        return OTHER_CONTROL(mode=status.control_mode)
     if status.arm_status not in _SOUND:
-        return Refusal(RefusalCode.ARM_FAULT, {"status": status.arm_status})
+        return ARM_FAULT(status=status.arm_status)
     return interlocks.why_not_enabled(now.enabled)

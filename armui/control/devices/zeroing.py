@@ -11,15 +11,15 @@ from functools import partial
 from typing import TYPE_CHECKING, Final
 
 from armui.arm.limits import JOINTS
-from armui.arm.refusal import Refusal
-from armui.arm.refusal_codes import RefusalCode
+from armui.arm.refusal import Reason, Refusal
 from armui.arm.state import ArmState
 from armui.control.devices import teaching_phase
 from armui.control.events import EventCode
+from armui.control.operating_state import BUSY
 from armui.control.operations.operation import Consent, begun, operation
 from armui.control.operations.started import Ending, Started, ending_of
 from armui.control.requests.transactions import ReadBack, Transaction, TransactionQueue
-from armui.control.safety.interlocks import joint_list, why_no_command
+from armui.control.safety.interlocks import JOINTS_UNKNOWN, joint_list, why_no_command
 from armui.control.safety.standstill import why_not_still
 from armui.protocol import commands
 from armui.protocol.codes import ALL_JOINTS, SettingIndex
@@ -30,6 +30,23 @@ if TYPE_CHECKING:
     from armui.control.context import Context
     from armui.control.operating_state import OperatingState
     from armui.protocol.codec import Message
+
+ZERO_NOT_SET = Reason(
+    "zero_not_set",
+    "The arm answered that it did not set the zero of these joints: {joints}. Let the arm "
+    "stand still, clear its errors, then try again.",
+)
+ZERO_MOVED = Reason(
+    "zero_moved",
+    "Joint {joints} does not stand where it stood at the press: no zero was sent. Try again "
+    "where it shall be.",
+)
+ZERO_NOT_TAKEN = Reason(
+    "zero_not_taken",
+    "The arm answered that the zero is set, but these joints do not read 0°: {joints}. Do not "
+    "move the arm before the zero is set anew.",
+)
+
 
 _AT_ZERO_DEG: Final = 0.5
 _SAME_PLACE_DEG: Final = 0.5
@@ -45,7 +62,7 @@ def why_not_zero(now: OperatingState) -> Refusal | None:
     """
     refusal = now.cannot_enable or now.occupied
     if refusal is None and now.recording:
-        refusal = Refusal(RefusalCode.BUSY, {"what": "recording"})
+        refusal = BUSY(what="recording")
     if refusal is not None or now.status is None:
         return refusal
     return teaching_phase.why_under_way(teaching_phase.phase_of(now.status))
@@ -126,7 +143,7 @@ class Zeroing:
         state, now_s = self._context.state(), self._context.clock()
         heard = [state.joints_deg[joint - 1] for joint in joints]
         known = all(each is not None and each.fresh(now_s) for each in heard)
-        return None if known else Refusal(RefusalCode.JOINTS_UNKNOWN)
+        return None if known else JOINTS_UNKNOWN()
 
     def _why_not_any_more(self, joints: Sequence[int], pressed: ArmState) -> Refusal | None:
         """What has come up since the press: a stop, a motion, a joint that stands elsewhere."""
@@ -149,7 +166,7 @@ class Zeroing:
 def _against_answer(joints: str, answer: Message) -> Refusal | None:
     if answer.signals["ZeroSet"] == 1:
         return None
-    return Refusal(RefusalCode.ZERO_NOT_SET, {"joints": joints})
+    return ZERO_NOT_SET(joints=joints)
 
 
 def _why_elsewhere(joints: Sequence[int], before: ArmState, now: ArmState) -> Refusal | None:
@@ -161,7 +178,7 @@ def _why_elsewhere(joints: Sequence[int], before: ArmState, now: ArmState) -> Re
         or (new := now.joints_deg[joint - 1]) is None
         or abs(new.value - old.value) > _SAME_PLACE_DEG
     ]
-    return Refusal(RefusalCode.ZERO_MOVED, {"joints": joint_list(moved)}) if moved else None
+    return ZERO_MOVED(joints=joint_list(moved)) if moved else None
 
 
 def _off_zero(joints: Sequence[int], state: ArmState) -> list[int]:
@@ -182,4 +199,4 @@ def _shown(joints: Sequence[int], state: ArmState, since_s: float) -> bool:
 
 def _not_at_zero(joints: Sequence[int], state: ArmState) -> Refusal | None:
     off = _off_zero(joints, state)
-    return Refusal(RefusalCode.ZERO_NOT_TAKEN, {"joints": joint_list(off)}) if off else None
+    return ZERO_NOT_TAKEN(joints=joint_list(off)) if off else None

@@ -13,10 +13,10 @@ from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QObject, Qt, QTimer, Signal
 
-from armui.arm.refusal import Refusal
-from armui.arm.refusal_codes import RefusalCode
-from armui.control.motion.jogging import axes_text
+from armui.arm.refusal import Reason, Refusal
+from armui.control.motion.jogging import GAMEPAD_SILENT, axes_text
 from armui.control.motion.steered_path import SteeredJog
+from armui.control.operating_state import JOG_UNDER_WAY
 from armui.gamepad.dead_man import UNATTENDED_S, DeadMan, HoldPhase, Loss
 from armui.gamepad.device_reader import OnButtons, Reader, read_devices
 from armui.gamepad.device_state import DeviceInfo, DeviceSnapshot, DeviceState
@@ -26,6 +26,18 @@ from armui.kinematics.axes import JogFrame
 if TYPE_CHECKING:
     from armui.control.controller_parts import ControllerParts
     from armui.settings import Settings
+
+GAMEPAD_UNATTENDED = Reason(
+    "gamepad_unattended",
+    "The dead-man button was held for {seconds} s without a movement of the device. Press anew.",
+)
+GAMEPAD_LOST = Reason("gamepad_lost", "{name} is gone. Plug it in again or switch it on.")
+GAMEPAD_NOT_IN_FRONT = Reason(
+    "gamepad_not_in_front",
+    "The main window, or a page taken out of it, is not in front, or a menu is open. Click "
+    "into one of them, then press anew.",
+)
+
 
 _TICK_MS: Final = 10
 SILENT_S: Final = 0.08
@@ -187,7 +199,7 @@ class GamepadPilot(QObject):
             return
         snapshot, now_s = reader.latest, self._clock()
         if now_s - snapshot.at_s > SILENT_S:
-            self._lose_holder(RefusalCode.GAMEPAD_SILENT)
+            self._lose_holder(GAMEPAD_SILENT)
         else:
             self._forget_gone(snapshot)
             for state in snapshot.devices:
@@ -209,11 +221,9 @@ class GamepadPilot(QObject):
         if before is HoldPhase.UP:
             self._on_pressed(key)
         if hold.lost is Loss.SILENT:
-            self._lose_holder(RefusalCode.GAMEPAD_SILENT)
+            self._lose_holder(GAMEPAD_SILENT)
         elif hold.lost is Loss.UNATTENDED:
-            self._take_away(
-                Refusal(RefusalCode.GAMEPAD_UNATTENDED, {"seconds": round(UNATTENDED_S)})
-            )
+            self._take_away(GAMEPAD_UNATTENDED(seconds=round(UNATTENDED_S)))
         elif hold.phase is not HoldPhase.SPENT and (reason := self.attended()) is not None:
             self._take_away(reason)
 
@@ -228,7 +238,7 @@ class GamepadPilot(QObject):
         there = {each.info.key for each in snapshot.devices}
         for key in [key for key in self._hands if key not in there]:
             if key == self._holder:
-                self._lose_holder(RefusalCode.GAMEPAD_LOST)
+                self._lose_holder(GAMEPAD_LOST)
                 self._holder = None
             del self._hands[key], self._infos[key]
 
@@ -246,7 +256,7 @@ class GamepadPilot(QObject):
             if not jogging.steer(jog):  # it has ended, and whoever ended it has said why
                 self._take_away(None)
         elif jogging.active:
-            self._take_away(Refusal(RefusalCode.JOG_UNDER_WAY))
+            self._take_away(JOG_UNDER_WAY())
         else:
             refusal = jogging.start(jog)
             if refusal is None:
@@ -256,7 +266,7 @@ class GamepadPilot(QObject):
 
     # Ends -------------------------------------------------------------------------------------
 
-    def _lose_holder(self, code: RefusalCode) -> None:
+    def _lose_holder(self, code: Reason) -> None:
         if self._holder is None:
             return
         hand = self._hands.get(self._holder)
@@ -338,7 +348,7 @@ _WITHOUT: Final = frozenset({HoldPhase.UP, HoldPhase.SPENT})
 
 
 def _nobody() -> Refusal:
-    return Refusal(RefusalCode.GAMEPAD_NOT_IN_FRONT)
+    return GAMEPAD_NOT_IN_FRONT()
 
 
 def _concerns(settings: Settings) -> tuple[object, ...]:

@@ -4,10 +4,16 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Final
 
-from armui.arm.refusal import Refusal
-from armui.arm.refusal_codes import RefusalCode
+from armui.arm.refusal import Reason, Refusal
 from armui.control.events import EventCode
-from armui.control.operating_state import LinkState, StopState
+from armui.control.operating_state import (
+    BUSY,
+    LINK_LOST,
+    LISTEN_ONLY,
+    NOT_CONNECTED,
+    LinkState,
+    StopState,
+)
 from armui.control.safety.hand_frame import (
     MOVING,
     NEVER_REFUSED,
@@ -16,12 +22,19 @@ from armui.control.safety.hand_frame import (
     sets_mode,
     why_never,
 )
+from armui.control.safety.interlocks import STOP_REQUESTED, STOPPED
+from armui.control.safety.other_command import OTHER_HOST, OTHER_MODE
 from armui.protocol.addressing import OFFSETS
 
 if TYPE_CHECKING:
     from armui.control.context import Context
     from armui.protocol.frame import Frame
     from armui.telemetry.listener import Listener
+
+FRAME_NOT_HELD = Reason(
+    "frame_not_held", "This frame acts on the arm: hold the button for a second to send it."
+)
+
 
 _KEEP_S: Final = 0.2
 """A frame that could not be sent within this time is dropped: what was meant may be over."""
@@ -64,14 +77,14 @@ class BusAccess:
         link = self._context.connection.link
         device = self._context.connection.device
         if device is None or link in {LinkState.NO_DEVICE, LinkState.OPENING}:
-            return Refusal(RefusalCode.NOT_CONNECTED)
+            return NOT_CONNECTED()
         if device.listen_only:
-            return Refusal(RefusalCode.LISTEN_ONLY)
+            return LISTEN_ONLY()
         if link is LinkState.LOST:
-            return Refusal(RefusalCode.LINK_LOST)
+            return LINK_LOST()
         operating_state = self._context.operating_state()
         if operating_state.stop is StopState.REQUESTED:
-            return Refusal(RefusalCode.STOP_REQUESTED)
+            return STOP_REQUESTED()
         return None if frame is None else why_never(frame) or self._why_not_now(frame)
 
     def send(self, frame: Frame, *, held: bool) -> Refusal | None:
@@ -85,13 +98,13 @@ class BusAccess:
         context.refresh()
         refusal = self.why_not_send(frame)
         if refusal is None and effect_of(frame) is not FrameEffect.HARMLESS and not held:
-            refusal = Refusal(RefusalCode.FRAME_NOT_HELD)
+            refusal = FRAME_NOT_HELD()
         if refusal is not None:
             return context.refuse(refusal)
         connection.note_by_hand(frame)
         context.observe()  # ours ends first, and what waits of it is dropped
         if not connection.send([frame], _KEEP_S):
-            return context.refuse(Refusal(RefusalCode.LINK_LOST))
+            return context.refuse(LINK_LOST())
         context.tell(EventCode.FRAME_SENT_BY_HAND, frame=str(frame))
         context.refresh()
         return None
@@ -104,13 +117,13 @@ class BusAccess:
         operating_state = context.operating_state()
         refusal = operating_state.unreachable
         if refusal is None and operating_state.busy is not None:
-            refusal = Refusal(RefusalCode.BUSY, {"what": operating_state.busy.value})
+            refusal = BUSY(what=operating_state.busy.value)
         if refusal is not None:
             return refusal
         if effect not in MOVING:
             return operating_state.occupied
         if operating_state.stop is not StopState.RUNNING:
-            return Refusal(RefusalCode.STOPPED)
+            return STOPPED()
         return context.authority.why_silent() or self._why_others(frame)
 
     def _why_others(self, frame: Frame) -> Refusal | None:
@@ -118,7 +131,7 @@ class BusAccess:
         connection = self._context.connection
         mode = self._context.authority.other.mode
         if mode is not None and sets_mode(frame):
-            return Refusal(RefusalCode.OTHER_MODE, {"other_mode": mode.value})
+            return OTHER_MODE(other_mode=mode.value)
         offsets = connection.offsets
         concerned = (offsets.addressing.control_offset,) if offsets.certain else OFFSETS
         since_s = self._context.clock() - _PAUSE_S
@@ -128,4 +141,4 @@ class BusAccess:
         if not others:
             return None
         names = ", ".join(f"0x{each.arbitration_id:03X}" for each in others)
-        return Refusal(RefusalCode.OTHER_HOST, {"frames": names})
+        return OTHER_HOST(frames=names)

@@ -10,15 +10,16 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Final
 
-from armui.arm.refusal import Refusal
-from armui.arm.refusal_codes import RefusalCode
+from armui.arm.model_check import MODEL_DIFFERS
+from armui.arm.refusal import Reason, Refusal
 from armui.arm.state import ArmState
 from armui.control.context import Context, ControllerPart
 from armui.control.events import EventCode
 from armui.control.motion.joint_motion import why_not_move
 from armui.control.motion.motion_command import CommandKind
-from armui.control.motion.point_frames import leading_mode
+from armui.control.motion.point_frames import POSE_UNKNOWN, leading_mode
 from armui.control.operations.operation import begun, operation
+from armui.control.safety.interlocks import JOINTS_UNKNOWN
 from armui.kinematics.axes import AXES, LINEAR_AXES, JogFrame
 from armui.protocol import commands
 from armui.protocol.codes import MoveMode
@@ -32,6 +33,17 @@ if TYPE_CHECKING:
     from armui.kinematics.arm_kinematics import Kinematics
     from armui.kinematics.poses import Matrix, Pose
     from armui.protocol.frame import Frame
+
+ARC_NOT_AT_START = Reason(
+    "arc_not_at_start",
+    "The arm stands {distance} mm and {turned}° away from the start of the arc. Press Go to "
+    "start first.",
+)
+ARC_IS_NONE = Reason(
+    "arc_is_none",
+    "The three poses lie on a line, or two in one place: that is no arc. Capture others.",
+)
+
 
 _NO_TOOL: Final = (0.0,) * 6
 _MODEL_MM: Final = 5.0
@@ -97,15 +109,15 @@ class Cartesian(ControllerPart):
         """The reason against computing with poses: not heard, or not those of this kind of arm."""
         state = self._context.state()
         if state.angles_deg() is None:
-            return Refusal(RefusalCode.JOINTS_UNKNOWN)
+            return JOINTS_UNKNOWN()
         if state.end_pose() is None:
-            return Refusal(RefusalCode.POSE_UNKNOWN)
+            return POSE_UNKNOWN()
         now = self._context.operating_state()
         if now.model_fit.wrong is not None:
             return now.model_fit.wrong
         if now.moving or self._fits(self.kinematics(), state):
             return None
-        return self._other_model(state) or Refusal(RefusalCode.MODEL_DIFFERS)
+        return self._other_model(state) or MODEL_DIFFERS()
 
     def _other_model(self, state: ArmState) -> Refusal | None:
         """That another model fits, as a reason."""
@@ -180,7 +192,7 @@ class Cartesian(ControllerPart):
 
         measured_deg = self._context.authority.measured_deg()
         if measured_deg is None:
-            return self._context.refuse(Refusal(RefusalCode.JOINTS_UNKNOWN))
+            return self._context.refuse(JOINTS_UNKNOWN())
         measured = poses.tool_matrix(self.kinematics().matrix(measured_deg), self.tool)
         base = self._base(measured)
         target = poses.shifted(base, axis, amount, frame)
@@ -226,14 +238,11 @@ class Cartesian(ControllerPart):
         flanges = [poses.flange_pose(point, self.tool) for point in points]
         off_mm, off_deg = poses.apart(flanges[0], model.forward(start_deg))
         if off_mm > _AT_START_MM or off_deg > _AT_START_DEG:
-            return Refusal(
-                RefusalCode.ARC_NOT_AT_START,
-                {"distance": round(off_mm, 1), "turned": round(off_deg, 1)},
-            )
+            return ARC_NOT_AT_START(distance=round(off_mm, 1), turned=round(off_deg, 1))
         try:
             arc = Arc(*map(poses.pose_to_matrix, flanges))
         except ArcError:
-            return Refusal(RefusalCode.ARC_IS_NONE)
+            return ARC_IS_NONE()
         return check_path(model, arc, start_deg, self._context.operating_state().limits)
 
     def _move(

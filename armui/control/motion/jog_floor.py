@@ -10,13 +10,19 @@ from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Final
 
 from armui.arm.models import model_data
-from armui.arm.refusal import Refusal
-from armui.arm.refusal_codes import RefusalCode
+from armui.arm.refusal import Reason, Refusal
 
 if TYPE_CHECKING:
     from armui.arm.state import ArmState
     from armui.control.context import Context
     from armui.kinematics.poses import Matrix
+
+JOG_TOO_LOW = Reason(
+    "jog_too_low",
+    "The fingertip would come to {value} mm; jogs end at {minimum} mm, as chosen under "
+    "Settings. Jog upwards.",
+)
+
 
 _PLACES: Final = 16
 """A step is looked at in so many places: a circle may have its lowest point on the way."""
@@ -87,4 +93,4 @@ class JogFloor:
         lowest = self.lowest_mm
         if lowest is None or ahead_mm >= lowest or ahead_mm > here_mm() + _SAME_MM:
             return None
-        return Refusal(RefusalCode.JOG_TOO_LOW, {"value": round(ahead_mm, 1), "minimum": lowest})
+        return JOG_TOO_LOW(value=round(ahead_mm, 1), minimum=lowest)

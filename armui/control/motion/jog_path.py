@@ -7,14 +7,21 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Final, Protocol
 
 from armui.arm.limits import JOINTS, JointLimits, check_joints
-from armui.arm.refusal import Refusal
-from armui.arm.refusal_codes import RefusalCode
+from armui.arm.refusal import Reason, Refusal
 from armui.kinematics.axes import LINEAR_AXES, JogFrame
 
 if TYPE_CHECKING:
     from armui.control.motion.jog_pace import Pace
     from armui.kinematics.arm_kinematics import Kinematics
     from armui.kinematics.poses import Matrix
+
+JOG_AT_LIMIT = Reason(
+    "jog_at_limit", "Joint {joint} is at its limit of {limit}°. Jog the other way."
+)
+JOG_OUT_OF_REACH = Reason(
+    "jog_out_of_reach", "The arm reaches no further this way. Jog in another direction."
+)
+
 
 TOOL_MM_S: Final = 60.0
 TOOL_DEG_S: Final = 12.0
@@ -101,9 +108,7 @@ class JointJogPath:
     def end(self) -> Refusal:
         """The limit that is nearest."""
         place = min(range(len(self._ways)), key=self._room_of)
-        return Refusal(
-            RefusalCode.JOG_AT_LIMIT, {"joint": place + 1, "limit": self._bound_deg(place)}
-        )
+        return JOG_AT_LIMIT(joint=place + 1, limit=self._bound_deg(place))
 
     def _room_of(self, place: int) -> float:
         way = self._ways[place]
@@ -146,7 +151,7 @@ class HeldToolPath:
 
     def end(self) -> Refusal:
         """The edge of the arm's reach."""
-        return Refusal(RefusalCode.JOG_OUT_OF_REACH)
+        return JOG_OUT_OF_REACH()
 
     def _joints_of(self, target: Matrix, near_deg: Sequence[float]) -> tuple[float, ...] | Refusal:
         """The solution nearest to ``near_deg``, or why there is none."""
@@ -194,7 +199,4 @@ class ToolJogPath(HeldToolPath):
 def at_limit(beyond: Refusal) -> Refusal:
     """What to say of a jog at the limit that six angles would be beyond."""
     bound = "minimum" if beyond.params["value"] < beyond.params["minimum"] else "maximum"  # type: ignore[operator]  # both are angles
-    return Refusal(
-        RefusalCode.JOG_AT_LIMIT,
-        {"joint": beyond.params["joint"], "limit": beyond.params[bound]},
-    )
+    return JOG_AT_LIMIT(joint=beyond.params["joint"], limit=beyond.params[bound])

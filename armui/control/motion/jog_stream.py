@@ -6,12 +6,23 @@ import math
 from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Final
 
-from armui.arm.refusal import Refusal
-from armui.arm.refusal_codes import RefusalCode
+from armui.arm.refusal import Reason, Refusal
+from armui.control.motion.jog_path import JOG_OUT_OF_REACH
 
 if TYPE_CHECKING:
     from armui.control.motion.jog_pace import Pace
     from armui.control.motion.jog_path import JogPath
+
+JOG_NOT_FOLLOWING = Reason(
+    "jog_not_following",
+    "The arm does not follow. Check that nothing blocks it and what its status says.",
+)
+JOG_SINGULAR = Reason(
+    "jog_singular",
+    "The arm is at a singular pose: joint {joint} would have to turn far too fast. Jog "
+    "another way, or turn joint 5 away from 0° under Motion control.",
+)
+
 
 _TRIES: Final = 3
 _LEAST_SHARE: Final = 0.05
@@ -76,7 +87,7 @@ class JogStream:
         reason = self._go(way, measured_deg, dt_s, pace)
         self._stalled_s = 0.0 if self._gone > before else self._stalled_s + dt_s
         if reason is None and self._stalled_s >= _STALLED_S:
-            return Refusal(RefusalCode.JOG_NOT_FOLLOWING)
+            return JOG_NOT_FOLLOWING()
         return reason
 
     def _go(
@@ -133,5 +144,5 @@ class JogStream:
 def _why_too_fast(joint: int) -> Refusal:
     """What a pose in which a joint would have to turn without end means to the operator."""
     if joint in _STRETCHES:
-        return Refusal(RefusalCode.JOG_OUT_OF_REACH)
-    return Refusal(RefusalCode.JOG_SINGULAR, {"joint": joint})
+        return JOG_OUT_OF_REACH()
+    return JOG_SINGULAR(joint=joint)

@@ -17,8 +17,7 @@ from PySide6.QtCore import Qt, QTimer
 
 from armui.arm.limits import JOINTS
 from armui.arm.models import model_data
-from armui.arm.refusal import Refusal
-from armui.arm.refusal_codes import RefusalCode
+from armui.arm.refusal import Reason, Refusal
 from armui.control.context import Context, ControllerPart
 from armui.control.events import EventCode
 from armui.control.motion.jog_pace import accelerations, pace
@@ -29,10 +28,26 @@ from armui.control.motion.motion_command import CommandKind, MotionCommand
 from armui.control.motion.steered_path import SteeredJog, SteeredToolPath
 from armui.control.operations.operation import Consent, begun, operation
 from armui.control.operations.started import Ending, Started
+from armui.control.safety.interlocks import JOINTS_UNKNOWN
 from armui.control.safety.standstill import QUIET_DEG, QUIET_S, RestWatch
 from armui.kinematics.axes import AXES, JogFrame
 from armui.protocol import commands
 from armui.protocol.codes import MoveMode
+
+STILL_MOVING = Reason(
+    "still_moving", "The arm is still moving. Wait until it stands still, then press again."
+)
+JOG_HELD_UP = Reason(
+    "jog_held_up", "The program was held up for {value} ms. Let go and press again."
+)
+JOG_NO_FEEDBACK = Reason(
+    "jog_no_feedback",
+    "The joint angles are no longer heard from the arm. Check its power and the CAN cable.",
+)
+GAMEPAD_SILENT = Reason(
+    "gamepad_silent", "Nothing more is heard of {name}. Let go of its buttons and press anew."
+)
+
 
 _STEERED: Final = {
     None: EventCode.DEVICE_JOGS_JOINTS,
@@ -230,7 +245,7 @@ class Jogging(ControllerPart):
         self._rest.observe(state, now_s)
         if not self._rest.at_rest:
             if now_s - hold.began_s >= _SETTLE_S:
-                self._end(Refusal(RefusalCode.STILL_MOVING))
+                self._end(STILL_MOVING())
             return
         base_deg = self._context.authority.joint_base_deg() or measured_deg
         hold.stream = JogStream(
@@ -301,7 +316,7 @@ class Jogging(ControllerPart):
             None if hold is None else hold.started,
             Ending.CUT_OFF,
             EventCode.JOG_ENDED,
-            reason=reason or Refusal(RefusalCode.JOINTS_UNKNOWN),
+            reason=reason or JOINTS_UNKNOWN(),
         )
 
     # The controller's tick ------------------------------------------------------------------
@@ -324,9 +339,9 @@ class Jogging(ControllerPart):
 def _why_blind(state: ArmState, dt_s: float, now_s: float) -> Refusal | None:
     """Why the program cannot know where the arm is, or whether the operator still holds on."""
     if dt_s > _HELD_UP_S:
-        return Refusal(RefusalCode.JOG_HELD_UP, {"value": round(1000 * dt_s)})
+        return JOG_HELD_UP(value=round(1000 * dt_s))
     if any(heard is None or now_s - heard.at_s > _FEEDBACK_S for heard in state.joints_deg):
-        return Refusal(RefusalCode.JOG_NO_FEEDBACK)
+        return JOG_NO_FEEDBACK()
     return None
 
 
@@ -337,7 +352,7 @@ def _sign(direction: int) -> str:
 def _why_not_steered(hold: _Hold, now_s: float) -> Refusal | None:
     """Nobody has said for too long that the device is still held."""
     if isinstance(hold.jog, SteeredJog) and now_s - hold.steered_s > _HELD_UP_S:
-        return Refusal(RefusalCode.GAMEPAD_SILENT, {"name": hold.jog.device})
+        return GAMEPAD_SILENT(name=hold.jog.device)
     return None
 
 

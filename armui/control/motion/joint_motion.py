@@ -7,18 +7,19 @@ from typing import Final
 
 from armui.arm.limits import check_joints
 from armui.arm.refusal import Refusal
-from armui.arm.refusal_codes import RefusalCode
 from armui.control.context import Context, ControllerPart
 from armui.control.events import EventCode
 from armui.control.motion.jog_floor import JogFloor
 from armui.control.motion.motion_command import CommandKind
-from armui.control.operating_state import OperatingState
+from armui.control.operating_state import RUN_UNDER_WAY, OperatingState
 from armui.control.operations.operation import begun, operation
 from armui.control.operations.started import Ending, Started
 from armui.control.requests import reports
 from armui.control.safety import interlocks
+from armui.control.safety.interlocks import JOINTS_UNKNOWN
 from armui.protocol import commands
 from armui.protocol.codes import MoveMode
+from armui.trajectory.files.errors import SPEED_OUT_OF_RANGE
 
 _HOME_DEG: Final = (0.0,) * 6
 _FIRST_SPEED_PERCENT: Final = 30
@@ -34,7 +35,7 @@ def why_not_move(now: OperatingState) -> Refusal | None:
 
 def why_no_speed(now: OperatingState) -> Refusal | None:
     """Tell why the speed of motions may not be set; without an arm it waits for one."""
-    return Refusal(RefusalCode.RUN_UNDER_WAY) if now.running else None
+    return RUN_UNDER_WAY() if now.running else None
 
 
 class Motion(ControllerPart):
@@ -69,7 +70,7 @@ class Motion(ControllerPart):
         """
         context = self._context
         if not 0 <= percent <= 100:
-            return context.refuse(Refusal(RefusalCode.SPEED_OUT_OF_RANGE, {"value": percent}))
+            return context.refuse(SPEED_OUT_OF_RANGE(value=percent))
         operating_state = context.refresh()
         if (refusal := why_no_speed(operating_state)) is not None:
             return context.refuse(refusal)
@@ -99,9 +100,7 @@ class Motion(ControllerPart):
         operating_state = context.refresh()
         base_deg = context.authority.joint_base_deg()
         if base_deg is None:
-            return context.refuse(
-                operating_state.cannot_move or Refusal(RefusalCode.JOINTS_UNKNOWN)
-            )
+            return context.refuse(operating_state.cannot_move or JOINTS_UNKNOWN())
         target_deg = list(base_deg)
         target_deg[joint - 1] = round(target_deg[joint - 1] + delta_deg, 3)
         refusal = self._floor.why_step_lower(target_deg, base_deg)

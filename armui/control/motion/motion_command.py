@@ -7,8 +7,7 @@ from collections.abc import Collection
 from typing import TYPE_CHECKING, NamedTuple
 
 from armui.arm.models import model_data
-from armui.arm.refusal import Refusal
-from armui.arm.refusal_codes import RefusalCode
+from armui.arm.refusal import Reason, Refusal
 from armui.control.motion.jog_pace import accelerations
 from armui.protocol.generation import PiperModel
 
@@ -19,6 +18,17 @@ if TYPE_CHECKING:
     from armui.control.operations.started import Started
     from armui.control.safety.overspeed import ToolPace
     from armui.kinematics.poses import Matrix
+
+PLAN_PAUSED = Reason(
+    "plan_paused",
+    "A motion of the arm is paused: it holds back every new target. Press Continue or a Clear "
+    "button under Drag teaching, Planned trajectory.",
+)
+HELD_AT_ZERO = Reason(
+    "held_at_zero",
+    "The arm holds back a motion at 0 %. Hold Continue or press Give up in the line above the "
+    "panels first.",
+)
 
 
 class Mover(enum.Enum):
@@ -80,8 +90,8 @@ class Hold(enum.Enum):
 def why_held(holds: Collection[Hold]) -> Refusal | None:
     """Tell what holds back a motion in the arm, as a reason against another one."""
     if Hold.PAUSE in holds:
-        return Refusal(RefusalCode.PLAN_PAUSED)
-    return Refusal(RefusalCode.HELD_AT_ZERO) if holds else None
+        return PLAN_PAUSED()
+    return HELD_AT_ZERO() if holds else None
 
 
 class MotionCommand(NamedTuple):

@@ -4,14 +4,15 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Final
 
-from armui.arm.refusal import Refusal
-from armui.arm.refusal_codes import RefusalCode
+from armui.arm.refusal import Reason, Refusal
 from armui.control.context import Context
 from armui.control.events import EventCode
 from armui.control.motion.motion_command import Hold
+from armui.control.operating_state import LINK_LOST
 from armui.control.operations.operation import begun, operation
 from armui.control.operations.started import Ending
 from armui.control.safety import interlocks
+from armui.control.safety.interlocks import CONTROL_OFFSET_UNKNOWN, SPEED_ZERO
 from armui.protocol import commands
 from armui.protocol.codes import TrajectoryCommand
 
@@ -20,6 +21,10 @@ if TYPE_CHECKING:
 
     from armui.control.operating_state import OperatingState
     from armui.protocol.frame import Frame
+
+NOT_MOVING = Reason("not_moving", "The arm is not moving: there is nothing to pause.")
+NOTHING_HELD = Reason("nothing_held", "No motion is held back.")
+
 
 _ENDS: Final = frozenset(
     {TrajectoryCommand.CLEAR_CURRENT, TrajectoryCommand.CLEAR_ALL, TrajectoryCommand.ABORT}
@@ -31,21 +36,21 @@ def why_not_plan(now: OperatingState, command: TrajectoryCommand) -> Refusal | N
     """Tell why a command of 0x150 byte 1 may not be given."""
     refusal = interlocks.why_no_command(now.unreachable, now.stop, now.busy)
     if refusal is None and not now.control_certain:
-        refusal = Refusal(RefusalCode.CONTROL_OFFSET_UNKNOWN)
+        refusal = CONTROL_OFFSET_UNKNOWN()
     if refusal is not None or command in _ENDS:
         return refusal
     if now.running or now.jogging:
         # a run has a pause of its own; setpoints of a jog held back would be carried out later
         return now.occupied
     if command is TrajectoryCommand.PAUSE and not now.moving:
-        return Refusal(RefusalCode.NOT_MOVING)
+        return NOT_MOVING()
     if command is not TrajectoryCommand.CONTINUE:
         return None
     # what is held back goes on at the operator's speed, and only in an arm that is ours
     if not now.holds:
-        return Refusal(RefusalCode.NOTHING_HELD)
+        return NOTHING_HELD()
     if now.speed_percent == 0:
-        return Refusal(RefusalCode.SPEED_ZERO)
+        return SPEED_ZERO()
     return now.cannot_send_motion
 
 
@@ -88,7 +93,7 @@ class PlannedMotion:
                 context.authority.cancelled(context.clock())
             else:
                 sent = self._send(command, frames)
-            refusal = None if sent else Refusal(RefusalCode.LINK_LOST)
+            refusal = None if sent else LINK_LOST()
         if refusal is not None:
             return context.refuse(refusal)
         started = begun(self.command)

@@ -5,8 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Final
 
-from armui.arm.refusal import Refusal
-from armui.arm.refusal_codes import RefusalCode
+from armui.arm.refusal import Reason, Refusal
 from armui.arm.state import ArmState
 from armui.protocol import commands
 from armui.protocol.codes import ControlMode, MoveMode
@@ -16,6 +15,15 @@ from armui.trajectory.points.program import GripperAngle, GripperOpening, Waypoi
 if TYPE_CHECKING:
     from armui.protocol.codec import Codec
     from armui.protocol.frame import Frame
+
+POSE_UNKNOWN = Reason(
+    "pose_unknown", "The arm has not reported its end pose: an arc has no beginning. Wait for it."
+)
+GRIPPER_OTHER_GENERATION = Reason(
+    "gripper_other_generation",
+    "Row {row}: this arm's protocol moves the gripper by other figures (generation 1 by an "
+    "angle, generation 2 by an opening). Change the gripper's action.",
+)
 
 
 _POSE_MODES: Final = frozenset({MoveMode.MOVE_P, MoveMode.MOVE_L, MoveMode.MOVE_C})
@@ -37,7 +45,7 @@ def point_frames(
         )
     start = state.end_pose()
     if start is None:
-        return Refusal(RefusalCode.POSE_UNKNOWN)
+        return POSE_UNKNOWN()
     return mode + commands.move_arc(
         codec, start, point.middle, point.target, speed_percent=speed_percent
     )
@@ -97,5 +105,5 @@ def why_not_possible(generation: Generation | None, points: Sequence[Waypoint]) 
         angle = isinstance(point.gripper, GripperAngle)
         opening = isinstance(point.gripper, GripperOpening)
         if (generation is Generation.TWO and angle) or (generation is Generation.ONE and opening):
-            return Refusal(RefusalCode.GRIPPER_OTHER_GENERATION, {"row": row})
+            return GRIPPER_OTHER_GENERATION(row=row)
     return None

@@ -7,8 +7,9 @@ from dataclasses import dataclass, field
 from itertools import count
 from typing import TYPE_CHECKING, Final, Protocol
 
-from armui.arm.refusal_codes import RefusalCode
+from armui.arm.refusal import Reason
 from armui.control.event_log.observed import ObservedCode
+from armui.control.operating_state import LINK_LOST
 from armui.telemetry.events import EventOutcome, Level
 
 if TYPE_CHECKING:
@@ -17,14 +18,37 @@ if TYPE_CHECKING:
     from armui.arm.refusal import Refusal
     from armui.control.events import EventCode
 
-_CUT_OFF: Final = frozenset(
-    {RefusalCode.LINK_LOST, RefusalCode.ENDED_BY_STOP, RefusalCode.ARM_CHANGED}
+ENDED_BY_STOP = Reason(
+    "ended_by_stop",
+    "The stop came first; it is not sent again. Look at what the arm shows, then repeat it.",
 )
+ARM_CHANGED = Reason(
+    "arm_changed",
+    "The arm was silent meanwhile, or another arm answers: nothing more was sent. See that it "
+    "is the right arm, then try again.",
+)
+SETTING_UNANSWERED = Reason(
+    "setting_unanswered",
+    "The arm did not answer (0x476). Nothing says that it took this over: read the values "
+    "again, then save once more.",
+)
+SETTING_NOT_READ_BACK = Reason(
+    "setting_not_read_back",
+    "The arm did not answer when asked for the value: what it holds is not known. Read again.",
+)
+ORDER_TOO_LATE = Reason(
+    "order_too_late",
+    "Nothing was sent: the arm was still being set or asked something a second after the "
+    "press. Try again.",
+)
+
+
+_CUT_OFF: Final = frozenset({LINK_LOST, ENDED_BY_STOP, ARM_CHANGED})
 _IN_VAIN: Final = frozenset(
     {
-        RefusalCode.SETTING_UNANSWERED,
-        RefusalCode.SETTING_NOT_READ_BACK,
-        RefusalCode.ORDER_TOO_LATE,
+        SETTING_UNANSWERED,
+        SETTING_NOT_READ_BACK,
+        ORDER_TOO_LATE,
     }
 )
 _NUMBERS: Final[Callable[[], int]] = count(1).__next__
@@ -133,6 +157,6 @@ def close_and_tell(
 
 def ending_of(refusal: Refusal) -> Ending:
     """Return how a command ended that this is told of: cut off, in vain, or refused."""
-    if refusal.code in _CUT_OFF:
+    if refusal.reason in _CUT_OFF:
         return Ending.CUT_OFF
-    return Ending.FAILED if refusal.code in _IN_VAIN else Ending.REFUSED
+    return Ending.FAILED if refusal.reason in _IN_VAIN else Ending.REFUSED

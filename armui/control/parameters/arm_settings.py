@@ -11,16 +11,16 @@ from PySide6.QtCore import QObject, Signal
 from armui.arm.limits import JOINTS
 from armui.arm.parameters import Batch, Group, Parameter, all_batches, heard
 from armui.arm.quirks import why_not_by_firmware
-from armui.arm.refusal import Refusal
-from armui.arm.refusal_codes import RefusalCode
+from armui.arm.refusal import Reason, Refusal
 from armui.arm.state import ArmState
-from armui.control.context import Context, ControllerPart
+from armui.control.context import GENERATION_UNKNOWN, Context, ControllerPart
 from armui.control.events import EventCode
 from armui.control.operating_state import OperatingState
 from armui.control.operations.operation import Consent, begun, operation
 from armui.control.operations.started import Ending, Started, ending_of
 from armui.control.parameters.setting_cell import CellState, SettingCellState
 from armui.control.parameters.setting_checks import (
+    SETTING_NOT_TAKEN,
     Changes,
     batches_of,
     frame_values,
@@ -40,6 +40,12 @@ if TYPE_CHECKING:
     from armui.protocol.codec import Codec
     from armui.protocol.frame import Frame
 
+SETTING_NOT_KEPT = Reason(
+    "setting_not_kept",
+    "This arm's protocol (generation {generation}) has no such settings; generation 2 has.",
+)
+
+
 _JOINT_BATCHES: Final = tuple(
     Batch(group, joint)
     for joint in JOINTS
@@ -56,7 +62,7 @@ def why_no_settings(now: OperatingState) -> Refusal | None:
     if now.unreachable is not None:
         return now.unreachable
     if now.generation is None:
-        return Refusal(RefusalCode.GENERATION_UNKNOWN)
+        return GENERATION_UNKNOWN()
     return now.occupied or now.why_pending("settings")
 
 
@@ -64,7 +70,7 @@ def why_not_read(now: OperatingState) -> Refusal | None:
     """Tell why parameters cannot be read."""
     if now.unreachable is not None:
         return now.unreachable
-    return Refusal(RefusalCode.GENERATION_UNKNOWN) if now.generation is None else None
+    return GENERATION_UNKNOWN() if now.generation is None else None
 
 
 class ArmSettings(QObject, ControllerPart):
@@ -132,7 +138,7 @@ class ArmSettings(QObject, ControllerPart):
         generation = self._context.connection.generation
         groups = {batch.group for batch in batches}
         if generation is Generation.ONE and groups & _SECOND_ONLY:
-            return Refusal(RefusalCode.SETTING_NOT_KEPT, {"generation": int(generation)})
+            return SETTING_NOT_KEPT(generation=int(generation))
         if generation is Generation.TWO and Group.DRAG_ASSISTANCE in groups:
             return why_not_by_firmware(self._context.state(), "has_drag_assistance")
         return None
@@ -303,7 +309,7 @@ class ArmSettings(QObject, ControllerPart):
 
     def _after_saving(self, wanted: Changes, refusal: Refusal | None) -> None:
         differing = {}
-        if refusal is not None and refusal.code == RefusalCode.SETTING_NOT_TAKEN:
+        if refusal is not None and refusal.reason == SETTING_NOT_TAKEN:
             codec = self._context.connection.codec
             differing = not_taken(codec, self._context.state(), wanted)
         for parameter in wanted:

@@ -9,14 +9,22 @@ from pathlib import Path
 from typing import Final
 
 from armui import __version__
-from armui.arm.backup import Backup, from_text, to_text
+from armui.arm.backup import BACKUP_FOREIGN, Backup, from_text, to_text
 from armui.arm.parameters import Parameter, heard
-from armui.arm.refusal import Refusal
-from armui.arm.refusal_codes import RefusalCode
+from armui.arm.refusal import Reason, Refusal
 from armui.arm.state import ArmState
 from armui.protocol.generation import Generation, PiperModel
 from armui.system.atomic import write_whole
 from armui.system.files import error_text, read_file
+
+BACKUP_UNREADABLE = Reason(
+    "backup_unreadable", "The file {path} cannot be read: {text}. Choose another one."
+)
+BACKUP_NOT_WRITTEN = Reason(
+    "backup_not_written",
+    "The backup could not be written to {path}: {text}. Choose another folder.",
+)
+
 
 _LARGEST_BYTES: Final = 1_000_000
 """A backup has a few thousand; anything like this is another file."""
@@ -27,12 +35,12 @@ def read_backup(path: Path) -> Backup | Refusal:
     try:
         return from_text(read_file(path, _LARGEST_BYTES).decode("utf-8-sig"))
     except UnicodeDecodeError:
-        return Refusal(RefusalCode.BACKUP_FOREIGN)
+        return BACKUP_FOREIGN()
     except OSError as error:
         if error.errno == errno.EFBIG:
-            return Refusal(RefusalCode.BACKUP_FOREIGN)
+            return BACKUP_FOREIGN()
         figures = {"path": str(path), "text": error_text(error)}
-        return Refusal(RefusalCode.BACKUP_UNREADABLE, figures)
+        return BACKUP_UNREADABLE(**figures)
 
 
 def write_backup(path: Path, backup: Backup) -> Refusal | None:
@@ -41,7 +49,7 @@ def write_backup(path: Path, backup: Backup) -> Refusal | None:
         write_whole(path, to_text(backup).encode())
     except OSError as error:
         figures = {"path": str(path), "text": error_text(error)}
-        return Refusal(RefusalCode.BACKUP_NOT_WRITTEN, figures)
+        return BACKUP_NOT_WRITTEN(**figures)
     return None
 
 

@@ -6,13 +6,34 @@ from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING, Final
 
 from armui.arm.parameters import Batch, Group, Parameter, check_value, heard, is_corrupt
-from armui.arm.refusal import Refusal
-from armui.arm.refusal_codes import RefusalCode
+from armui.arm.refusal import Reason, Refusal
 from armui.arm.state import ArmState
 from armui.control.parameters.setting_frames import as_carried, can_leave_unchanged, step_of
 
 if TYPE_CHECKING:
     from armui.protocol.codec import Codec
+
+SETTING_NOT_TAKEN = Reason(
+    "setting_not_taken",
+    "{parameter}: {value} was sent and answered, but the arm holds {held}. It did not take "
+    "this value; try another one.",
+)
+SETTING_CORRUPT = Reason(
+    "setting_corrupt",
+    "{parameter} would have to be sent along, and what the arm holds there is corrupt. Enter "
+    "a value for it as well.",
+)
+LIMITS_CROSSED = Reason(
+    "limits_crossed",
+    "Joint {joint}: the min. angle {minimum}° must be below the max. angle {maximum}°. Change "
+    "one of them.",
+)
+SETTING_UNKNOWN = Reason(
+    "setting_unknown",
+    "{parameter} would have to be sent along unchanged and has not been read from the arm. "
+    "Read it first.",
+)
+
 
 _SAME_STEPS: Final = 0.51
 """Of the frame's resolution: this close, what was read is what was asked for."""
@@ -55,14 +76,8 @@ def frame_values(
 def not_taken(codec: Codec, state: ArmState, wanted: Changes) -> dict[Parameter, Refusal]:
     """Which of the parameters asked for the arm does not hold, by what was read back."""
     return {
-        parameter: Refusal(
-            RefusalCode.SETTING_NOT_TAKEN,
-            {
-                "parameter": parameter.name,
-                "joint": parameter.joint,
-                "value": value,
-                "held": known.value,
-            },
+        parameter: SETTING_NOT_TAKEN(
+            parameter=parameter.name, joint=parameter.joint, value=value, held=known.value
         )
         for parameter, value in wanted.items()
         if (known := heard(state, parameter)) is not None
@@ -80,16 +95,14 @@ def crossed(state: ArmState, batch: Batch, changes: Changes) -> Refusal | None:
         return None
     for end in ends:
         if end not in changes and is_corrupt(state, end):
-            return Refusal(RefusalCode.SETTING_CORRUPT, {"parameter": end.name, "joint": end.joint})
+            return SETTING_CORRUPT(parameter=end.name, joint=end.joint)
     low, high = (
         changes[end] if end in changes else known.value if (known := heard(state, end)) else None
         for end in ends
     )
     if low is None or high is None or low < high:
         return None
-    return Refusal(
-        RefusalCode.LIMITS_CROSSED, {"joint": batch.joint, "minimum": low, "maximum": high}
-    )
+    return LIMITS_CROSSED(joint=batch.joint, minimum=low, maximum=high)
 
 
 def _unknown_neighbour(
@@ -106,7 +119,7 @@ def _unknown_neighbour(
             continue
         figures: dict[str, int | str] = {"parameter": parameter.name, "joint": parameter.joint}
         if heard(state, parameter) is None:
-            return Refusal(RefusalCode.SETTING_UNKNOWN, figures)
+            return SETTING_UNKNOWN(**figures)
         if is_corrupt(state, parameter) and not leaves:
-            return Refusal(RefusalCode.SETTING_CORRUPT, figures)
+            return SETTING_CORRUPT(**figures)
     return None

@@ -18,10 +18,16 @@ from math import inf
 from typing import TYPE_CHECKING, Final
 
 from armui.arm.refusal import Refusal
-from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import ArmState
 from armui.control.context import Context, ControllerPart
-from armui.control.operating_state import why_unreachable
+from armui.control.operating_state import LINK_LOST, why_unreachable
+from armui.control.operations.started import (
+    ARM_CHANGED,
+    ENDED_BY_STOP,
+    ORDER_TOO_LATE,
+    SETTING_NOT_READ_BACK,
+    SETTING_UNANSWERED,
+)
 from armui.protocol.codes import SettingIndex
 from armui.protocol.frame import Frame
 
@@ -183,9 +189,9 @@ class TransactionQueue(ControllerPart):
 
     def halt(self) -> None:
         """Settings move nothing: a stop leaves them be, but for those that say otherwise."""
-        self._drop(lambda task: task.transaction.ends_with_stop, Refusal(RefusalCode.ENDED_BY_STOP))
+        self._drop(lambda task: task.transaction.ends_with_stop, ENDED_BY_STOP())
         if self._task is not None and self._task.transaction.ends_with_stop:
-            self._end(Refusal(RefusalCode.ENDED_BY_STOP))
+            self._end(ENDED_BY_STOP())
 
     def forget(self) -> None:
         """The arm is gone: whatever waits will not be done."""
@@ -194,7 +200,7 @@ class TransactionQueue(ControllerPart):
         self._commands.clear()
         self._readings.clear()
         for task in tasks:
-            task.transaction.finished(Refusal(RefusalCode.LINK_LOST))
+            task.transaction.finished(LINK_LOST())
 
     def _all(self) -> list[_Task]:
         under_way = [] if self._task is None else [self._task]
@@ -204,7 +210,7 @@ class TransactionQueue(ControllerPart):
         now_s = self._context.clock()
         self._drop(
             lambda task: task.begin_by_s is not None and now_s >= task.begin_by_s,
-            Refusal(RefusalCode.ORDER_TOO_LATE),
+            ORDER_TOO_LATE(),
         )
 
     def _drop(self, is_dropped: Callable[[_Task], bool], reason: Refusal) -> None:
@@ -266,7 +272,7 @@ class TransactionQueue(ControllerPart):
             self.alterations += task.phase is _Phase.ANSWER and transaction.alters is not None
         task.deadline_s = now_s + _WAIT_S
         if not connection.send(frames, keep_s):
-            self._end(Refusal(RefusalCode.LINK_LOST))
+            self._end(LINK_LOST())
         elif task.phase is _Phase.ANSWER and transaction.index is None:
             self._after_answer(task)
 
@@ -275,7 +281,7 @@ class TransactionQueue(ControllerPart):
         connection = self._context.connection
         if task.arm is None or task.arm == connection.arm:
             return None
-        return why_unreachable(connection.link) or Refusal(RefusalCode.ARM_CHANGED)
+        return why_unreachable(connection.link) or ARM_CHANGED()
 
     def _on_answer(self, answer: Message) -> None:
         task = self._task
@@ -304,12 +310,12 @@ class TransactionQueue(ControllerPart):
             self._send(task)
         elif not reading and task.transaction.read_back is not None:
             # what the arm holds now decides, but if it can't be read the missing answer is told
-            task.unanswered = Refusal(RefusalCode.SETTING_UNANSWERED)
+            task.unanswered = SETTING_UNANSWERED()
             self._begin(task, _Phase.READING)
         elif not reading:
-            self._end(Refusal(RefusalCode.SETTING_UNANSWERED))
+            self._end(SETTING_UNANSWERED())
         else:
-            self._end(task.unanswered or Refusal(RefusalCode.SETTING_NOT_READ_BACK))
+            self._end(task.unanswered or SETTING_NOT_READ_BACK())
 
     def _end(self, refusal: Refusal | None) -> None:
         task, self._task = self._task, None

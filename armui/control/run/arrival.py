@@ -7,11 +7,18 @@ import math
 from collections.abc import Sequence
 from typing import Final
 
-from armui.arm.refusal import Refusal
-from armui.arm.refusal_codes import RefusalCode
+from armui.arm.refusal import Reason, Refusal
 from armui.arm.state import ArmState
+from armui.control.safety.interlocks import ARM_FAULT
 from armui.protocol.codes import ArmStatusCode
 from armui.trajectory.points.program import Waypoint
+
+RUN_ELSEWHERE = Reason(
+    "run_elsewhere",
+    "The arm says that it is there, but measures itself away from the point: {away}. See what "
+    "keeps it, then go on from this row.",
+)
+
 
 JOINT_TOLERANCE_DEG: Final = 0.1
 PLACE_TOLERANCE_MM: Final = 0.5
@@ -48,7 +55,7 @@ class ArrivalWatch:
         if status is None or status.at_s < self._sent_s + _TAKEN_IN_S:
             return Arrival.UNDER_WAY
         if status.value.arm_status in _REFUSED:
-            return Refusal(RefusalCode.ARM_FAULT, {"status": status.value.arm_status})
+            return ARM_FAULT(status=status.value.arm_status)
         if not status.value.reached:
             self._elsewhere_since_s = None
             return Arrival.UNDER_WAY
@@ -61,7 +68,7 @@ class ArrivalWatch:
             self._elsewhere_since_s = now_s
         if now_s - self._elsewhere_since_s < _AT_REST_S:
             return Arrival.UNDER_WAY
-        return Refusal(RefusalCode.RUN_ELSEWHERE, {"away": _away_text(self._point, state)})
+        return RUN_ELSEWHERE(away=_away_text(self._point, state))
 
 
 def distance(point: Waypoint, state: ArmState) -> float | None:

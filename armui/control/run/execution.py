@@ -8,11 +8,11 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QObject, Signal
 
 from armui.arm.refusal import Refusal
-from armui.arm.refusal_codes import RefusalCode
 from armui.control.context import Context, ControllerPart
+from armui.control.operating_state import LINK_LOST
 from armui.control.operations.started import Ending
 from armui.control.run.progress import OVER, Progress, RunPhase
-from armui.control.run.run_end import abort_motion, abort_motion_for
+from armui.control.run.run_end import RUN_STOPPED, abort_motion, abort_motion_for
 from armui.control.safety.standstill import RestWatch
 from armui.protocol import commands
 from armui.protocol.codes import TrajectoryCommand
@@ -72,11 +72,11 @@ class Execution(QObject, ControllerPart):
 
     def halt(self) -> None:
         """An emergency stop ends it."""
-        self.end(Refusal(RefusalCode.RUN_STOPPED))
+        self.end(RUN_STOPPED())
 
     def forget(self) -> None:
         """The loss of the arm ends it."""
-        self.end(Refusal(RefusalCode.LINK_LOST))
+        self.end(LINK_LOST())
 
     # What each of the two does its own way ----------------------------------------------------
 

@@ -7,8 +7,7 @@ from typing import Final
 
 from PySide6.QtCore import QObject
 
-from armui.arm.refusal import Refusal
-from armui.arm.refusal_codes import RefusalCode
+from armui.arm.refusal import Reason, Refusal
 from armui.control.context import Context
 from armui.control.events import EventCode
 from armui.control.motion.motion_command import CommandKind
@@ -18,7 +17,7 @@ from armui.control.motion.point_frames import (
     tool_way,
     why_not_possible,
 )
-from armui.control.operating_state import OperatingState
+from armui.control.operating_state import LINK_LOST, OperatingState
 from armui.control.operations.operation import Consent, begun, operation
 from armui.control.operations.started import Ending
 from armui.control.run.arrival import Arrival, ArrivalWatch
@@ -31,15 +30,35 @@ from armui.control.run.progress import (
     RunSchedule,
     sent_percent,
 )
+from armui.control.run.replay import RUN_EMPTY
+from armui.control.safety.feedback_freshness import FEEDBACK_SILENT
+from armui.control.safety.interlocks import ENABLED_UNKNOWN, JOINTS_UNKNOWN
+
+OVERRIDE_ZERO = Reason(
+    "override_zero", "The speed override is 0 %: raise it, then hold “Continue” for 1 s."
+)
+NOT_PAUSED = Reason("not_paused", "No trajectory is paused: nothing to go on with.")
+NOT_RUNNING = Reason("not_running", "No trajectory is running: nothing to pause.")
+RUN_TOO_SLOW = Reason(
+    "run_too_slow",
+    "The point was not reached within {seconds} s. See what keeps the arm, then go on from "
+    "this row.",
+)
+RUN_NOT_ENDED = Reason(
+    "run_not_ended",
+    "The arm was told to end its motion and still moves. Press the emergency stop if it must not.",
+)
+RUN_NO_SUCH_ROW = Reason(
+    "run_no_such_row", "There is no row {row}: the last one is {maximum}. Choose another row."
+)
+
 
 _REST_WITHIN_S: Final = 2.0
 """An arm told to end its motion stands within this time, or the operator is warned."""
 
 
 _UNKNOWN_FOR_S: Final = 1.0
-_PASSING: Final = frozenset(
-    {RefusalCode.ENABLED_UNKNOWN, RefusalCode.JOINTS_UNKNOWN, RefusalCode.FEEDBACK_SILENT}
-)
+_PASSING: Final = frozenset({ENABLED_UNKNOWN, JOINTS_UNKNOWN, FEEDBACK_SILENT})
 """Reasons that may be gone with the next frame."""
 
 
@@ -51,13 +70,13 @@ def why_not_run(now: OperatingState) -> Refusal | None:
 def why_not_go_on(now: OperatingState) -> Refusal | None:
     """Tell why the run that is paused cannot go on."""
     if now.running and now.override_percent == 0:
-        return Refusal(RefusalCode.OVERRIDE_ZERO)
-    return now.cannot_run if now.running else Refusal(RefusalCode.NOT_PAUSED)
+        return OVERRIDE_ZERO()
+    return now.cannot_run if now.running else NOT_PAUSED()
 
 
 def why_not_pause(now: OperatingState) -> Refusal | None:
     """Tell why nothing can be paused."""
-    return None if now.running else Refusal(RefusalCode.NOT_RUNNING)
+    return None if now.running else NOT_RUNNING()
 
 
 class Player(Execution):
@@ -111,7 +130,7 @@ class Player(Execution):
     def pause(self) -> Refusal | None:
         """Have the arm hold where it is (0x150 byte 1 = 1)."""
         if self._phase not in {RunPhase.MOVING, RunPhase.DWELLING}:
-            return self._context.refuse(Refusal(RefusalCode.NOT_RUNNING))
+            return self._context.refuse(NOT_RUNNING())
         if self._phase is RunPhase.MOVING:
             self._hold_back()
         self._paused_phase, self._phase = self._phase, RunPhase.PAUSED
@@ -127,15 +146,15 @@ class Player(Execution):
         """End a pause (0x150 byte 1 = 2), or take the next step."""
         waits = self._phase is RunPhase.WAITING
         if not waits and self._phase is not RunPhase.PAUSED:
-            return self._context.refuse(Refusal(RefusalCode.NOT_PAUSED))
+            return self._context.refuse(NOT_PAUSED())
         refusal = why_not_go_on(self._context.refresh())
-        if waits and (refusal is None or refusal.code != RefusalCode.OVERRIDE_ZERO):
+        if waits and (refusal is None or refusal.reason != OVERRIDE_ZERO):
             self._next_point()
             return None
         if refusal is not None:
             return self._context.refuse(refusal)
         if self._paused_phase is RunPhase.MOVING and not self._let_go_on(self._percent):
-            return self._context.refuse(Refusal(RefusalCode.LINK_LOST))
+            return self._context.refuse(LINK_LOST())
         self._phase = self._paused_phase
         self._since_s += self._context.clock() - self._paused_s
         self._looked_s = self._context.clock()
@@ -208,7 +227,7 @@ class Player(Execution):
         reason = self._context.operating_state().cannot_run
         now_s = self._context.clock()
         self._known = reason is None
-        if reason is None or reason.code not in _PASSING:
+        if reason is None or reason.reason not in _PASSING:
             self._known_s = now_s
             return reason
         return reason if now_s - self._known_s > _UNKNOWN_FOR_S else None
@@ -227,7 +246,7 @@ class Player(Execution):
         elif arrival is Arrival.REACHED:
             self._arrive(run, now_s)
         elif now_s - self._since_s > (limit_s := schedule.time_limit_s(self._index)):
-            self._fail(Refusal(RefusalCode.RUN_TOO_SLOW, {"seconds": round(limit_s)}))
+            self._fail(RUN_TOO_SLOW(seconds=round(limit_s)))
 
     def _keep_time(self) -> None:
         """The time that a motion is expected to take goes by as slowly as the arm goes."""
@@ -308,7 +327,7 @@ class Player(Execution):
             row = self._index + 1
             self._context.close(self._started, Ending.CUT_OFF, EventCode.RUN_ENDED, row=row)
         elif now_s - self._since_s > _REST_WITHIN_S:
-            self._fail(Refusal(RefusalCode.RUN_NOT_ENDED))
+            self._fail(RUN_NOT_ENDED())
 
     def _tell_failed(self, reason: Refusal, ending: Ending) -> None:
         figures = {"row": self._index + 1, "reason": reason}
@@ -352,9 +371,7 @@ class Player(Execution):
 
 def _why_empty(run: Run) -> Refusal | None:
     if not run.points:
-        return Refusal(RefusalCode.RUN_EMPTY, {"name": run.name})
+        return RUN_EMPTY(name=run.name)
     if not 0 <= run.first < len(run.points):
-        return Refusal(
-            RefusalCode.RUN_NO_SUCH_ROW, {"row": run.first + 1, "maximum": len(run.points)}
-        )
+        return RUN_NO_SUCH_ROW(row=run.first + 1, maximum=len(run.points))
     return None

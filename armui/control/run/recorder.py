@@ -7,10 +7,9 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QObject, Signal
 
 from armui.arm.refusal import Refusal
-from armui.arm.refusal_codes import RefusalCode
 from armui.control.context import Context, ControllerPart
 from armui.control.events import EventCode
-from armui.control.operating_state import OperatingState, why_unreachable
+from armui.control.operating_state import BUSY, OperatingState, why_unreachable
 from armui.control.operations.operation import begun, operation
 from armui.control.operations.started import Ending, Started
 
@@ -23,7 +22,7 @@ def why_not_record(now: OperatingState) -> Refusal | None:
     """Tell why no recording may begin: there is nothing to hear, or one is under way."""
     if (refusal := why_unreachable(now.link)) is not None:
         return refusal
-    return Refusal(RefusalCode.BUSY, {"what": "recording"}) if now.recording else None
+    return BUSY(what="recording") if now.recording else None
 
 
 class Recorder(QObject, ControllerPart):

@@ -8,14 +8,26 @@ from functools import cached_property
 from typing import TYPE_CHECKING, Final
 
 from armui.arm.limits import JOINTS, check_joint
-from armui.arm.refusal import Refusal
-from armui.arm.refusal_codes import RefusalCode
+from armui.arm.refusal import Reason, Refusal
 from armui.trajectory.samples.recording import ReplayProfile, SampleCursor, replay_profile
 
 if TYPE_CHECKING:
     from armui.arm.state import ArmState
     from armui.control.operating_state import OperatingState
     from armui.trajectory.samples.recording import Recording
+
+RUN_EMPTY = Reason("run_empty", "“{name}” has no points. Add points, or choose another trajectory.")
+REPLAY_TOO_FAST = Reason(
+    "replay_too_fast",
+    "Joint {joint} would have to turn at {value}°/s; its limit is {maximum}°/s. Replay at "
+    "{percent} % of the recorded speed at most.",
+)
+REPLAY_LAGGING = Reason(
+    "replay_lagging",
+    "Joint {joint} does not follow: it is {away}° behind. See what keeps it, or replay more "
+    "slowly.",
+)
+
 
 _SPEED_SLACK: Final = 1.02
 _LAG_SLACK_DEG: Final = 5.0
@@ -107,7 +119,7 @@ def why_not(replay: Replay, operating_state: OperatingState) -> Refusal | None:
     """What speaks against a replay: too little of it, limits, speeds the joints cannot do."""
     recording = replay.recording
     if len(recording.samples) < 2 or recording.duration_s <= 0.0:
-        return Refusal(RefusalCode.RUN_EMPTY, {"name": recording.name})
+        return RUN_EMPTY(name=recording.name)
     known = replay.known
     for joint, limits, low_deg, high_deg, recorded_deg_s in zip(
         JOINTS,
@@ -124,14 +136,11 @@ def why_not(replay: Replay, operating_state: OperatingState) -> Refusal | None:
         fastest = recorded_deg_s * replay.factor
         if fastest > limits.max_speed_deg_s * _SPEED_SLACK:
             best = replay.factor * limits.max_speed_deg_s / fastest
-            return Refusal(
-                RefusalCode.REPLAY_TOO_FAST,
-                {
-                    "joint": joint,
-                    "value": round(fastest, 1),
-                    "maximum": round(limits.max_speed_deg_s, 1),
-                    "percent": math.floor(best * 100.0),
-                },
+            return REPLAY_TOO_FAST(
+                joint=joint,
+                value=round(fastest, 1),
+                maximum=round(limits.max_speed_deg_s, 1),
+                percent=math.floor(best * 100.0),
             )
     return None
 
@@ -150,5 +159,5 @@ def why_behind(replay: Replay, at_s: float, state: ArmState) -> Refusal | None:
     ):
         away_deg = abs(target - measured)
         if away_deg > allowed:
-            return Refusal(RefusalCode.REPLAY_LAGGING, {"joint": joint, "away": round(away_deg, 1)})
+            return REPLAY_LAGGING(joint=joint, away=round(away_deg, 1))
     return None

@@ -6,16 +6,24 @@ from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QObject, Qt, QTimer
 
-from armui.arm.refusal import Refusal
-from armui.arm.refusal_codes import RefusalCode
+from armui.arm.refusal import Reason, Refusal
 from armui.control.context import Context
 from armui.control.events import EventCode
 from armui.control.motion.motion_command import CommandKind, MotionCommand
+from armui.control.operating_state import LINK_LOST
 from armui.control.operations.operation import Consent, begun, operation
 from armui.control.operations.started import Ending
 from armui.control.run.arrival import Arrival, ArrivalWatch
 from armui.control.run.execution import Execution
-from armui.control.run.player import why_not_go_on, why_not_pause, why_not_run
+from armui.control.run.player import (
+    NOT_PAUSED,
+    NOT_RUNNING,
+    RUN_NOT_ENDED,
+    RUN_TOO_SLOW,
+    why_not_go_on,
+    why_not_pause,
+    why_not_run,
+)
 from armui.control.run.progress import ENDLESS, Progress, RunPhase, sent_percent
 from armui.protocol import commands
 from armui.protocol.codes import MoveMode
@@ -23,6 +31,13 @@ from armui.trajectory.points.program import Waypoint
 
 if TYPE_CHECKING:
     from armui.control.run.replay import Replay
+
+REPLAY_GAP = Reason(
+    "replay_gap",
+    "The program or the computer stood still for {seconds} s, so the replay was ended. Let the "
+    "computer do less beside it, keep it from sleeping, and start the replay anew.",
+)
+
 
 PERIOD_MS: Final = 20
 """50 targets a second; the arm plans anew at each."""
@@ -93,7 +108,7 @@ class Replayer(Execution):
     def pause(self) -> Refusal | None:
         """Hold where the arm is: by 0x150 on the way to the first sample, later by silence."""
         if self._phase is not RunPhase.MOVING:
-            return self._context.refuse(Refusal(RefusalCode.NOT_RUNNING))
+            return self._context.refuse(NOT_RUNNING())
         self._pace = 0.0
         self._pause()
         return None
@@ -113,12 +128,12 @@ class Replayer(Execution):
     def go_on(self) -> Refusal | None:
         """End a pause."""
         if self._phase is not RunPhase.PAUSED:
-            return self._context.refuse(Refusal(RefusalCode.NOT_PAUSED))
+            return self._context.refuse(NOT_PAUSED())
         refusal = why_not_go_on(self._context.refresh())
         if refusal is not None:
             return self._context.refuse(refusal)
         if self._watch is not None and not self._let_go_on(self._approach_percent):
-            return self._context.refuse(Refusal(RefusalCode.LINK_LOST))
+            return self._context.refuse(LINK_LOST())
         self._phase = RunPhase.MOVING
         self._since_s = self._looked_s = self._context.clock()
         started = begun(self.go_on)
@@ -202,7 +217,7 @@ class Replayer(Execution):
         elif arrival is Arrival.REACHED:
             self._begin_stream(now_s)
         elif self._waited_s > _APPROACH_WITHIN_S:
-            self._fail(Refusal(RefusalCode.RUN_TOO_SLOW, {"seconds": round(_APPROACH_WITHIN_S)}))
+            self._fail(RUN_TOO_SLOW(seconds=round(_APPROACH_WITHIN_S)))
 
     def _begin_stream(self, now_s: float) -> None:
         """Targets from now on are followed at full speed: the recording says how fast."""
@@ -236,7 +251,7 @@ class Replayer(Execution):
         gap_s = self._context.clock() - self._since_s
         if gap_s < _LONGEST_GAP_S:
             return None
-        return Refusal(RefusalCode.REPLAY_GAP, {"seconds": round(gap_s, 1)})
+        return REPLAY_GAP(seconds=round(gap_s, 1))
 
     def _stream(self, replay: Replay) -> None:
         from armui.control.run.replay import why_behind  # noqa: PLC0415 - loaded by start()
@@ -313,7 +328,7 @@ class Replayer(Execution):
                 ending, code = Ending.CUT_OFF, EventCode.REPLAY_ENDED
             self._context.close(self._started, ending, code, name=replay.recording.name)
         elif now_s - self._since_s > _REST_WITHIN_S:
-            self._fail(Refusal(RefusalCode.RUN_NOT_ENDED))
+            self._fail(RUN_NOT_ENDED())
 
     def _tell_failed(self, reason: Refusal, ending: Ending) -> None:
         code = EventCode.REPLAY_FAILED

@@ -4,7 +4,15 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Final
 
-from armui.arm.refusal_codes import RefusalCode
+from armui.arm.refusal import Reason
+from armui.control.operating_state import LINK_LOST, NOT_CONNECTED
+from armui.control.safety.interlocks import (
+    CONTROL_OFFSET_UNKNOWN,
+    OTHER_CONTROL,
+    STOP_REQUESTED,
+    STOPPED,
+)
+from armui.control.safety.other_command import LEADER_ARM, OTHER_HOST, OTHER_MODE
 from armui.protocol import commands
 from armui.protocol.codes import TrajectoryCommand
 
@@ -12,21 +20,28 @@ if TYPE_CHECKING:
     from armui.arm.refusal import Refusal
     from armui.control.context import Context
 
+RUN_STOPPED = Reason(
+    "run_stopped",
+    "The arm is in emergency stop. Hold the arm, press Resume, enable the motors; then the "
+    "run can go on from this row.",
+)
+
+
 _LEFT_ALONE: Final = frozenset(
     {
         # the stop has gone out, and says more
-        RefusalCode.STOPPED,
-        RefusalCode.STOP_REQUESTED,
-        RefusalCode.RUN_STOPPED,
+        STOPPED,
+        STOP_REQUESTED,
+        RUN_STOPPED,
         # nothing reaches the arm, or nobody knows which arm it would reach
-        RefusalCode.NOT_CONNECTED,
-        RefusalCode.LINK_LOST,
-        RefusalCode.CONTROL_OFFSET_UNKNOWN,
+        NOT_CONNECTED,
+        LINK_LOST,
+        CONTROL_OFFSET_UNKNOWN,
         # the arm serves another master: its motion is not this program's to end
-        RefusalCode.OTHER_CONTROL,
-        RefusalCode.OTHER_HOST,
-        RefusalCode.LEADER_ARM,
-        RefusalCode.OTHER_MODE,
+        OTHER_CONTROL,
+        OTHER_HOST,
+        LEADER_ARM,
+        OTHER_MODE,
     }
 )
 """Reasons for a run to end after which the arm is told nothing more."""
@@ -52,5 +67,5 @@ def abort_motion_for(context: Context, reason: Refusal) -> None:
     An arm that is blocked, or whose run took too long, would otherwise set out for the point of a
     run long over as soon as it can.
     """
-    if reason.code not in _LEFT_ALONE:
+    if reason.reason not in _LEFT_ALONE:
         abort_motion(context)

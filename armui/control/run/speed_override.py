@@ -5,11 +5,12 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Final
 
 from armui.arm.refusal import Refusal
-from armui.arm.refusal_codes import RefusalCode
 from armui.control.context import Context, ControllerPart
 from armui.control.events import EventCode
 from armui.control.operations.operation import begun, operation
 from armui.control.operations.started import Ending
+from armui.control.run.player import NOT_RUNNING
+from armui.trajectory.files.errors import SPEED_OUT_OF_RANGE
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -29,9 +30,9 @@ STEP_PERCENT: Final = 10
 def why_no_override(now: OperatingState, percent: float) -> Refusal | None:
     """Tell why the override may not be set: 0 % is a pause, so there must be a run to pause."""
     if not 0 <= percent <= 100:
-        return Refusal(RefusalCode.SPEED_OUT_OF_RANGE, {"value": percent})
+        return SPEED_OUT_OF_RANGE(value=percent)
     if percent < 1 and not now.running:
-        return Refusal(RefusalCode.NOT_RUNNING)
+        return NOT_RUNNING()
     return None
 
 

@@ -4,10 +4,15 @@ from __future__ import annotations
 
 from typing import Any
 
-from armui.arm.refusal import Refusal
-from armui.arm.refusal_codes import RefusalCode
+from armui.arm.refusal import Reason, Refusal
 from armui.arm.state import FRESH_FOR_S, ArmState, Reading, is_fresh
 from armui.protocol.codes import ArmStatusCode, ControlMode
+
+FEEDBACK_SILENT = Reason(
+    "feedback_silent",
+    "{frames} of the arm has not been heard for {seconds} s: nobody knows where it is. Check "
+    "its power and the CAN cable; nothing is sent until it is heard again.",
+)
 
 
 def why_silent(state: ArmState, now_s: float) -> Refusal | None:
@@ -21,9 +26,7 @@ def why_silent(state: ArmState, now_s: float) -> Refusal | None:
             missing.append(name)
     if not missing:
         return None
-    return Refusal(
-        RefusalCode.FEEDBACK_SILENT, {"frames": ", ".join(missing), "seconds": FRESH_FOR_S}
-    )
+    return FEEDBACK_SILENT(frames=", ".join(missing), seconds=FRESH_FOR_S)
 
 
 def _fresh(heard: Reading[Any] | None, now_s: float) -> bool:

@@ -6,8 +6,7 @@ import enum
 import re
 from typing import Final
 
-from armui.arm.refusal import Refusal
-from armui.arm.refusal_codes import RefusalCode
+from armui.arm.refusal import Reason, Refusal
 from armui.protocol.addressing import OFFSETS
 from armui.protocol.codes import (
     ControlMode,
@@ -20,6 +19,38 @@ from armui.protocol.codes import (
 )
 from armui.protocol.frame import Frame
 from armui.telemetry.bus_senders import VERSION_ID, speaks_for_arm
+
+FRAME_ID_BAD = Reason(
+    "frame_id_bad",
+    "Identifier: “{value}” is no hexadecimal number. Enter 000 to 7FF, for example 151.",
+)
+FRAME_ID_TOO_HIGH = Reason(
+    "frame_id_too_high",
+    "Identifier: {value} has more than 11 bits, and the arm knows none of those. Enter 000 to 7FF.",
+)
+FRAME_DATA_BAD = Reason(
+    "frame_data_bad",
+    "Data: “{value}” are no whole bytes. Enter two hexadecimal figures for each byte, for "
+    "example 01 0A FF.",
+)
+FRAME_DATA_LONG = Reason(
+    "frame_data_long", "Data: {count} bytes do not fit into a frame. Enter 8 at most."
+)
+FRAME_IS_THE_ARMS = Reason(
+    "frame_is_the_arms",
+    "{frame} is what an arm itself says: two senders of one identifier disturb the bus, and "
+    "others would take it for the arm's word. Choose an identifier that hosts send.",
+)
+FRAME_OF_UPGRADE = Reason(
+    "frame_of_upgrade",
+    "{frame} is kept for firmware upgrades: what it does is not public, and it may leave the "
+    "arm without firmware. Use the maker's upgrade program.",
+)
+FRAME_RESUMES = Reason(
+    "frame_resumes",
+    "This frame ends an emergency stop and lets the arm drop. Use Resume in the main window, "
+    "once the arm is supported.",
+)
 
 
 class FrameEffect(enum.StrEnum):
@@ -106,17 +137,17 @@ def parse_frame(identifier: str, data: str) -> Frame | Refusal:
     """
     found = _HEX.fullmatch(identifier.strip())
     if found is None:
-        return Refusal(RefusalCode.FRAME_ID_BAD, {"value": identifier.strip()})
+        return FRAME_ID_BAD(value=identifier.strip())
     arbitration_id = int(found[1], 16) if len(found[1]) <= _BYTES else _HIGHEST + 1
     if arbitration_id > _HIGHEST:
-        return Refusal(RefusalCode.FRAME_ID_TOO_HIGH, {"value": f"0x{found[1].upper()}"})
+        return FRAME_ID_TOO_HIGH(value=f"0x{found[1].upper()}")
     parts = [part.removeprefix("0x") for part in _BETWEEN.split(data.strip().lower()) if part]
     for part in parts:
         if not re.fullmatch(r"[0-9a-f]+", part) or len(part) % 2:
-            return Refusal(RefusalCode.FRAME_DATA_BAD, {"value": part})
+            return FRAME_DATA_BAD(value=part)
     payload = bytes.fromhex("".join(parts))
     if len(payload) > _BYTES:
-        return Refusal(RefusalCode.FRAME_DATA_LONG, {"count": len(payload)})
+        return FRAME_DATA_LONG(count=len(payload))
     return Frame(arbitration_id, payload)
 
 
@@ -124,12 +155,12 @@ def why_never(frame: Frame) -> Refusal | None:
     """The reason against ever sending a frame by hand, or ``None``."""
     name = {"frame": f"0x{frame.arbitration_id:03X}"}
     if speaks_for_arm(frame.arbitration_id):
-        return Refusal(RefusalCode.FRAME_IS_THE_ARMS, name)
+        return FRAME_IS_THE_ARMS(**name)
     if is_upgrade(frame.arbitration_id):
-        return Refusal(RefusalCode.FRAME_OF_UPGRADE, name)
+        return FRAME_OF_UPGRADE(**name)
     resumes = _byte(frame, 0) == StopCommand.RESUME
     if command_id(frame.arbitration_id) == 0x150 and resumes:
-        return Refusal(RefusalCode.FRAME_RESUMES)
+        return FRAME_RESUMES()
     return None
 
 

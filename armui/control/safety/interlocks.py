@@ -4,11 +4,50 @@ from __future__ import annotations
 
 from typing import Final
 
-from armui.arm.refusal import Refusal
-from armui.arm.refusal_codes import RefusalCode
+from armui.arm.refusal import Reason, Refusal
 from armui.arm.state import ArmState, Six
-from armui.control.operating_state import Busy, StopState
+from armui.control.operating_state import BUSY, Busy, StopState
 from armui.protocol.codes import ArmStatusCode, ControlMode
+
+STOP_REQUESTED = Reason(
+    "stop_requested",
+    "The emergency stop has been sent and the arm has not confirmed it yet. Wait for the "
+    "confirmation.",
+)
+STOPPED = Reason(
+    "stopped", "The arm is in emergency stop. Hold the arm, press Resume, then enable the motors."
+)
+NOT_ENABLED = Reason(
+    "not_enabled", "The motors of these joints are not enabled: {joints}. Press Enable first."
+)
+ENABLED_UNKNOWN = Reason(
+    "enabled_unknown",
+    "Not every motor has reported yet whether it is enabled. Wait a moment; if it stays so, "
+    "check the arm's power and the CAN cable.",
+)
+JOINTS_UNKNOWN = Reason(
+    "joints_unknown",
+    "The arm has not reported all of its joint angles yet. Wait until all six are shown.",
+)
+OTHER_CONTROL = Reason(
+    "other_control", "The arm takes its commands from elsewhere: {mode}. Leave that mode first."
+)
+ARM_FAULT = Reason(
+    "arm_fault",
+    "The arm reports: {status}. Remove the cause. If the report stays: emergency stop, hold "
+    "the arm, Resume.",
+)
+CONTROL_OFFSET_UNKNOWN = Reason(
+    "control_offset_unknown",
+    "Whether the arm takes commands on the identifiers in use is not proven, so it is not "
+    "moved; stop and halt reach it. To prove it, set the offsets again in Linkage with the "
+    "arm in standby: they count once the arm has answered.",
+)
+SPEED_ZERO = Reason(
+    "speed_zero",
+    "The speed is set to 0 %: the arm would not move. Set a speed from 1 to 100 % at the top.",
+)
+
 
 MOVABLE_MODES: Final = frozenset({ControlMode.STANDBY, ControlMode.CAN_CONTROL})
 
@@ -37,11 +76,11 @@ def why_no_command(
     if unreachable is not None:
         return unreachable
     if stop is StopState.REQUESTED:
-        return Refusal(RefusalCode.STOP_REQUESTED)
+        return STOP_REQUESTED()
     if stop is StopState.STOPPED:
-        return Refusal(RefusalCode.STOPPED)
+        return STOPPED()
     if busy is not None:
-        return Refusal(RefusalCode.BUSY, {"what": busy.value})
+        return BUSY(what=busy.value)
     return None
 
 
@@ -49,19 +88,19 @@ def why_not_enabled(enabled: Six[bool | None]) -> Refusal | None:
     """The reason motors give against a motion: some are off, or were not heard."""
     off = [joint for joint, on in enumerate(enabled, start=1) if on is False]
     if off:
-        return Refusal(RefusalCode.NOT_ENABLED, {"joints": joint_list(off)})
-    return Refusal(RefusalCode.ENABLED_UNKNOWN) if None in enabled else None
+        return NOT_ENABLED(joints=joint_list(off))
+    return ENABLED_UNKNOWN() if None in enabled else None
 
 
 def why_not_ready(state: ArmState) -> Refusal | None:
     """The reason the arm itself gives against a motion: who controls it, and its status."""
     if state.status is None or state.angles_deg() is None:
-        return Refusal(RefusalCode.JOINTS_UNKNOWN)
+        return JOINTS_UNKNOWN()
     status = state.status.value
     if status.control_mode not in MOVABLE_MODES:
-        return Refusal(RefusalCode.OTHER_CONTROL, {"mode": status.control_mode})
+        return OTHER_CONTROL(mode=status.control_mode)
     if status.arm_status not in MOVABLE_STATUSES:
-        return Refusal(RefusalCode.ARM_FAULT, {"status": status.arm_status})
+        return ARM_FAULT(status=status.arm_status)
     return None
 
 

@@ -6,12 +6,14 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Final
 
 from armui.arm.quirks import exits_by_mode_word, leaves_by_mode_word
-from armui.arm.refusal import Refusal
-from armui.arm.refusal_codes import RefusalCode
+from armui.arm.refusal import Reason, Refusal
 from armui.control.context import ControllerPart
 from armui.control.events import EventCode
 from armui.control.motion.motion_command import CommandKind
-from armui.control.operations.started import Started
+from armui.control.operating_state import LINK_LOST
+from armui.control.operations.started import ARM_CHANGED, Started
+from armui.control.safety.interlocks import CONTROL_OFFSET_UNKNOWN, JOINTS_UNKNOWN, SPEED_ZERO
+from armui.control.safety.other_command import OTHER_HOST_STREAMS
 from armui.protocol import commands
 from armui.protocol.codes import ControlMode, MoveMode
 
@@ -20,6 +22,19 @@ if TYPE_CHECKING:
 
     from armui.control.context import Context
     from armui.control.link.arm_mark import ArmMark
+
+VERSION_UNANSWERED = Reason(
+    "version_unanswered",
+    "Nothing was sent: the arm was asked for its firmware version and has not named it within "
+    "0.9 s. With an older one it would fall. Try again; if it stays so, hold the arm and use "
+    "the emergency stop.",
+)
+VERSION_NOT_FIT = Reason(
+    "version_not_fit",
+    "Nothing was sent: asked for its firmware version, the arm named {versions}. With it, or "
+    "with two arms on the bus, an arm would fall. Hold the arm and use the emergency stop.",
+)
+
 
 _WITHIN_S: Final = 0.9
 """An action's first frame leaves within a second of its press or not at all."""
@@ -99,16 +114,16 @@ class ModeExitCommand(ControllerPart):
         ]
         late = now_s - question.pressed_s > _WITHIN_S
         if not question.mark.is_still(context.connection.mark) or state.pauses != question.pauses:
-            self._give_up(Refusal(RefusalCode.ARM_CHANGED))
+            self._give_up(ARM_CHANGED())
         elif named and not late:
             if now_s - named[0].began_s >= _OTHERS_WITHIN_S:
                 self._act_on({each.software for each in named})
         elif late:
-            self._give_up(Refusal(RefusalCode.VERSION_UNANSWERED))
+            self._give_up(VERSION_UNANSWERED())
         elif now_s >= question.next_s:
             question.next_s = now_s + _ASK_EVERY_S
             if not context.connection.send(commands.query_firmware(context.connection.codec)):
-                self._give_up(Refusal(RefusalCode.LINK_LOST))
+                self._give_up(LINK_LOST())
 
     def halt(self) -> None:
         """A stop was asked for: the arm is left as it is."""
@@ -127,7 +142,7 @@ class ModeExitCommand(ControllerPart):
         context = self._context
         if len(versions) != 1 or not all(map(leaves_by_mode_word, versions)):
             named = ", ".join(sorted(versions))
-            self._give_up(Refusal(RefusalCode.VERSION_NOT_FIT, {"versions": named}))
+            self._give_up(VERSION_NOT_FIT(versions=named))
             return
         context.refresh()
         self._question = None
@@ -139,7 +154,7 @@ class ModeExitCommand(ControllerPart):
         context = self._context
         angles_deg = context.authority.measured_deg()
         if angles_deg is None:
-            return Refusal(RefusalCode.JOINTS_UNKNOWN)
+            return JOINTS_UNKNOWN()
         percent, codec = self._speed_percent(), context.connection.codec
         frames = commands.set_mode(
             codec,
@@ -169,9 +184,9 @@ class ModeExitCommand(ControllerPart):
             return silent
         other = authority.other
         if other.commands and not other.may_be_taken_over:
-            return Refusal(RefusalCode.OTHER_HOST_STREAMS, {"frames": other.frames})
+            return OTHER_HOST_STREAMS(frames=other.frames)
         if not exits_by_mode_word(self._context.connection.newest):
             return other.why_not()
         if not self._context.operating_state().control_certain:
-            return Refusal(RefusalCode.CONTROL_OFFSET_UNKNOWN)
-        return Refusal(RefusalCode.SPEED_ZERO) if self._speed_percent() <= 0 else None
+            return CONTROL_OFFSET_UNKNOWN()
+        return SPEED_ZERO() if self._speed_percent() <= 0 else None

@@ -6,8 +6,7 @@ import enum
 import math
 from typing import TYPE_CHECKING, Final
 
-from armui.arm.refusal import Refusal
-from armui.arm.refusal_codes import RefusalCode
+from armui.arm.refusal import Reason, Refusal
 from armui.protocol.codes import (
     MOVE_UNCHANGED,
     ArmStatusCode,
@@ -19,6 +18,30 @@ from armui.protocol.codes import (
 if TYPE_CHECKING:
     from armui.arm.other_hosts import FrameSeries, OtherTraffic
     from armui.arm.state import ArmState, Status
+
+NOBODY_ELSE = Reason("nobody_else", "No other program moves the arm.")
+OTHER_HOST_STREAMS = Reason(
+    "other_host_streams",
+    "The other program is still sending ({frames}): it can be taken over half a second after "
+    "its last frame. Against a stream only the stop wins.",
+)
+OTHER_HOST = Reason(
+    "other_host",
+    "Another program controls the arm ({frames}). Wait until it has been quiet for 2 s and the "
+    "arm rests, or take over when it pauses. The stop works at any time.",
+)
+OTHER_MODE = Reason(
+    "other_mode",
+    "Another program drives the arm in {other_mode} mode: a mode word of ours would leave its "
+    "joints limp. End that program, hold the arm, and take the way back that the line above "
+    "the panels offers.",
+)
+LEADER_ARM = Reason(
+    "leader_arm",
+    "A leader arm moves this arm ({frames}). Switch the leader off, or make it a motion "
+    "output. The stop works at any time.",
+)
+
 
 _GONE_AFTER_S: Final = 2.0
 """So long after its last motion frame another host counts as moving the arm."""
@@ -168,9 +191,9 @@ class OtherCommand:
     def take_over(self) -> Refusal | None:
         """The operator takes the arm: ``None``, or why not."""
         if not self.commands:
-            return Refusal(RefusalCode.NOBODY_ELSE)
+            return NOBODY_ELSE()
         if not self.may_be_taken_over:
-            return Refusal(RefusalCode.OTHER_HOST_STREAMS, {"frames": self.frames})
+            return OTHER_HOST_STREAMS(frames=self.frames)
         self.commands = False
         return None
 
@@ -188,10 +211,10 @@ class OtherCommand:
     def why_not(self) -> Refusal | None:
         """The reason against a motion of ours, or ``None``."""
         if self.mode is not None:
-            return Refusal(RefusalCode.OTHER_MODE, {"other_mode": self.mode.value})
+            return OTHER_MODE(other_mode=self.mode.value)
         if not self.commands:
             return None
-        code = RefusalCode.LEADER_ARM if self.is_leader else RefusalCode.OTHER_HOST
+        code = LEADER_ARM if self.is_leader else OTHER_HOST
         return Refusal(code, {"frames": self.frames})
 
 

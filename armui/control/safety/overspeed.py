@@ -8,13 +8,29 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING, Final, NamedTuple
 
 from armui.arm.limits import JointLimits, plausible
-from armui.arm.refusal import Refusal
-from armui.arm.refusal_codes import RefusalCode
+from armui.arm.refusal import Reason, Refusal
 from armui.arm.state import ArmState
 
 if TYPE_CHECKING:
     from armui.arm.models import ArmModel
     from armui.kinematics.arm_kinematics import Kinematics
+
+TOO_FAST = Reason(
+    "too_fast",
+    "Joint {joint} moves at {value} °/s, where {maximum} °/s is shown. Set the speed again "
+    "before the next motion.",
+)
+TOOL_TOO_FAST = Reason(
+    "tool_too_fast",
+    "The tool moves at {value} mm/s, where {maximum} mm/s is shown. Set the speed again before "
+    "the next motion.",
+)
+TOOL_TURNS_TOO_FAST = Reason(
+    "tool_turns_too_fast",
+    "The tool turns at {value} °/s, where {maximum} °/s is shown. Set the speed again before "
+    "the next motion.",
+)
+
 
 _TOO_FAST: Final = 1.5
 _SLACK_DEG_S: Final = 2.0
@@ -211,7 +227,7 @@ def _joint_too_fast(
         too_fast = speeds[index] > allowed + _SLACK_DEG_S
         if too_fast and after[index] >= _BRAKING * before[index]:
             figures = {"value": round(speeds[index], 1), "maximum": round(shown, 1)}
-            return Refusal(RefusalCode.TOO_FAST, {"joint": index + 1, **figures})
+            return TOO_FAST(joint=index + 1, **figures)
     return None
 
 
@@ -221,8 +237,8 @@ def _tool_too_fast(window: _Window, share: float, pace: ToolPace) -> Refusal | N
     after = _tool_speeds(window.middle, window.newest, pace)
     for index, (code, highest, slack) in enumerate(
         (
-            (RefusalCode.TOOL_TOO_FAST, pace.linear_mm_s, _SLACK_MM_S),
-            (RefusalCode.TOOL_TURNS_TOO_FAST, pace.angular_deg_s, _TOOL_SLACK_DEG_S),
+            (TOOL_TOO_FAST, pace.linear_mm_s, _SLACK_MM_S),
+            (TOOL_TURNS_TOO_FAST, pace.angular_deg_s, _TOOL_SLACK_DEG_S),
         )
     ):
         shown = share * highest

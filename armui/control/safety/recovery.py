@@ -7,17 +7,19 @@ from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Final
 
-from armui.arm.refusal import Refusal
-from armui.arm.refusal_codes import RefusalCode
+from armui.arm.refusal import Reason, Refusal
 from armui.control.context import Context, ControllerPart
 from armui.control.devices.joint_errors import JointErrors
 from armui.control.devices.motors import Motors
 from armui.control.devices.teaching import TeachingControl
 from armui.control.events import EventCode
 from armui.control.motion.planned_motion import PlannedMotion
+from armui.control.operating_state import BUSY
 from armui.control.operations.operation import Operation, operation_of
-from armui.control.operations.started import Ending, Started
+from armui.control.operations.started import ARM_CHANGED, Ending, Started
 from armui.control.requests.request import Request, RequestOutcome
+from armui.control.safety.interlocks import CONTROL_OFFSET_UNKNOWN
+from armui.control.safety.other_command import OTHER_HOST_STREAMS
 from armui.control.safety.recovery_rules import next_step
 from armui.control.safety.recovery_steps import NO_DEVICE, Action, Step, StepKind
 from armui.protocol import commands
@@ -38,6 +40,12 @@ if TYPE_CHECKING:
     from armui.control.link.arm_mark import ArmMark
     from armui.control.safety.mode_exit import ModeExitCommand
     from armui.protocol.codec import Message
+
+STEP_GONE = Reason(
+    "step_gone",
+    "The arm is in another state by now: nothing was sent. Look at the step that is shown now.",
+)
+
 
 _SHOWS_LATER_S: Final = 0.5
 """Between an answer and the feedback that shows its effect: drivers report ten times a second."""
@@ -179,13 +187,13 @@ class Recovery(ControllerPart):
         """
         self._context.refresh()
         if mark is not None and not mark.is_still(self._context.connection.mark):
-            return self._context.refuse(Refusal(RefusalCode.ARM_CHANGED))
+            return self._context.refuse(ARM_CHANGED())
         now = self._look()
         wanted = step.action if action is None else action
         if now.kind is not step.kind or wanted is None or wanted not in now.actions:
-            return self._context.refuse(Refusal(RefusalCode.STEP_GONE))
+            return self._context.refuse(STEP_GONE())
         if self._attempt is not None:
-            return self._context.refuse(Refusal(RefusalCode.BUSY, {"what": "recovery"}))
+            return self._context.refuse(BUSY(what="recovery"))
         refusal = self.why_not(now, wanted)
         if refusal is not None:
             return self._context.refuse(refusal)
@@ -214,14 +222,14 @@ class Recovery(ControllerPart):
             operation, arguments = _OPERATIONS[action]
             return operation.why_not(now, **arguments)
         if not now.control_certain and action is Action.STANDBY:
-            return Refusal(RefusalCode.CONTROL_OFFSET_UNKNOWN)
+            return CONTROL_OFFSET_UNKNOWN()
         return None
 
     def _why_not_take_over(self) -> Refusal | None:
         other = self._context.operating_state().other_host
         if other is None or other.may_be_taken_over:
             return None
-        return Refusal(RefusalCode.OTHER_HOST_STREAMS, {"frames": other.frames})
+        return OTHER_HOST_STREAMS(frames=other.frames)
 
     def advance(self) -> None:
         """Look at what was heard; called regularly while a device is open."""

@@ -8,7 +8,7 @@ from typing import Final
 
 from armui.arm.limits import JOINTS
 from armui.arm.quirks import exits_by_mode_word
-from armui.arm.refusal_codes import RefusalCode
+from armui.arm.refusal import Reason
 from armui.arm.state import ArmState, DriverSlow, Status
 from armui.control.devices.teaching_phase import (
     NEAR_REST_DEG,
@@ -20,6 +20,8 @@ from armui.control.motion.motion_command import Hold
 from armui.control.operating_state import LinkState, OperatingState, StopState
 from armui.control.run.progress import RunPhase
 from armui.control.safety import interlocks
+from armui.control.safety.feedback_freshness import FEEDBACK_SILENT
+from armui.control.safety.other_command import OTHER_MODE
 from armui.control.safety.recovery_steps import Params
 from armui.protocol.codes import ArmStatusCode, ControlMode
 
@@ -153,15 +155,13 @@ def other_control(view: RecoveryView) -> Params | None:
 def not_heard(view: RecoveryView) -> bool:
     """Whether something is silent that a motion counts on."""
     silent = view.operating_state.cannot_send_motion
-    return view.status is None or (
-        silent is not None and silent.code == RefusalCode.FEEDBACK_SILENT
-    )
+    return view.status is None or (silent is not None and silent.reason == FEEDBACK_SILENT)
 
 
 def other_mode(view: RecoveryView) -> Params | None:
     """Another host has put the joints into MIT, CPV or high-follow."""
     other = view.operating_state.other_host
-    if other is None or other.reason.code != RefusalCode.OTHER_MODE:
+    if other is None or other.reason.reason != OTHER_MODE:
         return None
     return {"other_mode": other.reason.params["other_mode"]}
 
@@ -171,12 +171,12 @@ def other_mode_that_ends(view: RecoveryView) -> Params | None:
     return other_mode(view) if exits_by_mode_word(view.state) else None
 
 
-def other_host_is(code: RefusalCode) -> Applies:
+def other_host_is(code: Reason) -> Applies:
     """Another host moves the arm, for one reason."""
 
     def applies(view: RecoveryView) -> Params | None:
         other = view.operating_state.other_host
-        if other is None or other.reason.code != code:
+        if other is None or other.reason.reason != code:
             return None
         since = f"{other.since:%H:%M:%S}"
         return {"frames": other.frames, "since": since, "rate": other.rate_hz}

@@ -11,14 +11,14 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Final
 
-from armui.arm.refusal import Refusal
-from armui.arm.refusal_codes import RefusalCode
+from armui.arm.refusal import Reason
 from armui.arm.state import ArmState, is_fresh
 from armui.control.devices.teaching_phase import TeachingPhase
 from armui.control.events import Level
 from armui.control.motion.motion_command import Hold
 from armui.control.operating_state import LinkState, OperatingState, StopState
 from armui.control.run.progress import RunPhase
+from armui.control.safety.other_command import LEADER_ARM, OTHER_HOST
 from armui.control.safety.recovery_conditions import (
     Applies,
     RecoveryView,
@@ -50,6 +50,9 @@ from armui.control.safety.recovery_conditions import (
 )
 from armui.control.safety.recovery_steps import Action, Step, StepKind
 from armui.protocol.codes import ArmStatusCode
+
+STEP_IN_VAIN = Reason("step_in_vain", "The arm did not react.")
+
 
 _IN_VAIN_TWICE: Final = 2
 """The gentle action is worth a second try, with the cause gone; then a stronger one is offered."""
@@ -106,7 +109,7 @@ def next_step(
         {name: value for name, value in (params or {}).items() if name != "numbers"},
         rule.escalation if stronger else rule.action,
         joints if isinstance(joints, tuple) else (),
-        failed=Refusal(RefusalCode.STEP_IN_VAIN) if failures else None,
+        failed=STEP_IN_VAIN() if failures else None,
         alternative=rule.alternative,
     )
 
@@ -226,12 +229,8 @@ _RULES: Final = (
     ),
     _Rule(StepKind.OTHER_MODE, Level.WARNING, Action.LEAVE_MODE, other_mode_that_ends),
     _Rule(StepKind.OTHER_MODE, Level.WARNING, Action.RESET, other_mode),
-    _Rule(
-        StepKind.LEADER_ARM, Level.WARNING, Action.TAKE_OVER, other_host_is(RefusalCode.LEADER_ARM)
-    ),
-    _Rule(
-        StepKind.OTHER_HOST, Level.WARNING, Action.TAKE_OVER, other_host_is(RefusalCode.OTHER_HOST)
-    ),
+    _Rule(StepKind.LEADER_ARM, Level.WARNING, Action.TAKE_OVER, other_host_is(LEADER_ARM)),
+    _Rule(StepKind.OTHER_HOST, Level.WARNING, Action.TAKE_OVER, other_host_is(OTHER_HOST)),
     _Rule(StepKind.OTHER_CONTROL, Level.WARNING, Action.STANDBY, other_control),
     _Rule(
         StepKind.MOTORS_UNKNOWN,

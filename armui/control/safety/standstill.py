@@ -7,10 +7,19 @@ from dataclasses import dataclass
 from typing import Final
 
 from armui.arm.limits import JOINTS
-from armui.arm.refusal import Refusal
-from armui.arm.refusal_codes import RefusalCode
+from armui.arm.refusal import Reason, Refusal
 from armui.arm.state import ArmState, is_fresh
 from armui.control.safety.interlocks import joint_list
+
+JOINTS_MOVING = Reason(
+    "joints_moving", "These joints are moving: {joints}. Wait until the arm stands still."
+)
+SPEED_UNKNOWN = Reason(
+    "speed_unknown",
+    "Whether these joints stand still is not known: {joints}. Their drivers report no speed: "
+    "check the arm's power and the CAN cable.",
+)
+
 
 SETTLED_DEG: Final = 0.02
 SETTLED_S: Final = 0.3
@@ -82,7 +91,7 @@ def why_moving(state: ArmState) -> Refusal | None:
         for joint, speed in zip(JOINTS, _speeds_deg_s(state), strict=True)
         if speed is not None and abs(speed) >= STILL_DEG_S
     ]
-    return Refusal(RefusalCode.JOINTS_MOVING, {"joints": joint_list(moving)}) if moving else None
+    return JOINTS_MOVING(joints=joint_list(moving)) if moving else None
 
 
 def why_not_still(state: ArmState) -> Refusal | None:
@@ -90,7 +99,7 @@ def why_not_still(state: ArmState) -> Refusal | None:
     speeds = zip(JOINTS, _speeds_deg_s(state), strict=True)
     unknown = [joint for joint, speed in speeds if speed is None]
     if unknown:
-        return Refusal(RefusalCode.SPEED_UNKNOWN, {"joints": joint_list(unknown)})
+        return SPEED_UNKNOWN(joints=joint_list(unknown))
     return why_moving(state)
 
 

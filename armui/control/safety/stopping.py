@@ -5,8 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Final
 
-from armui.arm.refusal import Refusal
-from armui.arm.refusal_codes import RefusalCode
+from armui.arm.refusal import Reason, Refusal
 from armui.arm.state import ArmState, is_fresh
 from armui.control.devices.teaching_phase import TeachingPhase, phase_of
 from armui.control.events import EventCode
@@ -32,6 +31,12 @@ from armui.protocol.frame import Frame
 if TYPE_CHECKING:
     from armui.arm.device import Device
     from armui.control.link.connection import Connection
+
+HALT_LISTEN_ONLY = Reason(
+    "halt_listen_only",
+    "This connection only listens: nothing is sent on it but the emergency stop.",
+)
+
 
 _AT_REST_S: Final = 1.3
 """So long after a halt the rest of the arm is its doing: 1 s, and what measuring it takes."""
@@ -159,7 +164,7 @@ class Stopping:
         """The reason against a halt: no arm is heard, or it may only be listened to."""
         device = self._connection.device
         if device is not None and device.listen_only and device.recorded is None:
-            return Refusal(RefusalCode.HALT_LISTEN_ONLY)
+            return HALT_LISTEN_ONLY()
         if (refusal := why_only_heard(device)) is not None:
             return refusal
         return why_unreachable(self._connection.link)

@@ -11,15 +11,23 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import TYPE_CHECKING, Final, NamedTuple
 
-from armui.arm.refusal import Refusal
-from armui.arm.refusal_codes import RefusalCode
-from armui.session.recording.kinds import MF4_SUFFIX, why_not_written
+from armui.arm.refusal import Reason, Refusal
+from armui.session.recording.kinds import MF4_SUFFIX, SESSION_NO_MF4, why_not_written
 from armui.system.atomic import unfinished_name
 from armui.system.files import read_file
 
 if TYPE_CHECKING:
     from collections.abc import Callable
     from concurrent.futures import Executor, Future
+
+SESSION_MF4_CALLED_OFF = Reason(
+    "session_mf4_called_off", "You called it off. The recording itself is whole, as .blf."
+)
+SESSION_NAME_TAKEN = Reason(
+    "session_name_taken",
+    "There is a file called “{name}” in the folder already. Choose another name.",
+)
+
 
 _LOOK_S: Final = 0.1
 _END_S: Final = 1.0
@@ -152,9 +160,9 @@ def _reason(conversion: _Conversion, future: Future[None]) -> Refusal | None:
     except CancelledError as cancelled:
         error = cancelled
     if isinstance(error, CancelledError):
-        return Refusal(RefusalCode.SESSION_MF4_CALLED_OFF)
+        return SESSION_MF4_CALLED_OFF()
     if isinstance(error, ModuleNotFoundError):
-        return Refusal(RefusalCode.SESSION_NO_MF4)
+        return SESSION_NO_MF4()
     if isinstance(error, FileExistsError):
-        return Refusal(RefusalCode.SESSION_NAME_TAKEN, {"name": name})
+        return SESSION_NAME_TAKEN(name=name)
     return None if error is None else why_not_written(error, conversion.folder)

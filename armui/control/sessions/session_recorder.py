@@ -12,8 +12,7 @@ from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QObject, QTimer, Signal
 
-from armui.arm.refusal import Refusal
-from armui.arm.refusal_codes import RefusalCode
+from armui.arm.refusal import Reason, Refusal
 from armui.control.events import EventCode
 from armui.control.operations.started import Ending, Started
 from armui.control.sessions.choices import SessionChoices
@@ -36,6 +35,25 @@ if TYPE_CHECKING:
     from armui.session.recording.sidecar import Line
     from armui.session.recording.writer import RecordingPlan
     from armui.telemetry.events import EventLog
+
+SESSION_RECORDED = Reason(
+    "session_recorded", "The session is being recorded already. Stop that recording first."
+)
+SESSION_NAME_BAD = Reason(
+    "session_name_bad",
+    '“{name}” cannot be the name of a recording. Leave out / \\ : * ? " < > | and a dot at '
+    "the beginning or the end; 120 characters at most.",
+)
+SESSION_NONE = Reason(
+    "session_none", "The session is not being recorded: there is nothing to stop."
+)
+SESSION_SAVING = Reason(
+    "session_saving", "The last minutes are being saved already. Wait a moment."
+)
+SESSION_RING_EMPTY = Reason(
+    "session_ring_empty", "Nothing has been heard on the bus yet: there is nothing to save."
+)
+
 
 _LOOK_MS: Final = 250
 KEPT_S: Final = 300.0
@@ -150,9 +168,9 @@ class SessionRecorder(QObject):
         """
         refusal = None
         if self._recording is not None:
-            refusal = Refusal(RefusalCode.SESSION_RECORDED)
+            refusal = SESSION_RECORDED()
         elif name is not None and not is_name(name):
-            refusal = Refusal(RefusalCode.SESSION_NAME_BAD, {"name": name})
+            refusal = SESSION_NAME_BAD(name=name)
         if refusal is not None:
             return self._context.refuse(refusal)
         from armui.session.recording.session_recording import SessionRecording  # noqa: PLC0415 - numpy
@@ -174,7 +192,7 @@ class SessionRecorder(QObject):
         """End the recording: ``None``, or there is none. Its last frames are written behind."""
         recording = self._recording
         if recording is None:
-            return self._context.refuse(Refusal(RefusalCode.SESSION_NONE))
+            return self._context.refuse(SESSION_NONE())
         self.look()
         if self._recording is not None:
             self._end(recording, "operator")
@@ -188,9 +206,9 @@ class SessionRecorder(QObject):
         """
         refusal = None
         if self._saving is not None:
-            refusal = Refusal(RefusalCode.SESSION_SAVING)
+            refusal = SESSION_SAVING()
         elif self._ring is None or not self._ring.span()[0]:
-            refusal = Refusal(RefusalCode.SESSION_RING_EMPTY)
+            refusal = SESSION_RING_EMPTY()
         if refusal is not None or self._ring is None or self._collector is None:
             return None if refusal is None else self._context.refuse(refusal)
         self.look()

@@ -41,6 +41,7 @@ def tell_of_qt() -> None:
 
 def tell_of_opengl() -> None:
     """In a process of its own: draw a picture, and print what the graphics driver says."""
+    import vtkmodules.vtkRenderingOpenGL2  # noqa: F401, PLC0415 - as above; what windows draw with
     from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow  # noqa: PLC0415 - as above
 
     window = vtkRenderWindow()

@@ -8,8 +8,7 @@ from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
 
-from armui.arm.refusal import Refusal
-from armui.arm.refusal_codes import RefusalCode
+from armui.arm.refusal import Reason, Refusal
 from armui.protocol.detect import GenerationDetector
 from armui.protocol.frame import Frame, FrameFlag
 from armui.session.foreign.indexed import (
@@ -29,7 +28,7 @@ from armui.session.foreign.indexed import (
 from armui.session.frames import LATEST_S, NOT_OF_THE_ARM, NotALogError
 from armui.session.log_marks import LogFrames, marks_of
 from armui.session.reader import SUFFIXES, LogFile, is_known_kind
-from armui.session.recording.kinds import MF4_SUFFIX
+from armui.session.recording.kinds import MF4_SUFFIX, SESSION_NO_MF4
 from armui.system.files import error_text, open_file
 
 if TYPE_CHECKING:
@@ -41,6 +40,42 @@ if TYPE_CHECKING:
     from armui.protocol.generation import Generation
     from armui.session.frames import Channel, FrameBatch
     from armui.session.session import SessionMark
+
+REPLAY_NO_DISK = Reason(
+    "replay_no_disk",
+    "The log is read into temporary files, and these cannot be written: {text}. Make room on "
+    "the disk, or set TMPDIR to a folder with more.",
+)
+REPLAY_EMPTY = Reason(
+    "replay_empty",
+    "{name} is a log without a single frame: there is nothing to replay. Record again, with "
+    "the arm switched on.",
+)
+REPLAY_UNREADABLE = Reason(
+    "replay_unreadable",
+    "{name} cannot be opened: {text}. Look whether it is still there and may be read.",
+)
+REPLAY_UNKNOWN_KIND = Reason(
+    "replay_unknown_kind",
+    "By its name {name} is no CAN log. Known endings: {known}, most of them also with .gz "
+    "behind. Rename the file, or choose another.",
+)
+REPLAY_ARCHIVE = Reason(
+    "replay_archive",
+    "{name} is a packed archive, whatever its ending says. Unpack it, and open the log that "
+    "was in it.",
+)
+REPLAY_NOTHING_READ = Reason(
+    "replay_nothing_read",
+    "Nothing in {name} reads as a frame of a CAN log of its ending. Choose the file that the "
+    "recording program has written, with its own ending.",
+)
+REPLAY_NO_LOG = Reason(
+    "replay_no_log",
+    "Nothing in {name} reads as a frame of a CAN log ({text}). Choose the file that the "
+    "recording program has written, with its own ending.",
+)
+
 
 # Times of a log that run backwards are put right.
 
@@ -162,33 +197,33 @@ def index_or_reason(path: Path, folder: Path) -> LogIndex | Refusal:
     except NotALogError as error:
         return _why_not(path, error)
     except OSError as error:
-        return Refusal(RefusalCode.REPLAY_NO_DISK, {"text": error_text(error)})
-    return index if index.frames else Refusal(RefusalCode.REPLAY_EMPTY, {"name": name})
+        return REPLAY_NO_DISK(text=error_text(error))
+    return index if index.frames else REPLAY_EMPTY(name=name)
 
 
 def _why_not(path: Path, error: NotALogError) -> Refusal:
     """What is wrong with a file that is no log, as far as its beginning tells."""
     name = {"name": path.name}
     if isinstance(error.__cause__, OSError):
-        return Refusal(RefusalCode.REPLAY_UNREADABLE, {**name, "text": str(error)})
+        return REPLAY_UNREADABLE(**name, text=str(error))
     if not is_known_kind(path):
         known = ", ".join(SUFFIXES)
-        return Refusal(RefusalCode.REPLAY_UNKNOWN_KIND, {**name, "known": known})
+        return REPLAY_UNKNOWN_KIND(**name, known=known)
     try:
         with open_file(path) as file:
             beginning = file.read(len(max(_ARCHIVES, key=len)))
     except OSError as gone:
-        return Refusal(RefusalCode.REPLAY_UNREADABLE, {**name, "text": error_text(gone)})
+        return REPLAY_UNREADABLE(**name, text=error_text(gone))
     if not beginning:
-        return Refusal(RefusalCode.REPLAY_EMPTY, name)
+        return REPLAY_EMPTY(**name)
     if path.suffix.lower() != ".gz" and beginning.startswith(_ARCHIVES):
-        return Refusal(RefusalCode.REPLAY_ARCHIVE, name)
+        return REPLAY_ARCHIVE(**name)
     if path.suffix.lower() == MF4_SUFFIX and find_spec("asammdf") is None:
-        return Refusal(RefusalCode.SESSION_NO_MF4)
+        return SESSION_NO_MF4()
     text = str(error).removeprefix("no CAN log: ")
     if text.startswith("nothing in it reads") and text.endswith(" file"):  # and no more is known
-        return Refusal(RefusalCode.REPLAY_NOTHING_READ, name)
-    return Refusal(RefusalCode.REPLAY_NO_LOG, {**name, "text": text})
+        return REPLAY_NOTHING_READ(**name)
+    return REPLAY_NO_LOG(**name, text=text)
 
 
 class _Columns:

@@ -9,8 +9,7 @@ from datetime import datetime
 from pathlib import Path
 from typing import TYPE_CHECKING, Final, Protocol
 
-from armui.arm.refusal import Refusal
-from armui.arm.refusal_codes import RefusalCode
+from armui.arm.refusal import Reason, Refusal
 from armui.system.files import error_text
 
 if TYPE_CHECKING:
@@ -18,6 +17,28 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from armui.session.recording.rows import FrameRows
+
+SESSION_DISK_FULL = Reason(
+    "session_disk_full",
+    "The disk of {folder} is full. What was written before can be read. Free some room or "
+    "choose another folder, then record again.",
+)
+SESSION_READ_ONLY = Reason(
+    "session_read_only",
+    "The folder {folder} cannot be written. Choose another folder for the session recordings, "
+    "or allow this one to be written.",
+)
+SESSION_FOLDER_GONE = Reason(
+    "session_folder_gone",
+    "The folder {folder}, or its disk, is gone. Plug it in again or choose another folder, "
+    "then record again.",
+)
+SESSION_FAILED = Reason(
+    "session_failed",
+    "The session could not be recorded in {folder}: {text}. What was written before can be "
+    "read. Choose another folder, or try again.",
+)
+SESSION_NO_MF4 = Reason("session_no_mf4", "MF4 needs the package asammdf (pip install asammdf).")
 
 
 class RecordingFormat(enum.Enum):
@@ -97,17 +118,17 @@ def is_name(text: str) -> bool:
 
 
 _CODES: Final = {
-    errno.ENOSPC: RefusalCode.SESSION_DISK_FULL,
-    errno.EDQUOT: RefusalCode.SESSION_DISK_FULL,
-    errno.EFBIG: RefusalCode.SESSION_DISK_FULL,
-    errno.EACCES: RefusalCode.SESSION_READ_ONLY,
-    errno.EPERM: RefusalCode.SESSION_READ_ONLY,
-    errno.EROFS: RefusalCode.SESSION_READ_ONLY,
-    errno.ENOENT: RefusalCode.SESSION_FOLDER_GONE,
-    errno.ENODEV: RefusalCode.SESSION_FOLDER_GONE,
-    errno.ENXIO: RefusalCode.SESSION_FOLDER_GONE,
-    errno.EIO: RefusalCode.SESSION_FOLDER_GONE,
-    errno.ESTALE: RefusalCode.SESSION_FOLDER_GONE,
+    errno.ENOSPC: SESSION_DISK_FULL,
+    errno.EDQUOT: SESSION_DISK_FULL,
+    errno.EFBIG: SESSION_DISK_FULL,
+    errno.EACCES: SESSION_READ_ONLY,
+    errno.EPERM: SESSION_READ_ONLY,
+    errno.EROFS: SESSION_READ_ONLY,
+    errno.ENOENT: SESSION_FOLDER_GONE,
+    errno.ENODEV: SESSION_FOLDER_GONE,
+    errno.ENXIO: SESSION_FOLDER_GONE,
+    errno.EIO: SESSION_FOLDER_GONE,
+    errno.ESTALE: SESSION_FOLDER_GONE,
 }
 
 
@@ -117,4 +138,4 @@ def why_not_written(error: BaseException, folder: Path) -> Refusal:
     known = _CODES.get(code or 0)
     if known is not None:
         return Refusal(known, {"folder": str(folder)})
-    return Refusal(RefusalCode.SESSION_FAILED, {"folder": str(folder), "text": error_text(error)})
+    return SESSION_FAILED(folder=str(folder), text=error_text(error))

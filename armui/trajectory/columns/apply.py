@@ -8,8 +8,7 @@ from typing import Final
 
 import numpy as np
 
-from armui.arm.refusal import Refusal
-from armui.arm.refusal_codes import RefusalCode
+from armui.arm.refusal import Reason, Refusal
 from armui.protocol.codes import MoveMode
 from armui.trajectory.columns.model import (
     JOINTS,
@@ -23,11 +22,23 @@ from armui.trajectory.columns.model import (
     lines_from,
     table,
 )
+from armui.trajectory.files.csv_file import CELLS_COUNT
 from armui.trajectory.files.errors import broken
 from armui.trajectory.files.model import Content, verified, verified_point
-from armui.trajectory.files.text import read_figures
+from armui.trajectory.files.text import NUMBER_BAD, read_figures
 from armui.trajectory.points.program import GripperOpening, Trajectory, Waypoint
 from armui.trajectory.samples.recording import COLUMN_COUNT, GRIPPER, Array, Recording
+
+COLUMNS_TWICE = Reason(
+    "columns_twice", "Columns {first} and {second} are both {field}. Leave one of them out."
+)
+COLUMNS_UNIT = Reason(
+    "columns_unit", "Column {column}: {field} is not given in “{value}”. Choose one of {choices}."
+)
+COLUMNS_MISSING = Reason(
+    "columns_missing", "Still missing: {missing}. Say which columns hold them."
+)
+
 
 _TIME_DIGITS: Final = 6
 """Of seconds, so that a sum of waits does not drift by rounding."""
@@ -44,25 +55,17 @@ def check_mapping(mapping: ColumnMapping) -> Refusal | None:
         quantity, unit = column
         if quantity in columns:
             first = columns[quantity]
-            return Refusal(
-                RefusalCode.COLUMNS_TWICE,
-                {"first": first, "second": number, "field": str(quantity)},
-            )
+            return COLUMNS_TWICE(first=first, second=number, field=str(quantity))
         if unit not in UNITS[quantity]:
             choices = ", ".join(UNITS[quantity])
-            return Refusal(
-                RefusalCode.COLUMNS_UNIT,
-                {"column": number, "field": str(quantity), "value": unit, "choices": choices},
-            )
+            return COLUMNS_UNIT(column=number, field=str(quantity), value=unit, choices=choices)
         columns[quantity] = number
     needed = POSE if mapping.move in (MoveMode.MOVE_P, MoveMode.MOVE_L) else JOINTS
     missing = [str(quantity) for quantity in needed if quantity not in columns]
     timed = ColumnQuantity.TIME in columns or ColumnQuantity.WAIT in columns
     if mapping.move is None and not timed:
         missing.insert(0, str(ColumnQuantity.TIME))
-    return (
-        Refusal(RefusalCode.COLUMNS_MISSING, {"missing": ", ".join(missing)}) if missing else None
-    )
+    return COLUMNS_MISSING(missing=", ".join(missing)) if missing else None
 
 
 def apply(text: str, sheet: Sheet, mapping: ColumnMapping, name: str) -> Content:
@@ -124,7 +127,7 @@ def _read_one_by_one(
     lines: list[int] = []
     for line, cells in table(text, sheet.delimiter, sheet.first_line):
         if len(cells) < sheet.width or any(map(str.strip, cells[sheet.width :])):
-            raise broken(RefusalCode.CELLS_COUNT, line, value=len(cells), expected=sheet.width)
+            raise broken(CELLS_COUNT, line, value=len(cells), expected=sheet.width)
         try:
             row = [float(cells[place]) for place in wanted] if plain else None
         except ValueError:
@@ -146,7 +149,7 @@ def _figure(
         return math.nan
     value = as_number(cell, sheet.decimal)
     if value is None or not math.isfinite(value):
-        raise broken(RefusalCode.NUMBER_BAD, line, place + 1, value=cell)
+        raise broken(NUMBER_BAD, line, place + 1, value=cell)
     return value
 
 

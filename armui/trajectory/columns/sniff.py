@@ -9,7 +9,7 @@ from collections.abc import Sequence
 from itertools import islice
 from typing import Final, NamedTuple
 
-from armui.arm.refusal_codes import RefusalCode
+from armui.arm.refusal import Reason
 from armui.trajectory.columns.guess import guess_columns
 from armui.trajectory.columns.model import (
     DECIMALS,
@@ -24,6 +24,11 @@ from armui.trajectory.columns.model import (
     table,
 )
 from armui.trajectory.files.errors import TrajectoryFileError, broken
+
+FILE_NO_TABLE = Reason(
+    "file_no_table", "No rows of numbers are found here. Choose a file with one point a row."
+)
+
 
 _STYLES: Final = (
     *((",", "."), (";", "."), (";", ","), ("\t", "."), ("\t", ",")),
@@ -64,7 +69,7 @@ def sniff(text: str, dialect: Dialect = _ALL_GUESSED) -> Sheet:
     first = skipped if dialect.first_line is not None else _first_row(lines, style)
     if first is None:
         if dialect == _ALL_GUESSED or not spread:
-            raise broken(RefusalCode.FILE_NO_TABLE)
+            raise broken(FILE_NO_TABLE)
         first = 0
     style = style._replace(width=max(1, style.width))
     header = _header(lines[:first], style)

@@ -9,11 +9,17 @@ from enum import StrEnum
 from pathlib import Path
 from typing import Final
 
-from armui.arm.refusal_codes import RefusalCode
+from armui.arm.refusal import Reason
 from armui.trajectory import files
 from armui.trajectory.columns.model import Dialect, Sheet
 from armui.trajectory.columns.sniff import sniff
 from armui.trajectory.files.errors import TrajectoryFileError, broken
+from armui.trajectory.files.log_file import FILE_KIND_UNKNOWN
+
+FILE_NOT_ENCODING = Reason(
+    "file_not_encoding", "This is no text in {value}. Choose another encoding."
+)
+
 
 _LOOKED_AT_BYTES: Final = 4096
 _MANY: Final = 0.3
@@ -89,7 +95,7 @@ def _odd(before: str, encoding: Encoding) -> TrajectoryFileError:
     line, column = max(1, len(lines)), len(lines[-1]) + 1 if lines else 1
     if lines and lines[-1].endswith(("\n", "\r")):
         line, column = len(lines) + 1, 1
-    return broken(RefusalCode.FILE_NOT_ENCODING, line, column, value=LABELS[encoding])
+    return broken(FILE_NOT_ENCODING, line, column, value=LABELS[encoding])
 
 
 @dataclass(frozen=True, slots=True)
@@ -152,5 +158,5 @@ def look_closer(path: Path, error: TrajectoryFileError) -> tuple[TrajectoryFileE
     try:
         table = open_table(path)
     except TrajectoryFileError as closer:
-        return (closer if error.reason.code == RefusalCode.FILE_KIND_UNKNOWN else error), False
+        return (closer if error.reason.reason == FILE_KIND_UNKNOWN else error), False
     return error, not files.is_ours(table.text)

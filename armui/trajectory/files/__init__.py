@@ -8,13 +8,21 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Final
 
-from armui.arm.refusal_codes import RefusalCode
+from armui.arm.refusal import Reason
 from armui.system.files import error_text, open_file
 from armui.trajectory.files import csv_file, json_file, log_file, npz_file
 from armui.trajectory.files.errors import TrajectoryFileError, broken
+from armui.trajectory.files.log_file import FILE_KIND_UNKNOWN
 from armui.trajectory.files.model import LARGEST_BYTES, Content, UnwritableError
 from armui.trajectory.files.text import decode
 from armui.trajectory.samples.recording import Recording
+
+FILE_TOO_LARGE = Reason(
+    "file_too_large", "The file has {value} MB; files up to {maximum} MB are read."
+)
+FILE_UNREADABLE = Reason("file_unreadable", "The file cannot be read: {text}.")
+FILE_EMPTY = Reason("file_empty", "The file holds nothing.")
+
 
 __all__ = [
     "SUFFIXES",
@@ -104,7 +112,7 @@ def _bytes_of(path: Path) -> bytes:
         size = os.fstat(file.fileno()).st_size
         if size > LARGEST_BYTES:
             mega, most = 1024 * 1024, LARGEST_BYTES
-            raise broken(RefusalCode.FILE_TOO_LARGE, value=size // mega, maximum=most // mega)
+            raise broken(FILE_TOO_LARGE, value=size // mega, maximum=most // mega)
         return file.read(LARGEST_BYTES)
 
 
@@ -116,7 +124,7 @@ def _named(path: Path) -> Iterator[None]:
     except TrajectoryFileError as error:
         raise TrajectoryFileError(error.reason, error.line, error.column, path.name) from error
     except OSError as error:
-        reason = broken(RefusalCode.FILE_UNREADABLE, text=error_text(error)).reason
+        reason = broken(FILE_UNREADABLE, text=error_text(error)).reason
         raise TrajectoryFileError(reason, file=path.name) from error
 
 
@@ -143,7 +151,7 @@ def read_text(text: str, name: str) -> Content:
     """
     name = name if name.strip() else "?"
     if not text.strip():
-        raise broken(RefusalCode.FILE_EMPTY)
+        raise broken(FILE_EMPTY)
     if log_file.is_log(text):
         return log_file.read(text, name)
     if json_file.is_json(text):
@@ -152,4 +160,4 @@ def read_text(text: str, name: str) -> Content:
         return csv_file.read(text, name)
     if csv_file.is_maker_csv(text):
         return csv_file.read_maker_csv(text, name)
-    raise broken(RefusalCode.FILE_KIND_UNKNOWN, 1)
+    raise broken(FILE_KIND_UNKNOWN, 1)

@@ -14,13 +14,15 @@ from typing import Any, Final
 
 import numpy as np
 
-from armui.arm.refusal_codes import RefusalCode
+from armui.arm.refusal import Reason
 from armui.protocol.codes import ALL_LAMPS
-from armui.trajectory.files.errors import broken
+from armui.trajectory.files.errors import FILE_DAMAGED, HEADER_UNKNOWN, broken
 from armui.trajectory.files.log_points import LETTER_OF, LETTERS
 from armui.trajectory.files.model import Content, parse_time, verified, verified_point, verify
 from armui.trajectory.files.text import number, parse_number
 from armui.trajectory.points.program import (
+    POINT_MOVE_UNKNOWN,
+    POINT_NOT_WHOLE,
     GripperAction,
     GripperAngle,
     GripperOpening,
@@ -30,6 +32,12 @@ from armui.trajectory.points.program import (
     Waypoint,
 )
 from armui.trajectory.samples.recording import COLUMN_COUNT, GRIPPER, Recording
+
+COLUMN_UNKNOWN = Reason("column_unknown", "The column “{value}” is unknown.")
+COLUMN_TWICE = Reason("column_twice", "The column “{field}” is there twice.")
+COLUMN_MISSING = Reason("column_missing", "The column “{field}” is missing.")
+CELLS_COUNT = Reason("cells_count", "{value} cells where there are {expected} columns.")
+
 
 SAMPLE_TITLES: Final = ("t_s", *(f"j{joint}_deg" for joint in range(1, 7)), "gripper_mm")
 _LONGEST_CELL: Final = 1 << 20
@@ -114,7 +122,7 @@ def rows(text: str, delimiter: str = ",", first_line: int = 1) -> Iterator[Row]:
         try:
             cells = next(reader, None)
         except csv.Error as error:
-            raise broken(RefusalCode.FILE_DAMAGED, line, text=str(error)) from error
+            raise broken(FILE_DAMAGED, line, text=str(error)) from error
         if cells is None:
             return
         if any(cells):
@@ -144,7 +152,7 @@ def _body(table: Iterator[Row], fields: dict[str, Any]) -> Iterator[Row]:
         elif key in ("#name", "#note", "#taught_on"):
             fields[key[1:]] = value
         else:
-            raise broken(RefusalCode.HEADER_UNKNOWN, line, 1, value=key)
+            raise broken(HEADER_UNKNOWN, line, 1, value=key)
 
 
 def _read_points(
@@ -166,12 +174,12 @@ def _read_points(
 def _read_samples(titles: list[str], body: Iterator[Row], fields: dict[str, Any]) -> Content:
     for title in titles:
         if title not in SAMPLE_TITLES:
-            raise broken(RefusalCode.COLUMN_UNKNOWN, 1, titles.index(title) + 1, value=title)
+            raise broken(COLUMN_UNKNOWN, 1, titles.index(title) + 1, value=title)
         if titles.count(title) > 1:
-            raise broken(RefusalCode.COLUMN_TWICE, 1, titles.index(title) + 1, field=title)
+            raise broken(COLUMN_TWICE, 1, titles.index(title) + 1, field=title)
     for title in SAMPLE_TITLES[:GRIPPER]:
         if title not in titles:
-            raise broken(RefusalCode.COLUMN_MISSING, 1, field=title)
+            raise broken(COLUMN_MISSING, 1, field=title)
     order = [titles.index(title) for title in SAMPLE_TITLES if title in titles]
     samples: list[list[float]] = []
     lines: list[int] = []
@@ -179,7 +187,7 @@ def _read_samples(titles: list[str], body: Iterator[Row], fields: dict[str, Any]
         if cells[0] == "#":
             continue
         if len(cells) != len(titles):
-            raise broken(RefusalCode.CELLS_COUNT, line, value=len(cells), expected=len(titles))
+            raise broken(CELLS_COUNT, line, value=len(cells), expected=len(titles))
         row = [
             math.nan
             if place == GRIPPER and not cells[index].strip()
@@ -240,9 +248,9 @@ class Columns:
         self._places: dict[str, int] = {}
         for place, title in enumerate(titles):
             if title not in TITLES:
-                raise broken(RefusalCode.COLUMN_UNKNOWN, 1, place + 1, value=title)
+                raise broken(COLUMN_UNKNOWN, 1, place + 1, value=title)
             if title in self._places:
-                raise broken(RefusalCode.COLUMN_TWICE, 1, place + 1, field=title)
+                raise broken(COLUMN_TWICE, 1, place + 1, field=title)
             self._places[title] = place
         self.count = len(titles)
 
@@ -265,12 +273,12 @@ def read_cells(
         TrajectoryFileError: With the cell as column.
     """
     if len(cells) != columns.count:
-        raise broken(RefusalCode.CELLS_COUNT, line, value=len(cells), expected=columns.count)
+        raise broken(CELLS_COUNT, line, value=len(cells), expected=columns.count)
     row = _Row(columns, cells, line)
     text = row.text("move")
     move = LETTERS.get(text.upper().removeprefix("MOVE").strip())
     if move is None:
-        raise broken(RefusalCode.POINT_MOVE_UNKNOWN, line, columns.column("move"), value=text)
+        raise broken(POINT_MOVE_UNKNOWN, line, columns.column("move"), value=text)
     target = row.numbers(_JOINTS if move.name == "MOVE_J" else _POSE)
     middle = row.numbers(_MIDDLE) if move.name == "MOVE_C" else None
     point = Waypoint(
@@ -301,7 +309,7 @@ class _Row:
     def number(self, title: str) -> float:
         column = self._columns.column(title)
         if not column:
-            raise broken(RefusalCode.COLUMN_MISSING, self._line, field=title)
+            raise broken(COLUMN_MISSING, self._line, field=title)
         return parse_number(self.text(title), self._line, column)
 
     def numbers(self, titles: Sequence[str]) -> Values:
@@ -311,7 +319,7 @@ class _Row:
         value = self.number(title)
         if value != int(value):
             column = self._columns.column(title)
-            raise broken(RefusalCode.POINT_NOT_WHOLE, self._line, column, field=title, value=value)
+            raise broken(POINT_NOT_WHOLE, self._line, column, field=title, value=value)
         return int(value)
 
     def gripper(self) -> GripperAction | None:
@@ -359,7 +367,7 @@ def read_maker_csv(text: str, name: str) -> Content:
     lines: list[int] = []
     for line, cells in rows(text):
         if len(cells) not in _COUNTS:
-            raise broken(RefusalCode.CELLS_COUNT, line, value=len(cells), expected="7 / 8")
+            raise broken(CELLS_COUNT, line, value=len(cells), expected="7 / 8")
         row = [parse_number(cell, line, column) for column, cell in enumerate(cells, start=1)]
         steps.append(row if len(row) == COLUMN_COUNT else [*row, math.nan])
         lines.append(line)

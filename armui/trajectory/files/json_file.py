@@ -11,8 +11,8 @@ from typing import Any, Final
 import numpy as np
 
 from armui.arm.json_fields import FieldError, FieldProblem, Fields, Path
-from armui.arm.refusal_codes import RefusalCode
-from armui.trajectory.files.errors import TrajectoryFileError, broken, field_refusal
+from armui.arm.refusal import Reason
+from armui.trajectory.files.errors import FILE_VERSION, TrajectoryFileError, broken, field_refusal
 from armui.trajectory.files.log_points import LETTER_OF, LETTERS
 from armui.trajectory.files.model import VERSION, Content, parse_time, verified, verify
 from armui.trajectory.points.program import (
@@ -25,6 +25,9 @@ from armui.trajectory.points.program import (
     check_point,
 )
 from armui.trajectory.samples.recording import COLUMN_COUNT, GRIPPER, Recording
+
+JSON_BAD = Reason("json_bad", "This is not valid JSON: {text}.")
+
 
 _KINDS: Final = ("armui trajectory", "armui recording")
 _EMPTY: Final = {"note": "", "gripper": None, "light": None, "comments": ()}
@@ -76,9 +79,9 @@ def read(text: str, name: str) -> Content:
     try:
         whole = json.loads(text)
     except json.JSONDecodeError as error:
-        raise broken(RefusalCode.JSON_BAD, error.lineno, error.colno, text=error.msg) from error
+        raise broken(JSON_BAD, error.lineno, error.colno, text=error.msg) from error
     except (RecursionError, ValueError) as error:  # nested too deep; a number of 5000 digits
-        raise broken(RefusalCode.JSON_BAD, text=str(error)) from error
+        raise broken(JSON_BAD, text=str(error)) from error
     try:
         return _content(Fields(whole), name)
     except FieldError as error:
@@ -115,7 +118,7 @@ def _content(whole: Fields, name: str) -> Content:
     if kind not in _KINDS:
         raise whole.bad("format", " / ".join(_KINDS))
     if whole.whole("version") != VERSION:
-        raise broken(RefusalCode.FILE_VERSION, value=whole.whole("version"), maximum=VERSION)
+        raise broken(FILE_VERSION, value=whole.whole("version"), maximum=VERSION)
     common = {
         "name": whole.text("name", name),
         "note": whole.text("note", ""),

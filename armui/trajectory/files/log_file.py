@@ -15,9 +15,15 @@ from typing import Any, Final
 
 import numpy as np
 
-from armui.arm.refusal_codes import RefusalCode
-from armui.trajectory.files.errors import TrajectoryFileError, broken
-from armui.trajectory.files.log_points import read_point, read_text, write_point
+from armui.arm.refusal import Reason
+from armui.trajectory.files.errors import FILE_VERSION, HEADER_UNKNOWN, TrajectoryFileError, broken
+from armui.trajectory.files.log_points import (
+    OPTION_TWICE,
+    VALUES_COUNT,
+    read_point,
+    read_text,
+    write_point,
+)
 from armui.trajectory.files.model import (
     VERSION,
     Content,
@@ -29,6 +35,11 @@ from armui.trajectory.files.model import (
 from armui.trajectory.files.text import number, parse_number, read_figures
 from armui.trajectory.points.program import Trajectory, Waypoint, check_point
 from armui.trajectory.samples.recording import COLUMN_COUNT, GRIPPER, Array, Recording
+
+FILE_KIND_UNKNOWN = Reason(
+    "file_kind_unknown", "This is no trajectory file the program knows. Import it by columns."
+)
+
 
 _FIRST: Final = re.compile(r"armui (trajectory|recording) (\d{1,9})\s*")
 _ENTRY: Final = re.compile(r"([A-Za-z]\w*):[ \t]*(.*?)[ \t]*")
@@ -111,11 +122,11 @@ def read(text: str, name: str) -> Content:
     lines = text.split("\n")
     first = _FIRST.fullmatch(lines[0])
     if first is None:
-        raise broken(RefusalCode.FILE_KIND_UNKNOWN, 1, 1)
+        raise broken(FILE_KIND_UNKNOWN, 1, 1)
     kind, version = first.group(1), int(first.group(2))
     if version != VERSION:
         column = first.start(2) + 1
-        raise broken(RefusalCode.FILE_VERSION, 1, column, value=version, maximum=VERSION)
+        raise broken(FILE_VERSION, 1, column, value=version, maximum=VERSION)
     fields, begin, comments = _read_header(lines)
     fields.setdefault("name", name)
     if kind == "recording":
@@ -141,13 +152,13 @@ def _read_header(lines: list[str]) -> tuple[dict[str, Any], int, list[str]]:
         key, value = entry.groups()
         column = entry.start(2) + 1
         if key in fields:
-            raise broken(RefusalCode.OPTION_TWICE, index + 1, 1, value=key)
+            raise broken(OPTION_TWICE, index + 1, 1, value=key)
         if key == "modified":
             fields[key] = parse_time(value, index + 1, column)
         elif key in ("name", "note", "taught_on"):
             fields[key] = read_text(value, index + 1, column)
         else:
-            raise broken(RefusalCode.HEADER_UNKNOWN, index + 1, 1, value=key)
+            raise broken(HEADER_UNKNOWN, index + 1, 1, value=key)
     return fields, len(lines), comments
 
 
@@ -226,7 +237,7 @@ def _read_one_by_one(lines: list[str], begin: int, fields: dict[str, Any]) -> Co
         if not words or words[0].startswith("#"):
             continue
         if len(words) not in (GRIPPER, COLUMN_COUNT):
-            raise broken(RefusalCode.VALUES_COUNT, line, 1, value=len(words), expected="7 or 8")
+            raise broken(VALUES_COUNT, line, 1, value=len(words), expected="7 or 8")
         try:
             row = list(map(float, words))
         except ValueError:

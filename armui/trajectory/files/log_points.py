@@ -13,7 +13,7 @@ import re
 from collections.abc import Callable
 from typing import Any, Final
 
-from armui.arm.refusal_codes import RefusalCode
+from armui.arm.refusal import Reason
 from armui.protocol.codes import ALL_LAMPS, MoveMode
 from armui.trajectory.files.errors import broken
 from armui.trajectory.files.model import verified_point
@@ -27,6 +27,19 @@ from armui.trajectory.points.program import (
     Values,
     Waypoint,
 )
+
+LINE_UNKNOWN = Reason(
+    "line_unknown", "“{value}” is no kind of line. A line begins with J, P, L, C or #."
+)
+OPTION_UNKNOWN = Reason(
+    "option_unknown",
+    "“{value}” is no option of a point; speed, dwell, gripper, light and note are.",
+)
+OPTION_TWICE = Reason("option_twice", "“{value}” is given twice. Leave one.")
+TEXT_UNCLOSED = Reason("text_unclosed", "The closing quotation mark is missing.")
+VALUES_COUNT = Reason("values_count", "{value} numbers where {expected} belong.")
+OPTION_BAD = Reason("option_bad", "“{value}” is no {field}. Write it as {example}.")
+
 
 LETTERS: Final = {
     "J": MoveMode.MOVE_J,
@@ -79,7 +92,7 @@ def read_point(text: str, line: int, comments: tuple[str, ...]) -> Waypoint:
     letter, letter_column = words[0]
     move = LETTERS.get(letter)
     if move is None:
-        raise broken(RefusalCode.LINE_UNKNOWN, line, letter_column, value=letter)
+        raise broken(LINE_UNKNOWN, line, letter_column, value=letter)
     count = next((k for k, (word, _) in enumerate(words[1:]) if "=" in word), len(words) - 1)
     values, options = words[1 : 1 + count], words[1 + count :]
     middle = None
@@ -93,10 +106,10 @@ def read_point(text: str, line: int, comments: tuple[str, ...]) -> Waypoint:
         name, sign, value = word.partition("=")
         reader = _READERS.get(name) if sign else None
         if reader is None:
-            raise broken(RefusalCode.OPTION_UNKNOWN, line, column, value=name)
+            raise broken(OPTION_UNKNOWN, line, column, value=name)
         field, read = reader
         if field in fields:
-            raise broken(RefusalCode.OPTION_TWICE, line, column, value=name)
+            raise broken(OPTION_TWICE, line, column, value=name)
         fields[field] = read(value, line, column + len(name) + 1)
     point = Waypoint(move, target, middle, comments=comments, **fields)
     return verified_point(point, line, letter_column)
@@ -118,21 +131,19 @@ def _split(text: str, line: int) -> tuple[list[Token], str | None]:
     if rest.startswith("#") and words:
         return words, rest[1:]
     if rest.startswith('"'):
-        raise broken(RefusalCode.TEXT_UNCLOSED, line, column)
-    raise broken(RefusalCode.LINE_UNKNOWN, line, column, value=rest)
+        raise broken(TEXT_UNCLOSED, line, column)
+    raise broken(LINE_UNKNOWN, line, column, value=rest)
 
 
 def _six(words: list[Token], line: int, column: int) -> Values:
     if len(words) != VALUE_COUNT:
-        raise broken(RefusalCode.VALUES_COUNT, line, column, value=len(words), expected=VALUE_COUNT)
+        raise broken(VALUES_COUNT, line, column, value=len(words), expected=VALUE_COUNT)
     return tuple([parse_number(word, line, at) for word, at in words])
 
 
 def _read_speed(text: str, line: int, column: int) -> int:
     if not (text.isascii() and text.isdigit()):
-        raise broken(
-            RefusalCode.OPTION_BAD, line, column, value=text, field="speed", example="speed=30"
-        )
+        raise broken(OPTION_BAD, line, column, value=text, field="speed", example="speed=30")
     return int(text[:9])
 
 
@@ -145,9 +156,7 @@ def read_gripper(text: str, line: int, column: int) -> GripperAction:
     match = _GRIPPER.fullmatch(text)
     if match is None or (match.group(2) == "mm") != (match.group(4) == "Nm"):
         example = "gripper=35mm@1Nm or gripper=20°@1rad/s"
-        raise broken(
-            RefusalCode.OPTION_BAD, line, column, value=text, field="gripper", example=example
-        )
+        raise broken(OPTION_BAD, line, column, value=text, field="gripper", example=example)
     first = parse_number(match.group(1), line, column)
     second = parse_number(match.group(3), line, column + match.start(3))
     return GripperOpening(first, second) if match.group(2) == "mm" else GripperAngle(first, second)
@@ -169,9 +178,7 @@ def read_light(text: str, line: int, column: int) -> LightAction:
     match = _LIGHT.fullmatch(text)
     if match is None or not match.group(0).isascii():
         example = "light=1/all:255,128,0"
-        raise broken(
-            RefusalCode.OPTION_BAD, line, column, value=text, field="light", example=example
-        )
+        raise broken(OPTION_BAD, line, column, value=text, field="light", example=example)
     joint, lamp, *colors = match.groups()
     red, green, blue = map(int, colors)
     return LightAction(int(joint), red, green, blue, ALL_LAMPS if lamp == "all" else int(lamp))
@@ -194,7 +201,7 @@ def read_text(text: str, line: int, column: int) -> str:
     try:
         value = json.loads(text)
     except ValueError:
-        raise broken(RefusalCode.TEXT_UNCLOSED, line, column) from None
+        raise broken(TEXT_UNCLOSED, line, column) from None
     return str(value)
 
 

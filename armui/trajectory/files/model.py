@@ -6,11 +6,13 @@ from collections.abc import Sequence
 from datetime import UTC, datetime
 from typing import Final
 
-from armui.arm.refusal import Refusal
-from armui.arm.refusal_codes import RefusalCode
+from armui.arm.refusal import Reason, Refusal
 from armui.trajectory.files.errors import TrajectoryFileError, broken
 from armui.trajectory.points.program import Trajectory, Waypoint, check_point, check_trajectory
 from armui.trajectory.samples.recording import Recording, check_recording
+
+TIME_BAD = Reason("time_bad", "“{value}” is no date and time. Write it as 2026-01-31T12:00:00.")
+
 
 Content = Trajectory | Recording
 """What a file holds."""
@@ -88,5 +90,5 @@ def parse_time(text: str, line: int, column: int) -> datetime:
     try:
         when = datetime.fromisoformat(text)
     except ValueError:
-        raise broken(RefusalCode.TIME_BAD, line, column, value=text) from None
+        raise broken(TIME_BAD, line, column, value=text) from None
     return when if when.tzinfo is not None else when.replace(tzinfo=UTC)

@@ -13,8 +13,7 @@ from typing import BinaryIO, Final
 import numpy as np
 
 from armui.arm.json_fields import FieldError, Fields
-from armui.arm.refusal_codes import RefusalCode
-from armui.trajectory.files.errors import TrajectoryFileError, broken, field_refusal
+from armui.trajectory.files.errors import FILE_DAMAGED, TrajectoryFileError, broken, field_refusal
 from armui.trajectory.files.model import LARGEST_BYTES, Content, parse_time, verified, verify
 from armui.trajectory.samples.recording import COLUMN_COUNT, Recording
 
@@ -62,9 +61,9 @@ def read(data: bytes) -> Content:
     except FieldError as error:
         raise TrajectoryFileError(field_refusal(error)) from error
     except Exception as error:  # zipfile and numpy raise a dozen kinds on damaged archives
-        raise broken(RefusalCode.FILE_DAMAGED, text=str(error)) from error
+        raise broken(FILE_DAMAGED, text=str(error)) from error
     if samples.ndim != 2 or samples.shape[1] != COLUMN_COUNT or samples.dtype.kind != "f":
-        raise broken(RefusalCode.FILE_DAMAGED, text=f"samples {samples.dtype} {samples.shape}")
+        raise broken(FILE_DAMAGED, text=f"samples {samples.dtype} {samples.shape}")
     return verified(Recording(name, note, samples.astype(np.float64), modified, taught_on))
 
 
@@ -81,7 +80,7 @@ def name_in(file: BinaryIO) -> str | None:
 def _member(archive: zipfile.ZipFile, name: str) -> bytes:
     """A member's bytes, unless they claim to be more than any recording has."""
     if archive.getinfo(name).file_size > LARGEST_BYTES:
-        raise broken(RefusalCode.FILE_DAMAGED, text=f"{name} is too large")
+        raise broken(FILE_DAMAGED, text=f"{name} is too large")
     return archive.read(name)
 
 

@@ -8,9 +8,15 @@ from typing import Final
 
 import numpy as np
 
-from armui.arm.refusal_codes import RefusalCode
+from armui.arm.refusal import Reason
 from armui.trajectory.files.errors import broken
 from armui.trajectory.samples.recording import Array
+
+FILE_NOT_TEXT = Reason(
+    "file_not_text", "This is no text in UTF-8 or GBK. Save it as a text file in UTF-8."
+)
+NUMBER_BAD = Reason("number_bad", "“{value}” is not a number.")
+
 
 _UTF_16: Final = (codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)
 
@@ -27,7 +33,7 @@ def decode(data: bytes) -> str:
         try:
             return data.decode("utf-16")
         except UnicodeDecodeError as error:
-            raise broken(RefusalCode.FILE_NOT_TEXT, 1) from error
+            raise broken(FILE_NOT_TEXT, 1) from error
     try:
         text = data.decode("utf-8-sig")
     except UnicodeDecodeError as error:
@@ -36,11 +42,11 @@ def decode(data: bytes) -> str:
         except UnicodeDecodeError:
             line_start = data.rfind(b"\n", 0, error.start) + 1
             line = data.count(b"\n", 0, error.start) + 1
-            raise broken(RefusalCode.FILE_NOT_TEXT, line, error.start - line_start + 1) from error
+            raise broken(FILE_NOT_TEXT, line, error.start - line_start + 1) from error
     nul = text.find("\0")
     if nul >= 0:
         line = text.count("\n", 0, nul) + 1
-        raise broken(RefusalCode.FILE_NOT_TEXT, line, nul - text.rfind("\n", 0, nul))
+        raise broken(FILE_NOT_TEXT, line, nul - text.rfind("\n", 0, nul))
     return text
 
 
@@ -59,9 +65,9 @@ def parse_number(text: str, line: int, column: int) -> float:
     try:
         value = float(text)
     except ValueError:
-        raise broken(RefusalCode.NUMBER_BAD, line, column, value=text) from None
+        raise broken(NUMBER_BAD, line, column, value=text) from None
     if value - value != 0.0 or "_" in text:  # infinite, or none
-        raise broken(RefusalCode.NUMBER_BAD, line, column, value=text)
+        raise broken(NUMBER_BAD, line, column, value=text)
     return value
 
 

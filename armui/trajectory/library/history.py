@@ -14,17 +14,31 @@ from dataclasses import dataclass, replace
 from datetime import datetime
 from typing import Final
 
-from armui.arm.refusal import Refusal
-from armui.arm.refusal_codes import RefusalCode
+from armui.arm.refusal import Reason
 from armui.trajectory.files import TrajectoryFileError
-from armui.trajectory.library.store import Deleted, Library, LibraryError, Listing
+from armui.trajectory.library.store import (
+    LIBRARY_NOT_DELETED,
+    LIBRARY_NOT_RESTORED,
+    LIBRARY_NOT_SAVED,
+    LIBRARY_UNREADABLE,
+    Deleted,
+    Library,
+    LibraryError,
+    Listing,
+)
+
+CHANGED_SINCE = Reason(
+    "changed_since",
+    "“{name}” has been changed since it was made, and is kept. Delete it if you do not want it.",
+)
+
 
 _TRY_AGAIN: Final = frozenset(
     {
-        RefusalCode.LIBRARY_NOT_SAVED,
-        RefusalCode.LIBRARY_NOT_DELETED,
-        RefusalCode.LIBRARY_NOT_RESTORED,
-        RefusalCode.LIBRARY_UNREADABLE,
+        LIBRARY_NOT_SAVED,
+        LIBRARY_NOT_DELETED,
+        LIBRARY_NOT_RESTORED,
+        LIBRARY_UNREADABLE,
     }
 )
 """Refusals of the disk."""
@@ -131,7 +145,7 @@ class Making:
         """Undo it; returns the names of what came of it: none."""
         name = self._changed(library.listing())
         if name is not None:
-            raise LibraryError(Refusal(RefusalCode.CHANGED_SINCE, {"name": name}))
+            raise LibraryError(CHANGED_SINCE(name=name))
         library.delete(self.names)
         return ()
 
@@ -223,7 +237,7 @@ class LibraryHistory:
         try:
             names = step.undo(self._library)
         except LibraryError as error:
-            if error.refusal.code not in _TRY_AGAIN:
+            if error.refusal.reason not in _TRY_AGAIN:
                 self._steps.pop()
             raise
         except TrajectoryFileError:

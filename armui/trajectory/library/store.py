@@ -15,8 +15,7 @@ from datetime import UTC, datetime
 from pathlib import Path
 from typing import Final
 
-from armui.arm.refusal import Refusal
-from armui.arm.refusal_codes import RefusalCode
+from armui.arm.refusal import Reason, Refusal
 from armui.system.atomic import remove_abandoned
 from armui.system.files import error_text
 from armui.trajectory import columns, files
@@ -46,6 +45,34 @@ from armui.trajectory.library.stored_files import (
 from armui.trajectory.points.program import LONGEST_NAME, Trajectory, check_name, check_trajectory
 from armui.trajectory.samples.recording import Array, Recording, check_recording
 
+LIBRARY_UNREADABLE = Reason(
+    "library_unreadable",
+    "The library cannot be read: {name}: {text}. Check the rights to this folder.",
+)
+FILE_GONE = Reason("file_gone", "It is not in the library any more.")
+NAME_TAKEN = Reason("name_taken", "There is a “{name}” already. Choose another name.")
+LIBRARY_NOT_SAVED = Reason(
+    "library_not_saved",
+    "“{name}” was not saved: {text}. What was kept before is unchanged. Check the disk, then "
+    "save again.",
+)
+LIBRARY_NOT_DELETED = Reason(
+    "library_not_deleted", "Not deleted: {name}: {text}. Check the rights to the library's folder."
+)
+DELETED_GONE = Reason(
+    "deleted_gone",
+    "“{name}” is no longer among what was deleted. It has been brought back already, or its "
+    "time was up.",
+)
+LIBRARY_NOT_RESTORED = Reason(
+    "library_not_restored",
+    "Not brought back: {name}: {text}. Check the rights to the library's folder.",
+)
+LIBRARY_DAMAGED = Reason(
+    "library_damaged",
+    "The file of “{name}” is damaged and is not written over. Save under another name.",
+)
+
 
 class LibraryError(Exception):
     """Something the library did not do; everything is as it was.
@@ -65,7 +92,7 @@ class LibraryError(Exception):
 
 
 @contextlib.contextmanager
-def on_disk(code: RefusalCode, name: str) -> Iterator[None]:
+def on_disk(code: Reason, name: str) -> Iterator[None]:
     """Says what the disk refused as a `LibraryError`."""
     try:
         yield
@@ -133,7 +160,7 @@ class Library:
         """
         found = self._scan()
         entries = [kept.entry for kept in found.values()]
-        with on_disk(RefusalCode.LIBRARY_UNREADABLE, str(self._folder)):
+        with on_disk(LIBRARY_UNREADABLE, str(self._folder)):
             entries += self._drafts.entries(but=found)
         return sorted(entries, key=lambda one: one.name)
 
@@ -158,7 +185,7 @@ class Library:
         """
         kept = self._scan().get(name)
         if kept is None:
-            raise TrajectoryFileError(broken(RefusalCode.FILE_GONE).reason, file=name)
+            raise TrajectoryFileError(broken(FILE_GONE).reason, file=name)
         if to_edit:
             self._met[name] = kept.stamp
         content: Content = load_by(self._call, kept.path, kept.stamp.size)
@@ -222,14 +249,14 @@ class Library:
         content = replace(only_draft or self.load(name), name=new)
         self._verify(content)
         if new in found or new in drafts:
-            raise LibraryError(Refusal(RefusalCode.NAME_TAKEN, {"name": new}))
+            raise LibraryError(NAME_TAKEN(name=new))
         if isinstance(only_draft, Trajectory):
             self.save_draft(new, only_draft)
             self.drop_draft(name)
             return
         known = found[name].entry
         if name in drafts:
-            with on_disk(RefusalCode.LIBRARY_NOT_SAVED, new):
+            with on_disk(LIBRARY_NOT_SAVED, new):
                 self._drafts.copy(name, new)
         try:
             self._write(content, name)
@@ -269,7 +296,7 @@ class Library:
         gone = [name for name in dict.fromkeys(names) if name in found or name in drafts]
         paths = [found[name].path for name in gone if name in found]
         paths += [drafts[name] for name in gone if name in drafts]
-        with on_disk(RefusalCode.LIBRARY_NOT_DELETED, ", ".join(gone)):
+        with on_disk(LIBRARY_NOT_DELETED, ", ".join(gone)):
             places, when = self._bin.take(paths)
         entries = tuple(found[name].entry for name in gone if name in found)
         return Deleted(tuple(gone), places, when, entries)
@@ -280,7 +307,7 @@ class Library:
         Raises:
             LibraryError: The disk refuses.
         """
-        with on_disk(RefusalCode.LIBRARY_UNREADABLE, str(self._folder)):
+        with on_disk(LIBRARY_UNREADABLE, str(self._folder)):
             return self._bin.contents()
 
     def restore(self, deleted: Deleted) -> tuple[str, ...]:
@@ -295,9 +322,9 @@ class Library:
         places = [(file, place) for file, place in deleted.places if place.exists()]
         if not places and deleted.places:
             gone = {"name": ", ".join(deleted.names)}
-            raise LibraryError(Refusal(RefusalCode.DELETED_GONE, gone))
+            raise LibraryError(DELETED_GONE(**gone))
         names: dict[str, str] = {}
-        with on_disk(RefusalCode.LIBRARY_NOT_RESTORED, ", ".join(deleted.names)):
+        with on_disk(LIBRARY_NOT_RESTORED, ", ".join(deleted.names)):
             self._folder.mkdir(parents=True, exist_ok=True)
             for file, place in places:
                 if not is_draft(place):
@@ -389,7 +416,7 @@ class Library:
             LibraryError: It is not possible, or the disk refuses.
         """
         content = replace(content, name=name, modified=self._bases.get(name, content.modified))
-        with on_disk(RefusalCode.LIBRARY_NOT_SAVED, name):
+        with on_disk(LIBRARY_NOT_SAVED, name):
             try:
                 self._drafts.save(content, rest)
             except UnwritableError as error:
@@ -425,7 +452,7 @@ class Library:
         if replace(draft, modified=over.modified) == over:
             self.drop_draft(over.name)
             return False
-        with on_disk(RefusalCode.LIBRARY_NOT_DELETED, over.name):
+        with on_disk(LIBRARY_NOT_DELETED, over.name):
             self._bin.take([self._drafts.paths()[over.name]])
         return True
 
@@ -435,7 +462,7 @@ class Library:
         Raises:
             LibraryError: The disk refuses.
         """
-        with on_disk(RefusalCode.LIBRARY_NOT_DELETED, name):
+        with on_disk(LIBRARY_NOT_DELETED, name):
             self._drafts.drop(name)
 
     def drafts(self) -> list[str]:
@@ -454,7 +481,7 @@ class Library:
         Raises:
             LibraryError: The disk refuses.
         """
-        with on_disk(RefusalCode.LIBRARY_NOT_SAVED, draft.name):
+        with on_disk(LIBRARY_NOT_SAVED, draft.name):
             draft.append(samples)
 
     def drop_recording(self, draft: RecordingDraft) -> None:
@@ -463,7 +490,7 @@ class Library:
         Raises:
             LibraryError: The disk refuses.
         """
-        with on_disk(RefusalCode.LIBRARY_NOT_DELETED, draft.name):
+        with on_disk(LIBRARY_NOT_DELETED, draft.name):
             draft.drop()
 
     def unsaved_recordings(self) -> list[UnsavedRecording]:
@@ -472,7 +499,7 @@ class Library:
         Raises:
             LibraryError: The folder cannot be read.
         """
-        with on_disk(RefusalCode.LIBRARY_UNREADABLE, str(self._folder)):
+        with on_disk(LIBRARY_UNREADABLE, str(self._folder)):
             return self._recordings.abandoned()
 
     def keep_recording(self, unsaved: UnsavedRecording) -> str:
@@ -484,11 +511,11 @@ class Library:
         Raises:
             LibraryError: It is gone, it cannot be kept, or the disk refuses.
         """
-        with on_disk(RefusalCode.LIBRARY_NOT_SAVED, unsaved.name):
+        with on_disk(LIBRARY_NOT_SAVED, unsaved.name):
             recording = self._recordings.load(unsaved)
         name = self.free_name(recording.name)
         self.save(replace(recording, name=name))
-        with on_disk(RefusalCode.LIBRARY_NOT_DELETED, unsaved.name):
+        with on_disk(LIBRARY_NOT_DELETED, unsaved.name):
             self._recordings.drop(unsaved)
         return name
 
@@ -504,7 +531,7 @@ class Library:
 
     def _scan(self) -> dict[str, StoredFile]:
         """All files by the name of what they hold."""
-        with on_disk(RefusalCode.LIBRARY_UNREADABLE, str(self._folder)):
+        with on_disk(LIBRARY_UNREADABLE, str(self._folder)):
             return self._file_store.scan()
 
     def _verify(self, content: Content) -> None:
@@ -527,15 +554,15 @@ class Library:
         """
         found = self._scan()
         if content.name != replacing and content.name in found:
-            raise LibraryError(Refusal(RefusalCode.NAME_TAKEN, {"name": content.name}))
+            raise LibraryError(NAME_TAKEN(name=content.name))
         old = None if replacing is None else found.get(replacing)
         if old is not None and old.entry.damage is not None:
-            raise LibraryError(Refusal(RefusalCode.LIBRARY_DAMAGED, {"name": str(replacing)}))
+            raise LibraryError(LIBRARY_DAMAGED(name=str(replacing)))
         stems = {folded(kept.path.stem) for kept in found.values() if kept is not old}
         fitting = self._folder / (free_stem(content.name, stems) + suffix_of(content))
         in_place = old is not None and old.path.suffix == fitting.suffix
         path = old.path if old is not None and in_place else fitting
-        with on_disk(RefusalCode.LIBRARY_NOT_SAVED, content.name):
+        with on_disk(LIBRARY_NOT_SAVED, content.name):
             self._folder.mkdir(parents=True, exist_ok=True)
             met = None if replacing is None else self._met.get(replacing)
             displaced = old is not None and met is not None and met != old.stamp
@@ -548,7 +575,7 @@ class Library:
             # the file's own name follows; where it cannot, the one within it counts
             with contextlib.suppress(OSError):
                 path = path.rename(fitting)
-        with on_disk(RefusalCode.LIBRARY_UNREADABLE, str(self._folder)):
+        with on_disk(LIBRARY_UNREADABLE, str(self._folder)):
             ran_with = None if old is None else old.entry.ran_with
             entry = replace(entry_of(content), ran_with=ran_with)
             self._met[content.name] = self._file_store.note(path, entry)

@@ -6,12 +6,21 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from armui.arm.limits import JointLimits, check_joints
-from armui.arm.refusal import Refusal
-from armui.arm.refusal_codes import RefusalCode
+from armui.arm.refusal import Reason, Refusal
 from armui.kinematics.arm_kinematics import Kinematics
 from armui.kinematics.poses import Pose
 from armui.protocol.codes import MoveMode
 from armui.trajectory.points.program import Waypoint
+
+CONVERT_NEEDS_MIDDLE = Reason(
+    "convert_needs_middle",
+    "An arc needs a middle pose, which no conversion can know. Enter it by hand.",
+)
+CONVERT_OUT_OF_REACH = Reason(
+    "convert_out_of_reach",
+    "The arm cannot bring its flange to X {x}  Y {y}  Z {z} mm with this orientation: no joint "
+    "angles belong to it. Change the pose.",
+)
 
 
 def to_pose(
@@ -25,7 +34,7 @@ def to_pose(
         move: MOVE_P or MOVE_L. An arc needs a middle that no conversion can know.
     """
     if move not in (MoveMode.MOVE_P, MoveMode.MOVE_L):
-        return Refusal(RefusalCode.CONVERT_NEEDS_MIDDLE, {})
+        return CONVERT_NEEDS_MIDDLE()
     if not point.is_joint:
         return replace(point, move=move, middle=None)
     pose = kinematics.forward(point.target)
@@ -51,7 +60,7 @@ def to_joints(
     ways = kinematics.inverse(Pose(*point.target), near_deg)
     if not ways:
         x, y, z = point.target[:3]
-        return Refusal(RefusalCode.CONVERT_OUT_OF_REACH, {"x": x, "y": y, "z": z})
+        return CONVERT_OUT_OF_REACH(x=x, y=y, z=z)
     within = [way for way in ways if limits is None or check_joints(way, limits) is None]
     best = (within or ways)[0]
     return replace(point, move=MoveMode.MOVE_J, target=tuple(best), middle=None)

@@ -8,12 +8,14 @@ from dataclasses import replace
 from typing import Final
 
 from armui.arm.refusal import Refusal
-from armui.arm.refusal_codes import RefusalCode
 from armui.protocol.codes import MoveMode
 from armui.trajectory.files.errors import TrajectoryFileError
 from armui.trajectory.files.log_points import gripper_text, light_text, read_gripper, read_light
 from armui.trajectory.files.text import number
 from armui.trajectory.points.program import (
+    POINT_INCOMPLETE,
+    POINT_NOT_A_NUMBER,
+    POINT_NOT_WHOLE,
     POSE_NAMES,
     VALUE_COUNT,
     WHOLE,
@@ -121,7 +123,7 @@ def figure(field: str, text: str) -> float | Refusal:
     try:
         value = float(plain)
     except ValueError:
-        code = RefusalCode.POINT_NOT_WHOLE if field in WHOLE else RefusalCode.POINT_NOT_A_NUMBER
+        code = POINT_NOT_WHOLE if field in WHOLE else POINT_NOT_A_NUMBER
         return Refusal(code, {"field": field, "value": text.strip(), "unit": ""})
     return check_figure(field, value) or value
 
@@ -129,7 +131,7 @@ def figure(field: str, text: str) -> float | Refusal:
 def _six(text: str) -> Values | Refusal:
     words = [word for word in _PARTING.split(text) if word]
     if len(words) != VALUE_COUNT:
-        return Refusal(RefusalCode.POINT_INCOMPLETE, {"field": "middle", "value": len(words)})
+        return POINT_INCOMPLETE(field="middle", value=len(words))
     values = [figure(name, word) for name, word in zip(POSE_NAMES, words, strict=True)]
     wrong = next((value for value in values if isinstance(value, Refusal)), None)
     return wrong or tuple(value for value in values if not isinstance(value, Refusal))

@@ -7,12 +7,12 @@ from dataclasses import dataclass
 from typing import Final
 
 from armui.arm.refusal import Refusal
-from armui.arm.refusal_codes import RefusalCode
 from armui.protocol.codes import MoveMode
 from armui.trajectory import files
-from armui.trajectory.files import csv_file, json_file, log_file
+from armui.trajectory.files import FILE_EMPTY, csv_file, json_file, log_file
 from armui.trajectory.files.errors import TrajectoryFileError, broken
-from armui.trajectory.files.log_points import LETTERS, read_point
+from armui.trajectory.files.log_file import FILE_KIND_UNKNOWN
+from armui.trajectory.files.log_points import LETTERS, VALUES_COUNT, read_point
 from armui.trajectory.files.model import verified_point
 from armui.trajectory.points.cells import VALUES, PointColumn, edited, figure, text_of
 from armui.trajectory.points.program import (
@@ -75,12 +75,12 @@ def pasted(text: str, like: MoveMode = MoveMode.MOVE_J) -> PastedPoints:
         content = files.read_text(text, "clipboard")
         if isinstance(content, Trajectory):
             return PastedPoints(content.points, content.taught_on)
-        raise broken(RefusalCode.FILE_KIND_UNKNOWN, 1)
+        raise broken(FILE_KIND_UNKNOWN, 1)
     # not splitlines: it would part a note at signs that end no line in a spreadsheet
     numbered = enumerate(text.replace("\r\n", "\n").split("\n"), 1)
     lines = [(number, line) for number, line in numbered if line.strip()]
     if not lines:
-        raise broken(RefusalCode.FILE_EMPTY)
+        raise broken(FILE_EMPTY)
     if not _has_figure(lines[0][1]) and len(lines) > 1:
         lines = lines[1:]
     return PastedPoints(tuple(_read_row(line, number, like) for number, line in lines))
@@ -108,7 +108,7 @@ def _read_row(line: str, number: int, like: MoveMode) -> Waypoint:
         move, cells = like, ["", *cells]
     values = cells[1 : 1 + VALUE_COUNT]
     if len(values) != VALUE_COUNT:
-        raise broken(RefusalCode.VALUES_COUNT, number, 1, value=len(values), expected=VALUE_COUNT)
+        raise broken(VALUES_COUNT, number, 1, value=len(values), expected=VALUE_COUNT)
     names = JOINT_NAMES if move is MoveMode.MOVE_J else POSE_NAMES
     target = tuple(
         _taken(figure(name, cell), number, place)
@@ -121,9 +121,7 @@ def _read_row(line: str, number: int, like: MoveMode) -> Waypoint:
     middle = _NO_POSE if move is MoveMode.MOVE_C else None
     point = Waypoint(move, target, middle)
     if middle is not None and not (rest and rest[0]):
-        raise broken(
-            RefusalCode.VALUES_COUNT, number, PointColumn.MIDDLE + 1, value=0, expected=VALUE_COUNT
-        )
+        raise broken(VALUES_COUNT, number, PointColumn.MIDDLE + 1, value=0, expected=VALUE_COUNT)
     for column, cell in zip(range(PointColumn.MIDDLE, len(PointColumn)), rest, strict=False):
         if cell:
             changed = edited(point, PointColumn(column), cell)

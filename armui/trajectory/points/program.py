@@ -14,9 +14,31 @@ from itertools import starmap
 from operator import attrgetter
 from typing import Any, Final, NamedTuple
 
-from armui.arm.refusal import Refusal
-from armui.arm.refusal_codes import RefusalCode
+from armui.arm.refusal import Reason, Refusal
 from armui.protocol.codes import ALL_LAMPS, MoveMode
+
+POINT_NOT_WHOLE = Reason("point_not_whole", "{field}: {value} is not a whole number.")
+POINT_NOT_A_NUMBER = Reason("point_not_a_number", "{field}: “{value}” is not a number.")
+POINT_OUT_OF_RANGE = Reason(
+    "point_out_of_range",
+    "{field}: {value}{unit} is out of range. Enter a value from {minimum}{unit} to "
+    "{maximum}{unit}.",
+)
+POINT_MOVE_UNKNOWN = Reason(
+    "point_move_unknown", "“{value}” is no kind of motion. MOVE J, MOVE P, MOVE L and MOVE C are."
+)
+POINT_INCOMPLETE = Reason(
+    "point_incomplete", "{field}: {value} values; six belong there, and a middle only to MOVE C."
+)
+NAME_EMPTY = Reason("name_empty", "A trajectory needs a name. Enter one.")
+NAME_TOO_LONG = Reason(
+    "name_too_long", "The name has {value} characters; up to {maximum} are kept. Shorten it."
+)
+TEXT_BAD = Reason("text_bad", "{field}: holds a character that cannot be kept. Remove it.")
+TEXT_TOO_LONG = Reason(
+    "text_too_long", "{field}: {value} characters; up to {maximum} are kept. Shorten it."
+)
+
 
 Values = tuple[float, ...]
 """Six values: joint angles in degrees, or X Y Z in mm and RX RY RZ in degrees."""
@@ -229,12 +251,10 @@ def check_figure(field: str, value: float) -> Refusal | None:
     """
     allowed = RANGES[field]
     if not math.isfinite(value) or (field in WHOLE and value != int(value)):
-        code = RefusalCode.POINT_NOT_WHOLE if field in WHOLE else RefusalCode.POINT_NOT_A_NUMBER
+        code = POINT_NOT_WHOLE if field in WHOLE else POINT_NOT_A_NUMBER
         return Refusal(code, {"field": field, "value": value, "unit": allowed.unit})
     if not allowed.minimum <= value <= allowed.maximum:
-        return Refusal(
-            RefusalCode.POINT_OUT_OF_RANGE, {**allowed._asdict(), "field": field, "value": value}
-        )
+        return POINT_OUT_OF_RANGE(**allowed._asdict(), field=field, value=value)
     return None
 
 
@@ -244,16 +264,12 @@ def check_point(point: Waypoint) -> Refusal | None:
     Whether *this* arm can do it is for `armui.trajectory.planning.check`.
     """
     if point.move not in MOVES:
-        return Refusal(RefusalCode.POINT_MOVE_UNKNOWN, {"value": str(point.move)})
+        return POINT_MOVE_UNKNOWN(value=str(point.move))
     arc = point.move is MoveMode.MOVE_C
     if len(point.target) != VALUE_COUNT:
-        return Refusal(
-            RefusalCode.POINT_INCOMPLETE, {"field": "target", "value": len(point.target)}
-        )
+        return POINT_INCOMPLETE(field="target", value=len(point.target))
     if arc != (point.middle is not None) or (arc and len(point.middle or ()) != VALUE_COUNT):
-        return Refusal(
-            RefusalCode.POINT_INCOMPLETE, {"field": "middle", "value": len(point.middle or ())}
-        )
+        return POINT_INCOMPLETE(field="middle", value=len(point.middle or ()))
     for field, value in point.figures():
         refusal = check_figure(field, value)
         if refusal is not None:
@@ -268,11 +284,11 @@ def check_point(point: Waypoint) -> Refusal | None:
 def check_name(name: str) -> Refusal | None:
     """Whether a trajectory may be called so; any script and any sign of it is welcome."""
     if not name.strip():
-        return Refusal(RefusalCode.NAME_EMPTY, {})
+        return NAME_EMPTY()
     if len(name) > LONGEST_NAME:
-        return Refusal(RefusalCode.NAME_TOO_LONG, {"value": len(name), "maximum": LONGEST_NAME})
+        return NAME_TOO_LONG(value=len(name), maximum=LONGEST_NAME)
     if any(character in name for character in "\r\n\0"):
-        return Refusal(RefusalCode.TEXT_BAD, {"field": "name"})
+        return TEXT_BAD(field="name")
     return check_text("name", name)
 
 
@@ -285,12 +301,10 @@ def check_text(field: str, text: str, *, lines: int = 0) -> Refusal | None:
         lines: 1 where it must not have more than one.
     """
     if len(text) > LONGEST_TEXT:
-        return Refusal(
-            RefusalCode.TEXT_TOO_LONG, {"field": field, "value": len(text), "maximum": LONGEST_TEXT}
-        )
+        return TEXT_TOO_LONG(field=field, value=len(text), maximum=LONGEST_TEXT)
     half = any("\ud800" <= character <= "\udfff" for character in text)
     if half or "\0" in text or (lines and ("\n" in text or "\r" in text)):
-        return Refusal(RefusalCode.TEXT_BAD, {"field": field})
+        return TEXT_BAD(field=field)
     return None
 
 

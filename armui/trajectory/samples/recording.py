@@ -11,9 +11,20 @@ import numpy as np
 import numpy.typing as npt
 
 from armui.arm.limits import JOINTS
-from armui.arm.refusal import Refusal
-from armui.arm.refusal_codes import RefusalCode
-from armui.trajectory.points.program import ANGLE, RANGES, check_name, check_text
+from armui.arm.refusal import Reason, Refusal
+from armui.trajectory.points.program import (
+    ANGLE,
+    POINT_NOT_A_NUMBER,
+    POINT_OUT_OF_RANGE,
+    RANGES,
+    check_name,
+    check_text,
+)
+
+SAMPLE_BACK_IN_TIME = Reason(
+    "sample_back_in_time", "The time {value} s is before the one above, {minimum} s."
+)
+
 
 Array = npt.NDArray[np.float64]
 
@@ -95,20 +106,18 @@ def check_samples(samples: Array) -> tuple[int, Refusal] | None:
     row = int(np.argmin(good))
     if inside[row].all():
         params = {"value": float(samples[row, 0]), "minimum": float(samples[row - 1, 0])}
-        return row + 1, Refusal(RefusalCode.SAMPLE_BACK_IN_TIME, params)
+        return row + 1, SAMPLE_BACK_IN_TIME(**params)
     column = int(np.argmin(inside[row]))
     name, value = COLUMN_NAMES[column], float(samples[row, column])
     if not np.isfinite(value):
-        return row + 1, Refusal(RefusalCode.POINT_NOT_A_NUMBER, {"field": name, "value": value})
+        return row + 1, POINT_NOT_A_NUMBER(field=name, value=value)
     unit = ("s", *["°"] * 6, "mm")[column]
     limits: dict[str, float | str] = {
         "minimum": float(low[column]),
         "maximum": float(high[column]),
         "unit": unit,
     }
-    return row + 1, Refusal(
-        RefusalCode.POINT_OUT_OF_RANGE, {**limits, "field": name, "value": value}
-    )
+    return row + 1, POINT_OUT_OF_RANGE(**limits, field=name, value=value)
 
 
 def check_recording(recording: Recording) -> tuple[int, Refusal] | None:

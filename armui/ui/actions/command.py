@@ -10,10 +10,10 @@ from PySide6.QtCore import QCoreApplication, QObject
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QWidget
 
-from armui.arm.refusal import Refusal
-from armui.arm.refusal_codes import RefusalCode
+from armui.control.motion.point_frames import POSE_UNKNOWN
 from armui.control.operating_state import OperatingState
 from armui.control.operations.operation import Consent, Operation
+from armui.control.safety.interlocks import JOINTS_UNKNOWN
 from armui.ui import words
 from armui.ui.actions.keys import SHORTCUTS
 from armui.ui.words.text import Text
@@ -36,12 +36,12 @@ def while_editing(_now: OperatingState) -> str:
 
 def with_angles(now: OperatingState) -> str:
     """Say that the joint angles must be heard first."""
-    return words.why_not(None if now.angles_known else Refusal(RefusalCode.JOINTS_UNKNOWN))
+    return words.why_not(None if now.angles_known else JOINTS_UNKNOWN())
 
 
 def with_pose(now: OperatingState) -> str:
     """Say that the pose of the flange must be heard first."""
-    return words.why_not(None if now.pose_known else Refusal(RefusalCode.POSE_UNKNOWN))
+    return words.why_not(None if now.pose_known else POSE_UNKNOWN())
 
 
 @dataclass(frozen=True, slots=True)

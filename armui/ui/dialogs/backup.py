@@ -15,11 +15,10 @@ from PySide6.QtWidgets import QCheckBox, QHeaderView, QTableView, QWidget
 from armui.arm.backup import SUFFIX, Backup, ComparisonRow, ComparisonVerdict, compare
 from armui.arm.models import model_data
 from armui.arm.parameters import Parameter, factory_bound
-from armui.arm.refusal import Refusal
-from armui.arm.refusal_codes import RefusalCode
+from armui.arm.refusal import Reason, Refusal
 from armui.control.arm_controller import ArmController
 from armui.control.events import Level
-from armui.control.operating_state import OperatingState
+from armui.control.operating_state import BUSY, OperatingState
 from armui.control.parameters.backup_files import backup_of, read_backup, write_backup
 from armui.control.parameters.parameter_reader import ParameterReader
 from armui.control.parameters.setting_cell import CellState, SettingCellState
@@ -43,6 +42,11 @@ from armui.ui.words.parameters import (
     value_text,
     verdict_word,
 )
+
+BACKUP_NOTHING_READ = Reason(
+    "backup_nothing_read", "Nothing has been read from the arm. Press Read first."
+)
+
 
 _SIZE_PX: Final = (860, 640)
 _MOST_BEYOND: Final = 8
@@ -416,7 +420,7 @@ class BackupDialog(ArmDialog):
     def _on_save(self) -> None:
         backup = self._now()
         if backup is None or not backup.values:
-            self._refuse(Refusal(RefusalCode.BACKUP_NOTHING_READ))
+            self._refuse(BACKUP_NOTHING_READ())
             return
         firmware = f"-{backup.firmware}" if backup.firmware else f"-gen{backup.generation}"
         choose_file(
@@ -594,7 +598,7 @@ class BackupDialog(ArmDialog):
         no_way = words.why_not(unreachable)
         occupied = self._controller.operating_state.occupied
         not_now = words.why_not(occupied)
-        busy = words.refusal(Refusal(RefusalCode.BUSY, {"what": "settings"}))
+        busy = words.refusal(BUSY(what="settings"))
         wait = busy if self._settings.busy or reading else ""
         no_file = "" if self._backup is not None else self.tr("Open a file first.")
         nothing = "" if self._model.chosen else self.tr("Choose what differs in the table first.")

@@ -8,9 +8,9 @@ from typing import Final
 from PySide6.QtCore import QCoreApplication, Qt, Signal
 from PySide6.QtWidgets import QLabel, QPushButton, QWidget
 
-from armui.arm.refusal import Refusal
-from armui.arm.refusal_codes import RefusalCode
+from armui.arm.refusal import Reason
 from armui.control.arm_controller import ArmController
+from armui.control.operations.started import ARM_CHANGED
 from armui.ui.dialogs.base import ArmDialog
 from armui.ui.theme import colors_of
 from armui.ui.widgets import icons
@@ -18,6 +18,11 @@ from armui.ui.widgets.buttons import enable_or_explain, push_button
 from armui.ui.widgets.hold_button import HoldButton
 from armui.ui.widgets.layouts import STRETCH, fill, in_row
 from armui.ui.widgets.text_label import text_label
+
+ASKED_OTHERWISE = Reason(
+    "asked_otherwise", "What it was asked about is no more as it was: nothing was sent. Ask again."
+)
+
 
 _SIGN_PX: Final = 36
 _TEXT_WIDTH_PX: Final = 520
@@ -144,9 +149,9 @@ class ConfirmDialog(ArmDialog):
         """Tell whether the arm and what was said are as they were; withdraw the question if not."""
         asked_for = self._asked_for
         if asked_for is not None and not asked_for.is_still(self._controller.mark):
-            reason = Refusal(RefusalCode.ARM_CHANGED)
+            reason = ARM_CHANGED()
         elif not self._still():
-            reason = Refusal(RefusalCode.ASKED_OTHERWISE)
+            reason = ASKED_OTHERWISE()
         else:
             return True
         self.reject()

@@ -21,9 +21,9 @@ from PySide6.QtWidgets import (
 from armui import setting_checks
 from armui.arm.models import model_data
 from armui.arm.refusal import Refusal
-from armui.arm.refusal_codes import RefusalCode
 from armui.control.arm_controller import ArmController
 from armui.control.events import Level
+from armui.setting_checks import JOG_STEP_NOT_A_NUMBER
 from armui.settings import SettingsStore
 from armui.ui import format as fmt
 from armui.ui import words
@@ -37,6 +37,7 @@ from armui.ui.widgets.message_line import MessageLine
 from armui.ui.widgets.painting import repolish
 from armui.ui.widgets.text_label import ElidedLabel
 from armui.ui.words.text import Text
+from armui.viewport.messages import URDF_MISSING
 
 if TYPE_CHECKING:
     from armui.control.operating_state import OperatingState
@@ -268,9 +269,7 @@ class SettingsDialog(ArmDialog):
         text = self.jog_step_edit.text()
         step_deg = fmt.parse_number(text)
         if step_deg is None:
-            self._refuse_jog_step(
-                Refusal(RefusalCode.JOG_STEP_NOT_A_NUMBER, {"value": text.strip()})
-            )
+            self._refuse_jog_step(JOG_STEP_NOT_A_NUMBER(value=text.strip()))
             return
         problem = self._store.change(jog_step_deg=step_deg)
         if self._store.settings.jog_step_deg != step_deg:
@@ -303,7 +302,7 @@ class SettingsDialog(ArmDialog):
 
     def _on_urdf_chosen(self, path: Path) -> None:
         if not path.is_file():
-            self._show_problem(Refusal(RefusalCode.URDF_MISSING, {"path": str(path)}))
+            self._show_problem(URDF_MISSING(path=str(path)))
             return
         self._problem = None
         problem = self._store.change(urdf_path=str(path))

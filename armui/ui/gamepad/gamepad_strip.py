@@ -10,7 +10,7 @@ from PySide6.QtGui import QPaintEvent
 from PySide6.QtWidgets import QApplication, QLabel, QSizePolicy, QWidget
 
 from armui.arm.refusal import Refusal
-from armui.arm.refusal_codes import RefusalCode
+from armui.control.gamepad.pilot import GAMEPAD_NOT_IN_FRONT
 from armui.gamepad.dead_man import HoldPhase
 from armui.ui import words
 from armui.ui.shell.workspace import PageWindow
@@ -93,7 +93,7 @@ class GamepadStrip(Translated, QWidget):
         covered = QApplication.activePopupWidget() or QApplication.activeModalWidget()
         if self._front() is not None and covered is None:
             return None
-        return Refusal(RefusalCode.GAMEPAD_NOT_IN_FRONT)
+        return GAMEPAD_NOT_IN_FRONT()
 
     def _front(self) -> QWidget | None:
         """The window to jog from: the main window, or a page taken out of it beside that."""
@@ -106,7 +106,7 @@ class GamepadStrip(Translated, QWidget):
         return front if is_ours and not front.isMinimized() else None
 
     def _on_lost(self) -> None:
-        self._controller.gamepad.lose(Refusal(RefusalCode.GAMEPAD_NOT_IN_FRONT))
+        self._controller.gamepad.lose(GAMEPAD_NOT_IN_FRONT())
 
     # Appearance -------------------------------------------------------------------------------
 

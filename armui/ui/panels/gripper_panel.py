@@ -10,17 +10,17 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QAbstractButton, QButtonGroup, QFrame, QLabel, QSizePolicy, QWidget
 
 from armui.arm.refusal import Refusal
-from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import ArmState, GripperState, Reading
 from armui.control.arm_controller import ArmController
 from armui.control.devices.gripper import (
+    GRIPPER_SILENT,
     GripperControl,
     why_not_gripper,
     why_not_let_go,
     why_not_move_gripper,
 )
-from armui.control.devices.gripper_ranges import Figure, check, figures_of
-from armui.control.operating_state import OperatingState
+from armui.control.devices.gripper_ranges import GRIPPER_NOT_A_NUMBER, Figure, check, figures_of
+from armui.control.operating_state import BUSY, OperatingState
 from armui.control.operations.operation import operation_of
 from armui.protocol.generation import Generation
 from armui.ui import format as fmt
@@ -170,9 +170,7 @@ class GripperRow(QWidget):
     def refusal(self) -> Refusal | None:
         """What is to be said against what stands in the field; an empty one is no figure."""
         if self.field.value is None:
-            return Refusal(
-                RefusalCode.GRIPPER_NOT_A_NUMBER, {**self._params(), "value": self.field.text()}
-            )
+            return GRIPPER_NOT_A_NUMBER(**self._params(), value=self.field.text())
         return check(self._figure, self.field.value)
 
     def _params(self) -> dict[str, float | int | str]:
@@ -386,7 +384,7 @@ class GripperPanel(Panel):
             start = heard.value.travel if heard is not None and told else None
         effort = self._effort.field.value
         if start is None or effort is None:
-            self._accepted(self._effort.refusal() or Refusal(RefusalCode.GRIPPER_SILENT))
+            self._accepted(self._effort.refusal() or GRIPPER_SILENT())
             return
         target = min(max(start + sign * figure.step, figure.minimum), figure.maximum)
         if self._accepted(self._controller.gripper.move(round(target, 3), effort)):
@@ -529,7 +527,7 @@ class GripperPanel(Panel):
         refusal = self._refusal or self._unless_told(self._operating_state.cannot_enable)
         if refusal is None and self._event is None:
             refusal = self._travel.refusal() or self._effort.refusal()
-        if refusal is not None and refusal.code == RefusalCode.BUSY and self._refusal is None:
+        if refusal is not None and refusal.reason == BUSY and self._refusal is None:
             refusal = None  # what is under way will say itself how it ends
         show_primary(self._send, wanted=self._entered() != self._sent)
         self._say(refusal, self._event)

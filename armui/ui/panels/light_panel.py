@@ -19,8 +19,7 @@ from PySide6.QtWidgets import (
 )
 
 from armui.arm.limits import JOINTS
-from armui.arm.refusal import Refusal
-from armui.arm.refusal_codes import RefusalCode
+from armui.arm.refusal import Reason, Refusal
 from armui.control.arm_controller import ArmController
 from armui.control.devices.lights import RANGES, Lights, check_light, why_no_lamps
 from armui.control.operating_state import OperatingState
@@ -48,6 +47,12 @@ from armui.ui.widgets.layouts import STRETCH, empty_grid, in_row, scrolled
 from armui.ui.widgets.text_label import text_label
 from armui.ui.widgets.track_slider import TrackSlider
 from armui.ui.words.text import Text
+
+LIGHT_NOT_A_NUMBER = Reason(
+    "light_not_a_number",
+    "{light}: “{value}” is not a whole number. Enter one from {minimum} to {maximum}.",
+)
+
 
 FULL: Final = 255
 """The highest grey value."""
@@ -455,4 +460,4 @@ def _why_wrong(name: str, field: FigureField) -> Refusal | None:
         return check_light(**{name: int(value)})
     bounds = {"minimum": RANGES[name][0], "maximum": RANGES[name][-1]}
     text = field.text().strip() or fmt.NOTHING
-    return Refusal(RefusalCode.LIGHT_NOT_A_NUMBER, {"light": name, "value": text, **bounds})
+    return LIGHT_NOT_A_NUMBER(light=name, value=text, **bounds)

@@ -8,12 +8,11 @@ from typing import Final
 
 from PySide6.QtWidgets import QButtonGroup, QComboBox, QFrame, QLabel
 
-from armui.arm.refusal import Refusal
-from armui.arm.refusal_codes import RefusalCode
 from armui.control.arm_controller import ArmController
 from armui.control.devices.linkage import LinkageControl, why_not_link
 from armui.control.operating_state import LinkState, OperatingState
 from armui.control.operations.operation import operation_of
+from armui.control.safety.interlocks import CONTROL_OFFSET_UNKNOWN
 from armui.protocol.addressing import OFFSETS
 from armui.protocol.codes import LinkageRole
 from armui.ui import words
@@ -188,7 +187,7 @@ class LinkagePanel(Panel):
         operating_state = self._operating_state
         refusal = self._refusal
         if refusal is None and not operating_state.control_certain:
-            refusal = Refusal(RefusalCode.CONTROL_OFFSET_UNKNOWN)
+            refusal = CONTROL_OFFSET_UNKNOWN()
         if refusal is None and not operating_state.teaching_input and self._event is None:
             refusal = self._unless_told(operating_state.unreachable)
         self._say(refusal, self._event)

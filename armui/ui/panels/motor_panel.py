@@ -11,13 +11,12 @@ from PySide6.QtWidgets import QFrame, QLabel
 
 from armui.arm.limits import JOINTS
 from armui.arm.refusal import Refusal
-from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import ArmState
 from armui.control.arm_controller import ArmController
 from armui.control.devices.joint_errors import JointErrors, why_not_clear
 from armui.control.devices.motors import Motors, why_not_disable, why_not_enable
 from armui.control.devices.zeroing import Zeroing, why_not_zero
-from armui.control.operating_state import OperatingState
+from armui.control.operating_state import BUSY, OperatingState
 from armui.control.operations.operation import operation_of
 from armui.protocol.codes import ALL_JOINTS
 from armui.ui import words
@@ -176,7 +175,7 @@ class MotorPanel(Panel):
 
     def _show_message(self) -> None:
         blocked = self._unless_told(why_not_enable(self._operating_state))
-        if blocked is not None and blocked.code == RefusalCode.BUSY:
+        if blocked is not None and blocked.reason == BUSY:
             blocked = None  # what is under way will say itself how it ends
         self._say(blocked, self._event)
 

@@ -9,11 +9,11 @@ from PySide6.QtGui import QResizeEvent, QShowEvent
 from PySide6.QtWidgets import QLayout, QScrollArea, QWidget
 
 from armui.arm.refusal import Refusal
-from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import ArmState
 from armui.control.arm_controller import ArmController
 from armui.control.events import Event, Level
-from armui.control.operating_state import LinkState, OperatingState
+from armui.control.operating_state import LINK_LOST, NOT_CONNECTED, LinkState, OperatingState
+from armui.control.safety.interlocks import ARM_FAULT, STOP_REQUESTED, STOPPED
 from armui.control.safety.recovery_steps import UNHINDERED, Step, StepKind
 from armui.ui import words
 from armui.ui.actions.command import Command, Target
@@ -25,11 +25,11 @@ from armui.ui.widgets.text_label import text_label
 from armui.ui.widgets.translated import Translated
 
 _LEVELS: Final = {
-    RefusalCode.NOT_CONNECTED: Level.INFO,
-    RefusalCode.LINK_LOST: Level.FAULT,
-    RefusalCode.STOPPED: Level.FAULT,
-    RefusalCode.STOP_REQUESTED: Level.FAULT,
-    RefusalCode.ARM_FAULT: Level.FAULT,
+    NOT_CONNECTED: Level.INFO,
+    LINK_LOST: Level.FAULT,
+    STOPPED: Level.FAULT,
+    STOP_REQUESTED: Level.FAULT,
+    ARM_FAULT: Level.FAULT,
 }
 _GAP_PX: Final = 10
 _HEAD_PX: Final = 36
@@ -40,7 +40,7 @@ _SAID_ONLY_HERE: Final = UNHINDERED | {StepKind.STATUS_UNKNOWN}
 
 def level_of(refusal: Refusal) -> Level:
     """How much a reason against an action matters; most of them can be mended by the operator."""
-    return _LEVELS.get(refusal.code, Level.WARNING)
+    return _LEVELS.get(refusal.reason, Level.WARNING)
 
 
 class Panel(Translated, QWidget):

@@ -10,8 +10,7 @@ from typing import TYPE_CHECKING, Final, Protocol
 from PySide6.QtCore import QObject, QTimer
 
 from armui.arm.limits import ANGLE_STEP_DEG, check_joints
-from armui.arm.refusal import Refusal
-from armui.arm.refusal_codes import RefusalCode
+from armui.arm.refusal import Reason, Refusal
 from armui.control.devices.teaching_phase import TeachingPhase, phase_of
 from armui.control.events import Level
 from armui.control.operating_state import LinkState, StopState
@@ -30,6 +29,11 @@ if TYPE_CHECKING:
     from armui.ui.trajectory.preview.path_preview import PathPreview
     from armui.viewport.handles import Dragged
     from armui.viewport.view import ArmView
+
+DRAG_GIVEN_UP = Reason(
+    "drag_given_up",
+    "The drag was given up: the arm, or what was dragged, is another by now. Drag again.",
+)
 
 
 COARSE: Final = {GripKind.AXIS: 10.0, GripKind.RING: 15.0, GripKind.JOINT: 5.0}
@@ -503,7 +507,7 @@ class TargetDrag(QObject):
         refusal: Refusal | None = None
         if not self._is_as_begun(held):
             held.give_up(base.angles_deg)
-            refusal = Refusal(RefusalCode.DRAG_GIVEN_UP)
+            refusal = DRAG_GIVEN_UP()
         elif given_up or self._last_deg == base.angles_deg:
             held.give_up(base.angles_deg)
         else:

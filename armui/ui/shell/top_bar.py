@@ -11,12 +11,10 @@ from PySide6.QtWidgets import QAbstractButton, QLabel, QSizePolicy, QSpinBox, QW
 
 from armui.arm.device import Device
 from armui.arm.limits import JOINTS
-from armui.arm.refusal import Refusal
-from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import ArmState
 from armui.control.devices.motors import why_not_disable, why_not_enable
 from armui.control.motion.joint_motion import Motion
-from armui.control.operating_state import Busy, LinkState, OperatingState
+from armui.control.operating_state import RUN_UNDER_WAY, Busy, LinkState, OperatingState
 from armui.control.operations.operation import operation_of
 from armui.protocol.addressing import Addressing
 from armui.protocol.generation import Generation
@@ -127,9 +125,7 @@ class SpeedControl(Translated, QWidget):
 
     def _allow(self, operating_state: OperatingState) -> None:
         """A run sends each point with its own speed: another one would change it in silence."""
-        reason = (
-            words.refusal(Refusal(RefusalCode.RUN_UNDER_WAY)) if operating_state.running else ""
-        )
+        reason = words.refusal(RUN_UNDER_WAY()) if operating_state.running else ""
         use = self.tr("Speed of motions, 0–100 % of the arm's highest; 0 % means no motion.")
         for widget in (self._slider, self.field):
             widget.setEnabled(not reason)

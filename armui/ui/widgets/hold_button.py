@@ -8,8 +8,7 @@ from PySide6.QtCore import QEvent, QPoint, QRect, QRectF, QSize, QVariantAnimati
 from PySide6.QtGui import QColor, QPaintEvent, QPen
 from PySide6.QtWidgets import QPushButton, QToolTip
 
-from armui.arm.refusal import Refusal
-from armui.arm.refusal_codes import RefusalCode
+from armui.control.operations.started import ARM_CHANGED
 from armui.ui.theme import colors_of
 from armui.ui.widgets import painting
 from armui.ui.widgets.translated import Translated
@@ -103,7 +102,7 @@ class HoldButton(Translated, QPushButton):
             if self._pressed_for is not None and self._pressed_for.is_still(self._controller.mark):
                 self.held.emit()
             else:
-                self._controller.tell_withdrawn(self.text(), Refusal(RefusalCode.ARM_CHANGED))
+                self._controller.tell_withdrawn(self.text(), ARM_CHANGED())
         self._begin_anew()
 
     def _on_clicked(self) -> None:

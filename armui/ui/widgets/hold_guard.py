@@ -12,6 +12,15 @@ from PySide6.QtCore import QEvent, QObject, Qt, QTimer, Signal
 from PySide6.QtGui import QGuiApplication, QKeyEvent
 from PySide6.QtWidgets import QWidget
 
+from armui.arm.refusal import Reason
+
+HOLD_UNATTENDED = Reason(
+    "hold_unattended",
+    "Jogging ended: held for {seconds} s without a movement of the mouse or another key. Let "
+    "go and press again; move the mouse a little while you hold it for long.",
+)
+
+
 _ENDS: Final = frozenset(
     {
         QEvent.Type.WindowDeactivate,

@@ -27,8 +27,7 @@ from armui.ui.words.arm import (
     trajectory_command,
 )
 from armui.ui.words.events import event
-from armui.ui.words.file_refusals import point_figure
-from armui.ui.words.refusals import file_error, refusal, why_not
+from armui.ui.words.refusals import file_error, point_figure, refusal, why_not
 from armui.ui.words.steps import step, step_action, step_danger, step_question
 
 __all__ = [

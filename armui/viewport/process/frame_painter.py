@@ -9,10 +9,10 @@ import time
 from dataclasses import replace
 from typing import TYPE_CHECKING, Final
 
-from armui.arm.refusal import Refusal
-from armui.arm.refusal_codes import RefusalCode
+from armui.arm.refusal import Reason, Refusal
 from armui.system.files import read_file
 from armui.viewport.messages import PicturePhase, SceneError
+from armui.viewport.process.urdf_file import URDF_MALFORMED
 from armui.viewport.view_state import BUILT_IN_ROBOT, ViewState
 
 if TYPE_CHECKING:
@@ -21,6 +21,13 @@ if TYPE_CHECKING:
     from armui.viewport.process.offscreen import Pixels
     from armui.viewport.process.robot import Robot
     from armui.viewport.process.scene import Scene
+
+URDF_NO_MEMORY = Reason(
+    "urdf_no_memory",
+    "Robot description: {path} takes more than {most} MB of memory to load. Export its meshes "
+    "with fewer triangles.",
+)
+
 
 _LOADING_BYTES: Final = 2 << 30
 """More than any description within the limits of `urdf_file` takes."""
@@ -155,12 +162,10 @@ class FramePainter:
             self._on_load_failed(error.refusal)
         except MemoryError:
             params: dict[str, float | int | str] = {"path": str(path), "most": _LOADING_BYTES >> 20}
-            self._on_load_failed(Refusal(RefusalCode.URDF_NO_MEMORY, params))
+            self._on_load_failed(URDF_NO_MEMORY(**params))
         except Exception as error:  # noqa: BLE001 - whatever a file makes the libraries raise
             text = " ".join(f"{type(error).__name__}: {error}".split())
-            self._on_load_failed(
-                Refusal(RefusalCode.URDF_MALFORMED, {"path": str(path), "text": text})
-            )
+            self._on_load_failed(URDF_MALFORMED(path=str(path), text=text))
         if scene.robot is None and path != BUILT_IN_ROBOT.path:
             scene.load(BUILT_IN_ROBOT.path)  # no arm at all would be seen
         self._on_phase(PicturePhase.FIRST_DRAWING)

@@ -18,12 +18,11 @@ from multiprocessing import parent_process
 from pathlib import Path
 from typing import TYPE_CHECKING, Final
 
-from armui.arm.refusal import Refusal
-from armui.arm.refusal_codes import RefusalCode
 from armui.system.clock import steady_s
 from armui.system.files import open_file
 from armui.viewport.frame_memory import FrameMemory
 from armui.viewport.messages import (
+    DRAWING_STOPPED,
     Drawn,
     Failed,
     JointPicked,
@@ -180,9 +179,7 @@ def run(connection: Connection) -> None:
     except Exception as error:  # noqa: BLE001 - the program says it, and starts another process
         text = f"{type(error).__name__}: {error}"
         with contextlib.suppress(OSError):
-            heart.send(
-                Failed(Refusal(RefusalCode.DRAWING_STOPPED, {"text": text}), traceback.format_exc())
-            )
+            heart.send(Failed(DRAWING_STOPPED(text=text), traceback.format_exc()))
     # Drivers that are asked to clean up may crash or hang; the system does it all.
     os._exit(0)
 

@@ -20,8 +20,7 @@ from numpy.typing import NDArray
 from vtkmodules.vtkCommonCore import vtkObject, vtkUnsignedCharArray
 from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow
 
-from armui.arm.refusal_codes import RefusalCode
-from armui.viewport.messages import SceneError
+from armui.viewport.messages import NO_OPENGL, SceneError
 
 
 class Pixels:
@@ -95,7 +94,7 @@ class Canvas:
             self._window.OffScreenRenderingOn()
             self._window.SetSize(width_px, height_px)
             if not _can_draw(self._window):
-                raise SceneError(RefusalCode.NO_OPENGL)
+                raise SceneError(NO_OPENGL)
         self._window.AddRenderer(self.renderer)
         # Eightfold sampling triples the time of a frame where the processor draws it.
         self._window.SetMultiSamples(0)

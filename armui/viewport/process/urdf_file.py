@@ -19,9 +19,9 @@ import trimesh
 import yourdfpy
 from trimesh.resolvers import FilePathResolver
 
-from armui.arm.refusal_codes import RefusalCode
+from armui.arm.refusal import Reason
 from armui.system.files import check_file, error_text, open_file, read_file
-from armui.viewport.messages import SceneError
+from armui.viewport.messages import URDF_MISSING, SceneError
 from armui.viewport.process.robot import (
     ARM_JOINT_COUNT,
     HINGES,
@@ -32,6 +32,75 @@ from armui.viewport.process.robot import (
     RobotPart,
     Surface,
 )
+
+URDF_TOO_DETAILED = Reason(
+    "urdf_too_detailed",
+    "Robot description: the meshes of {path} have more than {most} triangles together. Export "
+    "them with fewer.",
+)
+URDF_INCOMPLETE = Reason(
+    "urdf_incomplete",
+    "Robot description: in {path} an element or attribute is missing that URDF demands. Check "
+    "that every link, joint and visual is complete.",
+)
+URDF_UNREADABLE = Reason(
+    "urdf_unreadable",
+    "Robot description: the file {path} cannot be read: {text}. Choose a file you may read.",
+)
+URDF_NOT_XML = Reason(
+    "urdf_not_xml",
+    "Robot description: {path} is not well-formed XML ({text}). Repair or export it again.",
+)
+URDF_NO_ROBOT = Reason(
+    "urdf_no_robot",
+    "Robot description: {path} describes no robot: its first element is “{element}”, not "
+    "“robot”. Choose a URDF file.",
+)
+URDF_MALFORMED = Reason(
+    "urdf_malformed",
+    "Robot description: {path} is not written as URDF demands: {text}. Correct it.",
+)
+URDF_JOINT_COUNT = Reason(
+    "urdf_joint_count",
+    "Robot description: {path} has {found} revolute joints in a row instead of {wanted}. "
+    "Choose the description of a six-joint arm.",
+)
+URDF_NO_TREE = Reason(
+    "urdf_no_tree",
+    "Robot description: in {path} these links do not hang together as one tree: {links}. Every "
+    "link but the first needs exactly one joint that carries it.",
+)
+URDF_BAD_JOINT = Reason(
+    "urdf_bad_joint",
+    "Robot description: joint “{joint}” in {path} is wrong. It needs a name of its own, a type "
+    "and an axis that URDF knows and, if it mimics, a joint to mimic.",
+)
+MESH_TOO_LARGE = Reason(
+    "mesh_too_large",
+    "Robot description: the mesh {mesh} reaches farther than {most} m, or nowhere. A mesh in "
+    "millimetres needs scale 0.001.",
+)
+MESH_KIND_UNKNOWN = Reason(
+    "mesh_kind_unknown",
+    "Robot description: the mesh {mesh} is of a kind that is not read. These are: {kinds}.",
+)
+MESH_FILE_TOO_LARGE = Reason(
+    "mesh_file_too_large",
+    "Robot description: the mesh {mesh} has {size} MB; {most} MB are read at most. Export it "
+    "with fewer triangles.",
+)
+MESH_UNREADABLE = Reason(
+    "mesh_unreadable", "Robot description: the mesh {mesh} cannot be read: {text}. Export it again."
+)
+MESH_EMPTY = Reason(
+    "mesh_empty", "Robot description: the mesh {mesh} holds no surface. Export it again."
+)
+MESH_MISSING = Reason(
+    "mesh_missing",
+    "Robot description: the mesh “{mesh}” that {path} names is not there. Put it where the "
+    "file says, or correct its name in the file.",
+)
+
 
 _MOST_BYTES: Final = 32_000_000
 _MOST_MESH_BYTES: Final = 100_000_000
@@ -67,9 +136,7 @@ def load_robot(path: Path) -> Robot:
             parts.append(_part(path, description, link.name, visual))
             triangles += len(parts[-1].surface.faces)
             if triangles > _MOST_TRIANGLES:
-                raise SceneError(
-                    RefusalCode.URDF_TOO_DETAILED, path=str(path), most=_MOST_TRIANGLES
-                )
+                raise SceneError(URDF_TOO_DETAILED, path=str(path), most=_MOST_TRIANGLES)
     return Robot(root, joints, arm_joints, tuple(parts))
 
 
@@ -85,7 +152,7 @@ def _description(path: Path) -> yourdfpy.Robot:
         raise _malformed(path, str(error)) from error
     except (LookupError, TypeError, AttributeError) as error:
         # what yourdfpy runs into where an element or an attribute is missing
-        raise SceneError(RefusalCode.URDF_INCOMPLETE, path=str(path)) from error
+        raise SceneError(URDF_INCOMPLETE, path=str(path)) from error
 
 
 def _content(path: Path) -> bytes:
@@ -95,25 +162,23 @@ def _content(path: Path) -> bytes:
         # URDF files are the operator's own, and expat in supported Pythons stops entity bombs.
         element = ET.fromstring(content)  # noqa: S314 - see above
     except FileNotFoundError as error:
-        raise SceneError(RefusalCode.URDF_MISSING, path=str(path)) from error
+        raise SceneError(URDF_MISSING, path=str(path)) from error
     except OSError as error:
         text = error_text(error)
-        raise SceneError(RefusalCode.URDF_UNREADABLE, path=str(path), text=text) from error
+        raise SceneError(URDF_UNREADABLE, path=str(path), text=text) from error
     except (ET.ParseError, LookupError, ValueError) as error:  # also an encoding nobody knows
-        raise SceneError(RefusalCode.URDF_NOT_XML, path=str(path), text=str(error)) from error
+        raise SceneError(URDF_NOT_XML, path=str(path), text=str(error)) from error
     if element.tag != "robot":
-        raise SceneError(RefusalCode.URDF_NO_ROBOT, path=str(path), element=element.tag)
+        raise SceneError(URDF_NO_ROBOT, path=str(path), element=element.tag)
     return content
 
 
 def _malformed(path: Path, text: str) -> SceneError:
-    return SceneError(RefusalCode.URDF_MALFORMED, path=str(path), text=text)
+    return SceneError(URDF_MALFORMED, path=str(path), text=text)
 
 
 def _joint_count(path: Path, found: int) -> SceneError:
-    return SceneError(
-        RefusalCode.URDF_JOINT_COUNT, path=str(path), found=found, wanted=ARM_JOINT_COUNT
-    )
+    return SceneError(URDF_JOINT_COUNT, path=str(path), found=found, wanted=ARM_JOINT_COUNT)
 
 
 def _tree(path: Path, description: yourdfpy.Robot) -> tuple[str, tuple[Joint, ...]]:
@@ -132,15 +197,13 @@ def _tree(path: Path, description: yourdfpy.Robot) -> tuple[str, tuple[Joint, ..
     odd = {name for name, count in (links | children).items() if count > 1}
     odd |= links.keys() ^ set(reached)
     if odd:
-        raise SceneError(
-            RefusalCode.URDF_NO_TREE, path=str(path), links=", ".join(sorted(map(str, odd)))
-        )
+        raise SceneError(URDF_NO_TREE, path=str(path), links=", ".join(sorted(map(str, odd))))
     names = [joint.name for joint in ordered]
     leaders = {joint.name for joint in ordered if joint.mimic is None}
     for joint in ordered:
         follows_nothing = joint.mimic is not None and joint.mimic.joint not in leaders
         if names.count(joint.name) > 1 or joint.type not in _KINDS or follows_nothing:
-            raise SceneError(RefusalCode.URDF_BAD_JOINT, path=str(path), joint=joint.name)
+            raise SceneError(URDF_BAD_JOINT, path=str(path), joint=joint.name)
     return reached[0], tuple(_joint(path, joint) for joint in ordered)
 
 
@@ -154,7 +217,7 @@ def _joint(path: Path, joint: yourdfpy.Joint) -> Joint:
     is_sound = len(joint.axis) == 3 and 0.0 < length < math.inf
     is_sound = is_sound and bool((np.abs(origin) <= _LARGEST_M).all())
     if not is_sound or any(map(math.isnan, figures)):
-        raise SceneError(RefusalCode.URDF_BAD_JOINT, path=str(path), joint=joint.name)
+        raise SceneError(URDF_BAD_JOINT, path=str(path), joint=joint.name)
     return Joint(
         name=joint.name,
         kind=joint.type,
@@ -196,7 +259,7 @@ def _part(path: Path, description: yourdfpy.Robot, link: str, visual: yourdfpy.V
         plain = Surface(np.array(surface.vertices, float), np.array(surface.faces, int))
         if not (np.abs(plain.vertices) <= _LARGEST_M).all():  # NaN, too
             what = link if visual.geometry.mesh is None else visual.geometry.mesh.filename
-            raise SceneError(RefusalCode.MESH_TOO_LARGE, mesh=what or link, most=_LARGEST_M)
+            raise SceneError(MESH_TOO_LARGE, mesh=what or link, most=_LARGEST_M)
         return RobotPart(link, plain, _color(description, visual.material))
     except ValueError as error:  # of trimesh and numpy: too few numbers in a size or a colour
         raise _malformed(path, f"{link}: {error}") from error
@@ -232,11 +295,11 @@ class _FilesBeside(FilePathResolver):
 def _mesh(path: Path) -> trimesh.Trimesh:
     if path.suffix.lower() not in _MESH_KINDS:
         text = ", ".join(sorted(_MESH_KINDS))
-        raise SceneError(RefusalCode.MESH_KIND_UNKNOWN, mesh=str(path), kinds=text)
+        raise SceneError(MESH_KIND_UNKNOWN, mesh=str(path), kinds=text)
     size_bytes = path.stat().st_size
     if size_bytes > _MOST_MESH_BYTES:
         raise SceneError(
-            RefusalCode.MESH_FILE_TOO_LARGE,
+            MESH_FILE_TOO_LARGE,
             mesh=str(path),
             size=size_bytes // 1_000_000,
             most=_MOST_MESH_BYTES // 1_000_000,
@@ -249,9 +312,9 @@ def _mesh(path: Path) -> trimesh.Trimesh:
     except MemoryError:
         raise
     except Exception as error:
-        raise SceneError(RefusalCode.MESH_UNREADABLE, mesh=str(path), text=str(error)) from error
+        raise SceneError(MESH_UNREADABLE, mesh=str(path), text=str(error)) from error
     if not isinstance(surface, trimesh.Trimesh) or surface.is_empty:
-        raise SceneError(RefusalCode.MESH_EMPTY, mesh=str(path))
+        raise SceneError(MESH_EMPTY, mesh=str(path))
     return surface
 
 
@@ -262,7 +325,7 @@ def _mesh_file(path: Path, name: str | None) -> Path:
     except TypeError:  # its answer to a package without a file: package://name
         found = folder
     if not Path(found).is_file():
-        raise SceneError(RefusalCode.MESH_MISSING, path=str(path), mesh=name or "")
+        raise SceneError(MESH_MISSING, path=str(path), mesh=name or "")
     return Path(found)
 
 

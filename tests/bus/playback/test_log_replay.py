@@ -11,10 +11,9 @@ from pytestqt.qtbot import QtBot
 
 import armui.bus.playback
 from armui.arm.device import RecordedArm
-from armui.arm.refusal_codes import RefusalCode
 from armui.control.devices.linkage import why_not_link
 from armui.control.log_replay import LogReplay
-from armui.control.operating_state import LinkState
+from armui.control.operating_state import REPLAYED_LOG, LinkState
 from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
 from armui.session.foreign.indexed import IndexedLog
@@ -144,7 +143,7 @@ def test_everything_that_would_be_sent_is_refused_with_words(
 
     told = [each for each in refusals if each is not None]
     assert len(told) >= 4
-    assert RefusalCode.REPLAYED_LOG in {each.code for each in told}
+    assert REPLAYED_LOG in {each.reason for each in told}
     for each in told:
         assert words.refusal(each)
     connection = controller._connection

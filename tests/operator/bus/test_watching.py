@@ -7,8 +7,7 @@ from PySide6.QtGui import QGuiApplication
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QMenu
 
-from armui.arm.refusal import Refusal
-from armui.arm.refusal_codes import RefusalCode
+from armui.bus.link import BUS_OFF
 from armui.ui.watch.bus import frame_model, trace_model
 from armui.ui.watch.bus.cells import Tone
 from tests.company import OtherArm
@@ -308,7 +307,7 @@ def test_bus_off_and_losses_are_said_in_words(monitor, monkeypatch):
     driver = monitor.driver
     assert not monitor.find("bus_message").isVisible()
     params = {"device": "can0", "interface": "socketcan", "channel": "can0"}
-    driver.controller._connection.problem = Refusal(RefusalCode.BUS_OFF, params)
+    driver.controller._connection.problem = BUS_OFF(**params)
     driver.step()
     worker = type(driver.controller._connection._worker)
     monkeypatch.setattr(worker, "frames_dropped", property(lambda _worker: 12))

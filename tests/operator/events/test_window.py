@@ -10,6 +10,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
+from armui.settings import SETTINGS_IN_USE
 from armui.telemetry.event_json import from_json, to_json
 from armui.telemetry.events import Asker, EventKind, Level
 from armui.ui.dialogs.files import FileDialog
@@ -258,10 +259,8 @@ def test_the_notice_in_the_status_bar_leads_to_its_entry(eventful):
 
 
 def test_a_problem_of_the_program_is_an_event(eventful):
-    from armui.arm.refusal import Refusal  # noqa: PLC0415 - here alone
-    from armui.arm.refusal_codes import RefusalCode  # noqa: PLC0415 - as above
 
-    eventful.window.show_problem(Refusal(RefusalCode.SETTINGS_IN_USE, {"path": "x"}))
+    eventful.window.show_problem(SETTINGS_IN_USE(path="x"))
     eventful.click("notice_label")
     (entry,) = eventful.page(EventPage).table.chosen()
     assert (entry.code, entry.kind) == ("problem", EventKind.PROGRAM)

@@ -8,14 +8,13 @@ from functools import wraps
 
 import pytest
 
-from armui.arm.refusal import Refusal
-from armui.arm.refusal_codes import RefusalCode
 from armui.bus.frame_processor import FrameProcessor
 from armui.control.arm_controller import ArmController
 from armui.control.authority import Authority
 from armui.control.authority_watch import AuthorityWatch
 from armui.control.motion.joint_motion import Motion
 from armui.control.motion_end import MotionEnd
+from armui.control.safety.interlocks import STOPPED
 from armui.control.safety.other_command import OtherCommand
 from armui.protocol.codec import Codec
 from armui.protocol.frame import Frame
@@ -146,7 +145,7 @@ def test_an_exception_is_seen_in_a_part_and_in_a_click(qapp, monkeypatch):
 
 
 def test_what_is_refused_is_no_fault(qapp, monkeypatch):
-    monkeypatch.setattr(Motion, "go_home", lambda _: Refusal(RefusalCode.STOPPED))
+    monkeypatch.setattr(Motion, "go_home", lambda _: STOPPED())
     assert promise([Action("go_home", wait_s=0.4)]) is None
 
 

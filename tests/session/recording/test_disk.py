@@ -13,10 +13,14 @@ from pathlib import Path
 import can
 import pytest
 
-from armui.arm.refusal_codes import RefusalCode
 from armui.session.recording import sidecar
 from armui.session.recording import writer as writing
-from armui.session.recording.kinds import RecordingFormat, why_not_written
+from armui.session.recording.kinds import (
+    SESSION_FOLDER_GONE,
+    SESSION_READ_ONLY,
+    RecordingFormat,
+    why_not_written,
+)
 from armui.session.recording.recorded_session import RecordedSession
 from armui.session.recording.rows import rows_of
 from armui.session.recording.session_recording import SessionRecording, write_at_once
@@ -97,7 +101,7 @@ def test_a_folder_that_disappears_is_noticed_though_writing_succeeds(tmp_path):
     shutil.rmtree(folder)
     with pytest.raises(FileNotFoundError) as caught:
         made.write(rows_of(FRAMES[100:200]))
-    assert why_not_written(caught.value, folder).code is RefusalCode.SESSION_FOLDER_GONE
+    assert why_not_written(caught.value, folder).reason is SESSION_FOLDER_GONE
     made.finish({})
 
 
@@ -110,7 +114,7 @@ def test_a_folder_that_cannot_be_written_leaves_nothing_behind(tmp_path, monkeyp
     recording = SessionRecording(plan(tmp_path), still_clock)
     assert recording.wait(5.0)
     assert recording.failure is not None
-    assert why_not_written(recording.failure, tmp_path).code is RefusalCode.SESSION_READ_ONLY
+    assert why_not_written(recording.failure, tmp_path).reason is SESSION_READ_ONLY
     recording.put(rows_of(FRAMES[:10]))
     assert list(tmp_path.iterdir()) == []
     assert (recording.frames, recording.path) == (0, None)

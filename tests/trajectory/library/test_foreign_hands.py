@@ -5,9 +5,10 @@ from dataclasses import replace
 
 import pytest
 
-from armui.arm.refusal_codes import RefusalCode
 from armui.trajectory import files
 from armui.trajectory.files import TrajectoryFileError
+from armui.trajectory.files.text import NUMBER_BAD
+from armui.trajectory.library.store import LIBRARY_DAMAGED, NAME_TAKEN
 from tests.trajectory.library.contents import (
     damage,
     names,
@@ -77,14 +78,12 @@ def test_a_damaged_file_is_listed_with_its_fault_and_never_written_over(library,
     for again in (library, opened(folder), opened(folder)):  # the last finds the fault in the cache
         entry = next(entry for entry in again.entries() if entry.name == "取/料")
         assert (entry.count, entry.check) == (0, None)
-        assert str(entry.damage) == "取_料.log, line 7, column 7: “o” is no number"
+        assert entry.damage.reason == NUMBER_BAD(value="o")
+        assert str(entry.damage).startswith("取_料.log, line 7, column 7: ")
         with pytest.raises(TrajectoryFileError, match="line 7, column 7"):
             again.load("取/料")
-        assert refused(again.save, trajectory("取/料")).code == RefusalCode.NAME_TAKEN
-        assert (
-            refused(again.save, trajectory("取/料"), replacing="取/料").code
-            == RefusalCode.LIBRARY_DAMAGED
-        )
+        assert refused(again.save, trajectory("取/料")).reason == NAME_TAKEN
+        assert refused(again.save, trajectory("取/料"), replacing="取/料").reason == LIBRARY_DAMAGED
         with pytest.raises(TrajectoryFileError):
             again.rename("取/料", "b")
         again.mark("取/料", check="ok", length_s=1.0)

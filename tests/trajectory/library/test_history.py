@@ -8,10 +8,16 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from armui.arm.refusal_codes import RefusalCode
 from armui.trajectory.files import TrajectoryFileError
-from armui.trajectory.library.history import Deletion, LibraryHistory, Making, Origin, Renaming
-from armui.trajectory.library.store import Library
+from armui.trajectory.library.history import (
+    CHANGED_SINCE,
+    Deletion,
+    LibraryHistory,
+    Making,
+    Origin,
+    Renaming,
+)
+from armui.trajectory.library.store import LIBRARY_NOT_RESTORED, NAME_TAKEN, Library
 from tests.examples import examples
 from tests.moments import now
 from tests.trajectory.library.contents import locked, names, opened, recording, refused, trajectory
@@ -62,7 +68,7 @@ def test_a_name_that_was_taken_meanwhile_is_not_given_back(history, library):
     history.delete(["b"])
     history.rename("a", "z")
     library.save(trajectory("a", 7))
-    assert refused(history.undo).code == RefusalCode.NAME_TAKEN
+    assert refused(history.undo).reason == NAME_TAKEN
     assert names(library) == ["a", "c", "z"]
     assert history.undo() == ("b",)  # what can never be done does not bar the way
 
@@ -93,14 +99,14 @@ def test_what_was_made_is_taken_away_as_long_as_it_is_as_made(history, library):
 def test_what_has_unsaved_changes_is_not_taken_away(history, library):
     history.note_made(["a"], Origin.CREATED)
     library.save_draft("a", trajectory("a", 5))
-    assert refused(history.undo).code == RefusalCode.CHANGED_SINCE
+    assert refused(history.undo).reason == CHANGED_SINCE
     assert len(library.draft("a").points) == 5
 
 
 def test_a_step_that_the_disk_refuses_can_be_tried_again(history, library, monkeypatch):
     history.delete(["a", "b"])
     with locked(monkeypatch, "b.log"):
-        assert refused(history.undo).code == RefusalCode.LIBRARY_NOT_RESTORED
+        assert refused(history.undo).reason == LIBRARY_NOT_RESTORED
     assert names(library) == ["a", "c"]
     assert history.undo() == ("b",)
     assert names(library) == ["a", "b", "c"]

@@ -4,9 +4,9 @@ from dataclasses import replace
 
 import pytest
 
-from armui.arm.refusal_codes import RefusalCode
 from armui.trajectory.files import TrajectoryFileError
-from armui.trajectory.library.store import LibraryError
+from armui.trajectory.library.store import LIBRARY_NOT_SAVED, LibraryError
+from armui.trajectory.points.program import NAME_EMPTY, POINT_OUT_OF_RANGE
 from tests.trajectory.library.contents import (
     NOW,
     POINT,
@@ -70,8 +70,8 @@ def test_what_could_not_be_read_again_is_not_kept(library, folder):
     with pytest.raises(LibraryError, match=r"row 2: point_out_of_range\(.*speed") as caught:
         library.save(bad)
     assert caught.value.row == 2
-    assert refused(library.save, trajectory(" ")).code == RefusalCode.NAME_EMPTY
-    assert refused(library.save_draft, "pick", bad).code == RefusalCode.POINT_OUT_OF_RANGE
+    assert refused(library.save, trajectory(" ")).reason == NAME_EMPTY
+    assert refused(library.save_draft, "pick", bad).reason == POINT_OUT_OF_RANGE
     assert not folder.exists()
 
 
@@ -81,10 +81,10 @@ def test_a_folder_that_takes_nothing_says_so(tmp_path):
 
     refusal = refused(library.save, trajectory())
 
-    assert refusal.code == RefusalCode.LIBRARY_NOT_SAVED
+    assert refusal.reason == LIBRARY_NOT_SAVED
     assert refusal.params["name"] == "pick"
     assert refusal.params["text"]
-    assert refused(library.save_draft, "pick", trajectory()).code == RefusalCode.LIBRARY_NOT_SAVED
+    assert refused(library.save_draft, "pick", trajectory()).reason == LIBRARY_NOT_SAVED
 
 
 # Drafts -------------------------------------------------------------------------------------------

@@ -4,8 +4,9 @@ from dataclasses import replace
 
 import pytest
 
-from armui.arm.refusal_codes import RefusalCode
 from armui.trajectory.files import TrajectoryFileError
+from armui.trajectory.library.store import NAME_TAKEN
+from armui.trajectory.points.program import NAME_EMPTY
 from tests.trajectory.library.contents import (
     locked,
     names,
@@ -33,10 +34,10 @@ def test_a_trajectory_is_renamed_with_its_mark_and_its_draft(library, folder):
     assert shown(folder)[-1].lower() == "place.log"
     assert names(library) == ["Place"]
     library.save(trajectory())
-    assert refused(library.rename, "pick", "Place").code == RefusalCode.NAME_TAKEN
+    assert refused(library.rename, "pick", "Place").reason == NAME_TAKEN
     library.save_draft("new", trajectory())
-    assert refused(library.rename, "pick", "new").code == RefusalCode.NAME_TAKEN
-    assert refused(library.rename, "pick", "").code == RefusalCode.NAME_EMPTY
+    assert refused(library.rename, "pick", "new").reason == NAME_TAKEN
+    assert refused(library.rename, "pick", "").reason == NAME_EMPTY
     library.rename("pick", "pick")
     assert names(library) == ["Place", "new", "pick"]
 
@@ -48,7 +49,7 @@ def test_a_duplicate_is_the_same_under_another_name(library):
     first, second = library.entries()
     assert second == replace(first, name="wave 2")
     assert library.load("wave 2") == replace(library.load("wave"), name="wave 2")
-    assert refused(library.duplicate, "wave", "wave 2").code == RefusalCode.NAME_TAKEN
+    assert refused(library.duplicate, "wave", "wave 2").reason == NAME_TAKEN
 
 
 def test_what_is_gone_is_said_to_be(library):
@@ -57,7 +58,7 @@ def test_what_is_gone_is_said_to_be(library):
         lambda name: library.rename(name, "b"),
         lambda n: library.duplicate(n, "b"),
     ):
-        with pytest.raises(TrajectoryFileError, match="a: is not in the library any more"):
+        with pytest.raises(TrajectoryFileError, match="a: It is not in the library any more"):
             call("a")
     library.drop_draft("a")
     library.mark("a", check="ok", length_s=1.0)

@@ -2,9 +2,9 @@
 
 import pytest
 
-from armui.arm.refusal_codes import RefusalCode
 from armui.trajectory.files import TrajectoryFileError
-from armui.trajectory.points.program import Trajectory
+from armui.trajectory.library.store import NAME_TAKEN
+from armui.trajectory.points.program import NAME_EMPTY, Trajectory
 from tests.trajectory.library.contents import names, opened, refused, shown, trajectory
 
 
@@ -52,8 +52,8 @@ def test_a_damaged_draft_is_listed_with_its_fault(library, folder):
 def test_it_gets_another_name(library, folder):
     library.save_draft("pick", trajectory(count=3))
     library.save(trajectory("place"))
-    assert refused(library.rename, "pick", "place").code == RefusalCode.NAME_TAKEN
-    assert refused(library.rename, "pick", "").code == RefusalCode.NAME_EMPTY
+    assert refused(library.rename, "pick", "place").reason == NAME_TAKEN
+    assert refused(library.rename, "pick", "").reason == NAME_EMPTY
     library.rename("pick", "grip")
     assert names(library) == ["grip", "place"]
     assert shown(folder) == ["grip.draft", "place.log"]

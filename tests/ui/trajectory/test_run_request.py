@@ -8,14 +8,22 @@ from unittest.mock import Mock
 import pytest
 
 from armui.arm.refusal import Refusal
-from armui.arm.refusal_codes import RefusalCode
 from armui.control.link.arm_mark import ArmMark
+from armui.control.operating_state import LINK_LOST
+from armui.control.operations.started import ARM_CHANGED
 from armui.trajectory.library.run_options import RunOptions
 from armui.trajectory.points.program import Trajectory
-from armui.ui.trajectory.running.run_request import RequestState, RunRequest
+from armui.ui.background import WORK_FAILED
+from armui.ui.dialogs.confirm_dialog import ASKED_OTHERWISE
+from armui.ui.trajectory.running.run_request import (
+    FINDINGS_AGAINST,
+    MOVED_SINCE_CHECK,
+    RequestState,
+    RunRequest,
+)
 
 CONTENT = Trajectory("one")
-NO_POWER = Refusal(RefusalCode.LINK_LOST)
+NO_POWER = LINK_LOST()
 TO_CHECK = ["READING", "CHECKING"]
 TO_RUN = [*TO_CHECK, "CHECKED", "STARTING", "UNDER_WAY"]
 
@@ -125,7 +133,7 @@ def test_errors_are_shown_and_refused(press: Press) -> None:
     press.checked(findings=4, errors=2)
     assert press.states == [*TO_CHECK, "CHECKED", "REFUSED"]
     assert not press.request.must_ask
-    assert press.request.refusal == Refusal(RefusalCode.FINDINGS_AGAINST, {"count": 2})
+    assert press.request.refusal == FINDINGS_AGAINST(count=2)
     press.request.accept()
     press.runner.start.assert_not_called()
 
@@ -149,19 +157,19 @@ def test_another_arm_than_at_the_press_is_not_even_checked(press: Press) -> None
     press.controller.mark = ArmMark(2)
     press.read()
     assert press.states == ["READING", "REFUSED"]
-    assert press.request.refusal == Refusal(RefusalCode.ARM_CHANGED)
+    assert press.request.refusal == ARM_CHANGED()
     press.checks.begin.assert_not_called()
 
 
 def test_a_check_that_fails_refuses(press: Press) -> None:
     press.to("CHECKING")
-    press.checks.begin.call_args.args[2](Refusal(RefusalCode.WORK_FAILED))
+    press.checks.begin.call_args.args[2](WORK_FAILED())
     assert press.states == [*TO_CHECK, "REFUSED"]
 
 
 def test_a_check_that_says_nothing_of_the_arm_any_more_refuses(press: Press) -> None:
     press.to("CHECKING")
-    press.checked(outdated=Refusal(RefusalCode.MOVED_SINCE_CHECK))
+    press.checked(outdated=MOVED_SINCE_CHECK())
     assert press.states == [*TO_CHECK, "CHECKED", "REFUSED"]
     press.runner.start.assert_not_called()
 
@@ -208,7 +216,7 @@ def test_a_reason_of_the_page_against_it_refuses(state: str) -> None:
     reasons: list[Refusal | None] = [None]
     press = Press(why_not=lambda name: reasons[-1] if name == "one" else None)
     press.to(state)
-    reasons.append(Refusal(RefusalCode.ASKED_OTHERWISE))
+    reasons.append(ASKED_OTHERWISE())
     if state == "CHECKING":
         press.checked()
     else:

@@ -7,10 +7,10 @@ import numpy as np
 import pytest
 
 from armui.arm.refusal import Refusal
-from armui.arm.refusal_codes import RefusalCode
 from armui.system.paths import URDF
 from armui.viewport.process import frame_painter
 from armui.viewport.process.frame_painter import FramePainter
+from armui.viewport.process.urdf_file import URDF_JOINT_COUNT
 from armui.viewport.view_state import PickRequest, RobotChoice, ViewState
 from tests.viewport.foreign import write_arm
 
@@ -87,9 +87,7 @@ def test_a_robot_that_fails_is_told_and_the_old_one_stays(rig, tmp_path):
     after = rig.painter.paint(replace(STATE, robot=RobotChoice(path))).top_down()
     np.testing.assert_array_equal(before, after)
     (failure,) = rig.failures
-    assert failure == Refusal(
-        RefusalCode.URDF_JOINT_COUNT, {"path": str(path), "found": 3, "wanted": 6}
-    )
+    assert failure == URDF_JOINT_COUNT(path=str(path), found=3, wanted=6)
 
 
 def test_the_same_file_is_read_again_when_asked_again(rig, tmp_path):

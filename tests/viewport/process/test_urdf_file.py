@@ -7,11 +7,16 @@ import numpy as np
 import pytest
 import trimesh
 
-from armui.arm.refusal import Refusal
-from armui.arm.refusal_codes import RefusalCode
+from armui.arm.refusal import Reason, Refusal
 from armui.system.paths import URDF
-from armui.viewport.messages import SceneError
-from armui.viewport.process.urdf_file import load_robot
+from armui.viewport.messages import URDF_MISSING, SceneError
+from armui.viewport.process.urdf_file import (
+    MESH_MISSING,
+    URDF_JOINT_COUNT,
+    URDF_MALFORMED,
+    URDF_UNREADABLE,
+    load_robot,
+)
 from tests.viewport.foreign import joint, link, mesh, write_arm
 
 BOX = '<visual><geometry><box size="0.1 0.2 0.3"/></geometry></visual>'
@@ -148,11 +153,11 @@ def test_origin_turns_in_the_order_of_the_format(tmp_path):
 
 def test_a_missing_file_is_named(tmp_path):
     path = tmp_path / "none.urdf"
-    assert refusal(path) == Refusal(RefusalCode.URDF_MISSING, {"path": str(path)})
+    assert refusal(path) == URDF_MISSING(path=str(path))
 
 
 def test_a_folder_is_no_file(tmp_path):
-    assert refusal(tmp_path).code == RefusalCode.URDF_UNREADABLE
+    assert refusal(tmp_path).reason == URDF_UNREADABLE
 
 
 @pytest.mark.parametrize(
@@ -176,20 +181,20 @@ def test_a_folder_is_no_file(tmp_path):
 def test_what_is_no_robot_description_is_told(tmp_path, text, code, params):
     path = tmp_path / "x.urdf"
     path.write_text(text)
-    assert refusal(path) == Refusal(code, {"path": str(path), **params})
+    assert refusal(path) == Refusal(Reason(code), {"path": str(path), **params})
 
 
 @pytest.mark.parametrize("hinges", [5, 7])
 def test_another_number_of_joints_is_refused(tmp_path, hinges):
     path = write_arm(tmp_path, hinges=hinges)
     expected = {"path": str(path), "found": hinges, "wanted": 6}
-    assert refusal(path) == Refusal(RefusalCode.URDF_JOINT_COUNT, expected)
+    assert refusal(path) == URDF_JOINT_COUNT(**expected)
 
 
 @pytest.mark.parametrize("name", ["meshes/gone.stl", "package://gone/a.stl", "package://gone", ""])
 def test_a_missing_mesh_is_named(tmp_path, name):
     path = write_arm(tmp_path, visual=mesh(name))
-    assert refusal(path) == Refusal(RefusalCode.MESH_MISSING, {"path": str(path), "mesh": name})
+    assert refusal(path) == MESH_MISSING(path=str(path), mesh=name)
 
 
 @pytest.mark.parametrize(
@@ -243,7 +248,7 @@ def picture(visual: str) -> str:
 )
 def test_mistakes_are_named(tmp_path, extra, code, params):
     path = write_arm(tmp_path, extra=extra)
-    assert refusal(path) == Refusal(code, {"path": str(path), **params})
+    assert refusal(path) == Refusal(Reason(code), {"path": str(path), **params})
 
 
 @pytest.mark.parametrize(
@@ -257,5 +262,5 @@ def test_mistakes_are_named(tmp_path, extra, code, params):
 )
 def test_shapes_that_cannot_be_are_told(tmp_path, visual, said):
     reason = refusal(write_arm(tmp_path, extra=picture(visual)))
-    assert reason.code == RefusalCode.URDF_MALFORMED
+    assert reason.reason == URDF_MALFORMED
     assert said in str(reason.params["text"])

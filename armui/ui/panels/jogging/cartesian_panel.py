@@ -7,12 +7,12 @@ from typing import Final
 
 from PySide6.QtWidgets import QAbstractButton, QButtonGroup, QFrame, QLabel, QSizePolicy, QWidget
 
-from armui.arm.refusal import Refusal
-from armui.arm.refusal_codes import RefusalCode
+from armui.arm.refusal import Reason, Refusal
 from armui.arm.state import ArmState
 from armui.control.arm_controller import ArmController
 from armui.control.motion.cartesian import Cartesian
 from armui.control.motion.jog_path import ToolJog
+from armui.control.motion.point_frames import POSE_UNKNOWN
 from armui.control.operating_state import OperatingState
 from armui.control.operations.operation import operation_of
 from armui.kinematics.axes import AXES, LINEAR_AXES, JogFrame
@@ -40,6 +40,18 @@ from armui.ui.widgets.layouts import STRETCH, in_column, in_row
 from armui.ui.widgets.text_label import ValueLabel, text_label
 from armui.ui.widgets.translated import Translated
 from armui.ui.words.text import Text
+
+ARC_INCOMPLETE = Reason(
+    "arc_incomplete", "Not captured yet: {point}. Bring the arm there and press its button."
+)
+TARGET_REFUSED = Reason(
+    "target_refused", "The arm itself refuses its last target: {status}. Send another one."
+)
+POSE_NOT_A_NUMBER = Reason(
+    "pose_not_a_number",
+    "{axis}: “{value}” is no figure. Enter mm or degrees in figures, for example 12.5.",
+)
+
 
 _OWN_REFUSALS: Final = frozenset(
     {ArmStatusCode.NO_SOLUTION, ArmStatusCode.SINGULARITY, ArmStatusCode.TARGET_BEYOND_LIMIT}
@@ -303,12 +315,12 @@ class CartesianPanel(JogPanel):
         if pose is not None:
             self._fill(pose)
             self._follow_arm()
-        self._accepted(None if pose is not None else Refusal(RefusalCode.POSE_UNKNOWN))
+        self._accepted(None if pose is not None else POSE_UNKNOWN())
 
     def _send(self, move_mode: MoveMode) -> None:
         target = self.targets()
         if target is None:
-            self._accepted(self._nonsense() or Refusal(RefusalCode.POSE_UNKNOWN))
+            self._accepted(self._nonsense() or POSE_UNKNOWN())
             return
         self._sent = self._accepted(self._controller.cartesian.move(target, move_mode))
 
@@ -323,13 +335,13 @@ class CartesianPanel(JogPanel):
         pose = self._pose()
         if pose is not None:
             self._arc.take(place, pose)
-        self._accepted(None if pose is not None else Refusal(RefusalCode.POSE_UNKNOWN))
+        self._accepted(None if pose is not None else POSE_UNKNOWN())
 
     def _on_go_to_start(self) -> None:
         start = self._arc.poses[0]
         if start is None:
             point = self._arc.missing() or ""
-            self._accepted(Refusal(RefusalCode.ARC_INCOMPLETE, {"point": point}))
+            self._accepted(ARC_INCOMPLETE(point=point))
         else:
             self._accepted(self._controller.cartesian.move(start, MoveMode.MOVE_P))
 
@@ -337,7 +349,7 @@ class CartesianPanel(JogPanel):
         points = [pose for pose in self._arc.poses if pose is not None]
         missing = self._arc.missing()
         if missing is not None:
-            self._accepted(Refusal(RefusalCode.ARC_INCOMPLETE, {"point": missing}))
+            self._accepted(ARC_INCOMPLETE(point=missing))
         else:
             self._accepted(self._controller.cartesian.move_arc(*points))
 
@@ -394,7 +406,7 @@ class CartesianPanel(JogPanel):
     def _show_possible(self) -> None:
         why_not = self._allow_jog()
         unknown = self._controller.state.end_pose() is None
-        no_pose = words.refusal(Refusal(RefusalCode.POSE_UNKNOWN)) if unknown else ""
+        no_pose = words.refusal(POSE_UNKNOWN()) if unknown else ""
         self._arc.allow(no_pose, why_not)
         use = self.tr("Fills the fields with the measured pose; nothing moves.")
         enable_or_explain(self._load, no_pose, use)
@@ -410,7 +422,7 @@ class CartesianPanel(JogPanel):
             return nonsense
         status = self._controller.state.status
         if status is not None and status.value.arm_status in _OWN_REFUSALS:
-            return Refusal(RefusalCode.TARGET_REFUSED, {"status": status.value.arm_status})
+            return TARGET_REFUSED(status=status.value.arm_status)
         return None
 
     def _nonsense(self) -> Refusal | None:
@@ -418,7 +430,7 @@ class CartesianPanel(JogPanel):
         for row in self._rows:
             if row.field.is_nonsense():
                 params = {"axis": row.name, "value": row.field.text()}
-                return Refusal(RefusalCode.POSE_NOT_A_NUMBER, params)
+                return POSE_NOT_A_NUMBER(**params)
         return None
 
     def _name_point(self) -> None:

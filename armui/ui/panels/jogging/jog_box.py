@@ -11,7 +11,6 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QButtonGroup, QCheckBox, QFrame, QLabel, QSizePolicy, QWidget
 
 from armui.arm.refusal import Refusal
-from armui.arm.refusal_codes import RefusalCode
 from armui.control.events import Event, EventCode
 from armui.control.motion.jog_path import JointJog, ToolJog
 from armui.kinematics.axes import AXES, LINEAR_AXES, JogFrame
@@ -29,7 +28,7 @@ from armui.ui.widgets.buttons import (
     push_button,
 )
 from armui.ui.widgets.flow import Flow, in_flow
-from armui.ui.widgets.hold_guard import UNATTENDED_S
+from armui.ui.widgets.hold_guard import HOLD_UNATTENDED, UNATTENDED_S
 from armui.ui.widgets.layouts import in_column, in_row
 from armui.ui.widgets.text_label import ValueLabel
 from armui.ui.widgets.translated import Translated
@@ -306,7 +305,7 @@ class JogBox(Translated, QFrame):
             self._held = False
 
     def _on_unattended(self) -> None:
-        self.refused.emit(Refusal(RefusalCode.HOLD_UNATTENDED, {"seconds": UNATTENDED_S}))
+        self.refused.emit(HOLD_UNATTENDED(seconds=UNATTENDED_S))
 
     def _on_noticed(self, event: Event) -> None:
         reason = event.params.get("reason")

@@ -11,7 +11,6 @@ from PySide6.QtGui import QFocusEvent, QHideEvent, QKeyEvent
 from PySide6.QtWidgets import QComboBox, QFrame, QLabel, QLayout, QPushButton, QWidget
 
 from armui.arm.refusal import Refusal
-from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import ArmState
 from armui.control.arm_controller import ArmController
 from armui.control.events import ZEROING_ENDED, Event, EventCode
@@ -21,7 +20,7 @@ from armui.ui.panels.panel import Panel
 from armui.ui.widgets import painting
 from armui.ui.widgets.buttons import choice_button, describe, named
 from armui.ui.widgets.figure_field import FigureField
-from armui.ui.widgets.hold_guard import UNATTENDED_S, HoldGuard
+from armui.ui.widgets.hold_guard import HOLD_UNATTENDED, UNATTENDED_S, HoldGuard
 from armui.ui.widgets.jog_button import JogButton
 from armui.ui.widgets.layouts import STRETCH, empty_grid, in_column, in_row, scrolled
 from armui.ui.widgets.text_label import ValueLabel, text_label
@@ -542,7 +541,7 @@ class JogPanel(Panel):
         self._controller.jogging.stop()
 
     def _on_unattended(self) -> None:
-        self._accepted(Refusal(RefusalCode.HOLD_UNATTENDED, {"seconds": UNATTENDED_S}))
+        self._accepted(HOLD_UNATTENDED(seconds=UNATTENDED_S))
 
     def _on_noticed(self, event: Event) -> None:
         """What ended a jog is said where the operator looks; a new zero makes targets void."""

@@ -9,15 +9,15 @@ from typing import TYPE_CHECKING, Final
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QFrame, QLabel
 
-from armui.arm.limits import ANGLE_STEP_DEG, JOINTS, JointLimits, check_joint
+from armui.arm.limits import ANGLE_STEP_DEG, JOINT_NOT_A_NUMBER, JOINTS, JointLimits, check_joint
 from armui.arm.refusal import Refusal
-from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import ArmState
 from armui.control.arm_controller import ArmController
 from armui.control.motion.jog_path import JointJog
 from armui.control.motion.jogging import Jogging
 from armui.control.motion.joint_motion import Motion
 from armui.control.operations.operation import operation_of
+from armui.control.safety.interlocks import JOINTS_UNKNOWN
 from armui.ui import format as fmt
 from armui.ui import words
 from armui.ui.actions.command import Command, Target, also, with_angles
@@ -351,7 +351,7 @@ class MotionPanel(JogPanel):
     def _on_load(self) -> None:
         angles_deg = self._controller.state.angles_deg()
         if angles_deg is None:
-            self._accepted(Refusal(RefusalCode.JOINTS_UNKNOWN))
+            self._accepted(JOINTS_UNKNOWN())
             return
         self._fill(angles_deg)
         self._light_send()
@@ -368,10 +368,8 @@ class MotionPanel(JogPanel):
     @staticmethod
     def _why_no_figure(row: JointRow) -> Refusal:
         if row.field.is_nonsense():
-            return Refusal(
-                RefusalCode.JOINT_NOT_A_NUMBER, {"joint": row.joint, "value": row.field.text()}
-            )
-        return Refusal(RefusalCode.JOINTS_UNKNOWN)
+            return JOINT_NOT_A_NUMBER(joint=row.joint, value=row.field.text())
+        return JOINTS_UNKNOWN()
 
     def _on_edited(self) -> None:
         self._refusal = None
@@ -430,7 +428,7 @@ class MotionPanel(JogPanel):
     def _show_possible(self) -> None:
         why_not = self._allow_jog()
         heard = self._controller.state.angles_deg() is not None
-        no_angles = "" if heard else words.refusal(Refusal(RefusalCode.JOINTS_UNKNOWN))
+        no_angles = "" if heard else words.refusal(JOINTS_UNKNOWN())
         use = self.tr("Moves all joints to 0°.")
         enable_or_explain(self._home, why_not, use, key=_HOME_KEY)
         self._own_home.show_possible()

@@ -9,8 +9,9 @@ from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QMenu, QWidget
 
 from armui.arm.limits import check_joints
-from armui.arm.refusal import Refusal
-from armui.arm.refusal_codes import RefusalCode
+from armui.arm.refusal import Reason, Refusal
+from armui.control.operating_state import NOT_CONNECTED
+from armui.control.safety.interlocks import JOINTS_UNKNOWN
 from armui.ui import format as fmt
 from armui.ui import words
 from armui.ui.widgets.buttons import caption, enable_or_explain, named, push_button
@@ -22,6 +23,11 @@ if TYPE_CHECKING:
 
     from armui.control.arm_controller import ArmController
     from armui.settings import SettingsStore
+
+NO_OWN_HOME = Reason(
+    "no_own_home", "No home of your own is kept for this arm. Set it with the button beside."
+)
+
 
 _MOST: Final = 200
 """So many arms are remembered."""
@@ -91,7 +97,7 @@ class OwnHome(Translated, QWidget):
     def _on_go(self) -> None:
         angles_deg = self.angles_deg
         if angles_deg is None:
-            self.refused.emit(Refusal(RefusalCode.NO_OWN_HOME))
+            self.refused.emit(NO_OWN_HOME())
             return
         refusal = self._controller.motion.send_joints(angles_deg)
         self.refused.emit(refusal)
@@ -108,9 +114,9 @@ class OwnHome(Translated, QWidget):
     def _keep(self, angles_deg: Sequence[float] | None) -> None:
         arm = self._arm
         if arm is None:
-            self.refused.emit(Refusal(RefusalCode.NOT_CONNECTED))
+            self.refused.emit(NOT_CONNECTED())
         elif angles_deg is None:
-            self.refused.emit(Refusal(RefusalCode.JOINTS_UNKNOWN))
+            self.refused.emit(JOINTS_UNKNOWN())
         else:
             self.refused.emit(self._refusal_of(arm, tuple(round(a, 3) for a in angles_deg)))
         self.show_possible()
@@ -128,7 +134,7 @@ class OwnHome(Translated, QWidget):
         """Offer it, or say why not; where it leads stands in its tooltip."""
         angles_deg = self.angles_deg
         if angles_deg is None:
-            reason, use = words.refusal(Refusal(RefusalCode.NO_OWN_HOME)), ""
+            reason, use = words.refusal(NO_OWN_HOME()), ""
         else:
             now = self._controller.operating_state
             refusal = now.cannot_move or check_joints(angles_deg, now.limits)

@@ -16,8 +16,7 @@ from PySide6.QtWidgets import (
 )
 
 from armui.arm.limits import JOINTS
-from armui.arm.refusal import Refusal
-from armui.arm.refusal_codes import RefusalCode
+from armui.arm.refusal import Reason, Refusal
 from armui.arm.state import ArmState
 from armui.control.arm_controller import ArmController
 from armui.control.devices.end_reports import EndReports, is_reporting, why_no_load, why_not_switch
@@ -46,6 +45,8 @@ from armui.ui.words.text import Text
 if TYPE_CHECKING:
     from armui.setting_checks import MountingName
     from armui.settings import SettingsStore
+
+LOAD_NOT_CHOSEN = Reason("load_not_chosen", "No end load is chosen. Choose one first.")
 
 
 _TALLEST_CARD_PX: Final = 300
@@ -300,7 +301,7 @@ class EndLoadPanel(Panel):
     def _on_send(self) -> None:
         chosen = self._loads.checkedId()
         if chosen < 0:
-            self._accepted(Refusal(RefusalCode.LOAD_NOT_CHOSEN))
+            self._accepted(LOAD_NOT_CHOSEN())
         else:
             if self._accepted(self._controller.end_reports.set_load(EndLoad(chosen))):
                 self._sent = chosen

@@ -14,15 +14,15 @@ from armui.arm.device import Device
 from armui.arm.models import model_data
 from armui.arm.parameters import Parameter, factory_bound, heard
 from armui.arm.refusal import Refusal
-from armui.arm.refusal_codes import RefusalCode
 from armui.arm.state import Reading
 from armui.control.arm_controller import ArmController
 from armui.control.events import Level
-from armui.control.operating_state import OperatingState
+from armui.control.operating_state import BUSY, OperatingState
 from armui.control.operations.operation import Operation, operation_of
+from armui.control.operations.started import SETTING_NOT_READ_BACK, SETTING_UNANSWERED
 from armui.control.parameters.arm_settings import ArmSettings
 from armui.control.parameters.setting_cell import CellState
-from armui.control.parameters.setting_checks import batches_of
+from armui.control.parameters.setting_checks import SETTING_NOT_TAKEN, batches_of
 from armui.control.parameters.setting_draft import CellStatus, SettingDraft, shown_as
 from armui.control.parameters.setting_saving import SettingSaving
 from armui.ui import format as fmt
@@ -52,9 +52,9 @@ CANCEL_KEY: Final = keys_of("parameters.cancel")
 _HEIGHT_PX: Final = 38
 _GAP_PX: Final = 10
 _LEVELS: Final = {
-    RefusalCode.SETTING_NOT_TAKEN: Level.FAULT,
-    RefusalCode.SETTING_UNANSWERED: Level.FAULT,
-    RefusalCode.SETTING_NOT_READ_BACK: Level.FAULT,
+    SETTING_NOT_TAKEN: Level.FAULT,
+    SETTING_UNANSWERED: Level.FAULT,
+    SETTING_NOT_READ_BACK: Level.FAULT,
 }
 
 
@@ -399,7 +399,7 @@ class ParameterPanel(Panel):
         """The same in words, or that the arm is still at the last request; empty: nothing."""
         refusal = self._why_not_here()
         if refusal is None and self._settings.busy:
-            refusal = Refusal(RefusalCode.BUSY, {"what": "settings"})
+            refusal = BUSY(what="settings")
         return words.why_not(refusal)
 
     # -- appearance ---------------------------------------------------------------------------
@@ -486,7 +486,7 @@ class ParameterPanel(Panel):
             or next((reason for reason in reasons if reason is not None), None)
         )
         if first is not None:
-            return _Said(words.refusal(first), _LEVELS.get(first.code, level_of(first)))
+            return _Said(words.refusal(first), _LEVELS.get(first.reason, level_of(first)))
         corrupt = [
             parameter
             for parameter in draft.parameters

@@ -11,9 +11,9 @@ from PySide6.QtGui import QKeySequence, QShortcut
 from PySide6.QtWidgets import QHeaderView, QLineEdit, QWidget
 
 from armui.arm.refusal import Refusal
-from armui.arm.refusal_codes import RefusalCode
 from armui.control.events import Level
 from armui.control.run.progress import OVER, Progress
+from armui.control.run.replay import RUN_EMPTY
 from armui.protocol.codes import MoveMode
 from armui.trajectory.files.errors import TrajectoryFileError
 from armui.trajectory.planning.findings import Severity
@@ -338,7 +338,7 @@ class EditorPage(Page):
 
     def _show_count(self) -> None:
         count = len(self.document.points)
-        empty = Refusal(RefusalCode.RUN_EMPTY, {"name": self.document.name})
+        empty = RUN_EMPTY(name=self.document.name)
         self._run_bar.show_content(
             self.document.name,
             count,

@@ -9,8 +9,9 @@ from typing import TYPE_CHECKING, Final, NamedTuple
 from PySide6.QtCore import QMimeData, QObject
 from PySide6.QtGui import QGuiApplication
 
-from armui.arm.refusal import Refusal
-from armui.arm.refusal_codes import RefusalCode
+from armui.arm.refusal import Reason, Refusal
+from armui.control.devices.gripper import GRIPPER_SILENT
+from armui.control.safety.interlocks import JOINTS_UNKNOWN
 from armui.kinematics.poses import tool_pose
 from armui.protocol.codes import MoveMode
 from armui.protocol.generation import Generation
@@ -31,6 +32,14 @@ if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
     from armui.ui.trajectory.editor.document import Document
     from armui.ui.trajectory.editor.points_table import PointsTable
+
+GRIPPER_TELLS_ANGLE = Reason(
+    "gripper_tells_angle",
+    "The gripper tells an angle now, and a point keeps an opening. Move it by an opening in "
+    "Gripper control first.",
+)
+NO_ROWS_CHOSEN = Reason("no_rows_chosen", "No row is chosen. Click one in the table first.")
+
 
 _ZERO: Final = (0.0,) * VALUE_COUNT
 
@@ -134,19 +143,19 @@ class PointEdits(QObject):
         state = self._controller.state
         values = state.angles_deg() if point.is_joint else state.end_pose()
         if values is None:
-            return Refusal(RefusalCode.JOINTS_UNKNOWN)
+            return JOINTS_UNKNOWN()
         return replace(point, target=tuple(values))
 
     def _measured_gripper(self) -> GripperAction | Refusal:
         """The gripper's action that leads to where it is measured now."""
         now, heard = self._controller.operating_state, self._controller.state.gripper
         if heard is None or not now.gripper_heard:
-            return Refusal(RefusalCode.GRIPPER_SILENT)
+            return GRIPPER_SILENT()
         gripper = heard.value
         if now.generation is Generation.ONE:
             return GripperAngle(round(gripper.travel, 3))
         if gripper.opening_mm is None:
-            return Refusal(RefusalCode.GRIPPER_TELLS_ANGLE)
+            return GRIPPER_TELLS_ANGLE()
         return GripperOpening(round(max(0.0, gripper.opening_mm), 3))
 
     # Chosen rows ------------------------------------------------------------------------------
@@ -291,4 +300,4 @@ def _arm_in_clipboard() -> str:
 
 
 def _no_rows() -> Refusal:
-    return Refusal(RefusalCode.NO_ROWS_CHOSEN)
+    return NO_ROWS_CHOSEN()

@@ -15,7 +15,6 @@ from PySide6.QtCore import (
 from PySide6.QtGui import QColor
 
 from armui.arm.refusal import Refusal
-from armui.arm.refusal_codes import RefusalCode
 from armui.protocol.codes import ALL_LAMPS, MoveMode
 from armui.trajectory.files.log_points import LETTERS
 from armui.trajectory.files.text import number
@@ -23,6 +22,7 @@ from armui.trajectory.points import edits
 from armui.trajectory.points.cells import VALUES, PointColumn, editable, edited, text_of
 from armui.trajectory.points.edits import Change
 from armui.trajectory.points.program import (
+    POINT_MOVE_UNKNOWN,
     RANGES,
     GripperAction,
     GripperOpening,
@@ -180,7 +180,7 @@ class PointsModel(TableModel):
             return edited(self._points[row], column, text)
         move = LETTERS.get(text[-1:])
         if move is None:
-            return Refusal(RefusalCode.POINT_MOVE_UNKNOWN, {"value": text})
+            return POINT_MOVE_UNKNOWN(value=text)
         return self._to_move(row, move)
 
     # Rows dragged elsewhere -------------------------------------------------------------------

@@ -9,13 +9,12 @@ from PySide6.QtCore import QEvent, QModelIndex, Signal
 from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QHeaderView
 
-from armui.arm.refusal import Refusal
-from armui.arm.refusal_codes import RefusalCode
 from armui.control.arm_controller import ArmController
 from armui.control.events import Level
 from armui.control.operating_state import OperatingState
 from armui.control.parameters.arm_model import arm_model
 from armui.control.run.progress import Progress
+from armui.control.run.replay import RUN_EMPTY
 from armui.trajectory.files import Content
 from armui.trajectory.library.run_options import RunOptions
 from armui.trajectory.library.store import IndexEntry, Library, Listing
@@ -23,6 +22,7 @@ from armui.ui import words
 from armui.ui.actions.command import Command, Target
 from armui.ui.background import Background
 from armui.ui.trajectory.editor.findings_pane import FindingsPane
+from armui.ui.trajectory.editor.point_edits import NO_ROWS_CHOSEN
 from armui.ui.trajectory.library.bin_dialog import BinButton
 from armui.ui.trajectory.library.library_actions import LibraryActions, UndoButton
 from armui.ui.trajectory.library.library_bar import LibraryBar
@@ -288,9 +288,9 @@ class LibraryPage(Page):
         recording = one is not None and one.kind == "recording"
         nothing = None
         if one is None:
-            nothing = Refusal(RefusalCode.NO_ROWS_CHOSEN)
+            nothing = NO_ROWS_CHOSEN()
         elif one.count == 0:
-            nothing = Refusal(RefusalCode.RUN_EMPTY, {"name": one.name})
+            nothing = RUN_EMPTY(name=one.name)
         name, count, speeds = ("", 0, ()) if one is None else (one.name, one.count, one.speeds)
         self._run_bar.show_content(name, count, speeds=speeds, recording=recording, nothing=nothing)
         if chosen:  # while the list is made anew, nothing is chosen for a moment
@@ -334,7 +334,7 @@ class LibraryPage(Page):
         """Hand on what is chosen, once it is read; nothing if something else is chosen by then."""
         chosen = self._chosen_names()
         if len(chosen) != 1:
-            none = Refusal(RefusalCode.NO_ROWS_CHOSEN)
+            none = NO_ROWS_CHOSEN()
             self._say(partial(words.refusal, none), Level.WARNING)
             then(None)
         elif self._model.is_unsaved(chosen[0]):

@@ -13,9 +13,8 @@ from PySide6.QtCore import QObject
 from shiboken6 import isValid
 
 from armui.arm.refusal import Refusal
-from armui.arm.refusal_codes import RefusalCode
 from armui.trajectory.files import TrajectoryFileError
-from armui.trajectory.library.store import Library, LibraryError
+from armui.trajectory.library.store import LIBRARY_UNREADABLE, Library, LibraryError
 from armui.ui import words
 from armui.ui.background import Background, Job
 
@@ -83,7 +82,7 @@ def _run_alone(library: Library, action: Callable[[], Result]) -> _Done[Result]:
     if not library.turn.acquire(blocking=False):
         # whoever has it waits for a disk that does not answer, and was left behind
         figures = {"name": str(library.folder), "text": os.strerror(errno.ETIMEDOUT)}
-        return _Done(error=LibraryError(Refusal(RefusalCode.LIBRARY_UNREADABLE, figures)))
+        return _Done(error=LibraryError(LIBRARY_UNREADABLE(**figures)))
     try:
         return _Done(action())
     except (LibraryError, TrajectoryFileError) as error:

@@ -12,9 +12,8 @@ from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QLabel, QLineEdit
 
 from armui.arm.refusal import Refusal
-from armui.arm.refusal_codes import RefusalCode
 from armui.control.events import Level
-from armui.control.operating_state import OperatingState
+from armui.control.operating_state import BUSY, OperatingState
 from armui.control.operations.operation import operation_of
 from armui.control.run.recorder import Recorder
 from armui.trajectory.library.run_options import RunOptions
@@ -468,7 +467,7 @@ class RecordingPage(Page):
     def _show_usable(self, operating_state: OperatingState) -> None:
         reason = None if self._controller.recorder.recording else operating_state.unreachable
         if self._joining:
-            reason = Refusal(RefusalCode.BUSY, {"what": "recording"})
+            reason = BUSY(what="recording")
         if reason is None and self._unsaved:
             self._record.setToolTip(self.tr("Recording anew takes the place of what is not saved"))
         else:

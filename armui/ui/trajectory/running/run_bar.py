@@ -11,7 +11,6 @@ from PySide6.QtGui import QHideEvent, QShowEvent
 from PySide6.QtWidgets import QCheckBox, QComboBox, QLabel, QSpinBox, QWidget
 
 from armui.arm.refusal import Refusal
-from armui.arm.refusal_codes import RefusalCode
 from armui.control.arm_controller import ArmController
 from armui.control.operating_state import OperatingState, StopState
 from armui.control.operations.operation import operation_of
@@ -31,6 +30,7 @@ from armui.trajectory.points.program import SpeedsFrom
 from armui.ui import words
 from armui.ui.actions.command import Command, Target, of_place
 from armui.ui.actions.keys import key_text, keys_of, listen_for
+from armui.ui.dialogs.confirm_dialog import ASKED_OTHERWISE
 from armui.ui.trajectory.running.run_request import Checks, RequestState, RunRequest
 from armui.ui.trajectory.running.runner import Runner, ended_early
 from armui.ui.widgets.buttons import enable_or_explain, named, push_button, show_primary
@@ -415,7 +415,7 @@ class RunBar(Translated, QWidget):
         return begun_here and ended_early(progress)
 
     def _why_not_resume(self, name: str) -> Refusal | None:
-        return None if self._may_resume(name) else Refusal(RefusalCode.ASKED_OTHERWISE)
+        return None if self._may_resume(name) else ASKED_OTHERWISE()
 
     # How far it has come ----------------------------------------------------------------------
 

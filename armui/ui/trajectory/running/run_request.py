@@ -7,8 +7,8 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Final
 
-from armui.arm.refusal import Refusal
-from armui.arm.refusal_codes import RefusalCode
+from armui.arm.refusal import Reason, Refusal
+from armui.control.operations.started import ARM_CHANGED
 from armui.control.parameters.arm_model import arm_model, start_deg
 from armui.system.clock import steady_s
 from armui.trajectory.planning.check import CheckOutcome, CheckRequest, check, warm_up
@@ -25,6 +25,27 @@ if TYPE_CHECKING:
     from armui.trajectory.planning.planned_path import PlannedPath
     from armui.ui.background import Background
     from armui.ui.trajectory.running.runner import Runner
+
+LIMITS_CHANGED_SINCE_CHECK = Reason(
+    "limits_changed_since_check",
+    "Not run: the arm's joint limits are others than those of the check. Send again.",
+)
+MODEL_CHANGED_SINCE_CHECK = Reason(
+    "model_changed_since_check",
+    "Not run: the arm's model or zeros are others than those of the check. Send again.",
+)
+CHANGED_SINCE_CHECK = Reason(
+    "changed_since_check",
+    "Not run: tool, load, settings or choices are others than those of the check. Send again.",
+)
+MOVED_SINCE_CHECK = Reason(
+    "moved_since_check", "Not run: the arm has moved by {value}° since it was checked. Send again."
+)
+FINDINGS_AGAINST = Reason(
+    "findings_against",
+    "Not run: the check has found errors ({count}). Mend what is listed, then send again.",
+)
+
 
 _SAME_PLACE_DEG: Final = 0.5
 """An arm at rest is heard to tremble by some hundredths."""
@@ -60,13 +81,13 @@ class CheckBasis:
     def why_other(self, now: CheckBasis) -> Refusal | None:
         """Return the reason why a check for this says nothing of a run under ``now``."""
         if not self.mark.is_still(now.mark):
-            return Refusal(RefusalCode.ARM_CHANGED)
+            return ARM_CHANGED()
         if self.arm.limits != now.arm.limits:
-            return Refusal(RefusalCode.LIMITS_CHANGED_SINCE_CHECK)
+            return LIMITS_CHANGED_SINCE_CHECK()
         if self.arm.kinematics != now.arm.kinematics:
-            return Refusal(RefusalCode.MODEL_CHANGED_SINCE_CHECK)
+            return MODEL_CHANGED_SINCE_CHECK()
         if replace(self, mark=now.mark) != now:
-            return Refusal(RefusalCode.CHANGED_SINCE_CHECK)
+            return CHANGED_SINCE_CHECK()
         return None
 
 
@@ -120,7 +141,7 @@ class Preflight:
         pairs = zip(self.order.start_deg, start_deg(controller), strict=True)
         moved_deg = max(abs(there - here) for there, here in pairs)
         if moved_deg > _SAME_PLACE_DEG:
-            return Refusal(RefusalCode.MOVED_SINCE_CHECK, {"value": f"{moved_deg:.1f}"})
+            return MOVED_SINCE_CHECK(value=f"{moved_deg:.1f}")
         return self.basis.why_other(CheckBasis.of(controller, options))
 
 
@@ -288,7 +309,7 @@ class RunRequest:
         if content is None:
             self.give_up()
         elif self.runs and not self._mark.is_still(self._controller.mark):
-            self._refuse(Refusal(RefusalCode.ARM_CHANGED))
+            self._refuse(ARM_CHANGED())
         else:
             self.name = content.name
             self._enter(RequestState.CHECKING)
@@ -310,7 +331,7 @@ class RunRequest:
         if self.is_over:  # only checked, or given up by whoever was told
             return
         if checked.errors:
-            self._refuse(Refusal(RefusalCode.FINDINGS_AGAINST, {"count": checked.errors}))
+            self._refuse(FINDINGS_AGAINST(count=checked.errors))
         elif self.must_ask:
             self._enter(RequestState.ASKING)
         else:

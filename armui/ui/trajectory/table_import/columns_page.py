@@ -11,11 +11,11 @@ from typing import Final
 from PySide6.QtCore import QCoreApplication, QObject, Qt, QThread, Signal
 from PySide6.QtWidgets import QComboBox, QLabel, QLineEdit, QPushButton, QSpinBox, QWidget
 
-from armui.arm.refusal_codes import RefusalCode
 from armui.control.events import Level
 from armui.protocol.codes import MoveMode
 from armui.trajectory import columns
 from armui.trajectory.columns import ColumnMapping, ColumnQuantity, TableFile
+from armui.trajectory.columns.apply import COLUMNS_MISSING
 from armui.trajectory.columns.model import JOINTS, POSE
 from armui.trajectory.files import TrajectoryFileError
 from armui.trajectory.library.store import Library, LibraryError
@@ -227,7 +227,7 @@ class ColumnsPage(Page):
         if self._misread:
             return self._misread
         reason = columns.check_mapping(self.mapping)
-        if reason is not None and reason.code == RefusalCode.COLUMNS_MISSING:
+        if reason is not None and reason.reason == COLUMNS_MISSING:
             return f"{words.refusal(reason)} {self._other_way()}"
         reason = reason or check_name(self._name.text().strip())
         if reason is not None:

@@ -12,8 +12,8 @@ from PySide6.QtCore import QPoint, QRect, Qt, QTimer, Signal
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QHeaderView, QLabel, QMenu, QStackedWidget, QWidget
 
-from armui.arm.refusal_codes import RefusalCode
 from armui.control.events import Level
+from armui.control.safety.other_command import LEADER_ARM
 from armui.telemetry.bus_senders import Sender
 from armui.telemetry.bus_statistics import BusStatistics
 from armui.telemetry.bus_trace import TRACE_FRAMES, TraceSnapshot
@@ -435,7 +435,7 @@ class BusPage(Page):
     def _is_leader(self) -> bool:
         operating_state = self._controller.operating_state
         other = operating_state.other_host
-        leads = other is not None and other.reason.code == RefusalCode.LEADER_ARM
+        leads = other is not None and other.reason.reason == LEADER_ARM
         return leads or operating_state.teaching_input
 
     def _reread(self) -> None:

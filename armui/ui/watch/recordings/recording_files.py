@@ -5,12 +5,19 @@ from __future__ import annotations
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from armui.arm.refusal import Refusal
-from armui.arm.refusal_codes import RefusalCode
+from armui.arm.refusal import Reason, Refusal
+from armui.control.sessions.mf4_converter import SESSION_NAME_TAKEN
+from armui.control.sessions.session_recorder import SESSION_NAME_BAD
+from armui.session.recording.kinds import SESSION_FAILED
 from armui.system.files import error_text
 
 if TYPE_CHECKING:
     from armui.session.recording.folder import RecordingEntry
+
+SESSION_GONE = Reason(
+    "session_gone",
+    "The recording “{name}” is not in the folder any more, or cannot be read: {text}.",
+)
 
 
 def listing(folder: Path) -> list[RecordingEntry] | Refusal:
@@ -21,7 +28,7 @@ def listing(folder: Path) -> list[RecordingEntry] | Refusal:
         return list_recordings(folder)
     except OSError as error:
         params = {"folder": str(folder), "text": error_text(error)}
-        return Refusal(RefusalCode.SESSION_FAILED, params)
+        return SESSION_FAILED(**params)
 
 
 def can_write_mf4() -> bool:
@@ -38,11 +45,11 @@ def renamed(folder: Path, name: str, new_name: str) -> str | Refusal:
     try:
         rename(folder, name, new_name)
     except FileExistsError as error:
-        return Refusal(RefusalCode.SESSION_NAME_TAKEN, {"name": str(error)})
+        return SESSION_NAME_TAKEN(name=str(error))
     except ValueError:
-        return Refusal(RefusalCode.SESSION_NAME_BAD, {"name": new_name})
+        return SESSION_NAME_BAD(name=new_name)
     except OSError as error:
-        return Refusal(RefusalCode.SESSION_GONE, {"name": name, "text": error_text(error)})
+        return SESSION_GONE(name=name, text=error_text(error))
     return new_name
 
 
@@ -55,5 +62,5 @@ def thrown_away(folder: Path, names: tuple[str, ...]) -> Path | Refusal:
         try:
             place = throw_away(folder, name)
         except (OSError, ValueError) as error:
-            return Refusal(RefusalCode.SESSION_GONE, {"name": name, "text": error_text(error)})
+            return SESSION_GONE(name=name, text=error_text(error))
     return place

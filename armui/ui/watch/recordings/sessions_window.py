@@ -22,8 +22,7 @@ from PySide6.QtCore import (
 from PySide6.QtGui import QDesktopServices
 from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QLabel, QTableView, QWidget
 
-from armui.arm.refusal import Refusal
-from armui.arm.refusal_codes import RefusalCode
+from armui.arm.refusal import Reason, Refusal
 from armui.control.events import Event, EventCode, Level
 from armui.ui import format as fmt
 from armui.ui import words
@@ -52,6 +51,10 @@ if TYPE_CHECKING:
     from armui.session.recording.folder import RecordingEntry
     from armui.settings import SettingsStore
     from armui.ui.background import Background
+
+SESSION_IN_USE = Reason(
+    "session_in_use", "“{name}” is still being written. Stop the recording first."
+)
 
 
 ENTRY_ROLE: Final = Qt.ItemDataRole.UserRole
@@ -435,7 +438,7 @@ class SessionsWindow(ArmDialog):
     def _on_noticed(self, event: Event) -> None:
         refused = event.params.get("reason")
         ours = event.code in _SAID_HERE or (
-            isinstance(refused, Refusal) and refused.code.value.startswith("session_")
+            isinstance(refused, Refusal) and refused.code.startswith("session_")
         )
         if ours and self.isVisible():
             self._say(words.event(event), event.level)
@@ -487,7 +490,7 @@ class SessionsWindow(ArmDialog):
 
     def _rename(self, name: str, new_name: str) -> None:
         if name in self._sessions.busy_names():
-            self._refuse(Refusal(RefusalCode.SESSION_IN_USE, {"name": name}))
+            self._refuse(SESSION_IN_USE(name=name))
             return
         job: Job[str | Refusal] = Job(self._on_renamed)
         folder = self._sessions.choices.folder

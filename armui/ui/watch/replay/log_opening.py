@@ -11,8 +11,7 @@ from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QObject, QTimer, Signal
 
-from armui.arm.refusal import Refusal
-from armui.arm.refusal_codes import RefusalCode
+from armui.arm.refusal import Reason, Refusal
 from armui.session.foreign.indexed import (
     PROGRESS_BYTES,
     IndexedLog,
@@ -20,18 +19,24 @@ from armui.session.foreign.indexed import (
     ReadingProgress,
     map_progress,
 )
-from armui.session.foreign.indexing import index_or_reason
+from armui.session.foreign.indexing import REPLAY_NO_DISK, index_or_reason
 from armui.session.frames import NotALogError
 from armui.session.survey import ChannelSurvey, survey
 from armui.system.files import error_text
 from armui.system.helper_process import HelperProcess
 from armui.system.scratch import make_folder, remove_leftovers
-from armui.ui.background import Background, Job
+from armui.ui.background import WORK_FAILED, Background, Job
 
 if TYPE_CHECKING:
     from concurrent.futures import Executor
 
     from armui.session.session import Session
+
+REPLAY_FAILED = Reason(
+    "replay_failed",
+    "{name} can be read no further: {text}. Open it again; if that does not help, copy it to "
+    "another disk first.",
+)
 
 
 _LOOK_MS: Final = 100
@@ -171,12 +176,12 @@ class LogOpening(QObject):
         self._background.begin_here(
             Job(lambda _done: None), _clear_away, self._helper, self._folder
         )
-        if reason.code == RefusalCode.WORK_FAILED:
+        if reason.reason == WORK_FAILED:
             reason = self._failed(str(reason.params.get("text", "")))
         self.refused.emit(reason)
 
     def _failed(self, text: str) -> Refusal:
-        return Refusal(RefusalCode.REPLAY_FAILED, {"name": self._path.name, "text": text})
+        return REPLAY_FAILED(name=self._path.name, text=text)
 
 
 def _own_session(open_own: OpenOwn, path: Path) -> Opened | None:
@@ -195,7 +200,7 @@ def _prepare() -> tuple[Path, mmap.mmap] | Refusal:
         folder = make_folder("replay")
         return folder, map_progress(folder)
     except OSError as error:
-        return Refusal(RefusalCode.REPLAY_NO_DISK, {"text": error_text(error)})
+        return REPLAY_NO_DISK(text=error_text(error))
 
 
 def _open(index: LogIndex, folder: Path, helper: Executor) -> Opened:

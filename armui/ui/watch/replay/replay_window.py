@@ -11,7 +11,6 @@ from PySide6.QtWidgets import QLabel, QProgressBar, QVBoxLayout, QWidget
 
 from armui.arm.device import RecordedArm
 from armui.arm.refusal import Refusal
-from armui.arm.refusal_codes import RefusalCode
 from armui.control.events import Level
 from armui.control.operating_state import LinkState
 from armui.session.reader import SUFFIXES
@@ -23,7 +22,7 @@ from armui.ui.dialogs.base import ArmDialog
 from armui.ui.dialogs.files import choose_file
 from armui.ui.shell.status_bar import StatusBar
 from armui.ui.theme import colors_of
-from armui.ui.watch.replay.log_opening import LogOpening
+from armui.ui.watch.replay.log_opening import REPLAY_FAILED, LogOpening
 from armui.ui.watch.replay.log_time import wall_time
 from armui.ui.widgets import icons, painting
 from armui.ui.widgets.buttons import named, push_button
@@ -327,7 +326,7 @@ class ReplayWindow(ArmDialog):
 
     def _on_failed(self, text: str) -> None:
         name = "" if self._path is None else self._path.name
-        reason = Refusal(RefusalCode.REPLAY_FAILED, {"name": name, "text": text})
+        reason = REPLAY_FAILED(name=name, text=text)
         self._say(words.refusal(reason), Level.FAULT)
 
     def _tell_oddities(self, session: Session) -> None:
