@@ -121,3 +121,4 @@ def test_this_screen():
     assert facts.qt is not None
     assert facts.platform == "offscreen"
     assert facts.has_display
+    assert facts.opengl is not None, facts.opengl_error
