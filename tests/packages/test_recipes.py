@@ -1,0 +1,111 @@
+"""What the recipes of the packages say fits the program."""
+
+import importlib.util
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from armui import __version__
+
+ROOT = Path(__file__).resolve().parents[2]
+RECIPES = ROOT / "resources" / "packaging"
+
+
+def recipe(name):
+    """A module of the recipes, which are no package."""
+    spec = importlib.util.spec_from_file_location(f"recipe_{name}", RECIPES / f"{name}.py")
+    assert spec is not None
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
+
+
+@pytest.fixture(scope="module")
+def documents():
+    return recipe("documents")
+
+
+def test_man_page_and_completion_name_every_option_of_every_command(documents):
+    page, bash, fish = (
+        documents.man_page("2026-11-23"),
+        documents.bash_completion(),
+        documents.fish_completion(),
+    )
+    assert f'.TH ARMUI 1 "2026-11-23" "armui {__version__}"' in page
+    found = documents.parsers()
+    assert {"", "decode", "doctor", "export", "record", "replay", "sim"} <= set(found)
+    for name, parser in found.items():
+        assert f'.SH "armui {name}"' in page or not name
+        for action in documents.options_of(parser):
+            for option in action.option_strings:
+                assert option.replace("-", r"\-") in page
+                assert option in bash
+                assert f"-l {option[2:]} " in fish or f"-s {option[1:]} " in fish
+    assert "--try" not in bash
+
+
+@pytest.mark.skipif(shutil.which("bash") is None, reason="no bash here")
+def test_bash_takes_the_completion(documents, tmp_path):
+    script = tmp_path / "armui"
+    script.write_text(
+        documents.bash_completion()
+        + 'COMP_WORDS=(armui replay --lang z); COMP_CWORD=3; _armui; echo "${COMPREPLY[@]}"\n'
+    )
+    told = subprocess.run(["bash", script], capture_output=True, text=True, check=True).stdout
+    assert told == "zh\n"
+
+
+def test_the_page_of_a_release_has_its_own_changes_only():
+    pages = recipe("release_page")
+    log = "# Changes\n\n## 2.0.0 – 2026-01-02\n\n- new\n\n## 1.0.0 – 2025-01-01\n\n- old\n"
+    assert pages.changes_of(log, "2.0.0") == "- new"
+    assert pages.changes_of(log, "1.0.0") == "- old"
+    with pytest.raises(ValueError, match=r"no section «## 3\.0\.0 – date»"):
+        pages.changes_of(log, "3.0.0")
+    text = pages.page("2.0.0", "2026-01-02", "- new", [("armui_2.deb", 12_300_000, "ab" * 32)])
+    assert "| armui_2.deb | 12.3 MB | Debian 12 and 13; Ubuntu 24.04 untried |" in text
+    assert "ab" * 32 in text
+
+
+def test_this_version_has_its_section():
+    changes = (ROOT / "CHANGELOG.md").read_text(encoding="utf-8")
+    assert recipe("release_page").changes_of(changes, __version__)
+
+
+def test_of_shared_libraries_only_the_wanted_are_packed():
+    contents = recipe("contents")
+    wants = {
+        "/w/vtkmodules/vtkA.cpython-311-x86_64-linux-gnu.so": ["libvtkA.so"],
+        "/w/vtkmodules/libvtkA.so": ["libvtkB.so", "libX11.so.6"],
+    }
+    found = [
+        ("vtkmodules/vtkA.cpython-311-x86_64-linux-gnu.so", next(iter(wants)), "EXTENSION"),
+        ("vtkmodules/vtkC.cpython-311-x86_64-linux-gnu.so", "/w/vtkmodules/vtkC.so", "EXTENSION"),
+        ("vtkmodules/libvtkA.so", "/w/vtkmodules/libvtkA.so", "BINARY"),
+        ("vtkmodules/libvtkB.so", "/w/vtkmodules/libvtkB.so", "BINARY"),
+        ("vtkmodules/libvtkC.so", "/w/vtkmodules/libvtkC.so", "BINARY"),
+        ("libX11.so.6", "/usr/lib/x86_64-linux-gnu/libX11.so.6", "BINARY"),
+        ("libvtkB.so", "vtkmodules/libvtkB.so", "SYMLINK"),
+        ("libvtkC.so", "vtkmodules/libvtkC.so", "SYMLINK"),
+    ]
+    kept = contents.kept_binaries(found, ["vtkmodules.vtkA"], lambda path: wants.get(path, ()))
+    assert sorted(entry[0] for entry in kept) == [
+        "vtkmodules/libvtkA.so",
+        "vtkmodules/libvtkB.so",
+        "vtkmodules/vtkA.cpython-311-x86_64-linux-gnu.so",
+    ]
+    links = contents.kept_links([each for each in found if each[2] == "SYMLINK"], kept)
+    assert [entry[0] for entry in links] == ["libvtkB.so"]
+
+
+def test_a_library_that_strip_has_moved_off_its_page_is_left_as_it_was(monkeypatch):
+    monkeypatch.setattr(sys, "path", [str(RECIPES), *sys.path])
+    build = recipe("build")
+    whole = "  LOAD  0x001000 0x0000000000401000 0x0000000000401000 0x00100 0x00100 R E 0x1000\n"
+    moved = "  LOAD  0x001010 0x0000000000401000 0x0000000000401000 0x00100 0x00100 R E 0x1000\n"
+    assert build._is_aligned(whole)
+    assert not build._is_aligned(whole + moved)
+    assert build.version() == __version__
