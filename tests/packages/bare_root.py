@@ -22,7 +22,7 @@ from pathlib import Path
 from tests.posix import of_system
 
 BUS = ("--interface", "udp_multicast", "--channel", "239.74.163.27")
-USER = "operator"
+USER = "visitor"
 HOME = f"home/{USER}"
 KEPT = f"{HOME}/.local/share/armui/trajectories/kept.log"
 LEAST_FRAMES = 1000
