@@ -88,6 +88,11 @@ def test_every_notice_reads_as_words(translator: Translator, language: Language)
     check_each(sorted(EventCode), check_notice)
 
 
+def test_a_pose_that_is_not_known_is_no_matter_of_arcs(qapp: QApplication) -> None:
+    said = "The arm has not reported its pose yet. Wait until all six values are shown."
+    assert words.refusal(POSE_UNKNOWN()) == said
+
+
 def test_what_nobody_foresaw_is_still_said(qapp: QApplication) -> None:
     odd = Refusal(Reason("odd"), {"a": 1})
     assert words.refusal(odd) == "Not possible now: odd(a=1)."
