@@ -16,6 +16,7 @@ from armui.arm.limits import JOINT_NOT_A_NUMBER, JOINT_OUT_OF_LIMITS
 from armui.arm.refusal import Reason, Refusal
 from armui.bus.adapters import BUS_BACKEND_MISSING, BUS_DOWN
 from armui.control.events import Event, EventCode, Level
+from armui.control.motion.cartesian import POSE_UNKNOWN
 from armui.control.operating_state import BUSY
 from armui.control.safety.interlocks import ARM_FAULT, JOINTS_UNKNOWN, NOT_ENABLED, OTHER_CONTROL
 from armui.protocol.codes import MoveMode
