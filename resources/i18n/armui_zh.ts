@@ -8054,6 +8054,10 @@ The other program must have ended.</source>
         <translation>3D 视图没有响应。</translation>
     </message>
     <message>
+        <source>The arm has not reported its pose yet. Wait until all six values are shown.</source>
+        <translation>机械臂尚未上报末端位姿。请等六个数值全部显示。</translation>
+    </message>
+    <message>
         <source>“{name}” has no points. Add points, or choose another trajectory.</source>
         <translation>“{name}”没有轨迹点，请添加轨迹点或选择其他轨迹。</translation>
     </message>

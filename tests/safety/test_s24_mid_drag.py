@@ -1,6 +1,5 @@
 """S24, S1: whatever happens in mid-drag, the drag has ended, whole, and the arm is not moved."""
 
-import os
 import sys
 from dataclasses import replace
 
@@ -27,7 +26,7 @@ from armui.viewport.process.urdf_file import load_robot
 from armui.viewport.process_link import Lost
 from tests.app_driver import AppDriver
 from tests.picture_hand import Hand
-from tests.posix import KILL
+from tests.posix import kill, stand_still
 from tests.waiting import wait_until
 
 OUT = (20.0, 60.0, -70.0, 10.0, 35.0, 15.0)
@@ -390,7 +389,7 @@ class Drawn(Hand):
 
 @pytest.mark.skipif(sys.platform == "win32", reason="signals")
 @pytest.mark.timeout(300)
-@pytest.mark.parametrize("harm", [KILL, STOP])
+@pytest.mark.parametrize("harm", [kill, stand_still])
 @pytest.mark.parametrize("kind", [HandleKind.TOOL, HandleKind.JOINTS, None])
 def test_the_picture_s_process_lost_in_mid_drag(drawing, kind, harm):
     hand, view = Drawn(drawing), drawing.program.view
@@ -406,7 +405,7 @@ def test_the_picture_s_process_lost_in_mid_drag(drawing, kind, harm):
     hand.press(at)
     hand.move((at[0] + 12.0, at[1] - 12.0))
     assert not has_ended(hand)
-    os.kill(view._client.pid, harm)
+    harm(view._client.pid)
     wait_until(lambda: losses)
     assert has_ended(hand)
     camera = view.camera

@@ -15,10 +15,10 @@ from armui.protocol.generation import Generation
 from armui.viewport.client import PictureClient
 from armui.viewport.path_picture import PathPicture, Preview
 from armui.viewport.watch import Restarts
+from tests import posix
 from tests.app_driver import AppDriver
 from tests.control.jogger import bend, hold
 from tests.control.under_way import run_moving
-from tests.posix import stand_still
 from tests.waiting import wait_until
 
 pytestmark = [
@@ -66,11 +66,11 @@ def lost(drawing):
 
 
 def kill(client):
-    kill(client.pid)
+    posix.kill(client.pid)
 
 
 def freeze(client):
-    stand_still(client.pid)
+    posix.stand_still(client.pid)
 
 
 def move(app_driver):

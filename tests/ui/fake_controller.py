@@ -380,6 +380,9 @@ class FakeGripper:
     def why_no_angle(self) -> Refusal | None:
         return None
 
+    def why_no_end(self, *, opened: bool) -> Refusal | None:
+        return None
+
     def learn_stroke(self) -> None:
         pass
 

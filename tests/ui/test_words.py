@@ -16,6 +16,7 @@ from armui.arm.limits import JOINT_NOT_A_NUMBER, JOINT_OUT_OF_LIMITS
 from armui.arm.refusal import Reason, Refusal
 from armui.bus.adapters import BUS_BACKEND_MISSING, BUS_DOWN
 from armui.control.events import Event, EventCode, Level
+from armui.control.motion.cartesian import POSE_UNKNOWN
 from armui.control.operating_state import BUSY
 from armui.control.safety.interlocks import ARM_FAULT, JOINTS_UNKNOWN, NOT_ENABLED, OTHER_CONTROL
 from armui.protocol.codes import MoveMode
@@ -86,6 +87,11 @@ def test_every_notice_reads_as_words(translator: Translator, language: Language)
         assert has_chinese(text) is (language == "zh")
 
     check_each(sorted(EventCode), check_notice)
+
+
+def test_a_pose_that_is_not_known_is_no_matter_of_arcs(qapp: QApplication) -> None:
+    said = "The arm has not reported its pose yet. Wait until all six values are shown."
+    assert words.refusal(POSE_UNKNOWN()) == said
 
 
 def test_what_nobody_foresaw_is_still_said(qapp: QApplication) -> None:

@@ -17,7 +17,7 @@ from armui.control.context import Context, ControllerPart
 from armui.control.events import EventCode
 from armui.control.motion.joint_motion import why_not_move
 from armui.control.motion.motion_command import CommandKind
-from armui.control.motion.point_frames import POSE_UNKNOWN, leading_mode
+from armui.control.motion.point_frames import leading_mode
 from armui.control.operations.operation import begun, operation
 from armui.control.safety.interlocks import JOINTS_UNKNOWN
 from armui.kinematics.axes import AXES, LINEAR_AXES, JogFrame
@@ -34,6 +34,10 @@ if TYPE_CHECKING:
     from armui.kinematics.poses import Matrix, Pose
     from armui.protocol.frame import Frame
 
+POSE_UNKNOWN = Reason(
+    "pose_unknown",
+    "The arm has not reported its pose yet. Wait until all six values are shown.",
+)
 ARC_NOT_AT_START = Reason(
     "arc_not_at_start",
     "The arm stands {distance} mm and {turned}° away from the start of the arc. Press Go to "

@@ -16,8 +16,9 @@ if TYPE_CHECKING:
     from armui.protocol.codec import Codec
     from armui.protocol.frame import Frame
 
-POSE_UNKNOWN = Reason(
-    "pose_unknown", "The arm has not reported its end pose: an arc has no beginning. Wait for it."
+ARC_START_UNKNOWN = Reason(
+    "arc_start_unknown",
+    "The arm has not reported its end pose: an arc has no beginning. Wait for it.",
 )
 GRIPPER_OTHER_GENERATION = Reason(
     "gripper_other_generation",
@@ -45,7 +46,7 @@ def point_frames(
         )
     start = state.end_pose()
     if start is None:
-        return POSE_UNKNOWN()
+        return ARC_START_UNKNOWN()
     return mode + commands.move_arc(
         codec, start, point.middle, point.target, speed_percent=speed_percent
     )

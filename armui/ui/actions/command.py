@@ -10,7 +10,7 @@ from PySide6.QtCore import QCoreApplication, QObject
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QWidget
 
-from armui.control.motion.point_frames import POSE_UNKNOWN
+from armui.control.motion.cartesian import POSE_UNKNOWN
 from armui.control.operating_state import OperatingState
 from armui.control.operations.operation import Consent, Operation
 from armui.control.safety.interlocks import JOINTS_UNKNOWN

@@ -10,9 +10,8 @@ from PySide6.QtWidgets import QAbstractButton, QButtonGroup, QFrame, QLabel, QSi
 from armui.arm.refusal import Reason, Refusal
 from armui.arm.state import ArmState
 from armui.control.arm_controller import ArmController
-from armui.control.motion.cartesian import Cartesian
+from armui.control.motion.cartesian import POSE_UNKNOWN, Cartesian
 from armui.control.motion.jog_path import ToolJog
-from armui.control.motion.point_frames import POSE_UNKNOWN
 from armui.control.operating_state import OperatingState
 from armui.control.operations.operation import operation_of
 from armui.kinematics.axes import AXES, LINEAR_AXES, JogFrame
