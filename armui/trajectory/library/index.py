@@ -18,7 +18,7 @@ from itertools import starmap
 from pathlib import Path
 from typing import Any, Final, Literal, NamedTuple, get_args
 
-from armui.arm.refusal import Refusal
+from armui.arm.refusal import Reason, Refusal
 from armui.system.atomic import write_whole
 from armui.system.files import read_file
 from armui.trajectory.files import Content, TrajectoryFileError
@@ -224,7 +224,7 @@ def _unpack(data: dict[str, Any]) -> dict[str, tuple[Stamp, IndexEntry]]:
             code, params, line, column, name = damage
             _require(isinstance(code, str) and isinstance(params, dict) and isinstance(name, str))
             _require(isinstance(line, int) and isinstance(column, int))
-            error = TrajectoryFileError(Refusal(code, params), line, column, name)
+            error = TrajectoryFileError(Refusal(Reason(code), params), line, column, name)
             entry = replace(entry, damage=error)
         _require(_is_sound(entry))
         entries[file] = Stamp(size, time_ns, number), entry

@@ -46,7 +46,7 @@ def test_a_damaged_draft_is_listed_with_its_fault(library, folder):
     library.save_draft("pick", trajectory())
     (folder / "pick.draft").write_text("armui trajectory 1\nname: pick\n\nJ 1 2\n")
     (entry,) = library.entries()
-    assert str(entry.damage) == "pick.draft, line 4, column 1: 2 numbers where 6 belong"
+    assert str(entry.damage) == "pick.draft, line 4, column 1: 2 numbers where 6 belong."
 
 
 def test_it_gets_another_name(library, folder):

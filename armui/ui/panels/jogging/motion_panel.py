@@ -219,6 +219,7 @@ class MotionPanel(JogPanel):
             "motion.own_home",
             Text("OwnHome", "Own home"),
             operation_of(Motion.send_joints),
+            leads=True,  # whether one is kept, and where it is, stands on the page
             synonyms=_OWN_HOME,
         ),
         Command("motion.set_own_home_measured", Text("Action", "Own home: the measured angles")),
