@@ -7,7 +7,7 @@ from collections.abc import Iterable
 from typing import Final
 
 _WHAT: Final = (
-    (".deb", "Debian 12 and 13; Ubuntu 24.04 untried"),
+    (".deb", "Debian 12 or later; untried"),
     (".rpm", "other distributions with RPM; untried"),
     ("-setup.exe", "Windows 10 and later, installer for one user; untried"),
     (".zip", "Windows, unpacked anywhere; untried"),
