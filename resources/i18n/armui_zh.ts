@@ -2301,6 +2301,10 @@
         <translation>只导出了通道 {channel}；{others} 的 {count:,} 帧未导出。</translation>
     </message>
     <message>
+        <source>{count:,} are questions of this program or another host.</source>
+        <translation>{count:,} 帧为本程序或其他程序的查询。</translation>
+    </message>
+    <message>
         <source>A folder with a file for each message: every frame with its time, decoded into signals with their units.</source>
         <translation>一个文件夹，每种报文一个文件：每一帧带时间，解码为带单位的信号。</translation>
     </message>
@@ -2523,10 +2527,6 @@
         <translation>暂停</translation>
     </message>
     <message>
-        <source>Go on</source>
-        <translation>继续</translation>
-    </message>
-    <message>
         <source>By identifier</source>
         <translation>按 ID</translation>
     </message>
@@ -2541,6 +2541,10 @@
     <message>
         <source>Clear</source>
         <translation>清空</translation>
+    </message>
+    <message>
+        <source>Live</source>
+        <translation>实时</translation>
     </message>
     <message>
         <source>Counting begins anew, from nothing</source>
@@ -5085,8 +5089,12 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>请先选择机械臂的安装方式。</translation>
     </message>
     <message>
-        <source>nothing yet</source>
-        <translation>尚未发送</translation>
+        <source>Mounting: not set from here yet</source>
+        <translation>安装方式：本程序尚未设置</translation>
+    </message>
+    <message>
+        <source>Mounting, as last set from here: {mounting}</source>
+        <translation>安装方式：本程序上次设为{mounting}</translation>
     </message>
     <message>
         <source>Mounting of the arm</source>
@@ -5099,10 +5107,6 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     <message>
         <source>The arm does not answer this and cannot be asked for it: another program, or the arm itself after a power cut, may have another one.</source>
         <translation>机械臂对此不应答，也无法查询：其他程序或断电后的机械臂可能采用不同的设置。</translation>
-    </message>
-    <message>
-        <source>Told this arm last by this program: {mounting}</source>
-        <translation>本程序上次告知此机械臂的安装方式：{mounting}</translation>
     </message>
 </context>
 <context>
@@ -6392,8 +6396,8 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>暂停</translation>
     </message>
     <message>
-        <source>Go on</source>
-        <translation>继续</translation>
+        <source>Live</source>
+        <translation>实时</translation>
     </message>
     <message>
         <source>Plots that answer a question</source>
@@ -7674,6 +7678,10 @@ The other program must have ended.</source>
         <translation>机械臂当前不由本程序控制：{mode}。请先退出该模式。</translation>
     </message>
     <message>
+        <source>J{joint}: this step would go beyond its limit of {limit}°. Take a smaller step.</source>
+        <translation>J{joint}：这一步会越过限位 {limit}°，请减小步长。</translation>
+    </message>
+    <message>
         <source>The arm is in emergency stop. Hold the arm, press Resume, then enable the motors.</source>
         <translation>机械臂处于急停状态。请扶住机械臂，按“恢复”，然后使能电机。</translation>
     </message>
@@ -7788,6 +7796,10 @@ The other program must have ended.</source>
     <message>
         <source>This arm was connected as a {chosen}, but the pose it reports is that of a {fits}: the program would compute with the wrong lengths. Connect it as a {fits}; until then the joints can be moved one by one.</source>
         <translation>该机械臂按 {chosen} 连接，但其反馈的位姿属于 {fits}：程序会用错误的连杆长度计算。请按 {fits} 重新连接；在此之前可以逐个移动关节。</translation>
+    </message>
+    <message>
+        <source>Joint {joint} moves at {value}°/s, where {maximum}°/s is shown. Set the speed again before the next motion.</source>
+        <translation>关节 {joint} 实测 {value}°/s，而显示的速度为 {maximum}°/s。下次运动前请重新设定速度。</translation>
     </message>
     <message>
         <source>Tool centre point: {value} is not possible. Enter lengths up to {maximum} mm and angles up to 180°.</source>
@@ -7920,6 +7932,10 @@ The other program must have ended.</source>
     <message>
         <source>Jog step: “{value}” is not an angle. Enter degrees in figures, for example 0.5.</source>
         <translation>点动步长：“{value}”不是角度。请输入以度为单位的数字，例如 0.5。</translation>
+    </message>
+    <message>
+        <source>The tool turns at {value}°/s, where {maximum}°/s is shown. Set the speed again before the next motion.</source>
+        <translation>末端转动速度为 {value}°/s，而显示的速度对应 {maximum}°/s。请在下次运动前重新设置速度。</translation>
     </message>
     <message>
         <source>Robot description: the file {path} is not there. Choose another file, or use the built-in one.</source>
@@ -8418,10 +8434,6 @@ The other program must have ended.</source>
         <translation>该运动已被其他事件终止。请查看机械臂后重新开始。</translation>
     </message>
     <message>
-        <source>Joint {joint} moves at {value} °/s, where {maximum} °/s is shown. Set the speed again before the next motion.</source>
-        <translation>关节 {joint} 实测 {value} °/s，而显示的速度为 {maximum} °/s。下次运动前请重新设定速度。</translation>
-    </message>
-    <message>
         <source>This connection only listens: nothing is sent on it but the emergency stop.</source>
         <translation>此连接为只听：除急停外不发送任何帧。</translation>
     </message>
@@ -8684,10 +8696,6 @@ The other program must have ended.</source>
     <message>
         <source>The tool moves at {value} mm/s, where {maximum} mm/s is shown. Set the speed again before the next motion.</source>
         <translation>末端速度为 {value} mm/s，而显示的速度对应 {maximum} mm/s。请在下次运动前重新设置速度。</translation>
-    </message>
-    <message>
-        <source>The tool turns at {value} °/s, where {maximum} °/s is shown. Set the speed again before the next motion.</source>
-        <translation>末端转动速度为 {value} °/s，而显示的速度对应 {maximum} °/s。请在下次运动前重新设置速度。</translation>
     </message>
     <message>
         <source>The fingertip would come to {value} mm; jogs end at {minimum} mm, as chosen under Settings. Jog upwards.</source>
@@ -10669,6 +10677,10 @@ The other program must have ended.</source>
         <source>Moving to the start of the trajectory</source>
         <translation>运动到轨迹起点</translation>
     </message>
+    <message>
+        <source>Recording ended; still in drag teaching</source>
+        <translation>记录已结束，仍处于示教模式</translation>
+    </message>
 </context>
 <context>
     <name>TeachingCommand</name>
@@ -10853,7 +10865,7 @@ Afterwards the motors must be enabled again.</source>
     <name>TrajectoryCommand</name>
     <message>
         <source>Pause</source>
-        <translation>暂停当前规划</translation>
+        <translation>暂停当前轨迹</translation>
     </message>
     <message>
         <source>Continue</source>
@@ -10869,7 +10881,7 @@ Afterwards the motors must be enabled again.</source>
     </message>
     <message>
         <source>Terminate</source>
-        <translation>终止执行</translation>
+        <translation>终止当前轨迹</translation>
     </message>
 </context>
 <context>
