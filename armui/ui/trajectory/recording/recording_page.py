@@ -24,10 +24,9 @@ from armui.ui import format as fmt
 from armui.ui import words
 from armui.ui.actions.command import Command, Target
 from armui.ui.background import Job
-from armui.ui.trajectory.editor.leave_question import LeaveQuestion
+from armui.ui.dialogs.confirm_dialog import LeaveQuestion
 from armui.ui.trajectory.library.library_work import LibraryWork
 from armui.ui.trajectory.running.run_request import Checks, Preflight
-from armui.ui.trajectory.text import duration
 from armui.ui.widgets.buttons import named, push_button
 from armui.ui.widgets.figure_field import FigureField
 from armui.ui.widgets.layouts import STRETCH, empty_grid, fill, in_row
@@ -347,7 +346,7 @@ class RecordingPage(Page):
         else:
             text = self.tr("Keeps {kept} of {count} samples, {time}")
             kept, count = fmt.count(len(result.samples)), fmt.count(len(whole.samples))
-            text = text.format(kept=kept, count=count, time=duration(result.duration_s))
+            text = text.format(kept=kept, count=count, time=fmt.duration(result.duration_s))
             self._kept.setText(text)
         for button in (self._preview, self._as_samples, self._as_points):
             button.setEnabled(result is not None or self._job is not None)
@@ -432,7 +431,11 @@ class RecordingPage(Page):
         self._record.setText(self.tr("Stop recording") if running else self.tr("Record"))
         if running:
             text = self.tr("Recording: {time}, {count} samples").format(
+<<<<<<< HEAD
                 time=duration(recorder.duration_s), count=fmt.count(recorder.count)
+=======
+                time=fmt.duration(recorder.duration_s), count=recorder.count
+>>>>>>> main
             )
             if recorder.dropped:
                 text += self.tr(" ({count} lost)").format(count=recorder.dropped)
@@ -440,8 +443,12 @@ class RecordingPage(Page):
             text = self.tr("Lead the arm by hand, or move it by anything, while it records.")
         else:
             text = self.tr("Recorded: {time}, {count} samples").format(
+<<<<<<< HEAD
                 time=duration(self._recording.duration_s),
                 count=fmt.count(len(self._recording.samples)),
+=======
+                time=fmt.duration(self._recording.duration_s), count=len(self._recording.samples)
+>>>>>>> main
             )
         self._state.setText(text)
         for field in (self._from, self._to, self._tolerance):
