@@ -431,11 +431,7 @@ class RecordingPage(Page):
         self._record.setText(self.tr("Stop recording") if running else self.tr("Record"))
         if running:
             text = self.tr("Recording: {time}, {count} samples").format(
-<<<<<<< HEAD
-                time=duration(recorder.duration_s), count=fmt.count(recorder.count)
-=======
-                time=fmt.duration(recorder.duration_s), count=recorder.count
->>>>>>> main
+                time=fmt.duration(recorder.duration_s), count=fmt.count(recorder.count)
             )
             if recorder.dropped:
                 text += self.tr(" ({count} lost)").format(count=recorder.dropped)
@@ -443,12 +439,8 @@ class RecordingPage(Page):
             text = self.tr("Lead the arm by hand, or move it by anything, while it records.")
         else:
             text = self.tr("Recorded: {time}, {count} samples").format(
-<<<<<<< HEAD
-                time=duration(self._recording.duration_s),
+                time=fmt.duration(self._recording.duration_s),
                 count=fmt.count(len(self._recording.samples)),
-=======
-                time=fmt.duration(self._recording.duration_s), count=len(self._recording.samples)
->>>>>>> main
             )
         self._state.setText(text)
         for field in (self._from, self._to, self._tolerance):
