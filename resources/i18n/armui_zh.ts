@@ -891,6 +891,10 @@
         <translation>最近 1 秒内变化过的字节会点亮</translation>
     </message>
     <message>
+        <source>What the last frame said, in physical units</source>
+        <translation>最近一帧的内容，按物理单位</translation>
+    </message>
+    <message>
         <source>Over the last 3 s, and at least 8 cycles</source>
         <translation>按最近 3 秒计算，至少 8 个周期</translation>
     </message>
