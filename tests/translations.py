@@ -5,6 +5,9 @@ search of the command palette; and ``refusals.json``: the sentence of each reaso
 recordings and event files keep it. Ids that the code no longer has stay in it: older files hold
 them. New strings come in as unfinished (translate them in Qt Linguist or
 any editor), strings that the code no longer has go out, and the compiled ``.qm`` is written anew.
+
+``python -m tests.translations columns`` writes every text of the program as two columns, Chinese
+and English, to be read in one go.
 """
 
 from __future__ import annotations
@@ -15,7 +18,7 @@ import subprocess
 import sys
 import tempfile
 import xml.etree.ElementTree as ET
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from functools import cache
 from pathlib import Path
 from typing import Final, NamedTuple
@@ -177,8 +180,20 @@ def _run(tool: str, *arguments: str) -> None:
     subprocess.run([sys.executable, "-c", call, *arguments], check=True, capture_output=True)
 
 
-def main() -> None:
-    """Update and compile."""
+def columns(ts: Path) -> Iterator[str]:
+    """Every text of a .ts file, a line each: its context, the Chinese and the English."""
+    for context in ET.parse(ts).iter("context"):
+        for message in context.iter("message"):
+            texts = (context.findtext("name"), message.findtext("translation"))
+            line = "\t".join(text or "" for text in (*texts, message.findtext("source")))
+            yield line.replace("\n", "⏎")
+
+
+def main(arguments: Sequence[str]) -> None:
+    """Update and compile, or write the columns."""
+    if arguments == ["columns"]:
+        print("\n".join(columns(TS)))
+        return
     REFUSALS.write_text(refusals(REFUSALS.read_text(encoding="utf-8")), encoding="utf-8")
     lupdate(TS)
     lrelease(TS, TS.with_suffix(".qm"))
@@ -188,4 +203,4 @@ def main() -> None:
 
 
 if __name__ == "__main__":
-    main()
+    main(sys.argv[1:])
