@@ -6802,6 +6802,30 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>末端 RZ</translation>
     </message>
     <message>
+        <source>Tool centre point X</source>
+        <translation>工具中心点 X</translation>
+    </message>
+    <message>
+        <source>Tool centre point Y</source>
+        <translation>工具中心点 Y</translation>
+    </message>
+    <message>
+        <source>Tool centre point Z</source>
+        <translation>工具中心点 Z</translation>
+    </message>
+    <message>
+        <source>Tool centre point RX</source>
+        <translation>工具中心点 RX</translation>
+    </message>
+    <message>
+        <source>Tool centre point RY</source>
+        <translation>工具中心点 RY</translation>
+    </message>
+    <message>
+        <source>Tool centre point RZ</source>
+        <translation>工具中心点 RZ</translation>
+    </message>
+    <message>
         <source>Speed percentage</source>
         <translation>速度百分比</translation>
     </message>
