@@ -7081,6 +7081,21 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     </message>
 </context>
 <context>
+    <name>RecordedCurves</name>
+    <message>
+        <source>What is recorded appears here</source>
+        <translation>录制的曲线显示在此处</translation>
+    </message>
+    <message>
+        <source>Recorded angles of the joints</source>
+        <translation>录制的关节角度</translation>
+    </message>
+    <message>
+        <source>Drag the handles: what lies between them is kept</source>
+        <translation>拖动两端的手柄：保留其间的部分</translation>
+    </message>
+</context>
+<context>
     <name>RecordingCard</name>
     <message>
         <source>Record to the disk</source>
@@ -7181,6 +7196,10 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>没有剩余数据：请修正标记的输入框。</translation>
     </message>
     <message>
+        <source>Keeps {kept} of {count} samples, {time}, {size}</source>
+        <translation>保留 {count} 个采样中的 {kept} 个，{time}，{size}</translation>
+    </message>
+    <message>
         <source>The path is shown in the 3D view.</source>
         <translation>路径已显示在三维视图中。</translation>
     </message>
@@ -7209,12 +7228,12 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>录制期间可拖动机械臂，或以任意方式使其运动。</translation>
     </message>
     <message>
-        <source>Recorded: {time}, {count} samples</source>
-        <translation>已录制：{time}，{count} 个采样</translation>
-    </message>
-    <message>
         <source>Recording anew takes the place of what is not saved</source>
         <translation>重新录制将覆盖未保存的内容</translation>
+    </message>
+    <message>
+        <source>Trim samples</source>
+        <translation>裁剪采样</translation>
     </message>
     <message>
         <source>Name</source>
@@ -7253,12 +7272,16 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>保存为轨迹点</translation>
     </message>
     <message>
-        <source>The arm comes to rest in every point</source>
-        <translation>机械臂会在每个点停下</translation>
+        <source>Imported file, or of an unknown arm: {time}, {count} samples, {size}</source>
+        <translation>导入的文件，或所属机械臂未知：{time}，{count} 个采样，{size}</translation>
     </message>
     <message>
-        <source>Keeps {kept} of {count} samples, {time}</source>
-        <translation>保留 {kept}/{count} 个采样，{time}</translation>
+        <source>Recorded: {time}, {count} samples, {size}</source>
+        <translation>已录制：{time}，{count} 个采样，{size}</translation>
+    </message>
+    <message>
+        <source>The arm comes to rest in every point</source>
+        <translation>机械臂会在每个点停下</translation>
     </message>
     <message>
         <source>It is in memory alone until it is saved. {reason}</source>
