@@ -6029,6 +6029,10 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>为此机械臂保存，不运动。</translation>
     </message>
     <message>
+        <source>This arm tells no number of its own: another one without a number at this adapter would be taken for it.</source>
+        <translation>此机械臂不报自己的编号：同一适配器上另一台不报编号的机械臂会被当作它。</translation>
+    </message>
+    <message>
         <source>The measured angles</source>
         <translation>当前测得的角度</translation>
     </message>
