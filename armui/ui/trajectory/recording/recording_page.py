@@ -403,7 +403,7 @@ class RecordingPage(Page):
             self._kept.setText(self.tr("Nothing is left: correct the marked fields."))
         else:
             text = self.tr("Keeps {kept} of {count} samples, {time}, {size}")
-            kept, count = len(result.samples), len(whole.samples)
+            kept, count = fmt.count(len(result.samples)), fmt.count(len(whole.samples))
             time, size = fmt.duration(result.duration_s), fmt.size_text(result.samples.nbytes)
             self._kept.setText(text.format(kept=kept, count=count, time=time, size=size))
         for button in (self._preview, self._as_samples, self._as_points):
@@ -489,7 +489,7 @@ class RecordingPage(Page):
         self._record.setText(self.tr("Stop recording") if running else self.tr("Record"))
         if running:
             text = self.tr("Recording: {time}, {count} samples").format(
-                time=fmt.duration(recorder.duration_s), count=recorder.count
+                time=fmt.duration(recorder.duration_s), count=fmt.count(recorder.count)
             )
             if recorder.dropped:
                 text += self.tr(" ({count} lost)").format(count=recorder.dropped)
@@ -499,7 +499,7 @@ class RecordingPage(Page):
             samples = self._recording.samples
             text = self._told().format(
                 time=fmt.duration(self._recording.duration_s),
-                count=len(samples),
+                count=fmt.count(len(samples)),
                 size=fmt.size_text(samples.nbytes),
             )
         self._state.setText(text)

@@ -101,7 +101,7 @@ class FrameTree(RowView):
             frame_model.DATA: bytes_width(self) + _PAD_PX,
             frame_model.RATE: text("Rate, Hz 0") + _PAD_PX,
             frame_model.JITTER: text("±00.00 / 00.00") + _PAD_PX,
-            frame_model.COUNT: text("00000000") + _PAD_PX,
+            frame_model.COUNT: text("00,000,000") + _PAD_PX,
             frame_model.LAST: text("00:00:00.000") + _PAD_PX,
         }
         for column, width in widths.items():
@@ -242,8 +242,8 @@ class BusSummary(Translated, QWidget):
         _put(self.rate, f"{fmt.number(rate, 0)} /s" if rate is not None else fmt.NOTHING)
         errors = self._latest("bus.error_frames_per_s", now_s)
         often = f" ({fmt.number(errors, 0)} /s)" if errors else ""
-        _put(self.errors, f"{snapshot.error_frames}{often}")
-        _put(self.lost, str(self._lost))
+        _put(self.errors, f"{fmt.count(snapshot.error_frames)}{often}")
+        _put(self.lost, fmt.count(self._lost))
         if self.counted.text() != counted:
             self.counted.show_text(counted)
         _put(self.paused, paused)
@@ -273,7 +273,7 @@ class BusSummary(Translated, QWidget):
                 "{count} frames were lost before the program could read them: the computer is too "
                 "busy, or the adapter too slow. What is shown is not all that was on the bus."
             )
-            found.append(text.format(count=self._lost))
+            found.append(text.format(count=fmt.count(self._lost)))
         if load is not None and load >= _BUSY_PERCENT:
             found.append(
                 self.tr("The bus is nearly full: frames of low rank come late. Have less sent.")
@@ -284,7 +284,11 @@ class BusSummary(Translated, QWidget):
                 "identifiers beyond the first {rows}."
             )
             rows = len(snapshot.rows)
-            found.append(text.format(late=snapshot.left_out, more=snapshot.beyond, rows=rows))
+            found.append(
+                text.format(
+                    late=fmt.count(snapshot.left_out), more=fmt.count(snapshot.beyond), rows=rows
+                )
+            )
         trouble = " ".join(found), level
         if trouble != self._trouble:
             self._trouble = trouble
@@ -489,7 +493,8 @@ class BusPage(Page):
             return
         text = self.tr("Counted since {time}, when opened or cleared: {count} frames")
         counted = text.format(
-            time=self._clock_text(snapshot.since_s).partition(".")[0], count=snapshot.frames
+            time=self._clock_text(snapshot.since_s).partition(".")[0],
+            count=fmt.count(snapshot.frames),
         )
         paused = ""
         if self._standing is not None:

@@ -426,7 +426,7 @@ class FrameModel(QAbstractItemModel):
         if column in {DATA, SAYS}:
             return ""
         if column == COUNT:
-            return str(row.count)
+            return fmt.count(row.count)
         if column == LAST:
             return self._clock_text(row.last_s)
         return self._timing(row, column)
