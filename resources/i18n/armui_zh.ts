@@ -8042,6 +8042,10 @@ The other program must have ended.</source>
         <translation>没有已暂停的轨迹，无法继续。</translation>
     </message>
     <message>
+        <source>{device} needs the library libusb, which is not on this computer. Install it in a terminal: on Windows and macOS pip install libusb-package, on Debian and Ubuntu sudo apt install libusb-1.0-0</source>
+        <translation>{device} 需要 libusb 库，但此电脑上没有。请在终端中安装：Windows 和 macOS 用 pip install libusb-package，Debian 和 Ubuntu 用 sudo apt install libusb-1.0-0</translation>
+    </message>
+    <message>
         <source>The 3D view has ended ({text}).</source>
         <translation>3D 视图意外结束（{text}）。</translation>
     </message>
