@@ -236,7 +236,7 @@ def install(root: Root, package: Path) -> None:
 
 
 def use(root: Root) -> None:
-    """Window and simulated arm on one bus: enabled, jogged, stopped, recorded, read in every way."""
+    """Window and simulated arm on one bus: enabled, jogged, stopped, recorded, and read."""
     home = root.folder / HOME
     said = root.run("armui doctor --no-listen --lang en", user=USER, codes=(0, 1))
     # 1: no arm answers
