@@ -230,7 +230,7 @@ def keeps_module(name: str, vtk: Collection[str]) -> bool:
     """
     if name.startswith("vtkmodules.vtk"):
         return name in vtk
-    return not re.match(r"(pyvista\.(examples|ext|trame|jupyter)|(numpy|scipy)\..*\.tests)\b", name)
+    return not re.match(r"(pyvista\.(examples|ext|trame)|(numpy|scipy)\..*\.tests)\b", name)
 
 
 def keeps_data(name: str) -> bool:

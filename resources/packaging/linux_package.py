@@ -123,8 +123,8 @@ def _pressed(package: Path, work: Path) -> Path:
     """Pack a .deb again by Debian's own xz: on all cores, and tighter than nfpm's."""
     unpacked = work / "unpacked"
     for words in (
-        ["dpkg-deb", "--raw-extract", package, unpacked],
-        ["dpkg-deb", "--root-owner-group", "-Zxz", "--build", unpacked, package],
+        ("dpkg-deb", "--raw-extract", str(package), str(unpacked)),
+        ("dpkg-deb", "--root-owner-group", "-Zxz", "--build", str(unpacked), str(package)),
     ):
         subprocess.run(words, check=True, stdout=subprocess.DEVNULL)  # noqa: S603 - Debian's own
     shutil.rmtree(unpacked)

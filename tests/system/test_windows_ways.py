@@ -10,6 +10,7 @@ import sys
 import time
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -126,7 +127,7 @@ def test_the_timers_are_kept_only_while_a_device_is_open(qapp, monkeypatch, link
     asked = []
     monkeypatch.setattr(app, "keep_timers", lambda *, kept: asked.append(kept))
     monkeypatch.setattr(app, "raise_in_background", lambda: None)
-    controller = Announcer()
+    controller: Any = Announcer()
     going_first = app._GoingFirst(qapp, controller)
     for each in (LinkState.NO_DEVICE, link, link, LinkState.NO_DEVICE):
         controller.operating_state_changed.emit(replace(OperatingState(), link=each))
@@ -228,7 +229,7 @@ def test_a_command_is_begun_by_the_program_whose_output_can_be_read(
 def test_no_console_flashes_up_behind_the_window(monkeypatch):
     begun = []
 
-    class Popen(subprocess.Popen):
+    class Popen(subprocess.Popen[str]):
         def __init__(self, words, creationflags=0, **more):
             begun.append(creationflags)
             super().__init__(words, **more)
