@@ -238,12 +238,12 @@ def install(root: Root, package: Path) -> None:
 def use(root: Root) -> None:
     """Window and simulated arm on one bus: enabled, jogged, stopped, recorded, and read."""
     home = root.folder / HOME
-    said = root.run("armui doctor --no-listen --lang en", user=USER, codes=(0, 1))
-    # 1: no arm answers
-    assert "FAIL" not in said, said
     bus = " ".join(BUS)
     recording = f"armui record {bus} --folder /{HOME}/logs --name run --quiet"
     with Screen() as screen, listening() as bus_heard, root.running(f"armui sim {bus}"):
+        doctor = f"DISPLAY={screen.display} armui doctor --no-listen --lang en"
+        said = root.run(doctor, user=USER, codes=(0, 1))  # 1: it was not to listen
+        assert "FAIL" not in said, said
         wait(lambda: MEASURED_1_2 in bus_heard.heard, "the simulated arm")
         began = time.monotonic()
         window_command = f"env DISPLAY={screen.display} armui {bus} --lang en"
