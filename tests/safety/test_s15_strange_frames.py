@@ -204,6 +204,7 @@ def test_a_frame_that_nobody_expected_costs_itself_alone(rig, monkeypatch, caplo
     assert rig.firmware.condition.stopped
 
 
+@pytest.mark.timeout(180)
 @EACH_GENERATION
 def test_every_value_of_every_byte_is_replayed(tmp_path, generation, caplog):
     """One such frame stopped the replay there for good."""
