@@ -6348,16 +6348,16 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>为此机械臂保存，不运动。</translation>
     </message>
     <message>
-        <source>This arm tells no number of its own: another one without a number at this adapter would be taken for it.</source>
-        <translation>此机械臂不报自己的编号：同一适配器上另一台不报编号的机械臂会被当作它。</translation>
-    </message>
-    <message>
         <source>The measured angles</source>
         <translation>当前测得的角度</translation>
     </message>
     <message>
         <source>The targets in the fields</source>
         <translation>输入框中的目标</translation>
+    </message>
+    <message>
+        <source>This arm tells no number of its own: another one without a number at this adapter would be taken for it.</source>
+        <translation>此机械臂不报自己的编号：同一适配器上另一台不报编号的机械臂会被当作它。</translation>
     </message>
 </context>
 <context>
@@ -7125,6 +7125,30 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>末端 RZ</translation>
     </message>
     <message>
+        <source>Tool centre point X</source>
+        <translation>工具中心点 X</translation>
+    </message>
+    <message>
+        <source>Tool centre point Y</source>
+        <translation>工具中心点 Y</translation>
+    </message>
+    <message>
+        <source>Tool centre point Z</source>
+        <translation>工具中心点 Z</translation>
+    </message>
+    <message>
+        <source>Tool centre point RX</source>
+        <translation>工具中心点 RX</translation>
+    </message>
+    <message>
+        <source>Tool centre point RY</source>
+        <translation>工具中心点 RY</translation>
+    </message>
+    <message>
+        <source>Tool centre point RZ</source>
+        <translation>工具中心点 RZ</translation>
+    </message>
+    <message>
         <source>Speed percentage</source>
         <translation>速度百分比</translation>
     </message>
@@ -7352,30 +7376,6 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <source>no</source>
         <translation>否</translation>
     </message>
-    <message>
-        <source>Tool centre point X</source>
-        <translation>工具中心点 X</translation>
-    </message>
-    <message>
-        <source>Tool centre point Y</source>
-        <translation>工具中心点 Y</translation>
-    </message>
-    <message>
-        <source>Tool centre point Z</source>
-        <translation>工具中心点 Z</translation>
-    </message>
-    <message>
-        <source>Tool centre point RX</source>
-        <translation>工具中心点 RX</translation>
-    </message>
-    <message>
-        <source>Tool centre point RY</source>
-        <translation>工具中心点 RY</translation>
-    </message>
-    <message>
-        <source>Tool centre point RZ</source>
-        <translation>工具中心点 RZ</translation>
-    </message>
 </context>
 <context>
     <name>QuantityList</name>
@@ -7401,6 +7401,21 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     <message>
         <source>Target not reached</source>
         <translation>未达指定点</translation>
+    </message>
+</context>
+<context>
+    <name>RecordedCurves</name>
+    <message>
+        <source>What is recorded appears here</source>
+        <translation>录制的曲线显示在此处</translation>
+    </message>
+    <message>
+        <source>Recorded angles of the joints</source>
+        <translation>录制的关节角度</translation>
+    </message>
+    <message>
+        <source>Drag the handles: what lies between them is kept</source>
+        <translation>拖动两端的手柄：保留其间的部分</translation>
     </message>
 </context>
 <context>
@@ -7504,6 +7519,10 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>没有剩余数据：请修正标记的输入框。</translation>
     </message>
     <message>
+        <source>Keeps {kept} of {count} samples, {time}, {size}</source>
+        <translation>保留 {count} 个采样中的 {kept} 个，{time}，{size}</translation>
+    </message>
+    <message>
         <source>The path is shown in the 3D view.</source>
         <translation>路径已显示在三维视图中。</translation>
     </message>
@@ -7532,12 +7551,12 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>录制期间可拖动机械臂，或以任意方式使其运动。</translation>
     </message>
     <message>
-        <source>Recorded: {time}, {count} samples</source>
-        <translation>已录制：{time}，{count} 个采样</translation>
-    </message>
-    <message>
         <source>Recording anew takes the place of what is not saved</source>
         <translation>重新录制将覆盖未保存的内容</translation>
+    </message>
+    <message>
+        <source>Trim samples</source>
+        <translation>裁剪采样</translation>
     </message>
     <message>
         <source>Name</source>
@@ -7576,12 +7595,16 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>保存为轨迹点</translation>
     </message>
     <message>
-        <source>The arm comes to rest in every point</source>
-        <translation>机械臂会在每个点停下</translation>
+        <source>Imported file, or of an unknown arm: {time}, {count} samples, {size}</source>
+        <translation>导入的文件，或所属机械臂未知：{time}，{count} 个采样，{size}</translation>
     </message>
     <message>
-        <source>Keeps {kept} of {count} samples, {time}</source>
-        <translation>保留 {kept}/{count} 个采样，{time}</translation>
+        <source>Recorded: {time}, {count} samples, {size}</source>
+        <translation>已录制：{time}，{count} 个采样，{size}</translation>
+    </message>
+    <message>
+        <source>The arm comes to rest in every point</source>
+        <translation>机械臂会在每个点停下</translation>
     </message>
     <message>
         <source>It is in memory alone until it is saved. {reason}</source>
@@ -9047,6 +9070,10 @@ The other program must have ended.</source>
     <message>
         <source>The tool turns at {value}°/s, where {maximum}°/s is shown. Set the speed again before the next motion.</source>
         <translation>末端转动速度为 {value}°/s，而显示的速度对应 {maximum}°/s。请在下次运动前重新设置速度。</translation>
+    </message>
+    <message>
+        <source>{device} needs the library libusb, which is not on this computer. Install it in a terminal: on Windows and macOS pip install libusb-package, on Debian and Ubuntu sudo apt install libusb-1.0-0</source>
+        <translation>{device} 需要 libusb 库，但此电脑上没有。请在终端中安装：Windows 和 macOS 用 pip install libusb-package，Debian 和 Ubuntu 用 sudo apt install libusb-1.0-0</translation>
     </message>
 </context>
 <context>
