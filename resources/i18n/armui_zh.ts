@@ -7579,6 +7579,16 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>恢复…</translation>
     </message>
     <message>
+        <source>Resume after the emergency stop</source>
+        <translation>从急停恢复</translation>
+    </message>
+    <message>
+        <source>Resuming cuts the power of the motors: the arm will drop. Hold the arm.
+Afterwards the motors must be enabled again.</source>
+        <translation>恢复时会切断电机电源：机械臂会下落，请扶住机械臂。
+之后需要重新使能电机。</translation>
+    </message>
+    <message>
         <source>Enable</source>
         <translation>使能</translation>
     </message>
@@ -7589,6 +7599,14 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     <message>
         <source>Reset…</source>
         <translation>复位…</translation>
+    </message>
+    <message>
+        <source>Reset the arm</source>
+        <translation>复位机械臂</translation>
+    </message>
+    <message>
+        <source>First the emergency stop: the motors go limp and the arm sinks. Then Resume cuts their power: the arm will drop. Hold the arm from now on.</source>
+        <translation>先急停：电机失去保持力，机械臂会缓慢下沉；随后恢复会断电：机械臂会下落，请扶住机械臂。</translation>
     </message>
     <message>
         <source>Stop recording</source>
@@ -7603,8 +7621,36 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>拖动…</translation>
     </message>
     <message>
+        <source>Lead the arm by hand</source>
+        <translation>用手拖动机械臂</translation>
+    </message>
+    <message>
+        <source>The arm will give way to the hand and starts a new recording; the one it holds is lost. Hold the arm.
+Lead it near its rest pose, then stop recording.</source>
+        <translation>机械臂将进入拖动示教模式并开始新的记录，原有记录会丢失。请扶住机械臂。
+请拖动到零位附近，然后结束示教记录。</translation>
+    </message>
+    <message>
+        <source>Take the arm back</source>
+        <translation>收回机械臂的控制</translation>
+    </message>
+    <message>
+        <source>The arm changes back to its own control and is told to hold where it stands. Between the two its joints are limp for a moment: it may sag, and drop if the second message is lost. Hold the arm.
+The other program must have ended.</source>
+        <translation>机械臂将切回自身的控制方式，并被告知保持在当前位置。两条指令之间关节会短暂失力：机械臂可能下沉，若第二条指令丢失则会下落。请扶住机械臂。
+另一程序必须已经结束。</translation>
+    </message>
+    <message>
         <source>Take command…</source>
         <translation>待机…</translation>
+    </message>
+    <message>
+        <source>Withdraw the stop</source>
+        <translation>撤回急停</translation>
+    </message>
+    <message>
+        <source>The arm is not stopped: it goes on with whatever it is doing, and obeys again. Look at the arm before.</source>
+        <translation>机械臂不会停止：它将继续正在做的动作，并重新服从指令。请先看清机械臂。</translation>
     </message>
     <message>
         <source>Emergency stop</source>
@@ -7623,69 +7669,20 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>接管</translation>
     </message>
     <message>
-        <source>Withdraw…</source>
-        <translation>撤回…</translation>
-    </message>
-    <message>
-        <source>Take back…</source>
-        <translation>收回控制…</translation>
-    </message>
-</context>
-<context>
-    <name>RecoveryDanger</name>
-    <message>
-        <source>Resume after the emergency stop</source>
-        <translation>从急停恢复</translation>
-    </message>
-    <message>
-        <source>Reset the arm</source>
-        <translation>复位机械臂</translation>
-    </message>
-    <message>
-        <source>Lead the arm by hand</source>
-        <translation>用手拖动机械臂</translation>
-    </message>
-    <message>
         <source>Take the command</source>
         <translation>切换到待机模式</translation>
-    </message>
-    <message>
-        <source>Resuming cuts the power of the motors: the arm will drop. Hold the arm.
-Afterwards the motors must be enabled again.</source>
-        <translation>恢复时会切断电机电源：机械臂会下落，请扶住机械臂。
-之后需要重新使能电机。</translation>
-    </message>
-    <message>
-        <source>First the emergency stop: the motors go limp and the arm sinks. Then Resume cuts their power: the arm will drop. Hold the arm from now on.</source>
-        <translation>先急停：电机失去保持力，机械臂会缓慢下沉；随后恢复会断电：机械臂会下落，请扶住机械臂。</translation>
-    </message>
-    <message>
-        <source>The arm will give way to the hand and starts a new recording; the one it holds is lost. Hold the arm.
-Lead it near its rest pose, then stop recording.</source>
-        <translation>机械臂将进入拖动示教模式并开始新的记录，原有记录会丢失。请扶住机械臂。
-请拖动到零位附近，然后结束示教记录。</translation>
     </message>
     <message>
         <source>The arm will no longer follow the other control; a motion under way ends. Make sure that nobody relies on it.</source>
         <translation>机械臂将不再由其他方式控制，正在进行的运动会停止。请确认无人正在使用。</translation>
     </message>
     <message>
-        <source>Withdraw the stop</source>
-        <translation>撤回急停</translation>
+        <source>Withdraw…</source>
+        <translation>撤回…</translation>
     </message>
     <message>
-        <source>The arm is not stopped: it goes on with whatever it is doing, and obeys again. Look at the arm before.</source>
-        <translation>机械臂不会停止：它将继续正在做的动作，并重新服从指令。请先看清机械臂。</translation>
-    </message>
-    <message>
-        <source>Take the arm back</source>
-        <translation>收回机械臂的控制</translation>
-    </message>
-    <message>
-        <source>The arm changes back to its own control and is told to hold where it stands. Between the two its joints are limp for a moment: it may sag, and drop if the second message is lost. Hold the arm.
-The other program must have ended.</source>
-        <translation>机械臂将切回自身的控制方式，并被告知保持在当前位置。两条指令之间关节会短暂失力：机械臂可能下沉，若第二条指令丢失则会下落。请扶住机械臂。
-另一程序必须已经结束。</translation>
+        <source>Take back…</source>
+        <translation>收回控制…</translation>
     </message>
 </context>
 <context>
