@@ -185,6 +185,7 @@ class MainWindow(Translated, KeepsFocus, QWidget):
 
         top = TopBar(self._controller, self.open_connect_dialog)
         recovery = RecoveryLine(self._controller, self.open_connect_dialog)
+        self._trajectory_pages.run_asks.connect(recovery.show_asking)
         self.window_actions.link(
             *(top.ask_to_resume, recovery, run, self._diagnosis, self._watch),
             buttons={
