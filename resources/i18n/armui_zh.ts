@@ -7368,6 +7368,10 @@ The other program must have ended.</source>
         <translation>下一步</translation>
     </message>
     <message>
+        <source>“{name}” has not begun: the check has something to say. Answer it on its page.</source>
+        <translation>“{name}”尚未运行：检查有提示，请在其页面上确认。</translation>
+    </message>
+    <message>
         <source>Waiting…</source>
         <translation>等待中…</translation>
     </message>
@@ -10765,6 +10769,18 @@ The other program must have ended.</source>
     <message>
         <source>Drag assistance…</source>
         <translation>拖动助力…</translation>
+    </message>
+    <message>
+        <source>The arm will move by itself to the start of the recording it holds.</source>
+        <translation>机械臂将自行运动到其所存示教轨迹的起点。</translation>
+    </message>
+    <message>
+        <source>The arm will move by itself along the recording it holds, from where it stands.</source>
+        <translation>机械臂将从当前位置自行沿其所存示教轨迹运动。</translation>
+    </message>
+    <message>
+        <source>This program does not know its way, and has not checked it. Keep clear, the emergency stop within reach.</source>
+        <translation>本程序不知道该轨迹的路径，也未作检查。请勿靠近，急停须随时可按。</translation>
     </message>
     <message>
         <source>How much each joint helps the hand; firmware from S-V1.8-1.</source>
