@@ -124,6 +124,7 @@ class MainWindow(Translated, KeepsFocus, QWidget):
             self,
             open_window=self._open,
             open_page=lambda key, make: self._workspace.open_kept(key, make, self._drawer),
+            uncover=self._workspace.uncover,
             store=preferences,
             robot=lambda: self._settings.urdf_path,
         )
