@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from typing import Final
 
 NOTHING: Final = "—"
@@ -10,6 +11,10 @@ NOTHING: Final = "—"
 
 DECIMALS: Final = 3
 """Of angles and lengths: the resolution of the bus."""
+
+_HOUR_S: Final = 3600
+_MINUTE_S: Final = 60
+_MOST_NAMES: Final = 5
 
 
 def number(value: float | None, decimals: int = DECIMALS) -> str:
@@ -65,6 +70,25 @@ def joint_spans(numbers: list[int]) -> str:
         for span in spans
     )
     return ", ".join(texts)
+
+
+def duration(seconds: float | None) -> str:
+    """Write how long a motion lasts: ``7.5 s``, ``12:30`` or ``1:05:00``."""
+    if seconds is None:
+        return NOTHING
+    if seconds < _MINUTE_S:
+        return f"{seconds:.1f} s"
+    whole = round(seconds)
+    hours, rest = divmod(whole, _HOUR_S)
+    minutes, left = divmod(rest, _MINUTE_S)
+    return f"{hours}:{minutes:02}:{left:02}" if hours else f"{minutes}:{left:02}"
+
+
+def name_list(names: Sequence[str]) -> str:
+    """List names in a line; of more than five the first five, and how many more there are."""
+    shown = ", ".join(names[:_MOST_NAMES])
+    more = len(names) - _MOST_NAMES
+    return f"{shown} … (+{more})" if more > 0 else shown
 
 
 def parse_number(text: str) -> float | None:

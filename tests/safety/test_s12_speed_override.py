@@ -237,6 +237,20 @@ def test_0_percent_holds_back_and_only_continue_goes_on(ready, what):
     assert "motion_too_fast" not in ready.codes()
 
 
+@pytest.mark.parametrize("meanwhile_s", [0.0, 0.06, 0.16])
+def test_0_percent_stays_a_pause_when_it_is_raised_before_the_arm_stands(ready, meanwhile_s):
+    """Down to 0 % and up again with one drag of the slider: the replay is still slowing down."""
+    replayer = replaying(ready)
+    override(ready, 0)
+    ready.run(meanwhile_s)
+    override(ready, 60)
+    ready.run(1.0)
+    assert replayer.phase is RunPhase.PAUSED
+    assert max(speeds_deg_s(ready, 0.5)) < 0.01
+    assert replayer.go_on() is None
+    assert speeds_deg_s(ready, 1.5)[-20:] == pytest.approx([7.2] * 20, abs=0.6)
+
+
 def test_what_goes_on_is_told_a_lower_speed_before(ready):
     player = started(ready, FAR)
     ready.run(0.6)
@@ -413,3 +427,21 @@ def test_after_a_pause_of_the_program_the_pace_is_that_of_the_override(ready):
     ready.run(0.5)
     assert ready.firmware.joints_deg[0] - before_deg == pytest.approx(1.2 * 0.52, abs=0.25)
     assert replayer.phase is RunPhase.MOVING
+
+
+def test_a_pause_of_the_program_ends_the_coming_to_a_stand(ready):
+    """The arm rests at the last target by then: nothing sets it moving once more."""
+    replayer = replaying(ready)
+    override(ready, 0)
+    ready.run(0.04)
+    ready.heard()
+    for timer in (replayer._timer, ready.controller._timer):
+        timer.stop()
+    for _ in range(50):  # the program is held up; the arm is heard all the time
+        ready._pass(STEP_S)
+    ready.run(0.5)
+    assert not {0x155, 0x156, 0x157} & {frame.arbitration_id for frame in ready.heard()}
+    assert replayer.phase is RunPhase.PAUSED
+    override(ready, 100)
+    assert replayer.go_on() is None
+    assert speeds_deg_s(ready, 1.0)[-10:] == pytest.approx([12.0] * 10, abs=0.6)
