@@ -1978,6 +1978,14 @@
 <context>
     <name>EventBar</name>
     <message>
+        <source>Only “{kind}”</source>
+        <translation>仅“{kind}”</translation>
+    </message>
+    <message>
+        <source>All sorts</source>
+        <translation>全部类别</translation>
+    </message>
+    <message>
         <source>{shown} of {kept}</source>
         <translation>{shown} / {kept}</translation>
     </message>
@@ -2016,6 +2024,10 @@
     <message>
         <source>Keep the newest event in sight</source>
         <translation>始终显示最新的事件</translation>
+    </message>
+    <message>
+        <source>Click: show or hide. Double-click: this sort alone.</source>
+        <translation>单击：显示或隐藏。双击：仅此类别。</translation>
     </message>
     <message>
         <source>Save</source>
