@@ -13,6 +13,7 @@ from typing import Final
 from armui import __version__
 from armui.system.command_line import HelpFormatter, add_device, has_display, name_list
 from armui.system.end_signals import end_at_once_on_ctrl_c, interrupting
+from armui.system.files import open_file
 
 _SIGNALLED: Final = 128
 """What a shell adds to the number of the signal that ended a command."""
@@ -113,10 +114,7 @@ def _run_window(parser: argparse.ArgumentParser, options: argparse.Namespace) ->
 def _why_no_log(path: Path) -> str:
     """Return why a file cannot be replayed, before any window opens; "": it can be read."""
     try:
-        if path.is_dir():
-            return "is a folder; name a log in it"
-        if path.is_file() or not path.exists():  # a pipe would keep whoever opens it waiting
-            path.open("rb").close()
+        open_file(path).close()
     except OSError as error:
         return error.strerror or str(error)
     return ""

@@ -39,7 +39,7 @@ def test_each_fault_and_bug_of_the_simulated_arm_has_a_line_of_its_own(capsys):
 
 
 @pytest.mark.parametrize(
-    ("name", "says"), [("gone.blf", "No such file"), ("folder", "is a folder")]
+    ("name", "says"), [("gone.blf", "No such file"), ("folder", "it is a folder")]
 )
 def test_a_log_that_cannot_be_read_opens_no_window(monkeypatch, capsys, tmp_path, name, says):
     (tmp_path / "folder").mkdir()

@@ -13,7 +13,7 @@ from PySide6.QtWidgets import QLineEdit, QMenu, QPushButton, QTableView, QWidget
 from armui.trajectory.files import SUFFIXES
 from armui.trajectory.library.store import IndexEntry
 from armui.ui.actions.keys import key_text, keys_of, listen_for
-from armui.ui.widgets.buttons import named, push_button
+from armui.ui.widgets.buttons import give_menu, named, push_button
 from armui.ui.widgets.flow import Flow
 from armui.ui.words.text import Texts
 
@@ -63,7 +63,7 @@ class LibraryBar(QWidget):
         for suffix in SUFFIXES:
             action = self._export_menu.addAction(suffix)
             action.triggered.connect(partial(self._on_export, suffix))
-        self._buttons["export"].setMenu(self._export_menu)
+        give_menu(self._buttons["export"], self._export_menu)
         layout.addWidget(self.search)
         self._flow = layout
         self.show_chosen(())
