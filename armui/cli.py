@@ -79,6 +79,9 @@ def _run_window(parser: argparse.ArgumentParser, options: argparse.Namespace) ->
     if log is not None and (problem := _why_no_log(log)):
         print(f"armui replay: {log}: {problem}", file=sys.stderr)
         return 2
+    file = getattr(options, "file", None)
+    if file is not None and not file.is_file():
+        parser.error(f"{str(file)!r} is neither a file nor a command: see armui --help")
     if not has_display():
         print(
             "armui: no display found. Start it in a desktop session, or set DISPLAY or "
@@ -106,6 +109,7 @@ def _run_window(parser: argparse.ArgumentParser, options: argparse.Namespace) ->
             bitrate=options.bitrate,
             model=getattr(options, "model", None),
             replay=log,
+            file=file,
             language=options.lang,
         )
     )
@@ -153,7 +157,7 @@ def _parser() -> argparse.ArgumentParser:
     commands = {name: purpose for name, (_module, purpose) in _COMMANDS.items()}
     parser = argparse.ArgumentParser(
         prog="armui",
-        usage="armui [OPTION ...]\n       armui COMMAND [OPTION ...]",
+        usage="armui [OPTION ...] [FILE]\n       armui COMMAND [OPTION ...]",
         description="Host program for the AgileX PiPER arm on a CAN bus. Without a command it "
         "opens its window.",
         epilog=name_list("commands", {**commands, "replay": _REPLAY})
@@ -161,6 +165,13 @@ def _parser() -> argparse.ArgumentParser:
         formatter_class=HelpFormatter,
     )
     parser.add_argument("--version", action="version", version=f"armui {__version__}")
+    parser.add_argument(
+        "file",
+        nargs="?",
+        type=Path,
+        metavar="FILE",
+        help="a trajectory to open in the editor; nothing moves",
+    )
     parser.add_argument("--lang", choices=("zh", "en"), help="language of the windows")
     arm = parser.add_argument_group("the arm to connect to")
     add_device(arm)

@@ -7416,6 +7416,21 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     </message>
 </context>
 <context>
+    <name>RecordedCurves</name>
+    <message>
+        <source>What is recorded appears here</source>
+        <translation>录制的曲线显示在此处</translation>
+    </message>
+    <message>
+        <source>Recorded angles of the joints</source>
+        <translation>录制的关节角度</translation>
+    </message>
+    <message>
+        <source>Drag the handles: what lies between them is kept</source>
+        <translation>拖动两端的手柄：保留其间的部分</translation>
+    </message>
+</context>
+<context>
     <name>RecordingCard</name>
     <message>
         <source>Record to the disk</source>
@@ -7544,10 +7559,6 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>录制期间可拖动机械臂，或以任意方式使其运动。</translation>
     </message>
     <message>
-        <source>Recorded: {time}, {count} samples</source>
-        <translation>已录制：{time}，{count} 个采样</translation>
-    </message>
-    <message>
         <source>Recording anew takes the place of what is not saved</source>
         <translation>重新录制将覆盖未保存的内容</translation>
     </message>
@@ -7592,12 +7603,24 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>机械臂会在每个点停下</translation>
     </message>
     <message>
-        <source>Keeps {kept} of {count} samples, {time}</source>
-        <translation>保留 {kept}/{count} 个采样，{time}</translation>
-    </message>
-    <message>
         <source>It is in memory alone until it is saved. {reason}</source>
         <translation>保存前数据只在内存中。{reason}</translation>
+    </message>
+    <message>
+        <source>Keeps {kept} of {count} samples, {time}, {size}</source>
+        <translation>保留 {count} 个采样中的 {kept} 个，{time}，{size}</translation>
+    </message>
+    <message>
+        <source>Trim samples</source>
+        <translation>裁剪采样</translation>
+    </message>
+    <message>
+        <source>Imported file, or of an unknown arm: {time}, {count} samples, {size}</source>
+        <translation>导入的文件，或所属机械臂未知：{time}，{count} 个采样，{size}</translation>
+    </message>
+    <message>
+        <source>Recorded: {time}, {count} samples, {size}</source>
+        <translation>已录制：{time}，{count} 个采样，{size}</translation>
     </message>
 </context>
 <context>
@@ -9063,6 +9086,10 @@ The other program must have ended.</source>
     <message>
         <source>The tool turns at {value}°/s, where {maximum}°/s is shown. Set the speed again before the next motion.</source>
         <translation>末端转动速度为 {value}°/s，而显示的速度对应 {maximum}°/s。请在下次运动前重新设置速度。</translation>
+    </message>
+    <message>
+        <source>{device} needs the library libusb, which is not on this computer. Install it in a terminal: on Windows and macOS pip install libusb-package, on Debian and Ubuntu sudo apt install libusb-1.0-0</source>
+        <translation>{device} 需要 libusb 库，但此电脑上没有。请在终端中安装：Windows 和 macOS 用 pip install libusb-package，Debian 和 Ubuntu 用 sudo apt install libusb-1.0-0</translation>
     </message>
 </context>
 <context>
