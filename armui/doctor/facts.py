@@ -159,6 +159,8 @@ class CanFacts:
         ports: Serial ports of the USB.
         devices: What a search of all back-ends found.
         error: Why no search was possible.
+        kept: What the adapter's helper keeps at every start, by the names it was given.
+        wsl: Linux runs as a guest of Windows, which has the USB.
     """
 
     links: tuple[LinkFacts, ...] = ()
@@ -166,6 +168,8 @@ class CanFacts:
     ports: tuple[SerialPortFacts, ...] = ()
     devices: tuple[DeviceFacts, ...] = ()
     error: str = ""
+    kept: tuple[str, ...] = ()
+    wsl: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -316,6 +320,7 @@ class Diagnosis:
         severity: How grave it is.
         params: What the words mention.
         commands: The remedy, to be copied; a line each.
+        remedies: The same for the adapter's helper, which a button starts: verb and words.
     """
 
     section: Section
@@ -323,3 +328,4 @@ class Diagnosis:
     severity: DiagnosisLevel
     params: Mapping[str, str] = field(default_factory=dict)
     commands: tuple[str, ...] = ()
+    remedies: tuple[tuple[str, ...], ...] = ()

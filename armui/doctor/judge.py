@@ -43,6 +43,7 @@ _UDEV_RULE: Final = (
     " | sudo tee /etc/udev/rules.d/90-candlelight.rules"
 )
 _STROKE_LIMITS_MM: Final = (0, 70, 100)
+_PORTS: Final = "/dev/"
 _BITRATE_OF_SYSTEM: Final = ("udp_multicast", "virtual")
 _USUAL_MODES: Final = ("MOVE P", "MOVE J", "MOVE L", "MOVE C")
 
@@ -55,7 +56,9 @@ def judge_heard(heard: HeardFacts) -> list[Diagnosis]:
         return [_not_opened(heard, base)]
     findings: list[Diagnosis] = []
     if heard.bus_off:
-        findings.append(_arm_finding("heard_bus_off", DiagnosisLevel.FAULT, base, _restart(heard)))
+        remedies = (("reset", heard.channel),) if heard.interface == "socketcan" else ()
+        fault = DiagnosisLevel.FAULT
+        findings.append(_arm_finding("heard_bus_off", fault, base, _restart(heard), remedies))
     if heard.error_frames:
         params = {**base, "count": str(heard.error_frames)}
         level = DiagnosisLevel.WARNING if heard.arm is not None else DiagnosisLevel.FAULT
@@ -88,14 +91,18 @@ def _is_leader(heard: HeardFacts) -> bool:
 def _not_opened(heard: HeardFacts, base: dict[str, str]) -> Diagnosis:
     params = {**base, "text": heard.problem_text, "package": heard.package}
     commands: tuple[str, ...] = ()
+    remedies: tuple[tuple[str, ...], ...] = ()
     if heard.problem == "bus_backend_missing":
         commands = (f"python -m pip install {heard.package}",)
     elif heard.interface == "socketcan" and heard.problem in {"bus_down", "bus_gone"}:
         commands = (f"sudo ip link set {heard.channel} up type can bitrate 1000000 restart-ms 100",)
+        remedies = _switch_on(heard.channel) if heard.problem == "bus_down" else ()
     elif heard.problem == "bus_permission":
         commands = (_UDEV_RULE, "sudo udevadm control --reload && sudo udevadm trigger")
+        port = heard.channel.removeprefix(_PORTS)
+        remedies = (("remember", port),) if port != heard.channel else ()
     code = heard.problem if heard.problem in _PROBLEMS else "bus_failed"
-    return _arm_finding(code, DiagnosisLevel.FAULT, params, commands)
+    return _arm_finding(code, DiagnosisLevel.FAULT, params, commands, remedies)
 
 
 _PROBLEMS: Final = (
@@ -303,6 +310,12 @@ def _name(heard: HeardFacts) -> str:
 _USUAL_BITRATE: Final = 1_000_000
 _KNOWN_BITRATES: Final = (_USUAL_BITRATE, 500_000)
 """Today's hardware, and what generation 1's protocol text says."""
+_USBIPD: Final = (
+    "usbipd list",
+    "usbipd bind --busid BUSID",
+    "usbipd attach --wsl --busid BUSID",
+)
+"""For a terminal of Windows: they hand a USB device to WSL."""
 _PASSIVE_COUNT: Final = 128
 _WARNING_COUNT: Final = 96
 """Error counters at which a controller warns and turns passive (ISO 11898-1)."""
@@ -313,6 +326,8 @@ def judge_can(facts: CanFacts) -> list[Diagnosis]:
     findings: list[Diagnosis] = []
     if facts.error:
         findings.append(_finding("search_failed", DiagnosisLevel.FAULT, {"text": facts.error}))
+    if facts.wsl and not facts.links and not facts.ports:
+        findings.append(_finding("wsl", DiagnosisLevel.WARNING, {}, _USBIPD))
     findings += [_without_driver(each) for each in facts.usb if not each.links]
     findings += [_closed_port(each) for each in facts.ports if not each.may_open]
     for link in facts.links:
@@ -330,6 +345,7 @@ def judge_can(facts: CanFacts) -> list[Diagnosis]:
     ]
     if len(hardware) > 1:
         findings.append(_several(hardware))
+    findings += [_kept(each) for each in facts.kept]
     if not facts.links and not others and not facts.usb and not facts.ports:
         findings.append(_finding("no_devices", DiagnosisLevel.WARNING, {}))
     return findings
@@ -345,20 +361,24 @@ def judge_link(link: LinkFacts) -> list[Diagnosis]:
         "kind": link.kind,
     }
     if not link.up:
-        return [_finding("link_down", DiagnosisLevel.FAULT, params, _up(link))]
+        remedies = _switch_on(link.name)
+        return [_finding("link_down", DiagnosisLevel.FAULT, params, _up(link), remedies)]
     findings = [_state(link, params)]
+    again, anew = _again(link), (_with_bitrate(link.name),)
     if link.bitrate is not None and link.bitrate not in _KNOWN_BITRATES:
-        findings.append(_finding("bitrate_odd", DiagnosisLevel.WARNING, params, _again(link)))
+        findings.append(_finding("bitrate_odd", DiagnosisLevel.WARNING, params, again, anew))
     elif link.bitrate is not None and link.bitrate != _USUAL_BITRATE:
-        findings.append(_finding("bitrate_old", DiagnosisLevel.NOTE, params, _again(link)))
+        findings.append(_finding("bitrate_old", DiagnosisLevel.NOTE, params, again, anew))
     if link.listen_only:
-        findings.append(_finding("link_listen_only", DiagnosisLevel.WARNING, params, _again(link)))
+        anew = (_with_bitrate(link.name, _bitrate(link)),)
+        findings.append(_finding("link_listen_only", DiagnosisLevel.WARNING, params, again, anew))
     if link.kind == "can" and not link.restart_ms:
         commands = (
             f"sudo ip link set {link.name} down",
             f"sudo ip link set {link.name} up type can restart-ms 100",
         )
-        findings.append(_finding("no_restart", DiagnosisLevel.NOTE, params, commands))
+        anew = (_with_bitrate(link.name, _bitrate(link)),)
+        findings.append(_finding("no_restart", DiagnosisLevel.NOTE, params, commands, anew))
     if link.dropped:
         params = {**params, "count": str(link.dropped)}
         findings.append(_finding("kernel_dropped", DiagnosisLevel.NOTE, params))
@@ -370,12 +390,15 @@ def _state(link: LinkFacts, params: dict[str, str]) -> Diagnosis:
     params = {**params, "tx": _count(link.tx_errors), "rx": _count(link.rx_errors)}
     if link.state == "BUS-OFF":
         commands = (f"sudo ip link set {link.name} type can restart",)
-        return _finding("bus_off", DiagnosisLevel.FAULT, params, commands)
+        reset = (("reset", link.name),)
+        return _finding("bus_off", DiagnosisLevel.FAULT, params, commands, reset)
     if link.state == "ERROR-PASSIVE" or errors >= _PASSIVE_COUNT:
-        return _finding("error_passive", DiagnosisLevel.FAULT, params, _again(link))
+        anew = (_with_bitrate(link.name),)
+        return _finding("error_passive", DiagnosisLevel.FAULT, params, _again(link), anew)
     if link.state == "ERROR-WARNING" or errors >= _WARNING_COUNT:
         return _finding("error_warning", DiagnosisLevel.WARNING, params)
-    return _finding("link", DiagnosisLevel.OK, params)
+    remember = (_remember(link),) if link.kind == "can" and link.serial else ()
+    return _finding("link", DiagnosisLevel.OK, params, remedies=remember)
 
 
 def _count(value: int | None) -> str:
@@ -386,6 +409,29 @@ def _up(link: LinkFacts) -> tuple[str, ...]:
     if link.kind == "vcan":
         return (f"sudo ip link set {link.name} up",)
     return (f"sudo ip link set {link.name} up type can bitrate {_USUAL_BITRATE} restart-ms 100",)
+
+
+def _switch_on(name: str) -> tuple[tuple[str, ...], ...]:
+    return tuple(_with_bitrate(name, each) for each in _KNOWN_BITRATES)
+
+
+def _with_bitrate(name: str, bitrate: int = _USUAL_BITRATE) -> tuple[str, ...]:
+    return ("up", name, str(bitrate))
+
+
+def _bitrate(link: LinkFacts) -> int:
+    return link.bitrate if link.bitrate in _KNOWN_BITRATES else _USUAL_BITRATE
+
+
+def _remember(link: LinkFacts) -> tuple[str, ...]:
+    return ("remember", link.name, str(_bitrate(link)))
+
+
+def _kept(name: str) -> Diagnosis:
+    params, remedies = {"name": name}, (("forget", name),)
+    if name.startswith("port-"):
+        return _finding("port_kept", DiagnosisLevel.NOTE, params, remedies=remedies)
+    return _finding("kept", DiagnosisLevel.NOTE, params, remedies=remedies)
 
 
 def _again(link: LinkFacts) -> tuple[str, ...]:
@@ -401,9 +447,9 @@ def _without_driver(adapter: UsbAdapterFacts) -> Diagnosis:
 def _closed_port(port: SerialPortFacts) -> Diagnosis:
     group = port.group or "dialout"
     params = {"path": port.path, "group": group}
-    return _finding(
-        "port_closed", DiagnosisLevel.FAULT, params, (f'sudo usermod -aG {group} "$USER"',)
-    )
+    commands = (f'sudo usermod -aG {group} "$USER"',)
+    remedies = (("remember", port.path.removeprefix(_PORTS)),)
+    return _finding("port_closed", DiagnosisLevel.FAULT, params, commands, remedies)
 
 
 def _several(links: list[LinkFacts]) -> Diagnosis:
@@ -415,19 +461,28 @@ def _several(links: list[LinkFacts]) -> Diagnosis:
         for each in links
         if each.serial
     )
-    return _finding("several", DiagnosisLevel.NOTE, {"names": names}, commands)
+    remedies = tuple(_remember(each) for each in links if each.serial)
+    return _finding("several", DiagnosisLevel.NOTE, {"names": names}, commands, remedies)
 
 
 def _finding(
-    code: str, level: DiagnosisLevel, params: dict[str, str], commands: tuple[str, ...] = ()
+    code: str,
+    level: DiagnosisLevel,
+    params: dict[str, str],
+    commands: tuple[str, ...] = (),
+    remedies: tuple[tuple[str, ...], ...] = (),
 ) -> Diagnosis:
-    return Diagnosis(Section.CAN, code, level, params, commands)
+    return Diagnosis(Section.CAN, code, level, params, commands, remedies)
 
 
 def _arm_finding(
-    code: str, level: DiagnosisLevel, params: dict[str, str], commands: tuple[str, ...] = ()
+    code: str,
+    level: DiagnosisLevel,
+    params: dict[str, str],
+    commands: tuple[str, ...] = (),
+    remedies: tuple[tuple[str, ...], ...] = (),
 ) -> Diagnosis:
-    return Diagnosis(Section.ARM, code, level, params, commands)
+    return Diagnosis(Section.ARM, code, level, params, commands, remedies)
 
 
 # From the program and the screen.

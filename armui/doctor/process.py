@@ -7,6 +7,7 @@ import subprocess
 from collections.abc import Callable, Sequence
 from typing import Final
 
+from armui.doctor.adapter_change import helper_is_there
 from armui.doctor.facts import Diagnosis
 from armui.doctor.report import findings_of_json, load_texts
 from armui.system.command_process import CommandProcess
@@ -44,6 +45,7 @@ class DoctorProcess(CommandProcess):
 
     def _answer(self, answer: object) -> None:
         load_texts()  # here, where nobody waits for the disk
+        helper_is_there()
         super()._answer(answer)
 
 

@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import Final, Literal
 
 from armui import __version__
+from armui.doctor.adapter_change import helper_is_there
 from armui.doctor.facts import Diagnosis, DiagnosisLevel, Section
 from armui.doctor.judge import judge_can
 from armui.doctor.probes.can_devices import look_at_adapters
@@ -127,6 +128,7 @@ def as_json(findings: Sequence[Diagnosis], words: Words, *, arm_answers: bool, a
                         "severity": each.severity.value,
                         "text": words.text(each),
                         "commands": list(each.commands),
+                        "remedies": [list(words) for words in each.remedies],
                         "params": dict(each.params),
                     }
                     for each in findings
@@ -152,6 +154,7 @@ def findings_of_json(text: str) -> list[Diagnosis]:
             DiagnosisLevel(each["severity"]),
             each["params"],
             tuple(each["commands"]),
+            tuple(tuple(words) for words in each["remedies"]),
         )
         for each in json.loads(text)["findings"]
     ]
@@ -167,6 +170,7 @@ def adapter_trouble() -> list[Diagnosis]:
     thread that may wait. Faults come first.
     """
     load_texts()  # whoever shows the findings must not wait for the disk
+    helper_is_there()
     findings = judge_can(look_at_adapters())
     return [
         each

@@ -25,6 +25,7 @@ from armui.doctor.report import Words, as_text
 from armui.protocol.codec import Codec
 from armui.protocol.generation import Generation
 from armui.ui.actions.command import Command, Target
+from armui.ui.dialogs.adapter_line import AdapterLine
 from armui.ui.dialogs.base import ArmDialog, CloseButton
 from armui.ui.dialogs.finding_row import FindingRow
 from armui.ui.widgets.buttons import enable_or_explain, named, push_button
@@ -94,6 +95,7 @@ class DoctorDialog(ArmDialog):
         controller: Tells about the arm that is connected.
         parent: The main window.
         examine: Begins an examination.
+        adapter: Sets an adapter up by a click.
     """
 
     commands = (
@@ -107,8 +109,10 @@ class DoctorDialog(ArmDialog):
         controller: ArmController,
         parent: QWidget | None = None,
         examine: Examine = DoctorProcess,
+        adapter: AdapterLine | None = None,
     ) -> None:
         super().__init__(controller, parent)
+        self._adapter = adapter or AdapterLine(controller)
         self._controller = controller
         self._examine = examine
         self._device: Device | None = None
@@ -121,6 +125,7 @@ class DoctorDialog(ArmDialog):
         self.resize(*_SIZE_PX)
         self.copy_button.clicked.connect(self._on_copy)
         self.again_button.clicked.connect(self.examine)
+        self._adapter.changed.connect(self._on_adapter_changed)
         # queued, for an answer may come while the examination is being begun
         self._told.connect(self._on_told, Qt.ConnectionType.QueuedConnection)
         self.retranslate_ui()
@@ -142,7 +147,8 @@ class DoctorDialog(ArmDialog):
         self.again_button = push_button("doctor_again", on_enter=False)
         self.close_button = CloseButton(self)
         self.close_button.setDefault(True)
-        fill(self.body, self._message, self._progress, (self._area, 1), self._note)
+        shown = (self._message, self._progress, self._adapter, (self._area, 1), self._note)
+        fill(self.body, *shown)
         fill(self.footer, self.copy_button, STRETCH, self.again_button, self.close_button)
 
     def retranslate_ui(self) -> None:
@@ -187,6 +193,10 @@ class DoctorDialog(ArmDialog):
             return []
         bitrate = [] if device.bitrate is None else ["--bitrate", str(device.bitrate)]
         return ["--interface", device.interface, "--channel", str(device.channel), *bitrate]
+
+    def _on_adapter_changed(self) -> None:
+        if self.isVisible():
+            self.examine()
 
     def _on_copy(self) -> None:
         QGuiApplication.clipboard().setText(self.report())
@@ -261,7 +271,7 @@ class DoctorDialog(ArmDialog):
             findings = [each for each in self._findings() if each.section is section]
             if findings:
                 self._rows.append(partial(_heading, words.section(section)))
-            self._rows += [partial(_row, each, words) for each in findings]
+            self._rows += [partial(self._row, each, words) for each in findings]
         column = QWidget()
         layout = in_column(STRETCH, on=column, spacing=_GAP_PX, margins=(0, 0, _GAP_PX, 0))
         self._column = layout
@@ -269,6 +279,10 @@ class DoctorDialog(ArmDialog):
         column.setAutoFillBackground(False)
         self._area.setWidget(column)
         self._area.viewport().setAutoFillBackground(False)
+
+    def _row(self, finding: Diagnosis, words: Words) -> QWidget:
+        mark = words.mark(finding.severity)
+        return FindingRow(finding, words.text(finding), mark, self._adapter)
 
     def _add_rows(self) -> None:
         """Some rows at a time: many at once would hold up the window, and the stop with it."""
@@ -283,12 +297,14 @@ class DoctorDialog(ArmDialog):
     def closeEvent(self, event: QCloseEvent) -> None:
         """Nobody waits for an examination any more."""
         self._end()
+        self._adapter.end()
         self._refresh()
         super().closeEvent(event)
 
     def reject(self) -> None:
         """Escape does the same."""
         self._end()
+        self._adapter.end()
         super().reject()
 
     def _end(self) -> None:
@@ -302,7 +318,3 @@ def _heading(text: str) -> QWidget:
     label = QLabel(text)
     label.setProperty("rank", "muted")
     return label
-
-
-def _row(finding: Diagnosis, words: Words) -> QWidget:
-    return FindingRow(finding, words.text(finding), words.mark(finding.severity))
