@@ -16,13 +16,17 @@ import sys
 import tempfile
 import xml.etree.ElementTree as ET
 from collections.abc import Iterator
+from functools import cache
 from pathlib import Path
-from typing import NamedTuple
+from typing import Final, NamedTuple
 
 from pypinyin import lazy_pinyin
 
+from armui.arm.refusal import Reason
 from armui.protocol.generation import Generation
 from armui.protocol.layout import load_database
+from armui.system.sentence import Sentence
+from armui.trajectory.planning.findings import FindingKind
 from armui.ui.words.frames import signal_word
 
 ROOT = Path(__file__).resolve().parent.parent
@@ -33,57 +37,70 @@ LONGEST = 20
 """Characters of a Chinese text that may be a name; a longer one is a sentence."""
 
 
-class RaisedReason(NamedTuple):
-    """A ``NAME = Reason("id", "sentence")`` of the code."""
+KINDS: Final[tuple[type[Sentence], ...]] = (Reason, FindingKind)
+"""What says sentences: the classes whose constants stand beside what raises them."""
+
+
+class Constant(NamedTuple):
+    """A ``NAME = Reason("name", "sentence", …)`` of the code, or of another of `KINDS`."""
 
     path: Path
     name: str
+    context: str
     id: str
     source: str
 
 
-def reasons() -> Iterator[RaisedReason]:
-    """Every reason against an action, where it stands."""
-    for path in _modules():
-        for node in ast.parse(path.read_text(encoding="utf-8")).body:
+@cache
+def modules() -> tuple[tuple[Path, ast.Module], ...]:
+    """Every file of the program, and what it says."""
+    paths = sorted((ROOT / "armui").rglob("*.py"))
+    return tuple((path, ast.parse(path.read_text(encoding="utf-8"))) for path in paths)
+
+
+@cache
+def constants() -> tuple[Constant, ...]:
+    """Every sentence that stands beside what raises it."""
+    contexts = {kind.__name__: kind.context for kind in KINDS}
+    found = []
+    for path, tree in modules():
+        for node in tree.body:
             match node:
                 case ast.Assign(
                     targets=[ast.Name(id=name)],
                     value=ast.Call(
-                        func=ast.Name(id="Reason"),
-                        args=[ast.Constant(value=str(code)), ast.Constant(value=str(source))],
+                        func=ast.Name(id=kind),
+                        args=[ast.Constant(value=str(code)), ast.Constant(value=str(source)), *_],
                     ),
-                ):
-                    yield RaisedReason(path, name, code, source)
+                ) if kind in contexts:
+                    found.append(Constant(path, name, contexts[kind], code, source))
+    return tuple(found)
 
 
 def refusals(kept: str) -> str:
     """The sentences by id as JSON, together with those kept before that the code has no more."""
-    rows = json.loads(kept) | {reason.id: reason.source for reason in reasons()}
+    said = {each.id: each.source for each in constants() if each.context == Reason.context}
+    rows = json.loads(kept) | said
     return json.dumps(rows, ensure_ascii=False, indent=0, sort_keys=True) + "\n"
-
-
-def _modules() -> list[Path]:
-    return sorted((ROOT / "armui").rglob("*.py"))
 
 
 def lupdate(ts: Path) -> None:
     """Collect the strings of the code into a .ts file, keeping the translations it has."""
-    sources = _modules()
     options = ["-locations", "none", "-no-obsolete", "-source-language", "en_US"]
     options += ["-tr-function-alias", "QT_TRANSLATE_NOOP+=Text"]
     with tempfile.TemporaryDirectory() as folder:
         tables = Path(folder) / "tables.py"
-        texts = [*_of_value_tables(), *(text for path in sources for text in _of_tables(path))]
+        texts = [*_of_value_tables(), *(text for _, tree in modules() for text in _of_tables(tree))]
+        texts += [(each.context, each.source) for each in constants()]
         texts += [("Refusal", text) for text in json.loads(REFUSALS.read_text("utf-8")).values()]
         tables.write_text("\n".join(map(_marked, texts)), encoding="utf-8")
-        of_code = [*map(str, sources), str(tables)]
+        of_code = [*(str(path) for path, _ in modules()), str(tables)]
         _run("lupdate", *options, "-target-language", "zh_CN", *of_code, "-ts", str(ts))
 
 
-def _of_tables(source: Path) -> Iterator[tuple[str, str]]:
+def _of_tables(tree: ast.Module) -> Iterator[tuple[str, str]]:
     """Context and text of the tables like ``Texts("Refusal") | {…}`` and operations of a file."""
-    for table in ast.walk(ast.parse(source.read_text(encoding="utf-8"))):
+    for table in ast.walk(tree):
         match table:
             case ast.BinOp(
                 left=ast.Call(func=ast.Name(id="Texts"), args=[ast.Constant(value=str(context))]),
@@ -141,8 +158,8 @@ def names(ts: Path) -> str:
 
 def _synonyms() -> Iterator[str]:
     """Yield the Chinese synonyms of the commands: what stands in ``also(…)``."""
-    for source in sorted((ROOT / "armui" / "ui").rglob("*.py")):
-        for each in ast.walk(ast.parse(source.read_text(encoding="utf-8"))):
+    for _, tree in modules():
+        for each in ast.walk(tree):
             match each:
                 case ast.Call(func=ast.Name(id="also"), args=[ast.Constant(value=str(text))]):
                     yield from (word for word in text.split() if not word.isascii())

@@ -1,35 +1,23 @@
-"""Why something was not done: the sentence stands where it is said, its figures come with it.
-
-The user interface puts it into the operator's language, in the translation context ``Refusal``.
-"""
+"""Why something was not done: the sentence stands where it is said, its figures come with it."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from typing import ClassVar
+
+from armui.system.sentence import Sentence
 
 
 @dataclass(frozen=True, slots=True)
-class Reason:
-    """A reason against an action, as a constant of the module that raises it.
+class Reason(Sentence):
+    """A reason against an action."""
 
-    ``python -m tests.translations`` collects the sentences: both arguments are literals.
-
-    Attributes:
-        id: What recordings, event files and clients keep; it never changes.
-        source: The sentence in English: what, its value and limit, and the remedy; ``{name}`` is a
-            figure. It is empty where only the id was read from a file.
-    """
-
-    id: str
-    source: str = field(default="", compare=False, repr=False)
+    context: ClassVar[str] = "Refusal"
 
     def __call__(self, **figures: float | int | str) -> Refusal:
         """This reason with the figures its sentence names, in the units it shows."""
         return Refusal(self, figures)
-
-    def __str__(self) -> str:
-        return self.id
 
 
 @dataclass(frozen=True, slots=True)

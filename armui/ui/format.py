@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from typing import Final
 
 NOTHING: Final = "—"
@@ -10,6 +11,10 @@ NOTHING: Final = "—"
 
 DECIMALS: Final = 3
 """Of angles and lengths: the resolution of the bus."""
+
+_HOUR_S: Final = 3600
+_MINUTE_S: Final = 60
+_MOST_NAMES: Final = 5
 
 
 def number(value: float | None, decimals: int = DECIMALS) -> str:
@@ -26,9 +31,9 @@ def with_unit(value: float | None, unit: str, decimals: int = DECIMALS) -> str:
 
 
 def append_unit(figure: str, unit: str) -> str:
-    """Return a written figure with its unit, if it has one."""
-    gap = "" if unit in {"", "°"} else " "
-    return f"{figure}{gap}{unit}"
+    """Return a written figure with its unit, if it has one; ``12°``, ``3°/s``, but ``40 °C``."""
+    close = not unit or (unit.startswith("°") and unit != "°C")
+    return f"{figure}{unit}" if close else f"{figure} {unit}"
 
 
 def angle(value_deg: float | None) -> str:
@@ -45,6 +50,11 @@ def short_angle(value_deg: float) -> str:
 def percent(value: float | None) -> str:
     """A percentage without decimals."""
     return with_unit(value, "%", 0)
+
+
+def count(number: int) -> str:
+    """A number of things, its digits in groups of three."""
+    return f"{number:,}"
 
 
 def joints(numbers: list[int]) -> str:
@@ -65,6 +75,25 @@ def joint_spans(numbers: list[int]) -> str:
         for span in spans
     )
     return ", ".join(texts)
+
+
+def duration(seconds: float | None) -> str:
+    """Write how long a motion lasts: ``7.5 s``, ``12:30`` or ``1:05:00``."""
+    if seconds is None:
+        return NOTHING
+    if seconds < _MINUTE_S:
+        return f"{seconds:.1f} s"
+    whole = round(seconds)
+    hours, rest = divmod(whole, _HOUR_S)
+    minutes, left = divmod(rest, _MINUTE_S)
+    return f"{hours}:{minutes:02}:{left:02}" if hours else f"{minutes}:{left:02}"
+
+
+def name_list(names: Sequence[str]) -> str:
+    """List names in a line; of more than five the first five, and how many more there are."""
+    shown = ", ".join(names[:_MOST_NAMES])
+    more = len(names) - _MOST_NAMES
+    return f"{shown} … (+{more})" if more > 0 else shown
 
 
 def parse_number(text: str) -> float | None:

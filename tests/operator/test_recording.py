@@ -11,7 +11,7 @@ from armui.protocol.codes import MoveMode
 from armui.trajectory.library.store import Library
 from armui.trajectory.points.program import Trajectory
 from armui.trajectory.samples.recording import Recording
-from armui.ui.trajectory.editor.leave_question import LeaveQuestion
+from armui.ui.dialogs.confirm_dialog import LeaveQuestion
 from armui.ui.trajectory.library.library_page import LibraryPage
 from armui.ui.trajectory.recording.recording_page import RecordingPage
 

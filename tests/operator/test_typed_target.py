@@ -56,10 +56,20 @@ def note(at):
     return line.text() if line.isVisible() else ""
 
 
+def nothing_is_previewed(at):
+    at.look()
+    return not at.ghost and note(at) == ""
+
+
+def let_arrive(at):
+    controller = at.app_driver.controller
+    at.app_driver.run_until(lambda: not controller.operating_state.moving, seconds=30.0)
+    at.look()
+
+
 @pytest.mark.usefixtures("no_motion")
 def test_a_typed_joint_target_has_a_ghost_and_a_needle_and_the_arm_stays(at):
-    assert not at.ghost
-    assert note(at) == ""
+    assert nothing_is_previewed(at)
     type_joints(at)
     assert at.ghost == pytest.approx(OUT)
     assert note(at) == PREVIEW
@@ -74,16 +84,11 @@ def test_a_typed_joint_target_has_a_ghost_and_a_needle_and_the_arm_stays(at):
 def test_what_was_sent_is_no_preview_any_more(at):
     type_joints(at)
     at.app_driver.click("send_button")
-    at.look()
-    assert not at.ghost
-    assert note(at) == ""
+    assert nothing_is_previewed(at)
     at.app_driver.run(0.5)
     at.look()
     assert not at.ghost
-    at.app_driver.run_until(
-        lambda: not at.app_driver.controller.operating_state.moving, seconds=30.0
-    )
-    at.look()
+    let_arrive(at)
     assert not at.ghost
     assert at.app_driver.controller.state.angles_deg() == pytest.approx(OUT, abs=0.1)
 
@@ -92,9 +97,7 @@ def test_what_was_sent_is_no_preview_any_more(at):
 def test_the_ghost_goes_with_the_panel_and_with_the_figure(at):
     type_joints(at)
     at.app_driver.click("menu_light")
-    at.look()
-    assert not at.ghost
-    assert note(at) == ""
+    assert nothing_is_previewed(at)
     at.app_driver.click("menu_motion")
     at.look()
     assert at.ghost == pytest.approx(OUT)
@@ -102,9 +105,7 @@ def test_the_ghost_goes_with_the_panel_and_with_the_figure(at):
     at.look()
     assert at.ghost == pytest.approx((-33.0, *OUT[1:]))
     at.app_driver.click("load_button")  # where the arm is: a ghost would be one with it
-    at.look()
-    assert not at.ghost
-    assert note(at) == ""
+    assert nothing_is_previewed(at)
 
 
 @pytest.mark.usefixtures("no_motion")
@@ -128,9 +129,7 @@ def test_half_a_figure_has_no_ghost(at):
     field.setFocus()
     field.selectAll()
     QTest.keyClick(field, Qt.Key.Key_Minus)
-    at.look()
-    assert not at.ghost
-    assert note(at) == ""
+    assert nothing_is_previewed(at)
 
 
 @pytest.mark.usefixtures("no_motion")
@@ -157,17 +156,12 @@ def test_a_pose_out_of_reach_has_no_ghost_and_says_so(at):
 def test_a_pose_that_was_sent_is_no_preview_and_a_new_one_is_again(at):
     type_pose(at)
     at.app_driver.click("move_p_button")
-    at.look()
-    assert not at.ghost
-    assert note(at) == ""
+    assert nothing_is_previewed(at)
     at.app_driver.run(0.3)
     at.app_driver.type_into("pose_field_Z", "280")  # while the arm is on its way
     at.look()
     assert at.ghost is not None
-    at.app_driver.run_until(
-        lambda: not at.app_driver.controller.operating_state.moving, seconds=30.0
-    )
-    at.look()
+    let_arrive(at)
     assert at.app_driver.find("pose_field_Z").value == pytest.approx(280.0)
     assert at.ghost is not None
 
@@ -176,9 +170,7 @@ def test_an_arm_that_moves_by_itself_has_no_ghost(at):
     assert at.app_driver.controller.motion.send_joints(OUT) is None
     for _ in range(5):
         at.app_driver.run(0.3)
-        at.look()
-        assert not at.ghost
-        assert note(at) == ""
+        assert nothing_is_previewed(at)
 
 
 def test_the_range_of_a_joint_has_a_needle_for_the_target_and_one_for_the_measured_angle(shape):

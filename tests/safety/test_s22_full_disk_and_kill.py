@@ -11,7 +11,7 @@ import pytest
 from armui.session.recording.folder import list_recordings
 from armui.session.recording.recorded_session import RecordedSession
 from armui.trajectory.library.store import Library
-from armui.ui.trajectory.editor.leave_question import LeaveQuestion
+from armui.ui.dialogs.confirm_dialog import LeaveQuestion
 from armui.ui.watch.recordings.sessions_window import SessionColumn, SessionsWindow
 from tests.operator.test_recording import Operator
 from tests.operator.test_sessions import Sessions

@@ -11,7 +11,7 @@ import pytest
 from PySide6.QtWidgets import QWidget
 
 from armui.trajectory.library.store import Library, LibraryError
-from armui.ui.trajectory.editor.leave_question import LeaveQuestion
+from armui.ui.dialogs.confirm_dialog import LeaveQuestion
 from armui.ui.trajectory.library.library_page import LibraryPage
 from tests.operator.test_recording import Operator
 

@@ -40,8 +40,21 @@ from armui.protocol.codes import ControlMode, MoveMode
 from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation, PiperModel
 from armui.sim.firmware import Firmware
-from armui.trajectory.planning.check import CheckOutcome, CheckRequest, check
-from armui.trajectory.planning.findings import Finding, FindingCode, Severity
+from armui.trajectory.planning.check import (
+    ARC_AT_LIMIT,
+    PATH_BEYOND_LIMIT,
+    TARGET_BEYOND_LIMIT,
+    CheckOutcome,
+    CheckRequest,
+    check,
+)
+from armui.trajectory.planning.findings import Finding, Severity
+from armui.trajectory.planning.planning import (
+    ARC_NO_CIRCLE,
+    OUT_OF_REACH,
+    PATH_OUT_OF_REACH,
+    PATH_SINGULAR,
+)
 from armui.trajectory.points.program import (
     GripperAngle,
     GripperOpening,
@@ -61,12 +74,12 @@ _WITHIN_S: Final = 3600.0
 
 REFUSED_BY_THE_ARM: Final = frozenset(
     {
-        FindingCode.TARGET_BEYOND_LIMIT,
-        FindingCode.PATH_BEYOND_LIMIT,
-        FindingCode.OUT_OF_REACH,
-        FindingCode.PATH_OUT_OF_REACH,
-        FindingCode.PATH_SINGULAR,
-        FindingCode.ARC_NO_CIRCLE,
+        TARGET_BEYOND_LIMIT,
+        PATH_BEYOND_LIMIT,
+        OUT_OF_REACH,
+        PATH_OUT_OF_REACH,
+        PATH_SINGULAR,
+        ARC_NO_CIRCLE,
     }
 )
 """What the arm itself says of a point it is sent to; the rest only the program looks at."""
@@ -279,7 +292,7 @@ def judge(way: Way) -> Judged:
         if not text or "{" in text:
             return Judged(findings, cycles, None, f"no reason for {found}")
     errors = [each for each in findings if each.severity is Severity.ERROR]
-    if errors and not any(each.code in REFUSED_BY_THE_ARM for each in errors):
+    if errors and not any(each.kind in REFUSED_BY_THE_ARM for each in errors):
         return Judged(findings, cycles, None)
     if errors and streamed:
         return Judged(findings, cycles, None)
@@ -288,16 +301,12 @@ def judge(way: Way) -> Judged:
     at = (progress.cycle, progress.index + 1, _text(progress.reason))
     if not errors:
         return Judged(findings, cycles, progress, f"passed, but {at}" if faulty else "")
-    order = [(each.cycle, each.row) for each in errors if each.code in REFUSED_BY_THE_ARM]
+    order = [(each.cycle, each.row) for each in errors if each.kind in REFUSED_BY_THE_ARM]
     first = min(order, key=lambda each: (each[0], each[1] or 0))
     if not faulty:
         return Judged(findings, cycles, progress, f"refused at {first}, but the arm does it")
     told = (first[0], (first[1] or 0) + 1)
-    rounded = {
-        (each.cycle, (each.row or 0) + 1)
-        for each in errors
-        if each.code is FindingCode.ARC_AT_LIMIT
-    }
+    rounded = {(each.cycle, (each.row or 0) + 1) for each in errors if each.kind == ARC_AT_LIMIT}
     if at[:2] != told and not (at[:2] in rounded and at[:2] < told):
         return Judged(findings, cycles, progress, f"refused at {told}, the arm fails at {at}")
     return Judged(findings, cycles, progress)

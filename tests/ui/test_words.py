@@ -31,7 +31,7 @@ from armui.ui.translation import LANGUAGES, Language, Translator
 from armui.ui.words import events
 from armui.ui.words.text import sentence
 from tests.each import check_each
-from tests.translations import reasons
+from tests.translations import Constant, constants
 
 AT = datetime(2026, 1, 2, 3, 4, 5).astimezone()
 
@@ -52,7 +52,24 @@ def has_chinese(text: str) -> bool:
 # Every code ---------------------------------------------------------------------------------------
 
 
-REASONS = {each.id: Reason(each.id, each.source) for each in reasons()}
+REASONS = {
+    each.id: Reason(each.id, each.source) for each in constants() if each.context == Reason.context
+}
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_every_sentence_of_the_code_reads_as_words(
+    translator: Translator, language: Language
+) -> None:
+    translator.set_language(language)
+
+    def check_words(each: Constant) -> None:
+        text = sentence(each.context, each.source, {})
+        assert has_chinese(text) is (language == "zh")
+        assert "{" not in text
+        assert each.id not in text
+
+    check_each(constants(), check_words)
 
 
 def test_there_is_a_sentence_for_every_event() -> None:
@@ -334,7 +351,7 @@ def test_the_manuals_status_bar(chinese: None) -> None:
 
 
 def test_sentences_use_only_plain_placeholders() -> None:
-    said = [each.source for each in REASONS.values()]
+    said = [each.source for each in constants()]
     for source in [*said, *events._NOTICES.values()]:
         for _text, name, spec, conversion in string.Formatter().parse(str(source)):
             assert name is None or name.isidentifier()

@@ -8,12 +8,10 @@ from __future__ import annotations
 import contextlib
 from collections.abc import Callable, Container
 from dataclasses import replace
-from datetime import UTC, datetime
 from pathlib import Path
 from typing import Final
 
 from armui.system.atomic import sync_folder, write_whole
-from armui.system.clock import in_calendar_s
 from armui.trajectory.files import log_file
 from armui.trajectory.files.errors import TrajectoryFileError
 from armui.trajectory.library.file_names import folded, free_stem
@@ -76,8 +74,7 @@ class Drafts:
         return [entry for _, entry in self._known.values()]
 
     def _entry(self, name: str, path: Path, stamp: Stamp) -> IndexEntry:
-        changed = datetime.fromtimestamp(in_calendar_s(stamp.time_ns / 1e9), UTC)
-        entry = IndexEntry(name, "draft", 0, None, changed)
+        entry = IndexEntry(name, "draft", 0, None, stamp.changed())
         try:
             read = entry_by(self._call, path, stamp.size)
         except TrajectoryFileError as error:

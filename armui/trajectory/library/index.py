@@ -13,13 +13,14 @@ import math
 import os
 from collections.abc import Collection
 from dataclasses import asdict, dataclass, replace
-from datetime import datetime
+from datetime import UTC, datetime
 from itertools import starmap
 from pathlib import Path
 from typing import Any, Final, Literal, NamedTuple, get_args
 
 from armui.arm.refusal import Reason, Refusal
 from armui.system.atomic import write_whole
+from armui.system.clock import in_calendar_s
 from armui.system.files import read_file
 from armui.trajectory.files import Content, TrajectoryFileError
 from armui.trajectory.library.run_options import RunOptions
@@ -118,6 +119,10 @@ class Stamp(NamedTuple):
     def of(cls, stat: os.stat_result) -> Stamp:
         """From what the operating system says of a file."""
         return cls(stat.st_size, stat.st_mtime_ns, stat.st_ino)
+
+    def changed(self) -> datetime:
+        """Return when the file was changed last; a time that no calendar has is its beginning."""
+        return datetime.fromtimestamp(in_calendar_s(self.time_ns / 1e9), UTC)
 
 
 class Index:

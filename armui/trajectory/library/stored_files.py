@@ -6,12 +6,10 @@ import contextlib
 import os
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
-from datetime import UTC, datetime
 from pathlib import Path
 from typing import Any, Final
 
 from armui.system.atomic import write_whole
-from armui.system.clock import in_calendar_s
 from armui.trajectory import files
 from armui.trajectory.files import Content, TrajectoryFileError
 from armui.trajectory.library.file_names import file_stem
@@ -152,8 +150,7 @@ class FileStore:
                     return None
                 kind: Final = "points" if path.suffix == ".log" else "recording"
                 name = self._index.last_name(path.name) or _name_of(path)
-                changed = datetime.fromtimestamp(in_calendar_s(stamp.time_ns / 1e9), UTC)
-                entry = IndexEntry(name, kind, 0, None, changed, damage=error)
+                entry = IndexEntry(name, kind, 0, None, stamp.changed(), damage=error)
             self._index.put(path.name, stamp, entry)
         return StoredFile(path, stamp, entry)
 

@@ -7,7 +7,7 @@ points take from half a second to many seconds, by how far they lie apart.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 from typing import Final
@@ -18,12 +18,20 @@ import numpy.typing as npt
 from armui.arm.limits import JOINTS
 from armui.arm.models import ArmModel
 from armui.kinematics.forward import flange_heights
-from armui.kinematics.singularity import NEAR_SINGULAR, margins, smallest_singular_values
+from armui.kinematics.singularity import NEAR_SINGULAR as SINGULAR_BELOW
+from armui.kinematics.singularity import margins, smallest_singular_values
 from armui.protocol.codes import MoveMode
 from armui.trajectory.files import Content
 from armui.trajectory.planning.collision import collisions
-from armui.trajectory.planning.findings import Approach, Finding, FindingCode, Severity
+from armui.trajectory.planning.findings import (
+    FAR_FROM_START,
+    Approach,
+    Finding,
+    FindingKind,
+    Severity,
+)
 from armui.trajectory.planning.planned_path import PlannedPath
+from armui.trajectory.planning.planning import NEVER_REPEATS, PATH_OUT_OF_REACH, PATH_SINGULAR
 from armui.trajectory.planning.stops import TOOL_MOVES, bounds
 from armui.trajectory.planning.timing import plan_path
 from armui.trajectory.points.program import GripperOpening, Trajectory, Waypoint
@@ -44,10 +52,6 @@ LARGE_TURN_DEG: Final = 90.0
 """So is a joint that turns further to a pose: the arm may hold it in another way than meant."""
 FLOOR_MM: Final = 0.0
 """The plane the arm stands on."""
-_OF_A_WAY: Final = frozenset(
-    {FindingCode.PATH_BEYOND_LIMIT, FindingCode.PATH_OUT_OF_REACH, FindingCode.PATH_SINGULAR}
-)
-"""Nothing of this is true of a point without where the arm comes from."""
 _ROUNDED_DEG: Final = 0.01
 """So much of a joint's angle may be lost in a pose that is rounded to the steps of the bus."""
 _SPEED_SLACK: Final = 1.02
@@ -56,6 +60,83 @@ JUMP_DEG: Final = 5.0
 _STROKE_SLACK_MM: Final = 1.0
 """A gripper that stands at its stop may measure so much more."""
 _COLLISION_STEP_DEG: Final = 2.0
+
+EMPTY = FindingKind("empty", "There is nothing to run. Add points, or record.", Severity.ERROR)
+TARGET_BEYOND_LIMIT = FindingKind(
+    "target_beyond_limit",
+    "Joint {joint} would be at {value}°, beyond its limits {minimum}° to {maximum}°. Change the "
+    "point.",
+    Severity.ERROR,
+)
+PATH_BEYOND_LIMIT = FindingKind(
+    "path_beyond_limit",
+    "On the way joint {joint} would come to {value}°, beyond its limits {minimum}° to {maximum}°. "
+    "Put another point between, or use MOVE J.",
+    Severity.ERROR,
+)
+ARC_AT_LIMIT = FindingKind(
+    "arc_at_limit",
+    "The arc begins with joint {joint} at its limit ({value}°): the arm may not find its way "
+    "there again. End the point before a little further in, or use MOVE L.",
+    Severity.ERROR,
+)
+LINKS_COLLIDE = FindingKind(
+    "links_collide",
+    "The arm would hit itself: {other} against {one}. Put another point between, or change the "
+    "point.",
+    Severity.ERROR,
+)
+JOINT_TOO_FAST = FindingKind(
+    "joint_too_fast",
+    "Joint {joint} would have to turn at {value}°/s; its limit is {maximum}°/s. Replay at "
+    "{percent} % of this speed at most.",
+    Severity.ERROR,
+)
+GRIPPER_BEYOND_STROKE = FindingKind(
+    "gripper_beyond_stroke",
+    "The gripper would have to open {value} mm; it opens {maximum} mm at most. Enter less.",
+    Severity.ERROR,
+)
+NEAR_SINGULAR = FindingKind(
+    "near_singular",
+    "The way passes near a singular pose ({value}, should be {minimum} or more): joints turn fast "
+    "there and the tool is slow. Use MOVE J, or turn the wrist.",
+    Severity.WARNING,
+)
+LARGE_TURN = FindingKind(
+    "large_turn",
+    "Joint {joint} turns {value}° to hold this pose. If that is not meant, give the point as "
+    "joint angles.",
+    Severity.WARNING,
+)
+SAMPLE_JUMP = FindingKind(
+    "sample_jump",
+    "Joint {joint} jumps {value}° from the sample before. Trim the recording there, or record "
+    "again.",
+    Severity.WARNING,
+)
+TOOL_TOO_FAST = FindingKind(
+    "tool_too_fast",
+    "The tool would go at {value} mm/s; its limit is {maximum} mm/s, and the arm does not keep it "
+    "here by itself. Lower the speed.",
+    Severity.WARNING,
+)
+OTHER_ARM = FindingKind(
+    "other_arm",
+    "This was taught on another arm: {taught}; connected is {arm}. The same joint angles may hold "
+    "the tool elsewhere. It was checked for {arm}, and nothing was converted. Watch the preview "
+    "before you accept this.",
+    Severity.WARNING,
+)
+BELOW_FLOOR = FindingKind(
+    "below_floor",
+    "The tool would be {value} mm below the plane the arm stands on. Accept this only if there is "
+    "nothing.",
+    Severity.WARNING,
+)
+
+_OF_A_WAY: Final = (PATH_BEYOND_LIMIT, PATH_OUT_OF_REACH, PATH_SINGULAR)
+"""Nothing of this is true of a point without where the arm comes from."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -116,7 +197,7 @@ def check(request: CheckRequest) -> CheckOutcome:
         # a run shortens what is planned at the points' own speeds by itself
         expected_s = plan().expected_s
     profile = replay_profile(content) if isinstance(content, Recording) else None
-    by_place = {(one.code, one.row, one.approach): one for one in reversed(found)}
+    by_place = {(one.kind, one.row, one.approach): one for one in reversed(found)}
     return CheckOutcome(path, expected_s, tuple(sorted(by_place.values(), key=_rank)), profile)
 
 
@@ -129,8 +210,7 @@ def _findings(content: Content, arm: ArmModel, path: PlannedPath) -> list[Findin
     """Return what speaks against a path, by row; what concerns the whole comes first."""
     findings = list(path.problems)
     if content.taught_on and arm.kind and content.taught_on != arm.kind:
-        kinds = {"taught": content.taught_on, "arm": arm.kind}
-        findings.append(Finding(FindingCode.OTHER_ARM, kinds))
+        findings.append(OTHER_ARM(taught=content.taught_on, arm=arm.kind))
     if isinstance(content, Recording):
         findings += _recorded(content, path, arm)
         slow = np.zeros(len(path.rows), dtype=bool)
@@ -154,7 +234,7 @@ def _findings(content: Content, arm: ArmModel, path: PlannedPath) -> list[Findin
         findings = _tell_approach(findings, path)
     if any(each.cycle > 1 and each.severity is Severity.ERROR for each in findings):
         # what ends a later cycle says why they do not repeat
-        findings = [each for each in findings if each.code is not FindingCode.NEVER_REPEATS]
+        findings = [each for each in findings if each.kind != NEVER_REPEATS]
     findings.sort(key=lambda each: (-1 if each.row is None else each.row, each.severity.value))
     return findings
 
@@ -164,7 +244,7 @@ def _tell_approach(findings: Sequence[Finding], path: PlannedPath) -> list[Findi
     first = int(path.rows[0]) if len(path.rows) else 0
     return [
         replace(one, approach=Approach.WAY)
-        if (one.row, one.cycle) == (first, 1) and one.code in _OF_A_WAY and one.approach is None
+        if (one.row, one.cycle) == (first, 1) and one.kind in _OF_A_WAY and one.approach is None
         else one
         for one in findings
     ]
@@ -172,7 +252,7 @@ def _tell_approach(findings: Sequence[Finding], path: PlannedPath) -> list[Findi
 
 def _empty(points: Sequence[Waypoint]) -> Iterator[Finding]:
     if not points:
-        yield Finding(FindingCode.EMPTY)
+        yield EMPTY()
 
 
 def _grippers(points: Sequence[Waypoint], arm: ArmModel) -> Iterator[Finding]:
@@ -181,8 +261,8 @@ def _grippers(points: Sequence[Waypoint], arm: ArmModel) -> Iterator[Finding]:
     for row, point in enumerate(points):
         action = point.gripper
         if isinstance(action, GripperOpening) and action.opening_mm > arm.stroke_mm:
-            figures = {"value": float(action.opening_mm), "maximum": float(arm.stroke_mm)}
-            yield Finding(FindingCode.GRIPPER_BEYOND_STROKE, figures, row)
+            most, wanted = float(arm.stroke_mm), float(action.opening_mm)
+            yield replace(GRIPPER_BEYOND_STROKE(value=wanted, maximum=most), row=row)
 
 
 def _limits(path: PlannedPath, led: Flags, arm: ArmModel) -> Iterator[Finding]:
@@ -197,18 +277,13 @@ def _limits(path: PlannedPath, led: Flags, arm: ArmModel) -> Iterator[Finding]:
     for index in _worst(beyond, over.max(axis=1, initial=-np.inf), path):
         joint = int(np.argmax(over[index]))
         limits = arm.limits[joint]
-        figures = {
-            "joint": JOINTS[joint],
-            "value": float(path.joints_deg[index, joint]),
-            "minimum": limits.min_deg,
-            "maximum": limits.max_deg,
-        }
-        yield _at(
-            path,
-            index,
-            FindingCode.TARGET_BEYOND_LIMIT if last[index] else FindingCode.PATH_BEYOND_LIMIT,
-            figures,
+        found = (TARGET_BEYOND_LIMIT if last[index] else PATH_BEYOND_LIMIT)(
+            joint=JOINTS[joint],
+            value=float(path.joints_deg[index, joint]),
+            minimum=limits.min_deg,
+            maximum=limits.max_deg,
         )
+        yield _at(path, index, found)
 
 
 def _arcs_at_limits(
@@ -222,8 +297,8 @@ def _arcs_at_limits(
         at = (joints < low + _ROUNDED_DEG) | (joints > high - _ROUNDED_DEG)
         if at.any():
             joint = int(np.argmax(at))
-            figures = {"joint": JOINTS[joint], "value": round(float(joints[joint]), 3)}
-            yield _at(path, index, FindingCode.ARC_AT_LIMIT, figures)
+            value = round(float(joints[joint]), 3)
+            yield _at(path, index, ARC_AT_LIMIT(joint=JOINTS[joint], value=value))
 
 
 def _near_singular(path: PlannedPath, led: Flags, arm: ArmModel) -> Iterator[Finding]:
@@ -236,10 +311,8 @@ def _near_singular(path: PlannedPath, led: Flags, arm: ArmModel) -> Iterator[Fin
         return
     smallest = smallest_singular_values(geometry, path.joints_deg[nearest])
     for index, value in zip(nearest.tolist(), smallest.tolist(), strict=True):
-        if value < NEAR_SINGULAR:
-            yield _at(
-                path, index, FindingCode.NEAR_SINGULAR, {"value": value, "minimum": NEAR_SINGULAR}
-            )
+        if value < SINGULAR_BELOW:
+            yield _at(path, index, NEAR_SINGULAR(value=value, minimum=SINGULAR_BELOW))
 
 
 def _large_turns(path: PlannedPath, posed: Flags) -> Iterator[Finding]:
@@ -248,8 +321,8 @@ def _large_turns(path: PlannedPath, posed: Flags) -> Iterator[Finding]:
     turns = np.abs(path.joints_deg[lasts] - path.joints_deg[firsts])
     for which in np.flatnonzero((turns > LARGE_TURN_DEG).any(axis=1) & posed[lasts]).tolist():
         joint = int(np.argmax(turns[which]))
-        figures = {"joint": JOINTS[joint], "value": round(float(turns[which, joint]), 1)}
-        yield _at(path, int(lasts[which]), FindingCode.LARGE_TURN, figures)
+        value = round(float(turns[which, joint]), 1)
+        yield _at(path, int(lasts[which]), LARGE_TURN(joint=JOINTS[joint], value=value))
 
 
 def _far_from_start(path: PlannedPath) -> Iterator[Finding]:
@@ -258,8 +331,8 @@ def _far_from_start(path: PlannedPath) -> Iterator[Finding]:
     away = np.abs(path.joints_deg[last] - path.joints_deg[0])
     joint = int(np.argmax(away))
     if away[joint] > FAR_FROM_START_DEG:
-        figures = {"joint": JOINTS[joint], "value": round(float(away[joint]), 1)}
-        yield _at(path, last, FindingCode.FAR_FROM_START, figures)
+        value = round(float(away[joint]), 1)
+        yield _at(path, last, FAR_FROM_START(joint=JOINTS[joint], value=value))
 
 
 def _below_floor(path: PlannedPath, arm: ArmModel) -> Iterator[Finding]:
@@ -268,8 +341,7 @@ def _below_floor(path: PlannedPath, arm: ArmModel) -> Iterator[Finding]:
     below = FLOOR_MM - heights
     only_way = below[_first_point(path)] <= 0.0
     for index in _worst(below > 0.0, below, path):
-        figures = {"value": round(float(below[index]), 1)}
-        found = _at(path, index, FindingCode.BELOW_FLOOR, figures)
+        found = _at(path, index, BELOW_FLOOR(value=round(float(below[index]), 1)))
         on_way = only_way and (found.row, found.cycle) == (int(path.rows[0]), 1)
         yield replace(found, approach=Approach.WAY) if on_way else found
 
@@ -283,8 +355,8 @@ def _tool_too_fast(path: PlannedPath, free: Flags, arm: ArmModel) -> Iterator[Fi
     fast = free & (speeds > _SPEED_SLACK * most)
     slow_way = _first_point(path) if path.expected_s == () else 0
     for index in _worst(fast, speeds, path):
-        figures = {"value": round(float(speeds[index])), "maximum": round(most)}
-        found = _at(path, index, FindingCode.TOOL_TOO_FAST, figures)
+        value = round(float(speeds[index]))
+        found = _at(path, index, TOOL_TOO_FAST(value=value, maximum=round(most)))
         # how fast a recording is approached is nothing that is recorded
         yield replace(found, approach=Approach.WAY) if index < slow_way else found
 
@@ -316,7 +388,7 @@ def _collisions(path: PlannedPath, arm: ArmModel) -> Iterator[Finding]:
         if (row, approach) not in told and not before:
             told.add((row, approach))
             one, other = hits[which].split("/")
-            found = _at(path, index, FindingCode.LINKS_COLLIDE, {"one": one, "other": other})
+            found = _at(path, index, LINKS_COLLIDE(one=one, other=other))
             yield replace(found, approach=approach)
 
 
@@ -347,15 +419,12 @@ def _by_row(path: PlannedPath, flags: Sequence[bool]) -> Flags:
     return np.array(flags, dtype=bool)[path.rows]
 
 
-def _at(
-    path: PlannedPath, index: int, code: FindingCode, figures: Mapping[str, float | int | str]
-) -> Finding:
-    return Finding(
-        code,
-        figures,
-        int(path.rows[index]),
-        tuple(path.joints_deg[index].tolist()),
-        tuple(path.places_mm[index].tolist()),
+def _at(path: PlannedPath, index: int, found: Finding) -> Finding:
+    return replace(
+        found,
+        row=int(path.rows[index]),
+        joints_deg=tuple(path.joints_deg[index].tolist()),
+        place_mm=tuple(path.places_mm[index].tolist()),
         cycle=int(path.cycles[index]),
     )
 
@@ -366,7 +435,7 @@ def _recorded(recording: Recording, path: PlannedPath, arm: ArmModel) -> Iterato
     Of samples on end with the same problem, the first is named.
     """
     if len(recording.samples) < 2:
-        yield Finding(FindingCode.EMPTY)
+        yield EMPTY()
         return
     joints_deg = recording.joints_deg
     times_s = path.times_s[path.cycles == 1][-len(joints_deg) :]  # behind them is the way back
@@ -374,35 +443,35 @@ def _recorded(recording: Recording, path: PlannedPath, arm: ArmModel) -> Iterato
     for joint, angles, limits in zip(JOINTS, joints_deg.T, arm.limits, strict=True):
         beyond = (angles < low[joint - 1]) | (angles > high[joint - 1])
         for row in _firsts(beyond):
-            figures: dict[str, float | int | str] = {
-                "joint": joint,
-                "value": float(angles[row]),
-                "minimum": limits.min_deg,
-                "maximum": limits.max_deg,
-            }
-            yield _at_sample(recording, row, FindingCode.TARGET_BEYOND_LIMIT, figures)
+            beyond_limit = TARGET_BEYOND_LIMIT(
+                joint=joint,
+                value=float(angles[row]),
+                minimum=limits.min_deg,
+                maximum=limits.max_deg,
+            )
+            yield _at_sample(recording, row, beyond_limit)
         speeds = turning_speeds(times_s, angles)
         fast = speeds > _SPEED_SLACK * limits.max_speed_deg_s
         for row in _firsts(fast):
             slow = np.flatnonzero(~fast[row:])
             end = row + int(slow[0]) if len(slow) else len(fast)
             fastest = float(speeds[row:end].max())
-            figures = {
-                "joint": joint,
-                "value": round(fastest, 1),
-                "maximum": round(limits.max_speed_deg_s, 1),
-                "percent": math.floor(100.0 * limits.max_speed_deg_s / fastest),
-            }
-            yield _at_sample(recording, row, FindingCode.JOINT_TOO_FAST, figures)
+            too_fast = JOINT_TOO_FAST(
+                joint=joint,
+                value=round(fastest, 1),
+                maximum=round(limits.max_speed_deg_s, 1),
+                percent=math.floor(100.0 * limits.max_speed_deg_s / fastest),
+            )
+            yield _at_sample(recording, row, too_fast)
     steps = np.abs(np.diff(joints_deg, axis=0))
     for row in np.flatnonzero((steps > JUMP_DEG).any(axis=1)).tolist():
         joint = int(np.argmax(steps[row]))
-        figures = {"joint": JOINTS[joint], "value": round(float(steps[row, joint]), 1)}
-        yield _at_sample(recording, row + 1, FindingCode.SAMPLE_JUMP, figures)
+        value = round(float(steps[row, joint]), 1)
+        yield _at_sample(recording, row + 1, SAMPLE_JUMP(joint=JOINTS[joint], value=value))
     if arm.stroke_mm is not None:
         for row in _firsts(recording.gripper_mm > arm.stroke_mm + _STROKE_SLACK_MM):
-            figures = {"value": float(recording.gripper_mm[row]), "maximum": float(arm.stroke_mm)}
-            yield _at_sample(recording, row, FindingCode.GRIPPER_BEYOND_STROKE, figures)
+            value, most = float(recording.gripper_mm[row]), float(arm.stroke_mm)
+            yield _at_sample(recording, row, GRIPPER_BEYOND_STROKE(value=value, maximum=most))
 
 
 def _firsts(mask: Flags) -> list[int]:
@@ -411,7 +480,5 @@ def _firsts(mask: Flags) -> list[int]:
     return begins
 
 
-def _at_sample(
-    recording: Recording, row: int, code: FindingCode, figures: dict[str, float | int | str]
-) -> Finding:
-    return Finding(code, figures, row, tuple(recording.joints_deg[row].tolist()))
+def _at_sample(recording: Recording, row: int, found: Finding) -> Finding:
+    return replace(found, row=row, joints_deg=tuple(recording.joints_deg[row].tolist()))

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Final
 
 import numpy as np
@@ -14,7 +14,7 @@ from armui.arm.models import ArmModel
 from armui.kinematics.inverse import missing_mm
 from armui.kinematics.poses import Joints, Matrix, pose_to_matrix
 from armui.kinematics.tool_path import Arc, ArcError
-from armui.trajectory.planning.findings import Finding, FindingCode
+from armui.trajectory.planning.findings import Finding, FindingKind, Severity
 from armui.trajectory.planning.stops import TOOL_MOVES, Route, Stops, as_told, choose, stops
 from armui.trajectory.planning.tool_moves import Paths, PlannedToolMoves, plan_tool_moves
 from armui.trajectory.points.program import Waypoint
@@ -41,6 +41,42 @@ _FEW_ROWS: Final = 16
 """So many rows of a further cycle are looked at first,"""
 _MORE: Final = 4
 """and so many times more each time."""
+
+NEVER_REPEATS = FindingKind(
+    "never_repeats",
+    "Each of the first {cycles} cycles takes another way than those before, so that the next ones "
+    "cannot be checked. Give one of the points as joint angles (MOVE J), or run fewer cycles.",
+    Severity.ERROR,
+)
+ARC_NO_CIRCLE = FindingKind(
+    "arc_no_circle",
+    "The point before, the middle and the end lie on a line or upon one another: that is no arc. "
+    "Move the middle aside, or use MOVE L.",
+    Severity.ERROR,
+)
+OUT_OF_REACH = FindingKind(
+    "out_of_reach",
+    "The flange cannot get there: the point is {missing} mm too far. Move it nearer.",
+    Severity.ERROR,
+)
+PATH_SINGULAR = FindingKind(
+    "path_singular",
+    "After {gone} % of the way joint {joint} would have to leap: the arm is in a singular pose "
+    "there. Put another point between, or use MOVE J.",
+    Severity.ERROR,
+)
+PATH_OUT_OF_REACH = FindingKind(
+    "path_out_of_reach",
+    "After {gone} % of the way the tool would be out of reach. Put another point between, or use "
+    "MOVE J.",
+    Severity.ERROR,
+)
+START_UNKNOWN = FindingKind(
+    "start_unknown",
+    "This would begin where row {before} ends, and the arm does not come there. Change row "
+    "{before} first.",
+    Severity.ERROR,
+)
 
 
 @dataclass(frozen=True, slots=True)
@@ -142,7 +178,7 @@ def plan_run(
         if failed or not points:
             return legs, None
     unknown = cycles == 0 or cycles > most
-    return legs, Finding(FindingCode.NEVER_REPEATS, {"cycles": most}) if unknown else None
+    return legs, NEVER_REPEATS(cycles=most) if unknown else None
 
 
 def plan_route(points: Sequence[Waypoint], arm: ArmModel, start_deg: Sequence[float]) -> Plan:
@@ -224,7 +260,7 @@ def _paths(
                 middle = pose_to_matrix(as_told(point.middle))
                 arc = _arc(table.goals[origin], middle, table.goals[stop])
             except ArcError:
-                found[stop] = Finding(FindingCode.ARC_NO_CIRCLE, row=stop - 1)
+                found[stop] = replace(ARC_NO_CIRCLE(), row=stop - 1)
                 continue
         elif _same_place(table.goals[origin], table.goals[stop]):
             route.ends_deg[stop] = route.ends_deg[origin]
@@ -274,8 +310,8 @@ def _same_place(start: Matrix, goal: Matrix) -> bool:
 def _out_of_reach(table: Stops, arm: ArmModel, stop: int) -> Finding:
     missing = missing_mm(arm.kinematics.geometry, table.goals[stop])
     place = table.goals[stop, :3, 3] + arm.tool_mm * table.goals[stop, :3, 2]
-    params = {"missing": round(missing, 1)}
-    return Finding(FindingCode.OUT_OF_REACH, params, stop - 1, place_mm=tuple(place.tolist()))
+    found = OUT_OF_REACH(missing=round(missing, 1))
+    return replace(found, row=stop - 1, place_mm=tuple(place.tolist()))
 
 
 def _broken(group: PlannedToolMoves) -> dict[int, Finding]:
@@ -284,13 +320,14 @@ def _broken(group: PlannedToolMoves) -> dict[int, Finding]:
     steps = group.joints_deg.shape[1] - 1
     for index in np.flatnonzero(group.broken >= 0).tolist():
         stop, place = int(group.stops[index]), int(group.broken[index])
-        params: dict[str, float | int | str] = {"gone": round(100.0 * place / steps)}
+        gone = round(100.0 * place / steps)
         before = group.joints_deg[index, place - 1]
         if group.singular[index]:
             leaps = np.abs(group.joints_deg[index, place] - before)
-            params["joint"] = int(np.argmax(leaps)) + 1
-        code = FindingCode.PATH_SINGULAR if group.singular[index] else FindingCode.PATH_OUT_OF_REACH
-        found[stop] = Finding(code, params, stop - 1, tuple(before.tolist()))
+            problem = PATH_SINGULAR(gone=gone, joint=int(np.argmax(leaps)) + 1)
+        else:
+            problem = PATH_OUT_OF_REACH(gone=gone)
+        found[stop] = replace(problem, row=stop - 1, joints_deg=tuple(before.tolist()))
     return found
 
 
@@ -320,5 +357,5 @@ def _behind(points: Sequence[Waypoint], problems: dict[int, Finding]) -> dict[in
     for stop, point in enumerate(points, start=1):
         before = problems.get(stop - 1) or left_out.get(stop - 1)
         if point.move in TOOL_MOVES and before is not None and stop not in problems:
-            left_out[stop] = Finding(FindingCode.START_UNKNOWN, {"before": stop - 1}, stop - 1)
+            left_out[stop] = replace(START_UNKNOWN(before=stop - 1), row=stop - 1)
     return left_out

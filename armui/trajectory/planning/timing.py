@@ -15,7 +15,7 @@ import numpy.typing as npt
 
 from armui.arm.models import ArmModel
 from armui.trajectory.planning import trapezoids
-from armui.trajectory.planning.findings import Finding, FindingCode
+from armui.trajectory.planning.findings import Finding, FindingKind, Severity
 from armui.trajectory.planning.planned_path import PlannedPath, sampled_path
 from armui.trajectory.planning.planning import Leg, Plan, plan_run
 from armui.trajectory.points.program import Trajectory
@@ -32,6 +32,13 @@ _FEWEST_STEPS: Final = 8
 _NO_ROWS: Final = np.empty(0, dtype=np.int64)
 _SLOWEST: Final = 0.05
 """Limits of 0 are taken as so many °/s and °/s²: the time is long, and known."""
+
+EITHER_WAY = FindingKind(
+    "either_way",
+    "Two ways to hold this pose are about equally near: joint {joint} at {value}°, which was "
+    "checked, or at {other}°. Give the point as joint angles, so that it is certain which.",
+    Severity.WARNING,
+)
 
 
 def plan_path(
@@ -124,8 +131,8 @@ def _joined(
         expected_s[here] = np.maximum(expected_s[here], part.expected_s)
         problems += (_placed(leg.plan.problems[stop], leg) for stop in sorted(leg.plan.problems))
         for stop, (joint, one, other) in leg.plan.route.unsure.items():
-            figures = {"joint": joint, "value": round(one, 1), "other": round(other, 1)}
-            problems.append(_placed(Finding(FindingCode.EITHER_WAY, figures, stop - 1), leg))
+            found = EITHER_WAY(joint=joint, value=round(one, 1), other=round(other, 1))
+            problems.append(_placed(replace(found, row=stop - 1), leg))
     return sampled_path(
         np.concatenate(times),
         np.concatenate(joints),

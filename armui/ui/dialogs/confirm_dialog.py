@@ -220,6 +220,22 @@ class SaveQuestion(ConfirmDialog):
             self.save_wanted.emit()
 
 
+class LeaveQuestion(SaveQuestion):
+    """Save a trajectory, discard what was changed in it, or stay.
+
+    Args:
+        controller: Whom the emergency stop tells.
+        parent: The editor.
+        name: Of the trajectory.
+    """
+
+    def __init__(self, controller: ArmController, parent: QWidget, name: str) -> None:
+        text = QCoreApplication.translate(
+            "LeaveQuestion", "What you changed in “{name}” has not been saved."
+        )
+        super().__init__(controller, parent, text.format(name=name), concerns_arm=False)
+
+
 class CloseQuestion(ConfirmDialog):
     """End the motion and close, let it finish and close, or stay.
 

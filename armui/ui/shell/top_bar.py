@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING, Final
 
-from PySide6.QtCore import QPointF, QRectF, QSignalBlocker, QSize, Qt
+from PySide6.QtCore import QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QFont, QFontMetrics, QPainter, QPaintEvent, QPen
-from PySide6.QtWidgets import QAbstractButton, QLabel, QSizePolicy, QSpinBox, QWidget
+from PySide6.QtWidgets import QAbstractButton, QLabel, QSizePolicy, QWidget
 
 from armui.arm.device import Device
 from armui.arm.limits import JOINTS
@@ -29,9 +29,9 @@ from armui.ui.widgets.buttons import named
 from armui.ui.widgets.curve_menu import tell_quantities
 from armui.ui.widgets.halt_button import HaltButton
 from armui.ui.widgets.layouts import fill, in_row
+from armui.ui.widgets.percent_input import PercentInput
 from armui.ui.widgets.stop_button import StopButton
 from armui.ui.widgets.text_label import ValueLabel
-from armui.ui.widgets.track_slider import TrackSlider
 from armui.ui.widgets.translated import Translated
 from armui.ui.words.text import Text, Texts
 
@@ -73,16 +73,13 @@ class SpeedControl(Translated, QWidget):
         self._controller = controller
         self.setMaximumWidth(_WIDEST_PX)
         self._label = QLabel()
-        self._slider = named("speed_slider", TrackSlider(1.0, origin=0.0, jumps=False))
-        self._slider.setRange(0, 100)
-        self._slider.setPageStep(10)
-        self._slider.setTracking(False)
-        self.field = named("speed_field", QSpinBox())
-        self.field.setRange(0, 100)
-        self.field.setSuffix(" %")
-        self.field.setKeyboardTracking(False)
-        self.field.setAlignment(Qt.AlignmentFlag.AlignCenter)
-        self.field.setMinimumWidth(70)
+        self._input = PercentInput(
+            "speed",
+            lambda: controller.operating_state.speed_percent,
+            controller.motion.set_speed_percent,
+            self,
+        )
+        self._slider, self.field = self._input.slider, self._input.field
         self.field.setFixedHeight(34)
         self._label.setBuddy(self.field)
         self._arm_label = QLabel()
@@ -91,34 +88,13 @@ class SpeedControl(Translated, QWidget):
         tell_quantities(self, "arm.speed_percent", "own.speed_percent", "other.speed_percent")
         wanted = (self._label, (self._slider, 1), self.field)
         in_row(*wanted, self._arm_label, self._arm_value, on=self, spacing=8, margins=0)
-        self._slider.valueChanged.connect(self._on_chosen)
-        self._slider.sliderMoved.connect(self._on_dragged)
-        self._slider.sliderReleased.connect(self._on_released)
-        self.field.valueChanged.connect(self._on_chosen)
         controller.state_changed.connect(self._on_state_changed)
         controller.operating_state_changed.connect(self._on_operating_state_changed)
         self.retranslate_ui()
-        self._show_setpoint()
-
-    def _on_dragged(self, percent: int) -> None:
-        """While the handle is held the field says where it is, and the arm only gets slower."""
-        with QSignalBlocker(self.field):
-            self.field.setValue(percent)
-        if percent < self._controller.operating_state.speed_percent:
-            self._controller.motion.set_speed_percent(percent)
-
-    def _on_released(self) -> None:
-        """The place where the handle was let go counts, also where it was taken."""
-        self._on_chosen(self._slider.sliderPosition())
-
-    def _on_chosen(self, percent: int) -> None:
-        if percent != self._controller.operating_state.speed_percent:
-            self._controller.motion.set_speed_percent(percent)
-        self._show_setpoint()
+        self._input.show_value()
 
     def _on_operating_state_changed(self, operating_state: OperatingState) -> None:
-        if not self._slider.isSliderDown():
-            self._show_setpoint()
+        self._input.follow_value()
         self._allow(operating_state)
         self._show_what_is_told(operating_state.generation)
         self._on_state_changed(self._controller.state)
@@ -130,12 +106,6 @@ class SpeedControl(Translated, QWidget):
         for widget in (self._slider, self.field):
             widget.setEnabled(not reason)
             widget.setToolTip(reason or use)
-
-    def _show_setpoint(self) -> None:
-        percent = self._controller.operating_state.speed_percent
-        self._slider.show_requested(percent)
-        with QSignalBlocker(self.field):
-            self.field.setValue(percent)
 
     def _on_state_changed(self, state: ArmState) -> None:
         if not self.isVisible():

@@ -8,6 +8,8 @@ from typing import Final, NamedTuple, TypeVar
 
 from PySide6.QtCore import QCoreApplication
 
+from armui.system.sentence import Sentence
+
 Key = TypeVar("Key")
 Other = TypeVar("Other")
 
@@ -51,6 +53,11 @@ def sentence(context: str, source: object, params: Mapping[str, object]) -> str:
     """
     figures = _Figures({key: _figure(value) for key, value in params.items()})
     return QCoreApplication.translate(context, str(source)).format_map(figures)
+
+
+def said(what: Sentence, params: Mapping[str, object]) -> str:
+    """A sentence of the code in the operator's language; for the figures see :func:`sentence`."""
+    return sentence(what.context, what.source, params)
 
 
 class Text(NamedTuple):

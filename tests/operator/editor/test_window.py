@@ -7,8 +7,8 @@ from PySide6.QtWidgets import QComboBox, QWidget
 
 from armui.trajectory.points.cells import PointColumn
 from armui.ui.background import Background
+from armui.ui.dialogs.confirm_dialog import LeaveQuestion
 from armui.ui.trajectory.editor.editor_page import EditorPage
-from armui.ui.trajectory.editor.leave_question import LeaveQuestion
 from armui.ui.trajectory.library.library_work import LibraryWork
 from armui.ui.trajectory.running.run_bar import RunChoices
 from armui.ui.trajectory.running.run_request import Checks

@@ -6,9 +6,9 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QDialog, QWidget
 
 from armui.control.operating_state import StopState
+from armui.ui.dialogs.confirm_dialog import LeaveQuestion
 from armui.ui.shell.operation_area import OperationArea
 from armui.ui.trajectory.editor.editor_page import EditorPage
-from armui.ui.trajectory.editor.leave_question import LeaveQuestion
 from armui.ui.trajectory.library.library_page import LibraryPage
 from tests.operator.library.actions import CTRL
 from tests.operator.workspace.actions import rect_in_window

@@ -5,8 +5,8 @@ from PySide6.QtCore import QPoint, QRect
 from PySide6.QtWidgets import QWidget
 
 from armui.ui.dialogs.base import ArmDialog
+from armui.ui.dialogs.confirm_dialog import LeaveQuestion
 from armui.ui.shell.workspace import PageWindow
-from armui.ui.trajectory.editor.leave_question import LeaveQuestion
 
 pytestmark = pytest.mark.styled
 

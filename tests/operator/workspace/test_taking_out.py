@@ -8,9 +8,9 @@ from PySide6.QtWidgets import QAbstractScrollArea, QWidget
 from shiboken6 import isValid
 
 from armui.control.operating_state import StopState
+from armui.ui.dialogs.confirm_dialog import LeaveQuestion
 from armui.ui.shell.operation_area import OperationArea
 from armui.ui.trajectory.editor.editor_page import EditorPage
-from armui.ui.trajectory.editor.leave_question import LeaveQuestion
 from armui.ui.trajectory.library.library_page import LibraryPage
 from armui.ui.widgets.page import Page
 

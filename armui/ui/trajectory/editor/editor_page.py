@@ -21,12 +21,12 @@ from armui.trajectory.points.edits import Change
 from armui.trajectory.points.program import Trajectory, Waypoint, speeds_of
 from armui.ui import words
 from armui.ui.actions.command import Command, Target
+from armui.ui.dialogs.confirm_dialog import LeaveQuestion
 from armui.ui.panels.jogging.jog_box import JogBox
 from armui.ui.trajectory.editor.document import Document, DraftKeeper
 from armui.ui.trajectory.editor.editor_actions import NAMES, EditorActions, EditorHint
 from armui.ui.trajectory.editor.find_bar import FindBar, Finder
 from armui.ui.trajectory.editor.findings_pane import FindingsPane
-from armui.ui.trajectory.editor.leave_question import LeaveQuestion
 from armui.ui.trajectory.editor.other_arm_line import OtherArmLine
 from armui.ui.trajectory.editor.point_edits import OfOtherArm, Outcome, PointEdits
 from armui.ui.trajectory.editor.points_model import PointsModel

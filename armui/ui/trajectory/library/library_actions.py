@@ -14,9 +14,9 @@ from armui.control.events import Level
 from armui.trajectory.library.history import Deletion, LibraryHistory, Origin, Renaming, Step
 from armui.trajectory.library.store import Deleted, Listing
 from armui.trajectory.points.program import Trajectory
+from armui.ui import format as fmt
 from armui.ui.actions.keys import key_text, listen_for
 from armui.ui.trajectory.library.library_work import LibraryWork
-from armui.ui.trajectory.text import name_list
 from armui.ui.widgets.message_line import Words
 from armui.ui.widgets.translated import Translated
 
@@ -168,17 +168,17 @@ class LibraryActions(QObject):
         return self._deleted(step.names)
 
     def _deleted(self, names: Sequence[str]) -> str:
-        return self.tr("Deleted: {names}").format(names=name_list(names))
+        return self.tr("Deleted: {names}").format(names=fmt.name_list(names))
 
     def _brought_back(self, names: Sequence[str]) -> str:
-        return self.tr("Brought back: {names}").format(names=name_list(names))
+        return self.tr("Brought back: {names}").format(names=fmt.name_list(names))
 
     def undo_text(self) -> tuple[str, str]:
         """Return what would be undone now and what that does; empty texts if there is nothing."""
         step = self._history.last
         if step is None:
             return "", ""
-        names = name_list(step.names)
+        names = fmt.name_list(step.names)
         if isinstance(step, Deletion):
             text, effect = self.tr("Undo deleting “{names}”"), self.tr("Brings it back.")
         elif isinstance(step, Renaming):

@@ -22,13 +22,13 @@ from armui.trajectory import files
 from armui.trajectory.files import Content, TrajectoryFileError
 from armui.trajectory.library.file_names import file_stem
 from armui.trajectory.library.store import Imported, Library, LibraryError, import_files
+from armui.ui import format as fmt
 from armui.ui import words
 from armui.ui.background import Background, Job
 from armui.ui.dialogs.base import ArmDialog, CloseButton
 from armui.ui.dialogs.files import FileDialog, choose_file
 from armui.ui.trajectory.library.library_work import LibraryWork
 from armui.ui.trajectory.table_import.columns_page import ColumnsOffer
-from armui.ui.trajectory.text import name_list
 from armui.ui.widgets.layouts import STRETCH, fill
 from armui.ui.widgets.table_model import plain_table
 from armui.ui.widgets.text_label import text_label
@@ -336,7 +336,7 @@ class LibraryExchange(QObject):
         """
         if paths:
             text = self.tr("Reading {names}…").format(
-                names=name_list([path.name for path in paths])
+                names=fmt.name_list([path.name for path in paths])
             )
             self.said.emit(text, Level.INFO)
             self._background.begin(
@@ -369,10 +369,10 @@ class LibraryExchange(QObject):
         ]
         lines = []
         if taken:
-            lines.append(self.tr("Imported: {names}").format(names=name_list(taken)))
+            lines.append(self.tr("Imported: {names}").format(names=fmt.name_list(taken)))
         if moved:
             text = self.tr("Their names were taken, so they got others: {names}")
-            lines.append(text.format(names=name_list(moved)))
+            lines.append(text.format(names=fmt.name_list(moved)))
         problems = [result.problem for result in results if result.problem]
         one = self.tr("Not imported. {reason}")
         rest = self.tr("Not imported either: {count} more. See the results.")
@@ -419,7 +419,7 @@ class LibraryExchange(QObject):
         problems = [_problem_text(failure) for failure in failures]
         lines = []
         if written:
-            lines.append(self.tr("Exported: {names}").format(names=name_list(written)))
+            lines.append(self.tr("Exported: {names}").format(names=fmt.name_list(written)))
         one, rest = self.tr("Not exported. {reason}"), self.tr("Not exported either: {count} more.")
         lines += _problem_lines(problems, one, rest)
         self.said.emit("\n".join(lines), Level.FAULT if problems else Level.DONE)

@@ -18,7 +18,6 @@ from PySide6.QtCore import (
 from armui.trajectory.library.store import Check, IndexEntry
 from armui.ui import format as fmt
 from armui.ui import words
-from armui.ui.trajectory.text import duration
 from armui.ui.widgets.table_model import RIGHT, Index, TableModel
 
 ENTRY_ROLE: Final = Qt.ItemDataRole.UserRole
@@ -128,11 +127,11 @@ class LibraryModel(TableModel):
         if column is LibraryColumn.POINTS:
             if entry.damage is not None:
                 return fmt.NOTHING
-            count = entry.count
+            count = fmt.count(entry.count)
             is_recording = entry.kind == "recording"
-            return self.tr("{count} samples").format(count=count) if is_recording else str(count)
+            return self.tr("{count} samples").format(count=count) if is_recording else count
         if column is LibraryColumn.LENGTH:
-            return duration(entry.length_s)
+            return fmt.duration(entry.length_s)
         if column is LibraryColumn.MODIFIED:
             return f"{entry.modified.astimezone():%Y-%m-%d %H:%M}"
         return self._check(entry) if column is LibraryColumn.CHECK else " ".join(entry.note.split())

@@ -11,7 +11,7 @@ from typing import Final
 from PySide6.QtCore import QFileSystemWatcher, QLockFile, QObject, QTimer, Signal
 
 from armui.control.events import Level
-from armui.ui.trajectory.text import name_list
+from armui.ui import format as fmt
 from armui.ui.widgets.message_line import MessageLine
 from armui.ui.widgets.translated import Translated
 
@@ -88,7 +88,7 @@ class SharedUseBanner(Translated, MessageLine):
             "Another program has this library open, too ({names}). What it saves appears in this "
             "list. Do not edit the same trajectory in both."
         )
-        self.show_message(text.format(names=name_list(list(self._others))), Level.WARNING)
+        self.show_message(text.format(names=fmt.name_list(list(self._others))), Level.WARNING)
 
 
 _PAUSE_MS: Final = 150

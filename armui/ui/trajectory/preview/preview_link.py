@@ -13,8 +13,9 @@ from PySide6.QtCore import QCoreApplication, QEvent, QModelIndex, QObject
 from armui.arm.refusal import Refusal
 from armui.kinematics.forward import flange_transforms
 from armui.kinematics.poses import pose_to_matrix
+from armui.trajectory.planning.check import BELOW_FLOOR
 from armui.trajectory.planning.convert import comes_from, to_joints
-from armui.trajectory.planning.findings import FindingCode, Severity
+from armui.trajectory.planning.findings import Severity
 from armui.trajectory.points import edits
 from armui.trajectory.points.cells import VALUES
 from armui.trajectory.points.program import VALUE_COUNT, Trajectory, check_point
@@ -68,7 +69,7 @@ def _place_mm(
 ) -> tuple[float, float, float] | None:
     """Return the tool centre point of a finding, and of one about the floor the fingertip."""
     arm, path, content = checked.order.arm, checked.path, checked.content
-    if found.place_mm is not None and found.code == FindingCode.BELOW_FLOOR:
+    if found.place_mm is not None and found.kind == BELOW_FLOOR:
         x, y, z = found.place_mm
         return x, y, z
     joints_deg: Sequence[float] | None = found.joints_deg

@@ -20,13 +20,13 @@ from armui.trajectory.library.run_options import RunOptions
 from armui.trajectory.library.store import Library
 from armui.trajectory.samples import thin
 from armui.trajectory.samples.recording import Recording
+from armui.ui import format as fmt
 from armui.ui import words
 from armui.ui.actions.command import Command, Target
 from armui.ui.background import Job
-from armui.ui.trajectory.editor.leave_question import LeaveQuestion
+from armui.ui.dialogs.confirm_dialog import LeaveQuestion
 from armui.ui.trajectory.library.library_work import LibraryWork
 from armui.ui.trajectory.running.run_request import Checks, Preflight
-from armui.ui.trajectory.text import duration
 from armui.ui.widgets.buttons import named, push_button
 from armui.ui.widgets.figure_field import FigureField
 from armui.ui.widgets.layouts import STRETCH, empty_grid, fill, in_row
@@ -345,8 +345,8 @@ class RecordingPage(Page):
             self._kept.setText(self.tr("Nothing is left: correct the marked fields."))
         else:
             text = self.tr("Keeps {kept} of {count} samples, {time}")
-            kept, count = len(result.samples), len(whole.samples)
-            text = text.format(kept=kept, count=count, time=duration(result.duration_s))
+            kept, count = fmt.count(len(result.samples)), fmt.count(len(whole.samples))
+            text = text.format(kept=kept, count=count, time=fmt.duration(result.duration_s))
             self._kept.setText(text)
         for button in (self._preview, self._as_samples, self._as_points):
             button.setEnabled(result is not None or self._job is not None)
@@ -431,7 +431,7 @@ class RecordingPage(Page):
         self._record.setText(self.tr("Stop recording") if running else self.tr("Record"))
         if running:
             text = self.tr("Recording: {time}, {count} samples").format(
-                time=duration(recorder.duration_s), count=recorder.count
+                time=fmt.duration(recorder.duration_s), count=fmt.count(recorder.count)
             )
             if recorder.dropped:
                 text += self.tr(" ({count} lost)").format(count=recorder.dropped)
@@ -439,7 +439,8 @@ class RecordingPage(Page):
             text = self.tr("Lead the arm by hand, or move it by anything, while it records.")
         else:
             text = self.tr("Recorded: {time}, {count} samples").format(
-                time=duration(self._recording.duration_s), count=len(self._recording.samples)
+                time=fmt.duration(self._recording.duration_s),
+                count=fmt.count(len(self._recording.samples)),
             )
         self._state.setText(text)
         for field in (self._from, self._to, self._tolerance):

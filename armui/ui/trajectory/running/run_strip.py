@@ -12,12 +12,12 @@ from armui.control.operations.operation import operation_of
 from armui.control.run.player import Player
 from armui.control.run.progress import ENDLESS, OVER, Progress, RunPhase
 from armui.control.run.speed_override import STEP_PERCENT, SpeedOverride
+from armui.ui import format as fmt
 from armui.ui import words
 from armui.ui.actions.command import Command, Target, also
 from armui.ui.theme import colors_of
 from armui.ui.trajectory.running.override_control import OverrideControl
 from armui.ui.trajectory.running.runner import Runner, can_go_on, can_pause
-from armui.ui.trajectory.text import duration
 from armui.ui.widgets import icons
 from armui.ui.widgets.buttons import describe, named, push_button
 from armui.ui.widgets.hold_button import HoldButton
@@ -147,7 +147,7 @@ class RunStrip(Translated, QWidget):
             text = self.tr("cycle {cycle} of {cycles}")
             parts.append(text.format(cycle=progress.cycle, cycles=total))
         if progress.remaining_s is not None and self._runner.running:
-            left = duration(progress.remaining_s)
+            left = fmt.duration(progress.remaining_s)
             parts.append(self.tr("{time} left").format(time=left))
         parts.append(self._phase_word(progress.phase))
         if self._refusal is not None and progress.phase not in OVER:

@@ -1,0 +1,118 @@
+"""Sentences beside what raises them: ids that stay, figures that fit, and none that nobody says."""
+
+from __future__ import annotations
+
+import ast
+import json
+import pickle
+import string
+from collections import Counter
+from collections.abc import Iterator
+from functools import cache
+from pathlib import Path
+
+from armui.arm.refusal import Reason, Refusal
+from tests.translations import KINDS, REFUSALS, ROOT, Constant, constants, modules
+
+RAISERS = {"broken", "SceneError"}
+"""They take a sentence and its figures."""
+HELPS_A_FIGURE = {"joint", "parameter", "unit"}
+"""Not in the sentence itself: a parameter's name says its joint, its kind says the unit."""
+BY_PLACE = {(each.path, each.name): each for each in constants()}
+
+
+def figures_of(source: str) -> set[str]:
+    return {name for _, name, _, _ in string.Formatter().parse(source) if name}
+
+
+@cache
+def known(path: Path, tree: ast.Module) -> dict[str, Constant]:
+    """The sentences that a module has names for: its own, and those it imports."""
+    names = {name: each for (place, name), each in BY_PLACE.items() if place == path}
+    for node in ast.walk(tree):
+        if isinstance(node, ast.ImportFrom) and node.module:
+            there = ROOT / f"{node.module.replace('.', '/')}.py"
+            for alias in node.names:
+                if (there, alias.name) in BY_PLACE:
+                    names[alias.asname or alias.name] = BY_PLACE[there, alias.name]
+    return names
+
+
+def raised(path: Path, tree: ast.Module) -> Iterator[tuple[Constant, ast.Call]]:
+    """Each place that raises a sentence and gives its figures by name."""
+    names = known(path, tree)
+    for node in ast.walk(tree):
+        match node:
+            case ast.Call(func=ast.Name(id=how), args=[what, *_]) if how in RAISERS:
+                said = what
+            case ast.Call(func=said):
+                pass
+            case _:
+                continue
+        either = (said.body, said.orelse) if isinstance(said, ast.IfExp) else (said,)
+        for each in either:
+            if isinstance(each, ast.Name) and each.id in names:
+                yield names[each.id], node
+
+
+def test_an_id_is_given_once_in_its_context_and_is_the_constants_name():
+    ids = Counter((each.context, each.id) for each in constants())
+    assert [each for each, count in ids.items() if count > 1] == []
+    assert [each.name for each in constants() if each.id != each.name.lower()] == []
+    assert len({kind.context for kind in KINDS}) == len(KINDS)
+
+
+def test_each_is_a_constant_of_its_module_with_literal_arguments():
+    kinds = {kind.__name__ for kind in KINDS}
+    calls = sum(
+        isinstance(node, ast.Call)
+        and isinstance(node.func, ast.Name)
+        and node.func.id in kinds
+        and len(node.args) > 1
+        for _, tree in modules()
+        for node in ast.walk(tree)
+    )
+    assert calls == len(constants()) > 270
+
+
+def test_the_figures_given_are_those_of_the_sentence():
+    wrong = []
+    looked_at = 0
+    for path, tree in modules():
+        for each, call in raised(path, tree):
+            given = {keyword.arg for keyword in call.keywords}
+            wanted = figures_of(each.source)
+            missing = set() if None in given else wanted - given
+            spare = given - wanted - HELPS_A_FIGURE - {None}
+            if missing or spare:
+                place = f"{path.relative_to(ROOT)}:{call.lineno}"
+                wrong.append((place, each.name, missing, spare))
+            looked_at += 1
+    assert wrong == []
+    assert looked_at > 320
+
+
+def test_each_is_raised_or_asked_for():
+    used = {
+        known(path, tree)[node.id]
+        for path, tree in modules()
+        for node in ast.walk(tree)
+        if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Load)
+        if node.id in known(path, tree)
+    }
+    assert set(constants()) - used == set()
+
+
+def test_the_sentences_of_refusals_are_kept_by_id():
+    kept = json.loads(REFUSALS.read_text(encoding="utf-8"))
+    said = {each.id: each.source for each in constants() if each.context == Reason.context}
+    assert said.items() <= kept.items()
+
+
+def test_a_reason_is_the_same_by_its_id():
+    reason = Reason("too_far", "{value} m is too far.")
+    refusal = reason(value=3)
+    assert refusal == Refusal(Reason("too_far"), {"value": 3})
+    assert pickle.loads(pickle.dumps(refusal)).reason == reason
+    assert refusal.code == "too_far"
+    assert str(refusal) == "too_far(value=3)"
