@@ -6,7 +6,7 @@ import sys
 import pytest
 
 from armui.doctor import adapter_change
-from armui.doctor.adapter_change import AdapterChange, Done, Planned, are_owned
+from armui.doctor.adapter_change import AdapterChange, Answer, Done, Planned, are_owned
 from tests.packages.adapter_system import AdapterSystem
 
 pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="the helper is for Linux")
@@ -25,7 +25,7 @@ class Answers:
     """What a change tells, in the order it is told."""
 
     def __init__(self):
-        self._queue = queue.Queue()
+        self._queue: queue.Queue[Answer] = queue.Queue()
 
     def __call__(self, answer):
         self._queue.put(answer)

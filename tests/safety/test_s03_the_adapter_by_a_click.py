@@ -39,6 +39,10 @@ class Changes:
         self.ended += 1
 
 
+def not_listening(_arguments, _tell):
+    return Changes()
+
+
 @pytest.fixture
 def changes():
     return Changes()
@@ -54,7 +58,7 @@ def on_can0(rig):
 
 @pytest.fixture
 def line(qtbot, on_can0, changes):
-    line = AdapterLine(on_can0.controller, changes, lambda *_: None, lambda: True)
+    line = AdapterLine(on_can0.controller, changes, not_listening, lambda: True)
     qtbot.addWidget(line)
     return line
 
@@ -129,7 +133,7 @@ def test_a_stop_goes_out_while_the_helper_hangs(qtbot, tmp_path, on_can0, says):
         begun.append(AdapterChange(words, tell, [str(hung)]))
         return begun[-1]
 
-    line = AdapterLine(on_can0.controller, begin, lambda *_: None, lambda: True)
+    line = AdapterLine(on_can0.controller, begin, not_listening, lambda: True)
     qtbot.addWidget(line)
     line.choose(("reset", "can7"))
     if says:

@@ -39,7 +39,7 @@ _TYPED_MS: Final = 300
 _SIZE_PX: Final = (720, 520)
 
 
-class Change(Protocol):
+class HelperRun(Protocol):
     """Something under way that is told to go, and can be ended."""
 
     def go(self) -> None:
@@ -49,18 +49,19 @@ class Change(Protocol):
         """Nobody wants it any more."""
 
 
-Begin = Callable[[Sequence[str], Callable[[Answer], object], Sequence[str]], Change]
+Begin = Callable[[Sequence[str], Callable[[Answer], object], Sequence[str]], HelperRun]
 """Begins a change; see :class:`armui.doctor.adapter_change.AdapterChange`."""
 
 
 class Examination(Protocol):
-    """Listening that can be ended."""
+    """Something under way that can be ended."""
 
     def end(self) -> None:
         """Nobody waits for it any more."""
 
 
 Examine = Callable[[Sequence[str], Callable[[list[Diagnosis] | str], object]], Examination]
+"""Begins an examination; see :class:`armui.doctor.process.DoctorProcess`."""
 
 
 class AdapterLine(Translated, QWidget):
@@ -97,7 +98,7 @@ class AdapterLine(Translated, QWidget):
         self._number = 0
         self._remedy: Remedy = ()
         self._shown: Planned | None = None
-        self._change: Change | None = None
+        self._change: HelperRun | None = None
         self._listening: Examination | None = None
         self._frames = 0
         self._line = named("adapter_message", MessageLine())
@@ -294,7 +295,7 @@ class KeepDialog(ArmDialog):
         self._agreed = agreed
         self._begin = begin
         self._number = 0
-        self._change: Change | None = None
+        self._change: HelperRun | None = None
         self._planned: Planned | None = None
         self._name_label = QLabel()
         self.name_edit = named("adapter_name", QLineEdit())

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping
 from dataclasses import replace
 from functools import partial
-from typing import Any, Final, Protocol
+from typing import Any, Final
 
 from PySide6.QtCore import Qt, QTimer, Signal
 from PySide6.QtGui import QCloseEvent, QGuiApplication
@@ -25,7 +25,7 @@ from armui.doctor.report import Words, as_text
 from armui.protocol.codec import Codec
 from armui.protocol.generation import Generation
 from armui.ui.actions.command import Command, Target
-from armui.ui.dialogs.adapter_line import AdapterLine
+from armui.ui.dialogs.adapter_line import AdapterLine, Examination, Examine
 from armui.ui.dialogs.base import ArmDialog, CloseButton
 from armui.ui.dialogs.finding_row import FindingRow
 from armui.ui.widgets.buttons import enable_or_explain, named, push_button
@@ -75,17 +75,6 @@ def judge_connected(controller: ArmController, *, frames: int, seconds: float) -
         params = {"device": now.device.name, "frames": now.other_host.frames}
         findings.append(Diagnosis(Section.ARM, "other_host", DiagnosisLevel.WARNING, params))
     return findings
-
-
-class Examination(Protocol):
-    """Something under way that can be ended."""
-
-    def end(self) -> None:
-        """Nobody waits for it any more."""
-
-
-Examine = Callable[[Sequence[str], Callable[[list[Diagnosis] | str], object]], Examination]
-"""Begins an examination; see :class:`armui.doctor.process.DoctorProcess`."""
 
 
 class DoctorDialog(ArmDialog):
