@@ -407,17 +407,6 @@
         <source>{channel} is switched on, but nothing is heard: is the arm powered, the CAN cable plugged in, the bit rate the arm&apos;s?</source>
         <translation>{channel} 已启用，但没有收到报文：机械臂是否上电、CAN 线是否插好、波特率是否与机械臂一致？</translation>
     </message>
-    <message>
-        <source>en</source>
-        <translation>zh</translation>
-    </message>
-</context>
-<context>
-    <name>AdapterTrouble</name>
-    <message>
-        <source>en</source>
-        <translation>zh</translation>
-    </message>
 </context>
 <context>
     <name>ArcBox</name>
@@ -1616,6 +1605,293 @@
     </message>
 </context>
 <context>
+    <name>Diagnosis</name>
+    <message>
+        <source>armui {armui}, Python {version}, {system}.</source>
+        <translation>armui {armui}，运行于 Python {version}，{system}。</translation>
+    </message>
+    <message>
+        <source>armui {armui} wants Python 3.11 or newer; this is {version} on {system}. Install a newer Python.</source>
+        <translation>armui {armui} 需要 Python 3.11 或更高版本，当前为 {version}（{system}）。请安装新版 Python。</translation>
+    </message>
+    <message>
+        <source>All {count} packages are there in a fitting version.</source>
+        <translation>所需的 {count} 个软件包均已安装，版本合适。</translation>
+    </message>
+    <message>
+        <source>On a busy computer, window, bus and stop may go before other programs.</source>
+        <translation>电脑繁忙时，本程序的窗口、总线和急停可优先运行。</translation>
+    </message>
+    <message>
+        <source>On a busy computer, window, bus and stop wait their turn behind other programs: {text}. A stop may then leave some tenths of a second later. Install rtkit, or close what keeps the computer busy.</source>
+        <translation>电脑繁忙时，本程序的窗口、总线和急停须与其他程序轮流运行（{text}），急停可能晚零点几秒发出。请安装 rtkit，或关闭占用电脑的程序。</translation>
+    </message>
+    <message>
+        <source>The package {package} is missing. Install it.</source>
+        <translation>缺少软件包 {package}，请安装。</translation>
+    </message>
+    <message>
+        <source>The package {package} is there as {installed}; {wanted} is wanted.</source>
+        <translation>软件包 {package} 的版本为 {installed}，需要 {wanted}。</translation>
+    </message>
+    <message>
+        <source>The package {package} is not installed; some adapters or a simulated arm in another process want it.</source>
+        <translation>未安装软件包 {package}；部分适配器或另一进程中的仿真机械臂需要它。</translation>
+    </message>
+    <message>
+        <source>Qt {qt} draws through {platform}.</source>
+        <translation>Qt {qt} 通过 {platform} 显示。</translation>
+    </message>
+    <message>
+        <source>Qt cannot be loaded: {text}</source>
+        <translation>无法加载 Qt：{text}</translation>
+    </message>
+    <message>
+        <source>System libraries that Qt wants are missing: {libraries}.</source>
+        <translation>缺少 Qt 需要的系统库：{libraries}。</translation>
+    </message>
+    <message>
+        <source>Qt {qt} is there, but no desktop session: start the program in one, or name its display.</source>
+        <translation>Qt {qt} 可用，但没有桌面会话：请在桌面会话中启动程序，或指定显示器。</translation>
+    </message>
+    <message>
+        <source>Qt {qt} finds no way to the screen: {text}</source>
+        <translation>Qt {qt} 无法打开显示：{text}</translation>
+    </message>
+    <message>
+        <source>OpenGL for the 3D picture: {renderer}.</source>
+        <translation>3D 画面使用的 OpenGL：{renderer}。</translation>
+    </message>
+    <message>
+        <source>OpenGL for the 3D picture is drawn by the processor ({renderer}): slower, but it works. A graphics driver makes it faster.</source>
+        <translation>3D 画面的 OpenGL 由处理器绘制（{renderer}）：较慢但可用。安装显卡驱动可以加快。</translation>
+    </message>
+    <message>
+        <source>The 3D picture cannot be drawn, the rest of the program works: {text}</source>
+        <translation>无法绘制 3D 画面，程序其余部分可用：{text}</translation>
+    </message>
+    <message>
+        <source>No search for CAN devices is possible: {text}</source>
+        <translation>无法搜索 CAN 设备：{text}</translation>
+    </message>
+    <message>
+        <source>No CAN device is found. Plug in the adapter; try another cable and another USB port.</source>
+        <translation>没有找到 CAN 设备。请插入适配器，或更换数据线和 USB 接口。</translation>
+    </message>
+    <message>
+        <source>{device}, serial number {serial}.</source>
+        <translation>{device}，序列号 {serial}。</translation>
+    </message>
+    <message>
+        <source>{adapter} ({usb}, serial number {serial}) is plugged in, but no CAN interface has come of it: its driver is not loaded. In a virtual machine, hand the USB device over to it; WSL has no CAN in its usual kernel.</source>
+        <translation>{adapter}（{usb}，序列号 {serial}）已插入，但没有生成 CAN 接口：驱动未加载。虚拟机中请先把 USB 设备交给虚拟机；WSL 的默认内核不含 CAN。</translation>
+    </message>
+    <message>
+        <source>{path} may not be opened by this user; it belongs to the group {group}. Join it, then log out and in again.</source>
+        <translation>当前用户无权打开 {path}，它属于用户组 {group}。请加入该组，然后注销并重新登录。</translation>
+    </message>
+    <message>
+        <source>{channel} ({kind}) is up, {bitrate} bit/s, {state}, error counters {tx}/{rx}, serial number {serial}.</source>
+        <translation>{channel}（{kind}）已启用，{bitrate} bit/s，{state}，错误计数 {tx}/{rx}，序列号 {serial}。</translation>
+    </message>
+    <message>
+        <source>{channel} is switched off. Switch it on with the arm&apos;s bit rate.</source>
+        <translation>{channel} 未启用。请按机械臂的波特率启用。</translation>
+    </message>
+    <message>
+        <source>{channel} is off the bus (bus-off): too many errors. Check the cable, the terminating resistors and the bit rate ({bitrate}), then bring it back.</source>
+        <translation>{channel} 已离线（bus-off）：错误过多。请检查电缆、终端电阻和波特率（{bitrate}），然后恢复。</translation>
+    </message>
+    <message>
+        <source>{channel} sees many errors ({state}, counters {tx}/{rx}): nobody acknowledges, or the bit rate {bitrate} is not the arm&apos;s. Is the arm switched on? CAN_H and CAN_L swapped? 120 Ω at both ends?</source>
+        <translation>{channel} 错误很多（{state}，计数 {tx}/{rx}）：没有节点应答，或波特率 {bitrate} 与机械臂不符。机械臂是否上电？CAN_H 与 CAN_L 是否接反？两端是否有 120 Ω 终端电阻？</translation>
+    </message>
+    <message>
+        <source>{channel} counts errors ({tx}/{rx}): look at cable and terminating resistors.</source>
+        <translation>{channel} 出现错误（{tx}/{rx}）：请检查电缆和终端电阻。</translation>
+    </message>
+    <message>
+        <source>{channel} runs at {bitrate} bit/s; arms run at 1000000 (today&apos;s) or 500000 (generation 1&apos;s text).</source>
+        <translation>{channel} 的波特率为 {bitrate} bit/s；机械臂为 1000000（当前）或 500000（第 1 代协议文本）。</translation>
+    </message>
+    <message>
+        <source>{channel} runs at {bitrate} bit/s, as generation 1&apos;s text says; today&apos;s arms run at 1000000.</source>
+        <translation>{channel} 的波特率为 {bitrate} bit/s，与第 1 代协议文本一致；当前机械臂为 1000000。</translation>
+    </message>
+    <message>
+        <source>{channel} is in listen-only mode: no command and no emergency stop goes out.</source>
+        <translation>{channel} 处于只听模式：任何指令和急停都发不出去。</translation>
+    </message>
+    <message>
+        <source>{channel} does not come back by itself from bus-off (restart-ms is 0).</source>
+        <translation>{channel} 发生 bus-off 后不会自动恢复（restart-ms 为 0）。</translation>
+    </message>
+    <message>
+        <source>{channel}: the kernel has dropped {count} received frames since it was switched on; the computer was too busy.</source>
+        <translation>{channel}：启用以来内核丢弃了 {count} 个接收报文，计算机过于繁忙。</translation>
+    </message>
+    <message>
+        <source>Several adapters: {names}. Their names may swap at the next plugging in, and settings go to the wrong arm. Tell arms apart by the serial number, or give the adapters fixed names:</source>
+        <translation>有多个适配器：{names}。重新插拔后名称可能互换，设置会发到错误的机械臂。请按序列号区分，或固定适配器名称：</translation>
+    </message>
+    <message>
+        <source>{name} has its name by its adapter&apos;s serial number, and is switched on at every start.</source>
+        <translation>{name} 已按适配器序列号固定名称，每次启动时自动启用。</translation>
+    </message>
+    <message>
+        <source>A serial adapter ({name}) may be opened by whoever sits at this computer.</source>
+        <translation>串口适配器（{name}）可由本机当前登录的用户打开。</translation>
+    </message>
+    <message>
+        <source>This Linux is a guest of Windows (WSL): the adapter has to be handed over to it, before the arm is powered. In a terminal of Windows, with the adapter&apos;s BUSID from the list:</source>
+        <translation>当前 Linux 运行在 Windows 的 WSL 中：请先把适配器交给 WSL，再给机械臂上电。在 Windows 终端中运行（BUSID 取自列表）：</translation>
+    </message>
+    <message>
+        <source>There is no device to listen to. A simulated arm in another process is heard with --interface udp_multicast.</source>
+        <translation>没有可监听的设备。另一进程中的仿真机械臂可用 --interface udp_multicast 监听。</translation>
+    </message>
+    <message>
+        <source>{device}: the package {package} is missing.</source>
+        <translation>{device}：缺少软件包 {package}。</translation>
+    </message>
+    <message>
+        <source>{device}: the maker&apos;s driver is missing: {text}</source>
+        <translation>{device}：缺少厂商驱动：{text}</translation>
+    </message>
+    <message>
+        <source>{device} is not there (any more): {text}</source>
+        <translation>{device} 不存在或已拔出：{text}</translation>
+    </message>
+    <message>
+        <source>{device} is in use by another program. End that program, or listen there.</source>
+        <translation>{device} 正被其他程序使用。请先关闭该程序。</translation>
+    </message>
+    <message>
+        <source>{device} is switched off.</source>
+        <translation>{device} 未启用。</translation>
+    </message>
+    <message>
+        <source>{device} may not be opened by this user: {text}</source>
+        <translation>当前用户无权打开 {device}：{text}</translation>
+    </message>
+    <message>
+        <source>{device} cannot be opened with these settings: {text}</source>
+        <translation>{device} 无法以这些参数打开：{text}</translation>
+    </message>
+    <message>
+        <source>{device} cannot be opened: {text}</source>
+        <translation>{device} 无法打开：{text}</translation>
+    </message>
+    <message>
+        <source>{device} went off the bus (bus-off) while it was listened to: cable, terminating resistors, bit rate.</source>
+        <translation>监听期间 {device} 离线（bus-off）：请检查电缆、终端电阻、波特率。</translation>
+    </message>
+    <message>
+        <source>{device}: {count} error frames in {seconds} s. Bit rate other than the arm&apos;s, a loose plug, or no terminating resistor.</source>
+        <translation>{device}：{seconds} s 内有 {count} 个错误帧。可能波特率与机械臂不符、插头松动或缺少终端电阻。</translation>
+    </message>
+    <message>
+        <source>{device}: not one frame in {seconds} s. Is the arm switched on, the CAN cable plugged in, the bit rate 1000000? The arm may also be told to keep silent (0x422): a power cycle ends that.</source>
+        <translation>{device}：{seconds} s 内没有收到任何报文。机械臂是否上电、CAN 线是否插好、波特率是否为 1000000？机械臂也可能被置为静默（0x422）：重新上电即可恢复。</translation>
+    </message>
+    <message>
+        <source>{device}: {count} frames in {seconds} s, but no feedback of an arm. Heard: {ids}.</source>
+        <translation>{device}：{seconds} s 内收到 {count} 个报文，但没有机械臂反馈。收到：{ids}。</translation>
+    </message>
+    <message>
+        <source>{device}: feedback is heard, but no question was answered: commands do not get through. Another offset of the commands (0x470), or an adapter that only listens.</source>
+        <translation>{device}：能收到反馈，但询问没有应答：指令没有送达。可能是控制偏移不同（0x470），或适配器处于只听模式。</translation>
+    </message>
+    <message>
+        <source>{device}: an arm of generation {generation}, {rate} frames/s.</source>
+        <translation>{device}：第 {generation} 代协议的机械臂，{rate} 帧/s。</translation>
+    </message>
+    <message>
+        <source>Firmware {firmware}{identity}.</source>
+        <translation>固件 {firmware}{identity}。</translation>
+    </message>
+    <message>
+        <source>The firmware&apos;s version was not heard: the arm tells it only when asked.</source>
+        <translation>未收到固件版本：机械臂只在被询问时回答。</translation>
+    </message>
+    <message>
+        <source>The maker recommends firmware S-V1.8-9 or later; {firmware} has known faults. Updates come from the maker&apos;s support.</source>
+        <translation>厂家建议使用 S-V1.8-9 或更高版本固件；{firmware} 存在已知问题。更新请联系厂家支持。</translation>
+    </message>
+    <message>
+        <source>Model by the pose it reports: {fits}.</source>
+        <translation>按机械臂反馈的位姿判断，型号为 {fits}。</translation>
+    </message>
+    <message>
+        <source>Connected as a {chosen}, but the pose it reports is that of a {fits}. Connect it as a {fits}: tool moves and checks would be wrong.</source>
+        <translation>连接时选择的型号是 {chosen}，但其反馈的位姿属于 {fits}。请按 {fits} 重新连接：否则末端运动和检查会出错。</translation>
+    </message>
+    <message>
+        <source>With {firmware} a joint may lose its reference without a fault: angles look right, the arm stands elsewhere. Compare the 3D picture with the arm; only stop and resume (the arm drops) or a power cycle mends it.</source>
+        <translation>{firmware} 的关节可能在没有报错的情况下丢失基准：角度看似正常，实际位置不同。请对照 3D 画面与机械臂；只有急停后恢复（机械臂会下落）或重新上电才能修复。</translation>
+    </message>
+    <message>
+        <source>The arm&apos;s feedback is shifted by {offset} (0x470): the program follows it by itself.</source>
+        <translation>机械臂的反馈偏移为 {offset}（0x470）：程序会自动跟随。</translation>
+    </message>
+    <message>
+        <source>{device}: a second arm is heard, its feedback shifted by {offsets}.</source>
+        <translation>{device}：听到第二台机械臂，反馈偏移为 {offsets}。</translation>
+    </message>
+    <message>
+        <source>{device}: the arm is a teaching-input arm: it leads others and takes no commands ({ids}). Make it a motion output again (0x470, 0xFC), then switch it off and on.</source>
+        <translation>{device}：该机械臂为示教输入臂（主臂），不接受运动指令（{ids}）。请重新设为运动输出臂（0x470，0xFC），然后断电重启。</translation>
+    </message>
+    <message>
+        <source>The arm is in emergency stop. Resume drops the arm: hold it.</source>
+        <translation>机械臂处于急停状态。恢复时机械臂会下落：请扶住机械臂。</translation>
+    </message>
+    <message>
+        <source>{device}: another program or host commands the arm: {frames}. End it before you move the arm from here.</source>
+        <translation>{device}：另一程序或主机正在控制机械臂：{frames}。从本机控制之前请先停止它。</translation>
+    </message>
+    <message>
+        <source>The arm&apos;s status (0x2A1) is not heard, though other feedback is.</source>
+        <translation>收到了其他反馈，但没有收到机械臂状态（0x2A1）。</translation>
+    </message>
+    <message>
+        <source>The arm reports {status}.</source>
+        <translation>机械臂报告状态 {status}。</translation>
+    </message>
+    <message>
+        <source>The arm is in {mode}: another program has set it. A new mode word leaves the joints limp and the arm falls.</source>
+        <translation>机械臂处于 {mode}：由其他程序设置。切换模式会使关节失力，机械臂会下落。</translation>
+    </message>
+    <message>
+        <source>Joint {joints}: no communication with the main controller. Switch the arm off and on; if it stays, the cable inside is at fault.</source>
+        <translation>关节 {joints}：与主控制器通讯异常。请断电重启；若仍存在，则为内部线缆故障。</translation>
+    </message>
+    <message>
+        <source>Joint {joints} is beyond its limit.</source>
+        <translation>关节 {joints} 超出限位。</translation>
+    </message>
+    <message>
+        <source>Drivers report: {faults}.</source>
+        <translation>驱动器报告：{faults}。</translation>
+    </message>
+    <message>
+        <source>The drivers see only {voltage} V; the supply should have 24 V. A supply that is too weak, or a long cable.</source>
+        <translation>驱动器电压只有 {voltage} V，应为 24 V。电源功率不足或电缆过长。</translation>
+    </message>
+    <message>
+        <source>The feedback is all zero: seen with a teaching level of 255 in 0x47E (S-V1.5-8). Make the arm a teaching input and a motion output again, and set the teaching level to 1 (0x47D).</source>
+        <translation>反馈全部为零：0x47E 中示教等级为 255 时会出现（S-V1.5-8）。请将机械臂设为示教输入臂再改回，并把示教等级设为 1（0x47D）。</translation>
+    </message>
+    <message>
+        <source>RY is {ry}°: near ±90° the three angles of the end pose jump by up to 360°. That is how they are, not a fault; never subtract them.</source>
+        <translation>RY 为 {ry}°：接近 ±90° 时末端姿态角会跳变，最大 360°。这是欧拉角的特性，不是故障；不要对其做差。</translation>
+    </message>
+    <message>
+        <source>Joint {joints}: the limits kept in the arm are damaged. Set joint limits, speeds and accelerations to factory values (0x477), then read and set each.</source>
+        <translation>关节 {joints}：机械臂中保存的限位已损坏。请将关节限位、速度、加速度恢复出厂值（0x477），然后逐项读取并设置。</translation>
+    </message>
+</context>
+<context>
     <name>DialectBar</name>
     <message>
         <source>Encoding</source>
@@ -1681,10 +1957,6 @@
         <translation>仅查看和监听，没有发送任何报文。终端命令：armui doctor</translation>
     </message>
     <message>
-        <source>en</source>
-        <translation>zh</translation>
-    </message>
-    <message>
         <source>The examination is under way.</source>
         <translation>正在诊断。</translation>
     </message>
@@ -1707,6 +1979,57 @@
     <message>
         <source>No fault was found.</source>
         <translation>没有发现故障。</translation>
+    </message>
+</context>
+<context>
+    <name>DoctorReport</name>
+    <message>
+        <source>Listened only: nothing was sent.</source>
+        <translation>仅监听：没有发送任何报文。</translation>
+    </message>
+    <message>
+        <source>Questions were sent to the arm (--ask): they move and change nothing.</source>
+        <translation>已向机械臂发送询问报文（--ask）：不会引起运动，也不会更改设置。</translation>
+    </message>
+    <message>
+        <source>An arm answers.</source>
+        <translation>机械臂有应答。</translation>
+    </message>
+    <message>
+        <source>No arm answers.</source>
+        <translation>没有机械臂应答。</translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation>程序</translation>
+    </message>
+    <message>
+        <source>Screen</source>
+        <translation>显示</translation>
+    </message>
+    <message>
+        <source>CAN devices</source>
+        <translation>CAN 设备</translation>
+    </message>
+    <message>
+        <source>Bus and arm</source>
+        <translation>总线与机械臂</translation>
+    </message>
+    <message>
+        <source>[ ok ]</source>
+        <translation>[正常]</translation>
+    </message>
+    <message>
+        <source>[note]</source>
+        <translation>[提示]</translation>
+    </message>
+    <message>
+        <source>[warn]</source>
+        <translation>[注意]</translation>
+    </message>
+    <message>
+        <source>[FAIL]</source>
+        <translation>[故障]</translation>
     </message>
 </context>
 <context>
@@ -6150,6 +6473,10 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <source>The targets in the fields</source>
         <translation>输入框中的目标</translation>
     </message>
+    <message>
+        <source>This arm tells no number of its own: another one without a number at this adapter would be taken for it.</source>
+        <translation>此机械臂不报自己的编号：同一适配器上另一台不报编号的机械臂会被当作它。</translation>
+    </message>
 </context>
 <context>
     <name>PageActions</name>
@@ -7142,6 +7469,30 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     <message>
         <source>no</source>
         <translation>否</translation>
+    </message>
+    <message>
+        <source>Tool centre point X</source>
+        <translation>工具中心点 X</translation>
+    </message>
+    <message>
+        <source>Tool centre point Y</source>
+        <translation>工具中心点 Y</translation>
+    </message>
+    <message>
+        <source>Tool centre point Z</source>
+        <translation>工具中心点 Z</translation>
+    </message>
+    <message>
+        <source>Tool centre point RX</source>
+        <translation>工具中心点 RX</translation>
+    </message>
+    <message>
+        <source>Tool centre point RY</source>
+        <translation>工具中心点 RY</translation>
+    </message>
+    <message>
+        <source>Tool centre point RZ</source>
+        <translation>工具中心点 RZ</translation>
     </message>
 </context>
 <context>

@@ -16,13 +16,11 @@ from armui.doctor.adapter_change import (
 )
 from armui.doctor.facts import (
     CanFacts,
-    Diagnosis,
-    DiagnosisLevel,
     LinkFacts,
-    Section,
     SerialPortFacts,
 )
 from armui.doctor.judge import judge_can
+from armui.doctor.judge_heard import ARM, NOTHING_HEARD
 from armui.ui.background import Background
 from armui.ui.dialogs.adapter_line import AdapterLine, KeepDialog
 from armui.ui.dialogs.connect import AdapterTrouble
@@ -36,12 +34,8 @@ from tests.ui.fake_controller import FakeController
 LEFT = Qt.MouseButton.LeftButton
 DOWN = CanFacts(links=(LinkFacts("can0", "can", False),))
 FILES = Planned({"/etc/systemd/network/70-armui-arm_left.link": "[Link]\nName=arm_left\n"})
-ARM = Diagnosis(
-    Section.ARM, "arm", DiagnosisLevel.OK, {"device": "can0", "generation": "2", "rate": "3000"}
-)
-NOTHING = Diagnosis(
-    Section.ARM, "nothing_heard", DiagnosisLevel.FAULT, {"device": "can0", "seconds": "2.0"}
-)
+HEARD = ARM(device="can0", generation="2", rate="3000")
+NOTHING = NOTHING_HEARD(device="can0", seconds="2.0")
 
 
 class Changes:
@@ -148,7 +142,7 @@ def test_success_is_what_is_heard(qtbot, line, changes, examinations):
     line.choose(("reset", "can0"))
     told(changes, Planned())
     told(changes, Done({"up": True}))
-    examinations.tell([ARM])
+    examinations.tell([HEARD])
     QCoreApplication.processEvents()
     assert "3000 frames/s" in line.text()
 

@@ -23,11 +23,11 @@ from armui.doctor.adapter_change import (
     helper_is_there,
 )
 from armui.doctor.facts import Diagnosis, Section
+from armui.doctor.judge_heard import ARM
 from armui.doctor.process import DoctorProcess
-from armui.doctor.report import Words
 from armui.ui import words
 from armui.ui.dialogs.base import ArmDialog, CloseButton
-from armui.ui.dialogs.finding_row import Remedy
+from armui.ui.dialogs.finding_row import WORDS, Remedy
 from armui.ui.widgets.buttons import enable_or_explain, named, push_button
 from armui.ui.widgets.layouts import STRETCH, fill, in_row
 from armui.ui.widgets.message_line import MessageLine
@@ -242,11 +242,9 @@ class AdapterLine(Translated, QWidget):
         if isinstance(findings, str):
             self._say(findings, Level.FAULT)
             return
-        # Translators: the code of the language that is shown, "zh" for Chinese
-        told = Words("zh" if self.tr("en") == "zh" else "en")
         of_arm = [each for each in findings if each.section is Section.ARM]
-        good = any(each.code == "arm" for each in of_arm)
-        said = " ".join(told.text(each) for each in of_arm[:1])
+        good = any(each.kind == ARM for each in of_arm)
+        said = " ".join(WORDS.text(each) for each in of_arm[:1])
         self._say(said, Level.DONE if good else Level.WARNING)
 
     # How it looks -----------------------------------------------------------------------------

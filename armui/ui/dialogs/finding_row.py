@@ -10,6 +10,7 @@ from PySide6.QtGui import QFontDatabase, QGuiApplication
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QLineEdit, QPushButton, QWidget
 
 from armui.doctor.facts import Diagnosis, DiagnosisLevel
+from armui.doctor.report import Words
 from armui.ui.theme import colors_of
 from armui.ui.widgets import icons
 from armui.ui.widgets.buttons import push_button
@@ -17,6 +18,9 @@ from armui.ui.widgets.layouts import STRETCH, empty_grid, in_row
 
 _ICON_PX: Final = 18
 _GAP_PX: Final = 10
+
+WORDS: Final = Words(QCoreApplication.translate)
+"""The words of the diagnosis in the language chosen."""
 
 
 _KBIT: Final = {"1000000": "1 Mbit/s", "500000": "500 kbit/s"}
@@ -56,16 +60,14 @@ class FindingRow(QWidget):
 
     Args:
         finding: What was found.
-        text: The same in words.
-        mark: How grave it is, in a word: for those who do not see the colour.
         adapter: Who carries out its remedies; without, there are the commands to copy.
     """
 
-    def __init__(
-        self, finding: Diagnosis, text: str, mark: str, adapter: SetsUpAdapters | None = None
-    ) -> None:
+    def __init__(self, finding: Diagnosis, adapter: SetsUpAdapters | None = None) -> None:
         super().__init__()
         self._level = finding.severity
+        # the mark is for those who do not see the colour
+        text, mark = WORDS.text(finding), WORDS.mark(finding.severity)
         self._icon = QLabel()
         self._icon.setFixedWidth(_ICON_PX)
         self._icon.setToolTip(mark)
