@@ -10,6 +10,8 @@ from pathlib import Path
 import pytest
 
 from armui import __version__
+from armui.sim.faults.bugs import NAMES as BUG_NAMES
+from armui.sim.faults.schedule import FAULTS
 
 ROOT = Path(__file__).resolve().parents[2]
 RECIPES = ROOT / "resources" / "packaging"
@@ -49,6 +51,12 @@ def test_man_page_and_completion_name_every_option_of_every_command(documents):
 
 
 @pytest.mark.skipif(shutil.which("bash") is None, reason="no bash here")
+def test_man_page_names_every_fault_of_the_simulated_arm(documents):
+    page = documents.man_page("2026-11-23")
+    for name in (*FAULTS, *BUG_NAMES):
+        assert name.replace("-", "\\-") in page, name
+
+
 def test_bash_takes_the_completion(documents, tmp_path):
     script = tmp_path / "armui"
     script.write_text(
