@@ -4,7 +4,10 @@ from __future__ import annotations
 
 import enum
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
+from typing import ClassVar
+
+from armui.system.sentence import Sentence
 
 
 @dataclass(frozen=True, slots=True)
@@ -159,6 +162,8 @@ class CanFacts:
         ports: Serial ports of the USB.
         devices: What a search of all back-ends found.
         error: Why no search was possible.
+        kept: What the adapter's helper keeps at every start, by the names it was given.
+        wsl: Linux runs as a guest of Windows, which has the USB.
     """
 
     links: tuple[LinkFacts, ...] = ()
@@ -166,6 +171,8 @@ class CanFacts:
     ports: tuple[SerialPortFacts, ...] = ()
     devices: tuple[DeviceFacts, ...] = ()
     error: str = ""
+    kept: tuple[str, ...] = ()
+    wsl: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -307,19 +314,75 @@ class Section(enum.Enum):
 
 
 @dataclass(frozen=True, slots=True)
+class DiagnosisKind(Sentence):
+    """Something that can be found out.
+
+    Attributes:
+        section: What it is about; each has a class.
+        severity: How grave it is, as a rule.
+    """
+
+    context: ClassVar[str] = "Diagnosis"
+    section: ClassVar[Section]
+    severity: DiagnosisLevel = field(default=DiagnosisLevel.FAULT, compare=False)
+
+    def __call__(self, *commands: str, **params: str) -> Diagnosis:
+        """It with its remedy and with what its sentence mentions."""
+        return Diagnosis(self, self.severity, params, commands)
+
+
+class OfProgram(DiagnosisKind):
+    """It is about the program itself."""
+
+    section = Section.PROGRAM
+
+
+class OfScreen(DiagnosisKind):
+    """It is about windows and the 3D picture."""
+
+    section = Section.SCREEN
+
+
+class OfCan(DiagnosisKind):
+    """It is about CAN devices."""
+
+    section = Section.CAN
+
+
+class OfArm(DiagnosisKind):
+    """It is about what is heard on a bus."""
+
+    section = Section.ARM
+
+
+@dataclass(frozen=True, slots=True)
 class Diagnosis:
     """One thing found out.
 
     Attributes:
-        section: What it is about.
-        code: Names its words in ``resources/doctor/texts.toml``.
+        kind: What it is.
         severity: How grave it is.
-        params: What the words mention.
+        params: What its sentence mentions, and more for those who read the report as JSON.
         commands: The remedy, to be copied; a line each.
+        remedies: The same for the adapter's helper, which a button starts: verb and words.
     """
 
-    section: Section
-    code: str
+    kind: DiagnosisKind
     severity: DiagnosisLevel
     params: Mapping[str, str] = field(default_factory=dict)
     commands: tuple[str, ...] = ()
+    remedies: tuple[tuple[str, ...], ...] = ()
+
+    def mended_by(self, *remedies: tuple[str, ...]) -> Diagnosis:
+        """The same with what the adapter's helper can do about it."""
+        return replace(self, remedies=remedies)
+
+    @property
+    def code(self) -> str:
+        """The id of what was found out."""
+        return self.kind.id
+
+    @property
+    def section(self) -> Section:
+        """What it is about."""
+        return self.kind.section

@@ -124,6 +124,7 @@ class MainWindow(Translated, KeepsFocus, QWidget):
             self,
             open_window=self._open,
             open_page=lambda key, make: self._workspace.open_kept(key, make, self._drawer),
+            uncover=self._workspace.uncover,
             store=preferences,
             robot=lambda: self._settings.urdf_path,
         )
@@ -185,6 +186,7 @@ class MainWindow(Translated, KeepsFocus, QWidget):
 
         top = TopBar(self._controller, self.open_connect_dialog)
         recovery = RecoveryLine(self._controller, self.open_connect_dialog)
+        self._trajectory_pages.run_asks.connect(recovery.show_asking)
         self.window_actions.link(
             *(top.ask_to_resume, recovery, run, self._diagnosis, self._watch),
             buttons={
@@ -335,6 +337,10 @@ class MainWindow(Translated, KeepsFocus, QWidget):
     def show_as_curves(self, keys: Sequence[str]) -> None:
         """Show quantities in the page 曲线, by their keys (`armui.telemetry.quantities`)."""
         self._watch.show_as_curves(keys)
+
+    def open_trajectory_file(self, path: Path) -> None:
+        """Show a trajectory of a file in an editor; nothing moves."""
+        self._trajectory_pages.open_file(path)
 
     def open_replay(self, path: Path | None = None) -> None:
         """Show a log in the window 回放."""

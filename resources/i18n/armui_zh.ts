@@ -190,15 +190,15 @@
         <translation>给电机上电，电机保持当前位置。</translation>
     </message>
     <message>
-        <source>Takes the motor's power: the arm drops. Asks first.</source>
+        <source>Takes the motor&apos;s power: the arm drops. Asks first.</source>
         <translation>切断电机动力，机械臂会下落。执行前会询问。</translation>
     </message>
     <message>
-        <source>Makes the present position the joint's zero. Asks first.</source>
+        <source>Makes the present position the joint&apos;s zero. Asks first.</source>
         <translation>将关节当前位置设为零点。执行前会询问。</translation>
     </message>
     <message>
-        <source>Clears the error of the joint's driver; nothing moves.</source>
+        <source>Clears the error of the joint&apos;s driver; nothing moves.</source>
         <translation>清除关节驱动器的错误，机械臂不会运动。</translation>
     </message>
     <message>
@@ -366,10 +366,46 @@
     </message>
 </context>
 <context>
-    <name>AdapterTrouble</name>
+    <name>AdapterLine</name>
     <message>
-        <source>en</source>
-        <translation>zh</translation>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>The system asks for the administrator&apos;s password…</source>
+        <translation>系统正在询问管理员密码…</translation>
+    </message>
+    <message>
+        <source>Given up. What had begun is brought to its end by the system.</source>
+        <translation>已放弃。已经开始的操作由系统完成。</translation>
+    </message>
+    <message>
+        <source>Under way…</source>
+        <translation>正在执行…</translation>
+    </message>
+    <message>
+        <source>The adapter is another one than was shown: nothing was written.</source>
+        <translation>适配器与所显示的不是同一个：没有写入任何文件。</translation>
+    </message>
+    <message>
+        <source>Done; it holds from the next start of this computer.</source>
+        <translation>已完成，下次启动电脑后生效。</translation>
+    </message>
+    <message>
+        <source>Done; it holds as soon as the adapter is plugged in again.</source>
+        <translation>已完成，重新插入适配器后生效。</translation>
+    </message>
+    <message>
+        <source>{channel} is switched on; listening whether anything is heard…</source>
+        <translation>{channel} 已启用，正在监听是否收到报文…</translation>
+    </message>
+    <message>
+        <source>{channel} is switched on, and {count} frames were heard.</source>
+        <translation>{channel} 已启用，收到 {count} 个报文。</translation>
+    </message>
+    <message>
+        <source>{channel} is switched on, but nothing is heard: is the arm powered, the CAN cable plugged in, the bit rate the arm&apos;s?</source>
+        <translation>{channel} 已启用，但没有收到报文：机械臂是否上电、CAN 线是否插好、波特率是否与机械臂一致？</translation>
     </message>
 </context>
 <context>
@@ -660,7 +696,7 @@
         <translation>{count} 个参数中有 {failed} 个未恢复。</translation>
     </message>
     <message>
-        <source>No file is open; the arm's own values are shown.</source>
+        <source>No file is open; the arm&apos;s own values are shown.</source>
         <translation>未打开文件；显示的是机械臂当前的值。</translation>
     </message>
     <message>
@@ -780,7 +816,7 @@
         <translation>仲裁失败：优先级更高的帧先发出，属正常现象</translation>
     </message>
     <message>
-        <source>the adapter's CAN controller reports</source>
+        <source>the adapter&apos;s CAN controller reports</source>
         <translation>适配器的 CAN 控制器有报告</translation>
     </message>
     <message>
@@ -812,7 +848,7 @@
         <translation>收发器：请检查 CAN_H、CAN_L 是否短路或断路</translation>
     </message>
     <message>
-        <source>nobody acknowledges: check the arm's power, the cable and the bit rate</source>
+        <source>nobody acknowledges: check the arm&apos;s power, the cable and the bit rate</source>
         <translation>无人应答：请检查机械臂电源、线缆和波特率</translation>
     </message>
     <message>
@@ -883,12 +919,16 @@
         <translation>该帧的含义；下方是其中的信号</translation>
     </message>
     <message>
-        <source>By the identifier: what is not this program's and no arm sends is another host's</source>
+        <source>By the identifier: what is not this program&apos;s and no arm sends is another host&apos;s</source>
         <translation>按 ID 判断：既不是本程序发送、也不是机械臂会发送的帧，属于其他上位机</translation>
     </message>
     <message>
         <source>Bytes that have changed within the last second are lit</source>
         <translation>最近 1 秒内变化过的字节会点亮</translation>
+    </message>
+    <message>
+        <source>What the last frame said, in physical units</source>
+        <translation>最近一帧的内容，按物理单位</translation>
     </message>
     <message>
         <source>Over the last 3 s, and at least 8 cycles</source>
@@ -913,10 +953,6 @@
     <message>
         <source>Says</source>
         <translation>内容</translation>
-    </message>
-    <message>
-        <source>What the last frame said, in physical units</source>
-        <translation>最近一帧的内容，按物理单位</translation>
     </message>
 </context>
 <context>
@@ -1005,7 +1041,7 @@
         <translation>开始统计以来适配器报告的总线错误</translation>
     </message>
     <message>
-        <source>Lost by the system's queue or by the adapter since the counting began</source>
+        <source>Lost by the system&apos;s queue or by the adapter since the counting began</source>
         <translation>开始统计以来被系统队列或适配器丢失的帧</translation>
     </message>
 </context>
@@ -1308,7 +1344,7 @@
         <translation>正在打开 CAN 设备。</translation>
     </message>
     <message>
-        <source>The CAN device is open, but no arm is heard on it. Check the arm's power, the cable and the bit rate.</source>
+        <source>The CAN device is open, but no arm is heard on it. Check the arm&apos;s power, the cable and the bit rate.</source>
         <translation>CAN 设备已打开，但没有收到机械臂的反馈。请检查机械臂电源、线缆和波特率。</translation>
     </message>
     <message>
@@ -1569,6 +1605,293 @@
     </message>
 </context>
 <context>
+    <name>Diagnosis</name>
+    <message>
+        <source>armui {armui}, Python {version}, {system}.</source>
+        <translation>armui {armui}，运行于 Python {version}，{system}。</translation>
+    </message>
+    <message>
+        <source>armui {armui} wants Python 3.11 or newer; this is {version} on {system}. Install a newer Python.</source>
+        <translation>armui {armui} 需要 Python 3.11 或更高版本，当前为 {version}（{system}）。请安装新版 Python。</translation>
+    </message>
+    <message>
+        <source>All {count} packages are there in a fitting version.</source>
+        <translation>所需的 {count} 个软件包均已安装，版本合适。</translation>
+    </message>
+    <message>
+        <source>On a busy computer, window, bus and stop may go before other programs.</source>
+        <translation>电脑繁忙时，本程序的窗口、总线和急停可优先运行。</translation>
+    </message>
+    <message>
+        <source>On a busy computer, window, bus and stop wait their turn behind other programs: {text}. A stop may then leave some tenths of a second later. Install rtkit, or close what keeps the computer busy.</source>
+        <translation>电脑繁忙时，本程序的窗口、总线和急停须与其他程序轮流运行（{text}），急停可能晚零点几秒发出。请安装 rtkit，或关闭占用电脑的程序。</translation>
+    </message>
+    <message>
+        <source>The package {package} is missing. Install it.</source>
+        <translation>缺少软件包 {package}，请安装。</translation>
+    </message>
+    <message>
+        <source>The package {package} is there as {installed}; {wanted} is wanted.</source>
+        <translation>软件包 {package} 的版本为 {installed}，需要 {wanted}。</translation>
+    </message>
+    <message>
+        <source>The package {package} is not installed; some adapters or a simulated arm in another process want it.</source>
+        <translation>未安装软件包 {package}；部分适配器或另一进程中的仿真机械臂需要它。</translation>
+    </message>
+    <message>
+        <source>Qt {qt} draws through {platform}.</source>
+        <translation>Qt {qt} 通过 {platform} 显示。</translation>
+    </message>
+    <message>
+        <source>Qt cannot be loaded: {text}</source>
+        <translation>无法加载 Qt：{text}</translation>
+    </message>
+    <message>
+        <source>System libraries that Qt wants are missing: {libraries}.</source>
+        <translation>缺少 Qt 需要的系统库：{libraries}。</translation>
+    </message>
+    <message>
+        <source>Qt {qt} is there, but no desktop session: start the program in one, or name its display.</source>
+        <translation>Qt {qt} 可用，但没有桌面会话：请在桌面会话中启动程序，或指定显示器。</translation>
+    </message>
+    <message>
+        <source>Qt {qt} finds no way to the screen: {text}</source>
+        <translation>Qt {qt} 无法打开显示：{text}</translation>
+    </message>
+    <message>
+        <source>OpenGL for the 3D picture: {renderer}.</source>
+        <translation>3D 画面使用的 OpenGL：{renderer}。</translation>
+    </message>
+    <message>
+        <source>OpenGL for the 3D picture is drawn by the processor ({renderer}): slower, but it works. A graphics driver makes it faster.</source>
+        <translation>3D 画面的 OpenGL 由处理器绘制（{renderer}）：较慢但可用。安装显卡驱动可以加快。</translation>
+    </message>
+    <message>
+        <source>The 3D picture cannot be drawn, the rest of the program works: {text}</source>
+        <translation>无法绘制 3D 画面，程序其余部分可用：{text}</translation>
+    </message>
+    <message>
+        <source>No search for CAN devices is possible: {text}</source>
+        <translation>无法搜索 CAN 设备：{text}</translation>
+    </message>
+    <message>
+        <source>No CAN device is found. Plug in the adapter; try another cable and another USB port.</source>
+        <translation>没有找到 CAN 设备。请插入适配器，或更换数据线和 USB 接口。</translation>
+    </message>
+    <message>
+        <source>{device}, serial number {serial}.</source>
+        <translation>{device}，序列号 {serial}。</translation>
+    </message>
+    <message>
+        <source>{adapter} ({usb}, serial number {serial}) is plugged in, but no CAN interface has come of it: its driver is not loaded. In a virtual machine, hand the USB device over to it; WSL has no CAN in its usual kernel.</source>
+        <translation>{adapter}（{usb}，序列号 {serial}）已插入，但没有生成 CAN 接口：驱动未加载。虚拟机中请先把 USB 设备交给虚拟机；WSL 的默认内核不含 CAN。</translation>
+    </message>
+    <message>
+        <source>{path} may not be opened by this user; it belongs to the group {group}. Join it, then log out and in again.</source>
+        <translation>当前用户无权打开 {path}，它属于用户组 {group}。请加入该组，然后注销并重新登录。</translation>
+    </message>
+    <message>
+        <source>{channel} ({kind}) is up, {bitrate} bit/s, {state}, error counters {tx}/{rx}, serial number {serial}.</source>
+        <translation>{channel}（{kind}）已启用，{bitrate} bit/s，{state}，错误计数 {tx}/{rx}，序列号 {serial}。</translation>
+    </message>
+    <message>
+        <source>{channel} is switched off. Switch it on with the arm&apos;s bit rate.</source>
+        <translation>{channel} 未启用。请按机械臂的波特率启用。</translation>
+    </message>
+    <message>
+        <source>{channel} is off the bus (bus-off): too many errors. Check the cable, the terminating resistors and the bit rate ({bitrate}), then bring it back.</source>
+        <translation>{channel} 已离线（bus-off）：错误过多。请检查电缆、终端电阻和波特率（{bitrate}），然后恢复。</translation>
+    </message>
+    <message>
+        <source>{channel} sees many errors ({state}, counters {tx}/{rx}): nobody acknowledges, or the bit rate {bitrate} is not the arm&apos;s. Is the arm switched on? CAN_H and CAN_L swapped? 120 Ω at both ends?</source>
+        <translation>{channel} 错误很多（{state}，计数 {tx}/{rx}）：没有节点应答，或波特率 {bitrate} 与机械臂不符。机械臂是否上电？CAN_H 与 CAN_L 是否接反？两端是否有 120 Ω 终端电阻？</translation>
+    </message>
+    <message>
+        <source>{channel} counts errors ({tx}/{rx}): look at cable and terminating resistors.</source>
+        <translation>{channel} 出现错误（{tx}/{rx}）：请检查电缆和终端电阻。</translation>
+    </message>
+    <message>
+        <source>{channel} runs at {bitrate} bit/s; arms run at 1000000 (today&apos;s) or 500000 (generation 1&apos;s text).</source>
+        <translation>{channel} 的波特率为 {bitrate} bit/s；机械臂为 1000000（当前）或 500000（第 1 代协议文本）。</translation>
+    </message>
+    <message>
+        <source>{channel} runs at {bitrate} bit/s, as generation 1&apos;s text says; today&apos;s arms run at 1000000.</source>
+        <translation>{channel} 的波特率为 {bitrate} bit/s，与第 1 代协议文本一致；当前机械臂为 1000000。</translation>
+    </message>
+    <message>
+        <source>{channel} is in listen-only mode: no command and no emergency stop goes out.</source>
+        <translation>{channel} 处于只听模式：任何指令和急停都发不出去。</translation>
+    </message>
+    <message>
+        <source>{channel} does not come back by itself from bus-off (restart-ms is 0).</source>
+        <translation>{channel} 发生 bus-off 后不会自动恢复（restart-ms 为 0）。</translation>
+    </message>
+    <message>
+        <source>{channel}: the kernel has dropped {count} received frames since it was switched on; the computer was too busy.</source>
+        <translation>{channel}：启用以来内核丢弃了 {count} 个接收报文，计算机过于繁忙。</translation>
+    </message>
+    <message>
+        <source>Several adapters: {names}. Their names may swap at the next plugging in, and settings go to the wrong arm. Tell arms apart by the serial number, or give the adapters fixed names:</source>
+        <translation>有多个适配器：{names}。重新插拔后名称可能互换，设置会发到错误的机械臂。请按序列号区分，或固定适配器名称：</translation>
+    </message>
+    <message>
+        <source>There is no device to listen to. A simulated arm in another process is heard with --interface udp_multicast.</source>
+        <translation>没有可监听的设备。另一进程中的仿真机械臂可用 --interface udp_multicast 监听。</translation>
+    </message>
+    <message>
+        <source>{device}: the package {package} is missing.</source>
+        <translation>{device}：缺少软件包 {package}。</translation>
+    </message>
+    <message>
+        <source>{device}: the maker&apos;s driver is missing: {text}</source>
+        <translation>{device}：缺少厂商驱动：{text}</translation>
+    </message>
+    <message>
+        <source>{device} is not there (any more): {text}</source>
+        <translation>{device} 不存在或已拔出：{text}</translation>
+    </message>
+    <message>
+        <source>{device} is in use by another program. End that program, or listen there.</source>
+        <translation>{device} 正被其他程序使用。请先关闭该程序。</translation>
+    </message>
+    <message>
+        <source>{device} is switched off.</source>
+        <translation>{device} 未启用。</translation>
+    </message>
+    <message>
+        <source>{device} may not be opened by this user: {text}</source>
+        <translation>当前用户无权打开 {device}：{text}</translation>
+    </message>
+    <message>
+        <source>{device} cannot be opened with these settings: {text}</source>
+        <translation>{device} 无法以这些参数打开：{text}</translation>
+    </message>
+    <message>
+        <source>{device} cannot be opened: {text}</source>
+        <translation>{device} 无法打开：{text}</translation>
+    </message>
+    <message>
+        <source>{device} went off the bus (bus-off) while it was listened to: cable, terminating resistors, bit rate.</source>
+        <translation>监听期间 {device} 离线（bus-off）：请检查电缆、终端电阻、波特率。</translation>
+    </message>
+    <message>
+        <source>{device}: {count} error frames in {seconds} s. Bit rate other than the arm&apos;s, a loose plug, or no terminating resistor.</source>
+        <translation>{device}：{seconds} s 内有 {count} 个错误帧。可能波特率与机械臂不符、插头松动或缺少终端电阻。</translation>
+    </message>
+    <message>
+        <source>{device}: not one frame in {seconds} s. Is the arm switched on, the CAN cable plugged in, the bit rate 1000000? The arm may also be told to keep silent (0x422): a power cycle ends that.</source>
+        <translation>{device}：{seconds} s 内没有收到任何报文。机械臂是否上电、CAN 线是否插好、波特率是否为 1000000？机械臂也可能被置为静默（0x422）：重新上电即可恢复。</translation>
+    </message>
+    <message>
+        <source>{device}: {count} frames in {seconds} s, but no feedback of an arm. Heard: {ids}.</source>
+        <translation>{device}：{seconds} s 内收到 {count} 个报文，但没有机械臂反馈。收到：{ids}。</translation>
+    </message>
+    <message>
+        <source>{device}: feedback is heard, but no question was answered: commands do not get through. Another offset of the commands (0x470), or an adapter that only listens.</source>
+        <translation>{device}：能收到反馈，但询问没有应答：指令没有送达。可能是控制偏移不同（0x470），或适配器处于只听模式。</translation>
+    </message>
+    <message>
+        <source>{device}: an arm of generation {generation}, {rate} frames/s.</source>
+        <translation>{device}：第 {generation} 代协议的机械臂，{rate} 帧/s。</translation>
+    </message>
+    <message>
+        <source>Firmware {firmware}{identity}.</source>
+        <translation>固件 {firmware}{identity}。</translation>
+    </message>
+    <message>
+        <source>The firmware&apos;s version was not heard: the arm tells it only when asked.</source>
+        <translation>未收到固件版本：机械臂只在被询问时回答。</translation>
+    </message>
+    <message>
+        <source>The maker recommends firmware S-V1.8-9 or later; {firmware} has known faults. Updates come from the maker&apos;s support.</source>
+        <translation>厂家建议使用 S-V1.8-9 或更高版本固件；{firmware} 存在已知问题。更新请联系厂家支持。</translation>
+    </message>
+    <message>
+        <source>Model by the pose it reports: {fits}.</source>
+        <translation>按机械臂反馈的位姿判断，型号为 {fits}。</translation>
+    </message>
+    <message>
+        <source>Connected as a {chosen}, but the pose it reports is that of a {fits}. Connect it as a {fits}: tool moves and checks would be wrong.</source>
+        <translation>连接时选择的型号是 {chosen}，但其反馈的位姿属于 {fits}。请按 {fits} 重新连接：否则末端运动和检查会出错。</translation>
+    </message>
+    <message>
+        <source>With {firmware} a joint may lose its reference without a fault: angles look right, the arm stands elsewhere. Compare the 3D picture with the arm; only stop and resume (the arm drops) or a power cycle mends it.</source>
+        <translation>{firmware} 的关节可能在没有报错的情况下丢失基准：角度看似正常，实际位置不同。请对照 3D 画面与机械臂；只有急停后恢复（机械臂会下落）或重新上电才能修复。</translation>
+    </message>
+    <message>
+        <source>The arm&apos;s feedback is shifted by {offset} (0x470): the program follows it by itself.</source>
+        <translation>机械臂的反馈偏移为 {offset}（0x470）：程序会自动跟随。</translation>
+    </message>
+    <message>
+        <source>{device}: a second arm is heard, its feedback shifted by {offsets}.</source>
+        <translation>{device}：听到第二台机械臂，反馈偏移为 {offsets}。</translation>
+    </message>
+    <message>
+        <source>{device}: the arm is a teaching-input arm: it leads others and takes no commands ({ids}). Make it a motion output again (0x470, 0xFC), then switch it off and on.</source>
+        <translation>{device}：该机械臂为示教输入臂（主臂），不接受运动指令（{ids}）。请重新设为运动输出臂（0x470，0xFC），然后断电重启。</translation>
+    </message>
+    <message>
+        <source>The arm is in emergency stop. Resume drops the arm: hold it.</source>
+        <translation>机械臂处于急停状态。恢复时机械臂会下落：请扶住机械臂。</translation>
+    </message>
+    <message>
+        <source>{device}: another program or host commands the arm: {frames}. End it before you move the arm from here.</source>
+        <translation>{device}：另一程序或主机正在控制机械臂：{frames}。从本机控制之前请先停止它。</translation>
+    </message>
+    <message>
+        <source>The arm&apos;s status (0x2A1) is not heard, though other feedback is.</source>
+        <translation>收到了其他反馈，但没有收到机械臂状态（0x2A1）。</translation>
+    </message>
+    <message>
+        <source>The arm reports {status}.</source>
+        <translation>机械臂报告状态 {status}。</translation>
+    </message>
+    <message>
+        <source>The arm is in {mode}: another program has set it. A new mode word leaves the joints limp and the arm falls.</source>
+        <translation>机械臂处于 {mode}：由其他程序设置。切换模式会使关节失力，机械臂会下落。</translation>
+    </message>
+    <message>
+        <source>Joint {joints}: no communication with the main controller. Switch the arm off and on; if it stays, the cable inside is at fault.</source>
+        <translation>关节 {joints}：与主控制器通讯异常。请断电重启；若仍存在，则为内部线缆故障。</translation>
+    </message>
+    <message>
+        <source>Joint {joints} is beyond its limit.</source>
+        <translation>关节 {joints} 超出限位。</translation>
+    </message>
+    <message>
+        <source>Drivers report: {faults}.</source>
+        <translation>驱动器报告：{faults}。</translation>
+    </message>
+    <message>
+        <source>The drivers see only {voltage} V; the supply should have 24 V. A supply that is too weak, or a long cable.</source>
+        <translation>驱动器电压只有 {voltage} V，应为 24 V。电源功率不足或电缆过长。</translation>
+    </message>
+    <message>
+        <source>The feedback is all zero: seen with a teaching level of 255 in 0x47E (S-V1.5-8). Make the arm a teaching input and a motion output again, and set the teaching level to 1 (0x47D).</source>
+        <translation>反馈全部为零：0x47E 中示教等级为 255 时会出现（S-V1.5-8）。请将机械臂设为示教输入臂再改回，并把示教等级设为 1（0x47D）。</translation>
+    </message>
+    <message>
+        <source>RY is {ry}°: near ±90° the three angles of the end pose jump by up to 360°. That is how they are, not a fault; never subtract them.</source>
+        <translation>RY 为 {ry}°：接近 ±90° 时末端姿态角会跳变，最大 360°。这是欧拉角的特性，不是故障；不要对其做差。</translation>
+    </message>
+    <message>
+        <source>Joint {joints}: the limits kept in the arm are damaged. Set joint limits, speeds and accelerations to factory values (0x477), then read and set each.</source>
+        <translation>关节 {joints}：机械臂中保存的限位已损坏。请将关节限位、速度、加速度恢复出厂值（0x477），然后逐项读取并设置。</translation>
+    </message>
+    <message>
+        <source>{name} has its name by its adapter&apos;s serial number, and is switched on at every start.</source>
+        <translation>{name} 已按适配器序列号固定名称，每次启动时自动启用。</translation>
+    </message>
+    <message>
+        <source>A serial adapter ({name}) may be opened by whoever sits at this computer.</source>
+        <translation>串口适配器（{name}）可由本机当前登录的用户打开。</translation>
+    </message>
+    <message>
+        <source>This Linux is a guest of Windows (WSL): the adapter has to be handed over to it, before the arm is powered. In a terminal of Windows, with the adapter&apos;s BUSID from the list:</source>
+        <translation>当前 Linux 运行在 Windows 的 WSL 中：请先把适配器交给 WSL，再给机械臂上电。在 Windows 终端中运行（BUSID 取自列表）：</translation>
+    </message>
+</context>
+<context>
     <name>DialectBar</name>
     <message>
         <source>Encoding</source>
@@ -1634,10 +1957,6 @@
         <translation>仅查看和监听，没有发送任何报文。终端命令：armui doctor</translation>
     </message>
     <message>
-        <source>en</source>
-        <translation>zh</translation>
-    </message>
-    <message>
         <source>The examination is under way.</source>
         <translation>正在诊断。</translation>
     </message>
@@ -1660,6 +1979,57 @@
     <message>
         <source>No fault was found.</source>
         <translation>没有发现故障。</translation>
+    </message>
+</context>
+<context>
+    <name>DoctorReport</name>
+    <message>
+        <source>Listened only: nothing was sent.</source>
+        <translation>仅监听：没有发送任何报文。</translation>
+    </message>
+    <message>
+        <source>Questions were sent to the arm (--ask): they move and change nothing.</source>
+        <translation>已向机械臂发送询问报文（--ask）：不会引起运动，也不会更改设置。</translation>
+    </message>
+    <message>
+        <source>An arm answers.</source>
+        <translation>机械臂有应答。</translation>
+    </message>
+    <message>
+        <source>No arm answers.</source>
+        <translation>没有机械臂应答。</translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation>程序</translation>
+    </message>
+    <message>
+        <source>Screen</source>
+        <translation>显示</translation>
+    </message>
+    <message>
+        <source>CAN devices</source>
+        <translation>CAN 设备</translation>
+    </message>
+    <message>
+        <source>Bus and arm</source>
+        <translation>总线与机械臂</translation>
+    </message>
+    <message>
+        <source>[ ok ]</source>
+        <translation>[正常]</translation>
+    </message>
+    <message>
+        <source>[note]</source>
+        <translation>[提示]</translation>
+    </message>
+    <message>
+        <source>[warn]</source>
+        <translation>[注意]</translation>
+    </message>
+    <message>
+        <source>[FAIL]</source>
+        <translation>[故障]</translation>
     </message>
 </context>
 <context>
@@ -2041,6 +2411,18 @@
         <source>Copy shown events</source>
         <translation>复制所示事件</translation>
     </message>
+    <message>
+        <source>Only “{kind}”</source>
+        <translation>仅“{kind}”</translation>
+    </message>
+    <message>
+        <source>All sorts</source>
+        <translation>全部类别</translation>
+    </message>
+    <message>
+        <source>Click: show or hide. Double-click: this sort alone.</source>
+        <translation>单击：显示或隐藏。双击：仅此类别。</translation>
+    </message>
 </context>
 <context>
     <name>EventExport</name>
@@ -2261,7 +2643,7 @@
         <translation>日志中没有任何帧。未写入文件。</translation>
     </message>
     <message>
-        <source>No frame of the log is an arm's. No file was written. Another channel?</source>
+        <source>No frame of the log is an arm&apos;s. No file was written. Another channel?</source>
         <translation>日志中没有机械臂的帧。未写入文件。是否应选择其他通道？</translation>
     </message>
     <message>
@@ -2285,8 +2667,8 @@
         <translation>无法写入 {target}：{detail}</translation>
     </message>
     <message>
-        <source>Parquet needs the package pyarrow: pip install 'armui[parquet]'. CSV has the same table without it.</source>
-        <translation>Parquet 需要 pyarrow 包：pip install 'armui[parquet]'。CSV 无需它，内容是同一表格。</translation>
+        <source>Parquet needs the package pyarrow: pip install &apos;armui[parquet]&apos;. CSV has the same table without it.</source>
+        <translation>Parquet 需要 pyarrow 包：pip install &apos;armui[parquet]&apos;。CSV 无需它，内容是同一表格。</translation>
     </message>
     <message>
         <source>The export failed: {detail}</source>
@@ -2303,10 +2685,6 @@
     <message>
         <source>Only channel {channel} was exported; {count:,} frames of {others} were left out.</source>
         <translation>只导出了通道 {channel}；{others} 的 {count:,} 帧未导出。</translation>
-    </message>
-    <message>
-        <source>{count:,} are questions of this program or another host.</source>
-        <translation>{count:,} 帧为本程序或其他程序的查询。</translation>
     </message>
     <message>
         <source>A folder with a file for each message: every frame with its time, decoded into signals with their units.</source>
@@ -2327,6 +2705,10 @@
     <message>
         <source>{frames:,} frames read as generation {generation}, {model}.</source>
         <translation>共 {frames:,} 帧，按第 {generation} 代协议读取，型号 {model}。</translation>
+    </message>
+    <message>
+        <source>{count:,} are questions of this program or another host.</source>
+        <translation>{count:,} 帧为本程序或其他程序的查询。</translation>
     </message>
 </context>
 <context>
@@ -2547,10 +2929,6 @@
         <translation>清空</translation>
     </message>
     <message>
-        <source>Live</source>
-        <translation>实时</translation>
-    </message>
-    <message>
         <source>Counting begins anew, from nothing</source>
         <translation>从零重新统计</translation>
     </message>
@@ -2581,6 +2959,10 @@
     <message>
         <source>Sender</source>
         <translation>发送方</translation>
+    </message>
+    <message>
+        <source>Live</source>
+        <translation>实时</translation>
     </message>
 </context>
 <context>
@@ -2757,6 +3139,26 @@
         <source>Copy</source>
         <translation>复制</translation>
     </message>
+    <message>
+        <source>Switch on: {bitrate}</source>
+        <translation>启用：{bitrate}</translation>
+    </message>
+    <message>
+        <source>Bring back to the bus</source>
+        <translation>恢复总线</translation>
+    </message>
+    <message>
+        <source>Keep no longer…</source>
+        <translation>不再保留…</translation>
+    </message>
+    <message>
+        <source>Let me open it…</source>
+        <translation>允许我打开…</translation>
+    </message>
+    <message>
+        <source>Name and always at start: {channel}…</source>
+        <translation>固定名称并开机启用：{channel}…</translation>
+    </message>
 </context>
 <context>
     <name>FindingsPane</name>
@@ -2835,7 +3237,7 @@
         <translation>在下一个设定值到来之前关节失力：若没有设定值立即跟上，机械臂会坠落。请托住机械臂。之后只能通过复位恢复。</translation>
     </message>
     <message>
-        <source>Drives one motor past the arm's own planning and limits. With gains of 0 its joint has no strength and falls. Support the arm, keep away from it.</source>
+        <source>Drives one motor past the arm&apos;s own planning and limits. With gains of 0 its joint has no strength and falls. Support the arm, keep away from it.</source>
         <translation>绕过机械臂自身的规划和限位直接驱动一个电机。增益为 0 时该关节无力并坠落。请托住机械臂，并与其保持距离。</translation>
     </message>
     <message>
@@ -3995,7 +4397,7 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
         <translation>6 个关节的角度限位、速度和加速度都将恢复为出厂值。为现场设置的限位（包括更窄的限位）会丢失：如以后还需要，请先保存参数备份。</translation>
     </message>
     <message>
-        <source>This arm's protocol (generation 1) has no command for it. Enter the values, or restore a backup.</source>
+        <source>This arm&apos;s protocol (generation 1) has no command for it. Enter the values, or restore a backup.</source>
         <translation>该机械臂的协议（第 1 代）没有此指令。请手动输入数值，或从备份恢复。</translation>
     </message>
 </context>
@@ -4119,6 +4521,49 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
     <message>
         <source>Homed</source>
         <translation>已经回零</translation>
+    </message>
+</context>
+<context>
+    <name>KeepDialog</name>
+    <message>
+        <source>Keep at every start</source>
+        <translation>每次启动时保留</translation>
+    </message>
+    <message>
+        <source>Keep no longer</source>
+        <translation>不再保留</translation>
+    </message>
+    <message>
+        <source>Name of the adapter</source>
+        <translation>适配器名称</translation>
+    </message>
+    <message>
+        <source>Files of the system</source>
+        <translation>系统文件</translation>
+    </message>
+    <message>
+        <source>Write these files</source>
+        <translation>写入这些文件</translation>
+    </message>
+    <message>
+        <source>Take away</source>
+        <translation>移除</translation>
+    </message>
+    <message>
+        <source>The system asks for the administrator&apos;s password. The name holds for this adapter by its serial number, wherever it is plugged in.</source>
+        <translation>系统会询问管理员密码。名称按序列号固定在此适配器上，插在任何接口都有效。</translation>
+    </message>
+    <message>
+        <source>The system asks for the administrator&apos;s password.</source>
+        <translation>系统会询问管理员密码。</translation>
+    </message>
+    <message>
+        <source>Taken away: {path}</source>
+        <translation>移除：{path}</translation>
+    </message>
+    <message>
+        <source>First the files are looked at.</source>
+        <translation>正在读取文件内容。</translation>
     </message>
 </context>
 <context>
@@ -4985,7 +5430,7 @@ Lamps give no feedback: this is only what will be sent.</source>
     </message>
     <message>
         <source>The limits move with the zero, and so does every stored trajectory. With a wrong zero the arm runs into its stops.
-Set it only at the mark of the joint's zero, with the arm standing still. The arm keeps it; there is no way back but to set it again.</source>
+Set it only at the mark of the joint&apos;s zero, with the arm standing still. The arm keeps it; there is no way back but to set it again.</source>
         <translation>限位和已存轨迹会随零点一起改变；零点设错，机械臂会撞上机械限位。
 请仅在关节对准零位标记且机械臂静止时设置。机械臂会保存该零点，只能通过重新设置更改。</translation>
     </message>
@@ -5093,14 +5538,6 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>请先选择机械臂的安装方式。</translation>
     </message>
     <message>
-        <source>Mounting: not set from here yet</source>
-        <translation>安装方式：本程序尚未设置</translation>
-    </message>
-    <message>
-        <source>Mounting, as last set from here: {mounting}</source>
-        <translation>安装方式：本程序上次设为{mounting}</translation>
-    </message>
-    <message>
         <source>Mounting of the arm</source>
         <translation>机械臂安装方式</translation>
     </message>
@@ -5111,6 +5548,14 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     <message>
         <source>The arm does not answer this and cannot be asked for it: another program, or the arm itself after a power cut, may have another one.</source>
         <translation>机械臂对此不应答，也无法查询：其他程序或断电后的机械臂可能采用不同的设置。</translation>
+    </message>
+    <message>
+        <source>Mounting: not set from here yet</source>
+        <translation>安装方式：本程序尚未设置</translation>
+    </message>
+    <message>
+        <source>Mounting, as last set from here: {mounting}</source>
+        <translation>安装方式：本程序上次设为{mounting}</translation>
     </message>
 </context>
 <context>
@@ -5167,7 +5612,7 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>机械臂已确认急停。</translation>
     </message>
     <message>
-        <source>The arm has NOT confirmed the emergency stop; it is sent again and again. Cut the arm's power if it moves.</source>
+        <source>The arm has NOT confirmed the emergency stop; it is sent again and again. Cut the arm&apos;s power if it moves.</source>
         <translation>机械臂尚未确认急停，正在反复发送。若机械臂仍在运动，请切断其电源。</translation>
     </message>
     <message>
@@ -5267,7 +5712,7 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>6 个电机均已使能。</translation>
     </message>
     <message>
-        <source>These joints did not enable: {joints}. Press Enable again; if that fails, check their drivers and the arm's power.</source>
+        <source>These joints did not enable: {joints}. Press Enable again; if that fails, check their drivers and the arm&apos;s power.</source>
         <translation>以下关节未能使能：{joints}。请再按一次“使能”；若仍失败，请检查其驱动器和机械臂电源。</translation>
     </message>
     <message>
@@ -5323,7 +5768,7 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>末端负载未得到确认。{reason}</translation>
     </message>
     <message>
-        <source>Switching the feedback of the end's motion</source>
+        <source>Switching the feedback of the end&apos;s motion</source>
         <translation>正在切换末端速度/加速度反馈</translation>
     </message>
     <message>
@@ -5335,7 +5780,7 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>机械臂已停止上报末端速度/加速度。</translation>
     </message>
     <message>
-        <source>The feedback of the end's motion is not switched. {reason}</source>
+        <source>The feedback of the end&apos;s motion is not switched. {reason}</source>
         <translation>末端速度/加速度反馈未切换成功。{reason}</translation>
     </message>
     <message>
@@ -5499,7 +5944,7 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>回放中止。{reason}</translation>
     </message>
     <message>
-        <source>Recording the arm's motion</source>
+        <source>Recording the arm&apos;s motion</source>
         <translation>开始录制机械臂运动</translation>
     </message>
     <message>
@@ -5555,7 +6000,7 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>未读到以下关节的限位：{joints}。现按出厂限位检查；重新连接可再次读取。</translation>
     </message>
     <message>
-        <source>Joint {joint}: the limits stored in the arm cannot be true. The factory limits hold; set the joint's limits anew.</source>
+        <source>Joint {joint}: the limits stored in the arm cannot be true. The factory limits hold; set the joint&apos;s limits anew.</source>
         <translation>关节 {joint}：机械臂中保存的限位不合理。现按出厂限位检查；请重新设置该关节的限位。</translation>
     </message>
     <message>
@@ -5567,7 +6012,7 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>事件：{code}</translation>
     </message>
     <message>
-        <source>The emergency stop is NOT on the bus: no CAN device is open, or it does not take the frame. Cut the arm's power if it moves.</source>
+        <source>The emergency stop is NOT on the bus: no CAN device is open, or it does not take the frame. Cut the arm&apos;s power if it moves.</source>
         <translation>急停没有发到总线上：没有打开 CAN 设备，或设备不接收该帧。若机械臂在运动，请切断其电源。</translation>
     </message>
     <message>
@@ -5583,7 +6028,7 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>未完成的急停已撤回；机械臂没有停止。</translation>
     </message>
     <message>
-        <source>The arm on {device} has never confirmed its emergency stop, and another device is connected now. Cut that arm's power if it moves.</source>
+        <source>The arm on {device} has never confirmed its emergency stop, and another device is connected now. Cut that arm&apos;s power if it moves.</source>
         <translation>{device} 上的机械臂一直没有确认急停，而现在连接的是另一设备。若那台机械臂在运动，请切断其电源。</translation>
     </message>
     <message>
@@ -5631,7 +6076,7 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>机械臂未确认恢复出厂值。{reason}</translation>
     </message>
     <message>
-        <source>Sent by hand: {frame}. It counts as another program's command.</source>
+        <source>Sent by hand: {frame}. It counts as another program&apos;s command.</source>
         <translation>手动发送：{frame}。按其他程序的指令处理。</translation>
     </message>
     <message>
@@ -5671,7 +6116,7 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>{device} 点动 {axes}（工具坐标系）</translation>
     </message>
     <message>
-        <source>Told the arm to leave the other program's mode and to hold where it stands.</source>
+        <source>Told the arm to leave the other program&apos;s mode and to hold where it stands.</source>
         <translation>已通知机械臂退出另一程序的模式，并保持在当前位置。</translation>
     </message>
     <message>
@@ -5762,7 +6207,7 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>无法识别的报文：{kind}（最近 {id}）</translation>
     </message>
     <message>
-        <source>The arm's status frames come more rarely: {share} % fewer than before</source>
+        <source>The arm&apos;s status frames come more rarely: {share} % fewer than before</source>
         <translation>机械臂状态报文变少：比之前少 {share} %</translation>
     </message>
     <message>
@@ -5825,7 +6270,7 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>设置末端负载</translation>
     </message>
     <message>
-        <source>Switch the feedback of the end's motion</source>
+        <source>Switch the feedback of the end&apos;s motion</source>
         <translation>开关末端速度与加速度反馈</translation>
     </message>
     <message>
@@ -5841,11 +6286,11 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>夹爪失能</translation>
     </message>
     <message>
-        <source>Clear the gripper's error</source>
+        <source>Clear the gripper&apos;s error</source>
         <translation>清除夹爪错误</translation>
     </message>
     <message>
-        <source>Set the gripper's zero</source>
+        <source>Set the gripper&apos;s zero</source>
         <translation>设置夹爪零点</translation>
     </message>
     <message>
@@ -6006,7 +6451,7 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>倍率</translation>
     </message>
     <message>
-        <source>Share of the run's own speed, changed while it runs; 0 % pauses it. Slower {slower}, faster {faster}.</source>
+        <source>Share of the run&apos;s own speed, changed while it runs; 0 % pauses it. Slower {slower}, faster {faster}.</source>
         <translation>相对于本次运行自身速度的比例，运行中可随时调整；0 % 即暂停。减速 {slower}，加速 {faster}。</translation>
     </message>
     <message>
@@ -6031,6 +6476,10 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     <message>
         <source>Kept for this arm; nothing moves.</source>
         <translation>为此机械臂保存，不运动。</translation>
+    </message>
+    <message>
+        <source>This arm tells no number of its own: another one without a number at this adapter would be taken for it.</source>
+        <translation>此机械臂不报自己的编号：同一适配器上另一台不报编号的机械臂会被当作它。</translation>
     </message>
     <message>
         <source>The measured angles</source>
@@ -6229,7 +6678,7 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>出厂 {bound}</translation>
     </message>
     <message>
-        <source>{name}: {value} goes beyond the factory's {bound}.</source>
+        <source>{name}: {value} goes beyond the factory&apos;s {bound}.</source>
         <translation>{name}：{value} 超出出厂值 {bound}。</translation>
     </message>
     <message>
@@ -6400,10 +6849,6 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>暂停</translation>
     </message>
     <message>
-        <source>Live</source>
-        <translation>实时</translation>
-    </message>
-    <message>
         <source>Plots that answer a question</source>
         <translation>回答一个问题的一组图</translation>
     </message>
@@ -6462,6 +6907,10 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     <message>
         <source>{count} s</source>
         <translation>{count} 秒</translation>
+    </message>
+    <message>
+        <source>Live</source>
+        <translation>实时</translation>
     </message>
 </context>
 <context>
@@ -6954,7 +7403,7 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>{name}（本程序指令）</translation>
     </message>
     <message>
-        <source>{name}, other host's command</source>
+        <source>{name}, other host&apos;s command</source>
         <translation>{name}（其他主机指令）</translation>
     </message>
     <message>
@@ -6966,7 +7415,7 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>本程序指令</translation>
     </message>
     <message>
-        <source>other host's command</source>
+        <source>other host&apos;s command</source>
         <translation>其他主机指令</translation>
     </message>
     <message>
@@ -7033,6 +7482,30 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <source>no</source>
         <translation>否</translation>
     </message>
+    <message>
+        <source>Tool centre point X</source>
+        <translation>工具中心点 X</translation>
+    </message>
+    <message>
+        <source>Tool centre point Y</source>
+        <translation>工具中心点 Y</translation>
+    </message>
+    <message>
+        <source>Tool centre point Z</source>
+        <translation>工具中心点 Z</translation>
+    </message>
+    <message>
+        <source>Tool centre point RX</source>
+        <translation>工具中心点 RX</translation>
+    </message>
+    <message>
+        <source>Tool centre point RY</source>
+        <translation>工具中心点 RY</translation>
+    </message>
+    <message>
+        <source>Tool centre point RZ</source>
+        <translation>工具中心点 RZ</translation>
+    </message>
 </context>
 <context>
     <name>QuantityList</name>
@@ -7058,6 +7531,21 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     <message>
         <source>Target not reached</source>
         <translation>未达指定点</translation>
+    </message>
+</context>
+<context>
+    <name>RecordedCurves</name>
+    <message>
+        <source>What is recorded appears here</source>
+        <translation>录制的曲线显示在此处</translation>
+    </message>
+    <message>
+        <source>Recorded angles of the joints</source>
+        <translation>录制的关节角度</translation>
+    </message>
+    <message>
+        <source>Drag the handles: what lies between them is kept</source>
+        <translation>拖动两端的手柄：保留其间的部分</translation>
     </message>
 </context>
 <context>
@@ -7189,10 +7677,6 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>录制期间可拖动机械臂，或以任意方式使其运动。</translation>
     </message>
     <message>
-        <source>Recorded: {time}, {count} samples</source>
-        <translation>已录制：{time}，{count} 个采样</translation>
-    </message>
-    <message>
         <source>Recording anew takes the place of what is not saved</source>
         <translation>重新录制将覆盖未保存的内容</translation>
     </message>
@@ -7237,12 +7721,24 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>机械臂会在每个点停下</translation>
     </message>
     <message>
-        <source>Keeps {kept} of {count} samples, {time}</source>
-        <translation>保留 {kept}/{count} 个采样，{time}</translation>
-    </message>
-    <message>
         <source>It is in memory alone until it is saved. {reason}</source>
         <translation>保存前数据只在内存中。{reason}</translation>
+    </message>
+    <message>
+        <source>Keeps {kept} of {count} samples, {time}, {size}</source>
+        <translation>保留 {count} 个采样中的 {kept} 个，{time}，{size}</translation>
+    </message>
+    <message>
+        <source>Trim samples</source>
+        <translation>裁剪采样</translation>
+    </message>
+    <message>
+        <source>Imported file, or of an unknown arm: {time}, {count} samples, {size}</source>
+        <translation>导入的文件，或所属机械臂未知：{time}，{count} 个采样，{size}</translation>
+    </message>
+    <message>
+        <source>Recorded: {time}, {count} samples, {size}</source>
+        <translation>已录制：{time}，{count} 个采样，{size}</translation>
     </message>
 </context>
 <context>
@@ -7260,6 +7756,16 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>恢复…</translation>
     </message>
     <message>
+        <source>Resume after the emergency stop</source>
+        <translation>从急停恢复</translation>
+    </message>
+    <message>
+        <source>Resuming cuts the power of the motors: the arm will drop. Hold the arm.
+Afterwards the motors must be enabled again.</source>
+        <translation>恢复时会切断电机电源：机械臂会下落，请扶住机械臂。
+之后需要重新使能电机。</translation>
+    </message>
+    <message>
         <source>Enable</source>
         <translation>使能</translation>
     </message>
@@ -7270,6 +7776,14 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     <message>
         <source>Reset…</source>
         <translation>复位…</translation>
+    </message>
+    <message>
+        <source>Reset the arm</source>
+        <translation>复位机械臂</translation>
+    </message>
+    <message>
+        <source>First the emergency stop: the motors go limp and the arm sinks. Then Resume cuts their power: the arm will drop. Hold the arm from now on.</source>
+        <translation>先急停：电机失去保持力，机械臂会缓慢下沉；随后恢复会断电：机械臂会下落，请扶住机械臂。</translation>
     </message>
     <message>
         <source>Stop recording</source>
@@ -7284,8 +7798,36 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>拖动…</translation>
     </message>
     <message>
+        <source>Lead the arm by hand</source>
+        <translation>用手拖动机械臂</translation>
+    </message>
+    <message>
+        <source>The arm will give way to the hand and starts a new recording; the one it holds is lost. Hold the arm.
+Lead it near its rest pose, then stop recording.</source>
+        <translation>机械臂将进入拖动示教模式并开始新的记录，原有记录会丢失。请扶住机械臂。
+请拖动到零位附近，然后结束示教记录。</translation>
+    </message>
+    <message>
+        <source>Take the arm back</source>
+        <translation>收回机械臂的控制</translation>
+    </message>
+    <message>
+        <source>The arm changes back to its own control and is told to hold where it stands. Between the two its joints are limp for a moment: it may sag, and drop if the second message is lost. Hold the arm.
+The other program must have ended.</source>
+        <translation>机械臂将切回自身的控制方式，并被告知保持在当前位置。两条指令之间关节会短暂失力：机械臂可能下沉，若第二条指令丢失则会下落。请扶住机械臂。
+另一程序必须已经结束。</translation>
+    </message>
+    <message>
         <source>Take command…</source>
         <translation>待机…</translation>
+    </message>
+    <message>
+        <source>Withdraw the stop</source>
+        <translation>撤回急停</translation>
+    </message>
+    <message>
+        <source>The arm is not stopped: it goes on with whatever it is doing, and obeys again. Look at the arm before.</source>
+        <translation>机械臂不会停止：它将继续正在做的动作，并重新服从指令。请先看清机械臂。</translation>
     </message>
     <message>
         <source>Emergency stop</source>
@@ -7304,69 +7846,20 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>接管</translation>
     </message>
     <message>
-        <source>Withdraw…</source>
-        <translation>撤回…</translation>
-    </message>
-    <message>
-        <source>Take back…</source>
-        <translation>收回控制…</translation>
-    </message>
-</context>
-<context>
-    <name>RecoveryDanger</name>
-    <message>
-        <source>Resume after the emergency stop</source>
-        <translation>从急停恢复</translation>
-    </message>
-    <message>
-        <source>Reset the arm</source>
-        <translation>复位机械臂</translation>
-    </message>
-    <message>
-        <source>Lead the arm by hand</source>
-        <translation>用手拖动机械臂</translation>
-    </message>
-    <message>
         <source>Take the command</source>
         <translation>切换到待机模式</translation>
-    </message>
-    <message>
-        <source>Resuming cuts the power of the motors: the arm will drop. Hold the arm.
-Afterwards the motors must be enabled again.</source>
-        <translation>恢复时会切断电机电源：机械臂会下落，请扶住机械臂。
-之后需要重新使能电机。</translation>
-    </message>
-    <message>
-        <source>First the emergency stop: the motors go limp and the arm sinks. Then Resume cuts their power: the arm will drop. Hold the arm from now on.</source>
-        <translation>先急停：电机失去保持力，机械臂会缓慢下沉；随后恢复会断电：机械臂会下落，请扶住机械臂。</translation>
-    </message>
-    <message>
-        <source>The arm will give way to the hand and starts a new recording; the one it holds is lost. Hold the arm.
-Lead it near its rest pose, then stop recording.</source>
-        <translation>机械臂将进入拖动示教模式并开始新的记录，原有记录会丢失。请扶住机械臂。
-请拖动到零位附近，然后结束示教记录。</translation>
     </message>
     <message>
         <source>The arm will no longer follow the other control; a motion under way ends. Make sure that nobody relies on it.</source>
         <translation>机械臂将不再由其他方式控制，正在进行的运动会停止。请确认无人正在使用。</translation>
     </message>
     <message>
-        <source>Withdraw the stop</source>
-        <translation>撤回急停</translation>
+        <source>Withdraw…</source>
+        <translation>撤回…</translation>
     </message>
     <message>
-        <source>The arm is not stopped: it goes on with whatever it is doing, and obeys again. Look at the arm before.</source>
-        <translation>机械臂不会停止：它将继续正在做的动作，并重新服从指令。请先看清机械臂。</translation>
-    </message>
-    <message>
-        <source>Take the arm back</source>
-        <translation>收回机械臂的控制</translation>
-    </message>
-    <message>
-        <source>The arm changes back to its own control and is told to hold where it stands. Between the two its joints are limp for a moment: it may sag, and drop if the second message is lost. Hold the arm.
-The other program must have ended.</source>
-        <translation>机械臂将切回自身的控制方式，并被告知保持在当前位置。两条指令之间关节会短暂失力：机械臂可能下沉，若第二条指令丢失则会下落。请扶住机械臂。
-另一程序必须已经结束。</translation>
+        <source>Take back…</source>
+        <translation>收回控制…</translation>
     </message>
 </context>
 <context>
@@ -7386,6 +7879,10 @@ The other program must have ended.</source>
     <message>
         <source>Another way</source>
         <translation>另一种选择</translation>
+    </message>
+    <message>
+        <source>“{name}” has not begun: the check has something to say. Answer it on its page.</source>
+        <translation>“{name}”尚未运行：检查有提示，请在其页面上确认。</translation>
     </message>
 </context>
 <context>
@@ -7455,7 +7952,7 @@ The other program must have ended.</source>
         <translation>关节 {joints} 堵转。请解除卡阻，然后清除错误。</translation>
     </message>
     <message>
-        <source>Sensor fault, joint {joints}. Clear the error; if it comes back, check the joint's encoder.</source>
+        <source>Sensor fault, joint {joints}. Clear the error; if it comes back, check the joint&apos;s encoder.</source>
         <translation>关节 {joints} 传感器异常。请清除错误；若再次出现，请检查该关节编码器。</translation>
     </message>
     <message>
@@ -7471,7 +7968,7 @@ The other program must have ended.</source>
         <translation>机械臂报告关节状态异常。请查看关节状态，然后清除错误。</translation>
     </message>
     <message>
-        <source>A joint's brake is not released. Hold the arm, then reset it.</source>
+        <source>A joint&apos;s brake is not released. Hold the arm, then reset it.</source>
         <translation>关节抱闸未打开。请扶住机械臂，然后复位。</translation>
     </message>
     <message>
@@ -7575,7 +8072,7 @@ The other program must have ended.</source>
         <translation>机械臂发生碰撞。请移开障碍物，然后清除错误。</translation>
     </message>
     <message>
-        <source>A stop is outstanding: it goes out once the CAN device is back. Cut the arm's power if it moves.</source>
+        <source>A stop is outstanding: it goes out once the CAN device is back. Cut the arm&apos;s power if it moves.</source>
         <translation>有一次急停未完成：CAN 设备恢复后立即发出。若机械臂在运动，请切断其电源。</translation>
     </message>
     <message>
@@ -7654,7 +8151,7 @@ The other program must have ended.</source>
         <translation>以下关节的电机未使能：{joints}。请先按“使能”。</translation>
     </message>
     <message>
-        <source>Not every motor has reported yet whether it is enabled. Wait a moment; if it stays so, check the arm's power and the CAN cable.</source>
+        <source>Not every motor has reported yet whether it is enabled. Wait a moment; if it stays so, check the arm&apos;s power and the CAN cable.</source>
         <translation>尚未收到全部电机的使能状态。请稍候；若一直如此，请检查机械臂电源和 CAN 线。</translation>
     </message>
     <message>
@@ -7680,10 +8177,6 @@ The other program must have ended.</source>
     <message>
         <source>The arm takes its commands from elsewhere: {mode}. Leave that mode first.</source>
         <translation>机械臂当前不由本程序控制：{mode}。请先退出该模式。</translation>
-    </message>
-    <message>
-        <source>J{joint}: this step would go beyond its limit of {limit}°. Take a smaller step.</source>
-        <translation>J{joint}：这一步会越过限位 {limit}°，请减小步长。</translation>
     </message>
     <message>
         <source>The arm is in emergency stop. Hold the arm, press Resume, then enable the motors.</source>
@@ -7762,7 +8255,7 @@ The other program must have ended.</source>
         <translation>{axis}：“{value}”不是数值。请输入毫米或度的数字，例如 12.5。</translation>
     </message>
     <message>
-        <source>The target is {missing} mm out of the arm's reach. Choose one nearer to the arm, or turn the tool.</source>
+        <source>The target is {missing} mm out of the arm&apos;s reach. Choose one nearer to the arm, or turn the tool.</source>
         <translation>目标超出可达范围 {missing} mm。请选择更近的位置，或改变末端姿态。</translation>
     </message>
     <message>
@@ -7794,16 +8287,12 @@ The other program must have ended.</source>
         <translation>尚未记录：{point}。请把机械臂移到该处并按对应按钮。</translation>
     </message>
     <message>
-        <source>The pose the arm reports does not fit its joint angles: the program cannot compute its way. Check the joints' zeros; the joints can still be moved one by one.</source>
+        <source>The pose the arm reports does not fit its joint angles: the program cannot compute its way. Check the joints&apos; zeros; the joints can still be moved one by one.</source>
         <translation>机械臂上报的位姿与关节角度不符，程序无法计算路径。请检查各关节零点；仍可单独移动各关节。</translation>
     </message>
     <message>
         <source>This arm was connected as a {chosen}, but the pose it reports is that of a {fits}: the program would compute with the wrong lengths. Connect it as a {fits}; until then the joints can be moved one by one.</source>
         <translation>该机械臂按 {chosen} 连接，但其反馈的位姿属于 {fits}：程序会用错误的连杆长度计算。请按 {fits} 重新连接；在此之前可以逐个移动关节。</translation>
-    </message>
-    <message>
-        <source>Joint {joint} moves at {value}°/s, where {maximum}°/s is shown. Set the speed again before the next motion.</source>
-        <translation>关节 {joint} 实测 {value}°/s，而显示的速度为 {maximum}°/s。下次运动前请重新设定速度。</translation>
     </message>
     <message>
         <source>Tool centre point: {value} is not possible. Enter lengths up to {maximum} mm and angles up to 180°.</source>
@@ -7854,7 +8343,7 @@ The other program must have ended.</source>
         <translation>{gripper}：“{value}”不是数字，请输入 {minimum} 至 {maximum} {unit} 之间的值。</translation>
     </message>
     <message>
-        <source>Whether these joints stand still is not known: {joints}. Their drivers report no speed: check the arm's power and the CAN cable.</source>
+        <source>Whether these joints stand still is not known: {joints}. Their drivers report no speed: check the arm&apos;s power and the CAN cable.</source>
         <translation>无法确认以下关节是否静止：{joints}。其驱动器未上报速度，请检查机械臂电源和 CAN 线缆。</translation>
     </message>
     <message>
@@ -7886,11 +8375,11 @@ The other program must have ended.</source>
         <translation>设备 {device} 正被其它程序占用。请关闭该程序后重新连接。</translation>
     </message>
     <message>
-        <source>{device} is switched off in the system. Switch it on in a terminal (with your interface's name for can0): sudo ip link set can0 up type can bitrate 1000000</source>
+        <source>{device} is switched off in the system. Switch it on in a terminal (with your interface&apos;s name for can0): sudo ip link set can0 up type can bitrate 1000000</source>
         <translation>设备 {device} 在系统中未启用。请在终端中启用（将 can0 换成实际的接口名）：sudo ip link set can0 up type can bitrate 1000000</translation>
     </message>
     <message>
-        <source>You may not open {device}. On Linux add your account to the group dialout (serial adapters) or install the adapter's udev rule (USB adapters), then log in again.</source>
+        <source>You may not open {device}. On Linux add your account to the group dialout (serial adapters) or install the adapter&apos;s udev rule (USB adapters), then log in again.</source>
         <translation>没有权限打开设备 {device}。Linux 下：串口适配器请将当前用户加入 dialout 组，USB 适配器请安装其 udev 规则，然后重新登录。</translation>
     </message>
     <message>
@@ -7902,7 +8391,7 @@ The other program must have ended.</source>
         <translation>设备 {device} 需要的 Python 软件包尚未安装。请在终端中安装：pip install {package}</translation>
     </message>
     <message>
-        <source>The driver for {device} ({interface}) is missing. Install the driver of the adapter's maker; for socketcan load the kernel's modules: sudo modprobe can_raw</source>
+        <source>The driver for {device} ({interface}) is missing. Install the driver of the adapter&apos;s maker; for socketcan load the kernel&apos;s modules: sudo modprobe can_raw</source>
         <translation>缺少设备 {device}（{interface}）的驱动。请安装适配器厂家的驱动；使用 socketcan 时请加载内核模块：sudo modprobe can_raw</translation>
     </message>
     <message>
@@ -7936,10 +8425,6 @@ The other program must have ended.</source>
     <message>
         <source>Jog step: “{value}” is not an angle. Enter degrees in figures, for example 0.5.</source>
         <translation>点动步长：“{value}”不是角度。请输入以度为单位的数字，例如 0.5。</translation>
-    </message>
-    <message>
-        <source>The tool turns at {value}°/s, where {maximum}°/s is shown. Set the speed again before the next motion.</source>
-        <translation>末端转动速度为 {value}°/s，而显示的速度对应 {maximum}°/s。请在下次运动前重新设置速度。</translation>
     </message>
     <message>
         <source>Robot description: the file {path} is not there. Choose another file, or use the built-in one.</source>
@@ -8010,7 +8495,7 @@ The other program must have ended.</source>
         <translation>{parameter}：不能设为 {value}，请从 {choices} 中选择。</translation>
     </message>
     <message>
-        <source>This arm's protocol (generation {generation}) has no such settings; generation 2 has.</source>
+        <source>This arm&apos;s protocol (generation {generation}) has no such settings; generation 2 has.</source>
         <translation>本机械臂的协议（第 {generation} 代）没有这些参数，第 2 代才有。</translation>
     </message>
     <message>
@@ -8050,7 +8535,7 @@ The other program must have ended.</source>
         <translation>未运行：检查之后机械臂又移动了 {value}°。请再次点击发送。</translation>
     </message>
     <message>
-        <source>Not run: the arm's joint limits are others than those of the check. Send again.</source>
+        <source>Not run: the arm&apos;s joint limits are others than those of the check. Send again.</source>
         <translation>未运行：机械臂的关节限位与检查时不同。请再次点击发送。</translation>
     </message>
     <message>
@@ -8142,7 +8627,7 @@ The other program must have ended.</source>
         <translation>机械臂尚未反馈末端位姿，圆弧没有起点，请稍候。</translation>
     </message>
     <message>
-        <source>Row {row}: this arm's protocol moves the gripper by other figures (generation 1 by an angle, generation 2 by an opening). Change the gripper's action.</source>
+        <source>Row {row}: this arm&apos;s protocol moves the gripper by other figures (generation 1 by an angle, generation 2 by an opening). Change the gripper&apos;s action.</source>
         <translation>第 {row} 行：本机械臂协议的夹爪参数不同（第一代用角度，第二代用开度），请修改夹爪动作。</translation>
     </message>
     <message>
@@ -8362,11 +8847,11 @@ The other program must have ended.</source>
         <translation>“{name}”未保存：{text}。原有内容未变。请检查磁盘后重新保存。</translation>
     </message>
     <message>
-        <source>Not deleted: {name}: {text}. Check the rights to the library's folder.</source>
+        <source>Not deleted: {name}: {text}. Check the rights to the library&apos;s folder.</source>
         <translation>未删除：{name}：{text}。请检查轨迹库文件夹的权限。</translation>
     </message>
     <message>
-        <source>Not brought back: {name}: {text}. Check the rights to the library's folder.</source>
+        <source>Not brought back: {name}: {text}. Check the rights to the library&apos;s folder.</source>
         <translation>未恢复：{name}：{text}。请检查轨迹库文件夹的权限。</translation>
     </message>
     <message>
@@ -8446,7 +8931,7 @@ The other program must have ended.</source>
         <translation>机械臂是否在当前标识符上接收指令尚未证实，因此不让它运动；急停和停住仍能到达。证实方法：让机械臂处于待机，在联动控制中重新设置偏移，得到应答后即生效。</translation>
     </message>
     <message>
-        <source>For half a second {device} could send nothing, because nobody on the bus acknowledges. Check the arm's power, the CAN cable, the terminating resistors and the bit rate (1 Mbit/s).</source>
+        <source>For half a second {device} could send nothing, because nobody on the bus acknowledges. Check the arm&apos;s power, the CAN cable, the terminating resistors and the bit rate (1 Mbit/s).</source>
         <translation>{device} 已有半秒发不出任何帧，因为总线上无人应答。请检查机械臂电源、CAN 线、终端电阻和波特率（1 Mbit/s）。</translation>
     </message>
     <message>
@@ -8502,11 +8987,11 @@ The other program must have ended.</source>
         <translation>数据：{count} 字节超出一帧的容量。最多输入 8 字节。</translation>
     </message>
     <message>
-        <source>{frame} is what an arm itself says: two senders of one identifier disturb the bus, and others would take it for the arm's word. Choose an identifier that hosts send.</source>
+        <source>{frame} is what an arm itself says: two senders of one identifier disturb the bus, and others would take it for the arm&apos;s word. Choose an identifier that hosts send.</source>
         <translation>{frame} 是机械臂自己发送的帧：同一 ID 有两个发送方会干扰总线，其他程序也会误以为是机械臂的反馈。请选择由上位机发送的 ID。</translation>
     </message>
     <message>
-        <source>{frame} is kept for firmware upgrades: what it does is not public, and it may leave the arm without firmware. Use the maker's upgrade program.</source>
+        <source>{frame} is kept for firmware upgrades: what it does is not public, and it may leave the arm without firmware. Use the maker&apos;s upgrade program.</source>
         <translation>{frame} 保留用于固件升级：其作用没有公开资料，可能使机械臂失去固件。请使用厂家的升级程序。</translation>
     </message>
     <message>
@@ -8558,8 +9043,8 @@ The other program must have ended.</source>
         <translation>无法在 {folder} 中记录会话：{text}。此前写入的内容可以读取。请选择其他文件夹，或重试。</translation>
     </message>
     <message>
-        <source>“{name}” cannot be the name of a recording. Leave out / \ : * ? " &lt; &gt; | and a dot at the beginning or the end; 120 characters at most.</source>
-        <translation>“{name}”不能作为记录的名称。请勿使用 / \ : * ? " &lt; &gt; |，首尾不能是句点，最多 120 个字符。</translation>
+        <source>“{name}” cannot be the name of a recording. Leave out / \ : * ? &quot; &lt; &gt; | and a dot at the beginning or the end; 120 characters at most.</source>
+        <translation>“{name}”不能作为记录的名称。请勿使用 / \ : * ? &quot; &lt; &gt; |，首尾不能是句点，最多 120 个字符。</translation>
     </message>
     <message>
         <source>There is a file called “{name}” in the folder already. Choose another name.</source>
@@ -8622,7 +9107,7 @@ The other program must have ended.</source>
         <translation>使能键按住 {seconds} 秒而设备没有任何动作。请重新按下。</translation>
     </message>
     <message>
-        <source>The arm's firmware {firmware} does not have this: it came with {since}. Updates come from the maker's support.</source>
+        <source>The arm&apos;s firmware {firmware} does not have this: it came with {since}. Updates come from the maker&apos;s support.</source>
         <translation>机械臂固件 {firmware} 不支持此功能：自 {since} 起支持。升级请联系厂家支持。</translation>
     </message>
     <message>
@@ -8630,7 +9115,7 @@ The other program must have ended.</source>
         <translation>机械臂尚未报告固件版本，而此功能自 {since} 起支持。请重新连接以查询。</translation>
     </message>
     <message>
-        <source>The arm's control mode is not known, or another one has the command: it would be changed along with this. Bring the arm to standby or CAN control first.</source>
+        <source>The arm&apos;s control mode is not known, or another one has the command: it would be changed along with this. Bring the arm to standby or CAN control first.</source>
         <translation>机械臂的控制模式未知，或由其他方控制：此操作会同时更改它。请先使机械臂进入待机或 CAN 控制模式。</translation>
     </message>
     <message>
@@ -8638,7 +9123,7 @@ The other program must have ended.</source>
         <translation>另一程序正以{other_mode}模式驱动机械臂：本程序的模式指令会使关节失力。请结束该程序、扶住机械臂，再按面板上方提示行给出的方式恢复。</translation>
     </message>
     <message>
-        <source>Not run: the arm's model or zeros are others than those of the check. Send again.</source>
+        <source>Not run: the arm&apos;s model or zeros are others than those of the check. Send again.</source>
         <translation>未运行：机械臂的型号或零点约定与检查时不同。请再次点击发送。</translation>
     </message>
     <message>
@@ -8704,6 +9189,106 @@ The other program must have ended.</source>
     <message>
         <source>The fingertip would come to {value} mm; jogs end at {minimum} mm, as chosen under Settings. Jog upwards.</source>
         <translation>末端将到 {value} mm；按“设置”中的选择，点动止于 {minimum} mm。请向上点动。</translation>
+    </message>
+    <message>
+        <source>J{joint}: this step would go beyond its limit of {limit}°. Take a smaller step.</source>
+        <translation>J{joint}：这一步会越过限位 {limit}°，请减小步长。</translation>
+    </message>
+    <message>
+        <source>Joint {joint} moves at {value}°/s, where {maximum}°/s is shown. Set the speed again before the next motion.</source>
+        <translation>关节 {joint} 实测 {value}°/s，而显示的速度为 {maximum}°/s。下次运动前请重新设定速度。</translation>
+    </message>
+    <message>
+        <source>The tool turns at {value}°/s, where {maximum}°/s is shown. Set the speed again before the next motion.</source>
+        <translation>末端转动速度为 {value}°/s，而显示的速度对应 {maximum}°/s。请在下次运动前重新设置速度。</translation>
+    </message>
+    <message>
+        <source>{device} needs the library libusb, which is not on this computer. Install it in a terminal: on Windows and macOS pip install libusb-package, on Debian and Ubuntu sudo apt install libusb-1.0-0</source>
+        <translation>{device} 需要 libusb 库，但此电脑上没有。请在终端中安装：Windows 和 macOS 用 pip install libusb-package，Debian 和 Ubuntu 用 sudo apt install libusb-1.0-0</translation>
+    </message>
+    <message>
+        <source>{text} is no bit rate of an arm: nothing was changed.</source>
+        <translation>{text} 不是机械臂的波特率：没有更改任何设置。</translation>
+    </message>
+    <message>
+        <source>This name is not possible: small letters, digits and _, 15 at most, beginning with a letter, and none that the system itself gives (can0, eth0). For example: arm_left</source>
+        <translation>名称不可用：只能用小写字母、数字和 _，以字母开头，最多 15 个字符，且不能是系统自动分配的名称（can0、eth0）。例如：arm_left</translation>
+    </message>
+    <message>
+        <source>The adapter&apos;s serial number cannot be used: {text}</source>
+        <translation>适配器的序列号无法使用：{text}</translation>
+    </message>
+    <message>
+        <source>The question for the password was closed: nothing was changed.</source>
+        <translation>密码窗口已关闭：没有更改任何设置。</translation>
+    </message>
+    <message>
+        <source>{text} is the name of another adapter already.</source>
+        <translation>{text} 已是另一个适配器的名称。</translation>
+    </message>
+    <message>
+        <source>The helper ended without a word on what it did: {text}. Look at the diagnosis again.</source>
+        <translation>辅助程序结束时没有说明结果：{text}。请重新诊断。</translation>
+    </message>
+    <message>
+        <source>{text} has no bit rate yet. Switch it on with one first.</source>
+        <translation>{text} 尚未设置波特率，请先按波特率启用。</translation>
+    </message>
+    <message>
+        <source>Which channel of its adapter {text} is, is not known.</source>
+        <translation>无法确定 {text} 是适配器的哪个通道。</translation>
+    </message>
+    <message>
+        <source>{text} is not there any more. Plug the adapter in again.</source>
+        <translation>{text} 已不存在，请重新插入适配器。</translation>
+    </message>
+    <message>
+        <source>The adapter of {text} tells no serial number: it cannot be told from another one, and nothing was kept.</source>
+        <translation>{text} 的适配器没有序列号，无法与其他适配器区分，没有保存。</translation>
+    </message>
+    <message>
+        <source>The system did not allow it: {text}. Nothing was changed; the commands below do the same in a terminal.</source>
+        <translation>系统不允许：{text}。没有更改任何设置；可在终端中运行下面的命令。</translation>
+    </message>
+    <message>
+        <source>{text} is no CAN interface: nothing was changed.</source>
+        <translation>{text} 不是 CAN 接口：没有更改任何设置。</translation>
+    </message>
+    <message>
+        <source>Nothing is kept under the name {text}.</source>
+        <translation>没有以 {text} 保存的设置。</translation>
+    </message>
+    <message>
+        <source>{text} is a file of somebody else: nothing was written.</source>
+        <translation>{text} 是其他程序的文件：没有写入。</translation>
+    </message>
+    <message>
+        <source>The system said that it is done, and it is not: {text}. Unplug the adapter, plug it in again, and try once more.</source>
+        <translation>系统称已完成，但实际没有：{text}。请拔下适配器重新插入，再试一次。</translation>
+    </message>
+    <message>
+        <source>{text} is no serial adapter on the USB: nothing was changed.</source>
+        <translation>{text} 不是 USB 串口适配器：没有更改任何设置。</translation>
+    </message>
+    <message>
+        <source>The system refused it: {text}</source>
+        <translation>系统拒绝：{text}</translation>
+    </message>
+    <message>
+        <source>The system&apos;s program {text} did not answer within 5 s. Unplug the adapter and plug it in again.</source>
+        <translation>系统程序 {text} 在 5 s 内没有响应。请拔下适配器重新插入。</translation>
+    </message>
+    <message>
+        <source>The system&apos;s program {text} is missing. Install it.</source>
+        <translation>缺少系统程序 {text}，请安装。</translation>
+    </message>
+    <message>
+        <source>The arm moves, and {interface} is the only way to it: switched off, even for a moment, the arm goes on with what it was told last, and no emergency stop reaches it. Let the motion end or stop it first.</source>
+        <translation>机械臂正在运动，而 {interface} 是与它的唯一连接：即使短暂停用，机械臂也会继续执行最后收到的指令，急停无法送达。请等运动结束，或先停止机械臂。</translation>
+    </message>
+    <message>
+        <source>{text} is still switched on, though the system said that it is off.</source>
+        <translation>系统称 {text} 已停用，但它仍处于启用状态。</translation>
     </message>
 </context>
 <context>
@@ -8946,7 +9531,7 @@ The other program must have ended.</source>
         <translation>速度</translation>
     </message>
     <message>
-        <source>Of each point's own speed</source>
+        <source>Of each point&apos;s own speed</source>
         <translation>相对于各点自身速度的百分比</translation>
     </message>
     <message>
@@ -9106,7 +9691,7 @@ The other program must have ended.</source>
         <translation>已发送：{frame}。</translation>
     </message>
     <message>
-        <source>A frame sent by hand is checked for nothing but its form, and counts as another program's: what this program is doing ends.</source>
+        <source>A frame sent by hand is checked for nothing but its form, and counts as another program&apos;s: what this program is doing ends.</source>
         <translation>手动发送的帧只检查格式，并按其他程序的指令处理：本程序正在进行的运动会结束。</translation>
     </message>
     <message>
@@ -9726,7 +10311,7 @@ The other program must have ended.</source>
         <translation>已使能</translation>
     </message>
     <message>
-        <source>Feedback of the end's motion</source>
+        <source>Feedback of the end&apos;s motion</source>
         <translation>末端运动反馈</translation>
     </message>
     <message>
@@ -10512,7 +11097,7 @@ The other program must have ended.</source>
         <translation>机械臂反馈的速度百分比</translation>
     </message>
     <message>
-        <source>Speed of motions, 0–100 % of the arm's highest; 0 % means no motion.</source>
+        <source>Speed of motions, 0–100 % of the arm&apos;s highest; 0 % means no motion.</source>
         <translation>运动速度，为最大速度的 0～100 %；0 % 时不运动。</translation>
     </message>
     <message>
@@ -10786,6 +11371,18 @@ The other program must have ended.</source>
         <source>How much each joint helps the hand; firmware from S-V1.8-1.</source>
         <translation>各关节拖动时的助力大小；固件 S-V1.8-1 起支持。</translation>
     </message>
+    <message>
+        <source>The arm will move by itself to the start of the recording it holds.</source>
+        <translation>机械臂将自行运动到其所存示教轨迹的起点。</translation>
+    </message>
+    <message>
+        <source>The arm will move by itself along the recording it holds, from where it stands.</source>
+        <translation>机械臂将从当前位置自行沿其所存示教轨迹运动。</translation>
+    </message>
+    <message>
+        <source>This program does not know its way, and has not checked it. Keep clear, the emergency stop within reach.</source>
+        <translation>本程序不知道该轨迹的路径，也未作检查。请勿靠近，急停须随时可按。</translation>
+    </message>
 </context>
 <context>
     <name>TeachingPhase</name>
@@ -10954,7 +11551,7 @@ Afterwards the motors must be enabled again.</source>
         <translation>录制</translation>
     </message>
     <message>
-        <source>reading or saving the arm's settings</source>
+        <source>reading or saving the arm&apos;s settings</source>
         <translation>读取或保存机械臂参数</translation>
     </message>
     <message>
@@ -10970,7 +11567,7 @@ Afterwards the motors must be enabled again.</source>
         <translation>设置零点</translation>
     </message>
     <message>
-        <source>clearing a joint's error</source>
+        <source>clearing a joint&apos;s error</source>
         <translation>清除关节错误</translation>
     </message>
     <message>
@@ -11154,7 +11751,7 @@ Afterwards the motors must be enabled again.</source>
         <translation>在画面中拖动目标或所选点，机械臂不会运动。Ctrl：大步进，Shift：小步进，Esc：放弃</translation>
     </message>
     <message>
-        <source>Shows what the tool centre point can reach; orange bounds what it can't within</source>
+        <source>Shows what the tool centre point can reach; orange bounds what it can&apos;t within</source>
         <translation>显示工具中心点能到达的空间；橙色是其中到不了的部分的边界</translation>
     </message>
     <message>
@@ -11208,7 +11805,7 @@ Afterwards the motors must be enabled again.</source>
         <translation>事件</translation>
     </message>
     <message>
-        <source>What happened: every command and what became of it, every change of the arm's status, every fault with its beginning and its end.</source>
+        <source>What happened: every command and what became of it, every change of the arm&apos;s status, every fault with its beginning and its end.</source>
         <translation>发生过的一切：每条指令及其结果、机械臂的每次状态变化、每个故障的开始与结束。</translation>
     </message>
     <message>

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping
 from dataclasses import replace
 from functools import partial
-from typing import Any, Final, Protocol
+from typing import Any, Final
 
 from PySide6.QtCore import Qt, QTimer, Signal
 from PySide6.QtGui import QCloseEvent, QGuiApplication
@@ -19,14 +19,15 @@ from armui.control.events import Level
 from armui.control.operating_state import LinkState
 from armui.doctor.facts import Diagnosis, DiagnosisLevel, HeardFacts, Section
 from armui.doctor.hearing import arm_facts
-from armui.doctor.judge import judge_heard
+from armui.doctor.judge_heard import ARM, OTHER_HOST, judge_heard
 from armui.doctor.process import DoctorProcess
-from armui.doctor.report import Words, as_text
+from armui.doctor.report import as_text
 from armui.protocol.codec import Codec
 from armui.protocol.generation import Generation
 from armui.ui.actions.command import Command, Target
+from armui.ui.dialogs.adapter_line import AdapterLine, Examination, Examine
 from armui.ui.dialogs.base import ArmDialog, CloseButton
-from armui.ui.dialogs.finding_row import FindingRow
+from armui.ui.dialogs.finding_row import WORDS, FindingRow
 from armui.ui.widgets.buttons import enable_or_explain, named, push_button
 from armui.ui.widgets.layouts import STRETCH, bare_area, fill, in_column
 from armui.ui.widgets.message_line import MessageLine
@@ -71,20 +72,8 @@ def judge_connected(controller: ArmController, *, frames: int, seconds: float) -
     )
     findings = judge_heard(heard)
     if now.other_host is not None and not now.teaching_input:
-        params = {"device": now.device.name, "frames": now.other_host.frames}
-        findings.append(Diagnosis(Section.ARM, "other_host", DiagnosisLevel.WARNING, params))
+        findings.append(OTHER_HOST(device=now.device.name, frames=now.other_host.frames))
     return findings
-
-
-class Examination(Protocol):
-    """Something under way that can be ended."""
-
-    def end(self) -> None:
-        """Nobody waits for it any more."""
-
-
-Examine = Callable[[Sequence[str], Callable[[list[Diagnosis] | str], object]], Examination]
-"""Begins an examination; see :class:`armui.doctor.process.DoctorProcess`."""
 
 
 class DoctorDialog(ArmDialog):
@@ -94,6 +83,7 @@ class DoctorDialog(ArmDialog):
         controller: Tells about the arm that is connected.
         parent: The main window.
         examine: Begins an examination.
+        adapter: Sets an adapter up by a click.
     """
 
     commands = (
@@ -107,8 +97,10 @@ class DoctorDialog(ArmDialog):
         controller: ArmController,
         parent: QWidget | None = None,
         examine: Examine = DoctorProcess,
+        adapter: AdapterLine | None = None,
     ) -> None:
         super().__init__(controller, parent)
+        self._adapter = adapter or AdapterLine(controller)
         self._controller = controller
         self._examine = examine
         self._device: Device | None = None
@@ -121,6 +113,7 @@ class DoctorDialog(ArmDialog):
         self.resize(*_SIZE_PX)
         self.copy_button.clicked.connect(self._on_copy)
         self.again_button.clicked.connect(self.examine)
+        self._adapter.changed.connect(self._on_adapter_changed)
         # queued, for an answer may come while the examination is being begun
         self._told.connect(self._on_told, Qt.ConnectionType.QueuedConnection)
         self.retranslate_ui()
@@ -142,7 +135,8 @@ class DoctorDialog(ArmDialog):
         self.again_button = push_button("doctor_again", on_enter=False)
         self.close_button = CloseButton(self)
         self.close_button.setDefault(True)
-        fill(self.body, self._message, self._progress, (self._area, 1), self._note)
+        shown = (self._message, self._progress, self._adapter, (self._area, 1), self._note)
+        fill(self.body, *shown)
         fill(self.footer, self.copy_button, STRETCH, self.again_button, self.close_button)
 
     def retranslate_ui(self) -> None:
@@ -188,14 +182,18 @@ class DoctorDialog(ArmDialog):
         bitrate = [] if device.bitrate is None else ["--bitrate", str(device.bitrate)]
         return ["--interface", device.interface, "--channel", str(device.channel), *bitrate]
 
+    def _on_adapter_changed(self) -> None:
+        if self.isVisible():
+            self.examine()
+
     def _on_copy(self) -> None:
         QGuiApplication.clipboard().setText(self.report())
 
     def report(self) -> str:
         """The report as text, for a support mail."""
         findings = self._findings()
-        answers = any(each.code == "arm" for each in findings)
-        return as_text(findings, self._words(), arm_answers=answers, asked=False)
+        answers = any(each.kind == ARM for each in findings)
+        return as_text(findings, WORDS, arm_answers=answers, asked=False)
 
     # What comes back --------------------------------------------------------------------------
 
@@ -216,10 +214,6 @@ class DoctorDialog(ArmDialog):
 
     def _findings(self) -> list[Diagnosis]:
         return self._answer if isinstance(self._answer, list) else []
-
-    def _words(self) -> Words:
-        # Translators: the code of the language that is shown, "zh" for Chinese
-        return Words("zh" if self.tr("en") == "zh" else "en")
 
     def _refresh(self) -> None:
         waiting = self._under_way is not None
@@ -255,13 +249,12 @@ class DoctorDialog(ArmDialog):
             self._message.show_message("")
 
     def _refresh_rows(self) -> None:
-        words = self._words()
         self._rows = []
         for section in Section:
             findings = [each for each in self._findings() if each.section is section]
             if findings:
-                self._rows.append(partial(_heading, words.section(section)))
-            self._rows += [partial(_row, each, words) for each in findings]
+                self._rows.append(partial(_heading, WORDS.section(section)))
+            self._rows += [partial(FindingRow, each, self._adapter) for each in findings]
         column = QWidget()
         layout = in_column(STRETCH, on=column, spacing=_GAP_PX, margins=(0, 0, _GAP_PX, 0))
         self._column = layout
@@ -283,12 +276,14 @@ class DoctorDialog(ArmDialog):
     def closeEvent(self, event: QCloseEvent) -> None:
         """Nobody waits for an examination any more."""
         self._end()
+        self._adapter.end()
         self._refresh()
         super().closeEvent(event)
 
     def reject(self) -> None:
         """Escape does the same."""
         self._end()
+        self._adapter.end()
         super().reject()
 
     def _end(self) -> None:
@@ -302,7 +297,3 @@ def _heading(text: str) -> QWidget:
     label = QLabel(text)
     label.setProperty("rank", "muted")
     return label
-
-
-def _row(finding: Diagnosis, words: Words) -> QWidget:
-    return FindingRow(finding, words.text(finding), words.mark(finding.severity))

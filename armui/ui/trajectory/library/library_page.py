@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from functools import partial
+from pathlib import Path
 
 from PySide6.QtCore import QEvent, QModelIndex, Signal
 from PySide6.QtGui import QShowEvent
@@ -64,6 +65,7 @@ class LibraryPage(Page):
         editor_opened: The :class:`EditorPage` of a trajectory, before it is shown: whoever shows
             previews follows its ``preview_wanted`` and ``selected_row_changed``.
         preview_wanted: A :class:`Preflight` whose path is to be shown in 3D.
+        run_asks: The name of what was sent and waits for the operator to agree; "": nothing does.
     """
 
     commands = (
@@ -80,6 +82,7 @@ class LibraryPage(Page):
     page_made = Signal(object)
     editor_opened = Signal(object)
     preview_wanted = Signal(object)
+    run_asks = Signal(str)
 
     def __init__(self, controller: ArmController, background: Background, library: Library) -> None:
         super().__init__("library")
@@ -169,6 +172,7 @@ class LibraryPage(Page):
         FileDrop(self).dropped.connect(self._exchange.import_files)
         self._exchange.said.connect(self._say)
         self._exchange.imported.connect(self._on_imported)
+        self._exchange.found.connect(self.open_trajectory)
         self._exchange.by_columns.page_made.connect(self._lead_to)
         self.editors.page_made.connect(self._lead_to)
         self.editors.editor_opened.connect(self.editor_opened)
@@ -180,6 +184,8 @@ class LibraryPage(Page):
         self._run_bar.listen(self)
         self._run_bar.checked.connect(self._show_check)
         self._run_bar.withdrawn.connect(self._findings.withdraw_question)
+        self._findings.dismissed.connect(self._run_bar.drop_check)
+        self._choices.asking.connect(self.run_asks)
         self._run_bar.refused.connect(
             lambda reason: self._say(partial(words.refusal, reason), Level.WARNING)
         )
@@ -311,6 +317,11 @@ class LibraryPage(Page):
     def open_trajectory(self, name: str) -> None:
         """Open the second level of a trajectory, with what was not saved of it."""
         self.editors.open(name, unsaved=self._model.is_unsaved(name))
+
+    def open_file(self, path: Path) -> None:
+        """Open what a file holds, with a copy of it in the library; nothing moves."""
+        self.open()
+        self._exchange.open_file(path)
 
     def open_recorder(self) -> None:
         """Open the page that records."""

@@ -65,14 +65,26 @@ class RunChoices(QObject):
 
     Signals:
         changed: The name of a trajectory whose options, or whose first run, are others now.
+        asking: The name of what was sent and waits for the operator to agree; "": nothing does.
     """
 
     changed = Signal(str)
+    asking = Signal(str)
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._options: dict[str, RunOptions] = {}
         self._ran: set[str] = set()
+        self._asks: RunRequest | None = None
+
+    def show_request(self, request: RunRequest) -> None:
+        """Take in how far a request has come: whether it waits for the operator."""
+        if request.state is RequestState.ASKING:
+            self._asks = request
+            self.asking.emit(request.name)
+        elif request is self._asks:
+            self._asks = None
+            self.asking.emit("")
 
     def of(self, name: str) -> RunOptions:
         """Return the options of a trajectory; slow ones where it is not known to have run."""
@@ -167,6 +179,7 @@ class RunBar(Translated, QWidget):
         self._request: RunRequest | None = None
         self._recording = False
         self._nothing: Refusal | None = None
+        self._stands_back = False
         self._runner = Runner(controller, self)
         self._again: _Started | None = None
         self._make_widgets()
@@ -181,6 +194,7 @@ class RunBar(Translated, QWidget):
         choices.changed.connect(self._on_shared)
         self._runner.progressed.connect(self._on_progress)
         controller.operating_state_changed.connect(self._on_operating_state)
+        controller.all_motion_ended.connect(self._on_all_motion_ended)
         self.retranslate_ui()
 
     def _make_widgets(self) -> None:
@@ -333,7 +347,8 @@ class RunBar(Translated, QWidget):
 
     def show_secondary(self, wanted: bool) -> None:
         """Show that something else on the page is done more often than running it."""
-        show_primary(self._send, wanted=not wanted)
+        self._stands_back = wanted
+        self._show_usable()
 
     def check(self) -> None:
         """Check what would be run; :attr:`checked` tells how it ended."""
@@ -369,6 +384,7 @@ class RunBar(Translated, QWidget):
         """Show how far a request has come."""
         if request is not self._request:
             return
+        self._shared.show_request(request)
         self._show_usable()
         checked = request.checked
         if request.state is RequestState.CHECKED:
@@ -401,6 +417,11 @@ class RunBar(Translated, QWidget):
         """True while something is read or checked."""
         return self._request is not None and self._request.is_busy
 
+    @property
+    def _is_asking(self) -> bool:
+        """True while the operator has to agree, by another button, to what was sent."""
+        return self._request is not None and self._request.state is RequestState.ASKING
+
     def _options_to_resume(self) -> RunOptions:
         """As shown now, from where it ended; for as many cycles as are left, unless chosen anew."""
         options, again = self._options(), self._again
@@ -427,10 +448,14 @@ class RunBar(Translated, QWidget):
             self._show_usable()
         self.progressed.emit(progress)
 
+    def _on_all_motion_ended(self) -> None:
+        """Begin nothing: a stop or a halt is meant for what was about to begin, too."""
+        if self._request is not None and self._request.runs:
+            self._request.give_up()
+
     def _on_operating_state(self, operating_state: OperatingState) -> None:
-        request = self._request
-        if request is not None and request.runs and operating_state.stop is not StopState.RUNNING:
-            request.give_up()  # the stop was meant for what was about to begin, too
+        if operating_state.stop is not StopState.RUNNING:
+            self._on_all_motion_ended()
         if self.isVisible():
             self._show_usable()
 
@@ -451,6 +476,7 @@ class RunBar(Translated, QWidget):
         self._times.setVisible(self._cycles.currentIndex() == _TIMES)
         reason = self.tr("Checking…") if checking else why_not
         enable_or_explain(self._send, reason, self.tr("Checks it and runs it"), key=_SEND_KEY)
+        show_primary(self._send, wanted=not (self._stands_back or self._is_asking))
         self._state.setText(self.tr("Checking…") if checking else "")
         self._state.setVisible(checking)
         self._call_off.setVisible(checking)
