@@ -213,8 +213,8 @@ class Cartesian(ControllerPart):
         refusal = self._floor.why_pose_lower(ahead, now)
         if refusal is not None:
             return self._context.refuse(refusal)
-        unit = "mm" if axis < LINEAR_AXES else "°"
-        figures: dict[str, object] = {"axis": AXES[axis], "step": f"{amount:+g} {unit}"}
+        unit = " mm" if axis < LINEAR_AXES else "°"
+        figures: dict[str, object] = {"axis": AXES[axis], "step": f"{amount:+g}{unit}"}
         pose, code = poses.matrix_to_pose(target), EventCode.STEPPED_TOOL
         return self._move(begun(self.step), pose, MoveMode.MOVE_L, code, figures)
 

@@ -185,7 +185,7 @@ def _text(item: Item, cell: StatusCell) -> str:
 def _figure(item: Item, cell: StatusCell) -> str:
     if cell.value is None:
         return fmt.NOTHING
-    return f"{fmt.number(cell.value, _DECIMALS[item])} {UNITS[item]}"
+    return fmt.with_unit(cell.value, UNITS[item], _DECIMALS[item])
 
 
 def _small(item: Item, cell: StatusCell) -> str:
