@@ -9106,6 +9106,17 @@ The other program must have ended.</source>
     </message>
 </context>
 <context>
+    <name>ReplayFrames</name>
+    <message>
+        <source>Frames around the moment that is shown</source>
+        <translation>所示时刻前后的报文</translation>
+    </message>
+    <message>
+        <source>Click: show this moment</source>
+        <translation>单击：跳到该时刻</translation>
+    </message>
+</context>
+<context>
     <name>ReplayView</name>
     <message>
         <source>arm</source>
@@ -9138,6 +9149,14 @@ The other program must have ended.</source>
     <message>
         <source>Curves</source>
         <translation>曲线</translation>
+    </message>
+    <message>
+        <source>Whole recording</source>
+        <translation>全程曲线</translation>
+    </message>
+    <message>
+        <source>Frames</source>
+        <translation>报文</translation>
     </message>
     <message>
         <source>Channel</source>
@@ -9217,6 +9236,14 @@ The other program must have ended.</source>
     <message>
         <source>Open another recording…</source>
         <translation>打开其他记录…</translation>
+    </message>
+    <message>
+        <source>Export…</source>
+        <translation>导出…</translation>
+    </message>
+    <message>
+        <source>As ROS 2 messages in MCAP, as CSV or as Parquet.</source>
+        <translation>导出为 MCAP（ROS 2 消息）、CSV 或 Parquet。</translation>
     </message>
     <message>
         <source>Cancel</source>
@@ -11592,6 +11619,17 @@ Afterwards the motors must be enabled again.</source>
     <message>
         <source>Record everything on the bus, save what just happened, replay what was recorded, here or by another program.</source>
         <translation>记录总线上的一切，保存刚才发生的事，回放本程序或其他程序的记录。</translation>
+    </message>
+</context>
+<context>
+    <name>WholeCurves</name>
+    <message>
+        <source>The recording is long: its last hour is shown.</source>
+        <translation>记录较长：显示最后一小时。</translation>
+    </message>
+    <message>
+        <source>Loading: {percent} %</source>
+        <translation>正在载入：{percent} %</translation>
     </message>
 </context>
 <context>
