@@ -17,6 +17,7 @@ class StartOptions(NamedTuple):
         interface, channel, bitrate: Connect to this device.
         model: Which arm of the family that is; by default the one chosen for it the last time.
         replay: Show this log in the window 回放.
+        file: Open this trajectory in an editor.
         language: Instead of the one in the settings, for this run.
     """
 
@@ -27,4 +28,5 @@ class StartOptions(NamedTuple):
     bitrate: int | None = None
     model: str | None = None
     replay: Path | None = None
+    file: Path | None = None
     language: Language | None = None
