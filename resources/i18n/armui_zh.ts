@@ -366,6 +366,49 @@
     </message>
 </context>
 <context>
+    <name>AdapterLine</name>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>The system asks for the administrator's password…</source>
+        <translation>系统正在询问管理员密码…</translation>
+    </message>
+    <message>
+        <source>Given up. What had begun is brought to its end by the system.</source>
+        <translation>已放弃。已经开始的操作由系统完成。</translation>
+    </message>
+    <message>
+        <source>Under way…</source>
+        <translation>正在执行…</translation>
+    </message>
+    <message>
+        <source>The adapter is another one than was shown: nothing was written.</source>
+        <translation>适配器与所显示的不是同一个：没有写入任何文件。</translation>
+    </message>
+    <message>
+        <source>Done; it holds from the next start of this computer.</source>
+        <translation>已完成，下次启动电脑后生效。</translation>
+    </message>
+    <message>
+        <source>Done; it holds as soon as the adapter is plugged in again.</source>
+        <translation>已完成，重新插入适配器后生效。</translation>
+    </message>
+    <message>
+        <source>{channel} is switched on; listening whether anything is heard…</source>
+        <translation>{channel} 已启用，正在监听是否收到报文…</translation>
+    </message>
+    <message>
+        <source>{channel} is switched on, and {count} frames were heard.</source>
+        <translation>{channel} 已启用，收到 {count} 个报文。</translation>
+    </message>
+    <message>
+        <source>{channel} is switched on, but nothing is heard: is the arm powered, the CAN cable plugged in, the bit rate the arm's?</source>
+        <translation>{channel} 已启用，但没有收到报文：机械臂是否上电、CAN 线是否插好、波特率是否与机械臂一致？</translation>
+    </message>
+</context>
+<context>
     <name>ArcBox</name>
     <message>
         <source>start</source>
@@ -1835,6 +1878,18 @@
         <source>Joint {joints}: the limits kept in the arm are damaged. Set joint limits, speeds and accelerations to factory values (0x477), then read and set each.</source>
         <translation>关节 {joints}：机械臂中保存的限位已损坏。请将关节限位、速度、加速度恢复出厂值（0x477），然后逐项读取并设置。</translation>
     </message>
+    <message>
+        <source>{name} has its name by its adapter's serial number, and is switched on at every start.</source>
+        <translation>{name} 已按适配器序列号固定名称，每次启动时自动启用。</translation>
+    </message>
+    <message>
+        <source>A serial adapter ({name}) may be opened by whoever sits at this computer.</source>
+        <translation>串口适配器（{name}）可由本机当前登录的用户打开。</translation>
+    </message>
+    <message>
+        <source>This Linux is a guest of Windows (WSL): the adapter has to be handed over to it, before the arm is powered. In a terminal of Windows, with the adapter's BUSID from the list:</source>
+        <translation>当前 Linux 运行在 Windows 的 WSL 中：请先把适配器交给 WSL，再给机械臂上电。在 Windows 终端中运行（BUSID 取自列表）：</translation>
+    </message>
 </context>
 <context>
     <name>DialectBar</name>
@@ -2355,6 +2410,18 @@
     <message>
         <source>Copy shown events</source>
         <translation>复制所示事件</translation>
+    </message>
+    <message>
+        <source>Only “{kind}”</source>
+        <translation>仅“{kind}”</translation>
+    </message>
+    <message>
+        <source>All sorts</source>
+        <translation>全部类别</translation>
+    </message>
+    <message>
+        <source>Click: show or hide. Double-click: this sort alone.</source>
+        <translation>单击：显示或隐藏。双击：仅此类别。</translation>
     </message>
 </context>
 <context>
@@ -3071,6 +3138,26 @@
     <message>
         <source>Copy</source>
         <translation>复制</translation>
+    </message>
+    <message>
+        <source>Switch on: {bitrate}</source>
+        <translation>启用：{bitrate}</translation>
+    </message>
+    <message>
+        <source>Bring back to the bus</source>
+        <translation>恢复总线</translation>
+    </message>
+    <message>
+        <source>Keep no longer…</source>
+        <translation>不再保留…</translation>
+    </message>
+    <message>
+        <source>Let me open it…</source>
+        <translation>允许我打开…</translation>
+    </message>
+    <message>
+        <source>Name and always at start: {channel}…</source>
+        <translation>固定名称并开机启用：{channel}…</translation>
     </message>
 </context>
 <context>
@@ -4434,6 +4521,49 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
     <message>
         <source>Homed</source>
         <translation>已经回零</translation>
+    </message>
+</context>
+<context>
+    <name>KeepDialog</name>
+    <message>
+        <source>Keep at every start</source>
+        <translation>每次启动时保留</translation>
+    </message>
+    <message>
+        <source>Keep no longer</source>
+        <translation>不再保留</translation>
+    </message>
+    <message>
+        <source>Name of the adapter</source>
+        <translation>适配器名称</translation>
+    </message>
+    <message>
+        <source>Files of the system</source>
+        <translation>系统文件</translation>
+    </message>
+    <message>
+        <source>Write these files</source>
+        <translation>写入这些文件</translation>
+    </message>
+    <message>
+        <source>Take away</source>
+        <translation>移除</translation>
+    </message>
+    <message>
+        <source>The system asks for the administrator's password. The name holds for this adapter by its serial number, wherever it is plugged in.</source>
+        <translation>系统会询问管理员密码。名称按序列号固定在此适配器上，插在任何接口都有效。</translation>
+    </message>
+    <message>
+        <source>The system asks for the administrator's password.</source>
+        <translation>系统会询问管理员密码。</translation>
+    </message>
+    <message>
+        <source>Taken away: {path}</source>
+        <translation>移除：{path}</translation>
+    </message>
+    <message>
+        <source>First the files are looked at.</source>
+        <translation>正在读取文件内容。</translation>
     </message>
 </context>
 <context>
@@ -7677,24 +7807,9 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <source>Take back…</source>
         <translation>收回控制…</translation>
     </message>
-</context>
-<context>
-    <name>RecoveryDanger</name>
     <message>
         <source>Resume after the emergency stop</source>
         <translation>从急停恢复</translation>
-    </message>
-    <message>
-        <source>Reset the arm</source>
-        <translation>复位机械臂</translation>
-    </message>
-    <message>
-        <source>Lead the arm by hand</source>
-        <translation>用手拖动机械臂</translation>
-    </message>
-    <message>
-        <source>Take the command</source>
-        <translation>切换到待机模式</translation>
     </message>
     <message>
         <source>Resuming cuts the power of the motors: the arm will drop. Hold the arm.
@@ -7703,26 +7818,22 @@ Afterwards the motors must be enabled again.</source>
 之后需要重新使能电机。</translation>
     </message>
     <message>
+        <source>Reset the arm</source>
+        <translation>复位机械臂</translation>
+    </message>
+    <message>
         <source>First the emergency stop: the motors go limp and the arm sinks. Then Resume cuts their power: the arm will drop. Hold the arm from now on.</source>
         <translation>先急停：电机失去保持力，机械臂会缓慢下沉；随后恢复会断电：机械臂会下落，请扶住机械臂。</translation>
+    </message>
+    <message>
+        <source>Lead the arm by hand</source>
+        <translation>用手拖动机械臂</translation>
     </message>
     <message>
         <source>The arm will give way to the hand and starts a new recording; the one it holds is lost. Hold the arm.
 Lead it near its rest pose, then stop recording.</source>
         <translation>机械臂将进入拖动示教模式并开始新的记录，原有记录会丢失。请扶住机械臂。
 请拖动到零位附近，然后结束示教记录。</translation>
-    </message>
-    <message>
-        <source>The arm will no longer follow the other control; a motion under way ends. Make sure that nobody relies on it.</source>
-        <translation>机械臂将不再由其他方式控制，正在进行的运动会停止。请确认无人正在使用。</translation>
-    </message>
-    <message>
-        <source>Withdraw the stop</source>
-        <translation>撤回急停</translation>
-    </message>
-    <message>
-        <source>The arm is not stopped: it goes on with whatever it is doing, and obeys again. Look at the arm before.</source>
-        <translation>机械臂不会停止：它将继续正在做的动作，并重新服从指令。请先看清机械臂。</translation>
     </message>
     <message>
         <source>Take the arm back</source>
@@ -7733,6 +7844,22 @@ Lead it near its rest pose, then stop recording.</source>
 The other program must have ended.</source>
         <translation>机械臂将切回自身的控制方式，并被告知保持在当前位置。两条指令之间关节会短暂失力：机械臂可能下沉，若第二条指令丢失则会下落。请扶住机械臂。
 另一程序必须已经结束。</translation>
+    </message>
+    <message>
+        <source>Withdraw the stop</source>
+        <translation>撤回急停</translation>
+    </message>
+    <message>
+        <source>The arm is not stopped: it goes on with whatever it is doing, and obeys again. Look at the arm before.</source>
+        <translation>机械臂不会停止：它将继续正在做的动作，并重新服从指令。请先看清机械臂。</translation>
+    </message>
+    <message>
+        <source>Take the command</source>
+        <translation>切换到待机模式</translation>
+    </message>
+    <message>
+        <source>The arm will no longer follow the other control; a motion under way ends. Make sure that nobody relies on it.</source>
+        <translation>机械臂将不再由其他方式控制，正在进行的运动会停止。请确认无人正在使用。</translation>
     </message>
 </context>
 <context>
@@ -7752,6 +7879,10 @@ The other program must have ended.</source>
     <message>
         <source>Another way</source>
         <translation>另一种选择</translation>
+    </message>
+    <message>
+        <source>“{name}” has not begun: the check has something to say. Answer it on its page.</source>
+        <translation>“{name}”尚未运行：检查有提示，请在其页面上确认。</translation>
     </message>
 </context>
 <context>
@@ -9074,6 +9205,90 @@ The other program must have ended.</source>
     <message>
         <source>{device} needs the library libusb, which is not on this computer. Install it in a terminal: on Windows and macOS pip install libusb-package, on Debian and Ubuntu sudo apt install libusb-1.0-0</source>
         <translation>{device} 需要 libusb 库，但此电脑上没有。请在终端中安装：Windows 和 macOS 用 pip install libusb-package，Debian 和 Ubuntu 用 sudo apt install libusb-1.0-0</translation>
+    </message>
+    <message>
+        <source>{text} is no bit rate of an arm: nothing was changed.</source>
+        <translation>{text} 不是机械臂的波特率：没有更改任何设置。</translation>
+    </message>
+    <message>
+        <source>This name is not possible: small letters, digits and _, 15 at most, beginning with a letter, and none that the system itself gives (can0, eth0). For example: arm_left</source>
+        <translation>名称不可用：只能用小写字母、数字和 _，以字母开头，最多 15 个字符，且不能是系统自动分配的名称（can0、eth0）。例如：arm_left</translation>
+    </message>
+    <message>
+        <source>The adapter's serial number cannot be used: {text}</source>
+        <translation>适配器的序列号无法使用：{text}</translation>
+    </message>
+    <message>
+        <source>The question for the password was closed: nothing was changed.</source>
+        <translation>密码窗口已关闭：没有更改任何设置。</translation>
+    </message>
+    <message>
+        <source>{text} is the name of another adapter already.</source>
+        <translation>{text} 已是另一个适配器的名称。</translation>
+    </message>
+    <message>
+        <source>The helper ended without a word on what it did: {text}. Look at the diagnosis again.</source>
+        <translation>辅助程序结束时没有说明结果：{text}。请重新诊断。</translation>
+    </message>
+    <message>
+        <source>{text} has no bit rate yet. Switch it on with one first.</source>
+        <translation>{text} 尚未设置波特率，请先按波特率启用。</translation>
+    </message>
+    <message>
+        <source>Which channel of its adapter {text} is, is not known.</source>
+        <translation>无法确定 {text} 是适配器的哪个通道。</translation>
+    </message>
+    <message>
+        <source>{text} is not there any more. Plug the adapter in again.</source>
+        <translation>{text} 已不存在，请重新插入适配器。</translation>
+    </message>
+    <message>
+        <source>The adapter of {text} tells no serial number: it cannot be told from another one, and nothing was kept.</source>
+        <translation>{text} 的适配器没有序列号，无法与其他适配器区分，没有保存。</translation>
+    </message>
+    <message>
+        <source>The system did not allow it: {text}. Nothing was changed; the commands below do the same in a terminal.</source>
+        <translation>系统不允许：{text}。没有更改任何设置；可在终端中运行下面的命令。</translation>
+    </message>
+    <message>
+        <source>{text} is no CAN interface: nothing was changed.</source>
+        <translation>{text} 不是 CAN 接口：没有更改任何设置。</translation>
+    </message>
+    <message>
+        <source>Nothing is kept under the name {text}.</source>
+        <translation>没有以 {text} 保存的设置。</translation>
+    </message>
+    <message>
+        <source>{text} is a file of somebody else: nothing was written.</source>
+        <translation>{text} 是其他程序的文件：没有写入。</translation>
+    </message>
+    <message>
+        <source>The system said that it is done, and it is not: {text}. Unplug the adapter, plug it in again, and try once more.</source>
+        <translation>系统称已完成，但实际没有：{text}。请拔下适配器重新插入，再试一次。</translation>
+    </message>
+    <message>
+        <source>{text} is no serial adapter on the USB: nothing was changed.</source>
+        <translation>{text} 不是 USB 串口适配器：没有更改任何设置。</translation>
+    </message>
+    <message>
+        <source>The system refused it: {text}</source>
+        <translation>系统拒绝：{text}</translation>
+    </message>
+    <message>
+        <source>The system's program {text} did not answer within 5 s. Unplug the adapter and plug it in again.</source>
+        <translation>系统程序 {text} 在 5 s 内没有响应。请拔下适配器重新插入。</translation>
+    </message>
+    <message>
+        <source>The system's program {text} is missing. Install it.</source>
+        <translation>缺少系统程序 {text}，请安装。</translation>
+    </message>
+    <message>
+        <source>The arm moves, and {interface} is the only way to it: switched off, even for a moment, the arm goes on with what it was told last, and no emergency stop reaches it. Let the motion end or stop it first.</source>
+        <translation>机械臂正在运动，而 {interface} 是与它的唯一连接：即使短暂停用，机械臂也会继续执行最后收到的指令，急停无法送达。请等运动结束，或先停止机械臂。</translation>
+    </message>
+    <message>
+        <source>{text} is still switched on, though the system said that it is off.</source>
+        <translation>系统称 {text} 已停用，但它仍处于启用状态。</translation>
     </message>
 </context>
 <context>
@@ -11182,6 +11397,18 @@ The other program must have ended.</source>
     <message>
         <source>How much each joint helps the hand; firmware from S-V1.8-1.</source>
         <translation>各关节拖动时的助力大小；固件 S-V1.8-1 起支持。</translation>
+    </message>
+    <message>
+        <source>The arm will move by itself to the start of the recording it holds.</source>
+        <translation>机械臂将自行运动到其所存示教轨迹的起点。</translation>
+    </message>
+    <message>
+        <source>The arm will move by itself along the recording it holds, from where it stands.</source>
+        <translation>机械臂将从当前位置自行沿其所存示教轨迹运动。</translation>
+    </message>
+    <message>
+        <source>This program does not know its way, and has not checked it. Keep clear, the emergency stop within reach.</source>
+        <translation>本程序不知道该轨迹的路径，也未作检查。请勿靠近，急停须随时可按。</translation>
     </message>
 </context>
 <context>
