@@ -142,7 +142,7 @@ def from_text(text: str) -> Backup | Refusal:
         if error.problem is FieldProblem.MISSING:
             return BACKUP_FIELD_MISSING(field=error.place)
         bad = {"field": error.place, "value": _shortened(error.value)}
-        return error.reason or BACKUP_FIELD_BAD(**bad)
+        return error.refusal or BACKUP_FIELD_BAD(**bad)
 
 
 def _backup(entries: Fields) -> Backup:

@@ -28,7 +28,7 @@ class FieldError(Exception):
         path: To the field.
         value: What it holds; ``None`` for one that is missing.
         expected: What should have been there, as an example.
-        reason: Of its own, where the type alone is not to blame.
+        refusal: Of its own, where the type alone is not to blame.
     """
 
     def __init__(
@@ -37,14 +37,14 @@ class FieldError(Exception):
         path: Path,
         value: object = None,
         expected: str = "",
-        reason: Refusal | None = None,
+        refusal: Refusal | None = None,
     ) -> None:
-        super().__init__(problem, path, value, expected, reason)
+        super().__init__(problem, path, value, expected, refusal)
         self.problem = problem
         self.path = path
         self.value = value
         self.expected = expected
-        self.reason = reason
+        self.refusal = refusal
 
     @property
     def name(self) -> str:
@@ -86,7 +86,7 @@ class Fields:
     def wrong(self, name: str, reason: Refusal) -> FieldError:
         """The error of a field that has a reason of its own."""
         path = (*self.path, name)
-        return FieldError(FieldProblem.BAD, path, self._values.get(name), reason=reason)
+        return FieldError(FieldProblem.BAD, path, self._values.get(name), refusal=reason)
 
     def text(self, name: str, default: str | None = None) -> str:
         """A text."""

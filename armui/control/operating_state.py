@@ -111,14 +111,14 @@ class OtherHostReport(NamedTuple):
         frames: The identifiers of its motion frames, for a sentence.
         since: Local time of the first of them.
         rate_hz: How often they come, rounded; 0 for single frames.
-        reason: It, as a reason against a motion of ours.
+        refusal: The reason it is against a motion of ours.
         may_be_taken_over: Whether the operator may take the arm over now.
     """
 
     frames: str
     since: datetime
     rate_hz: int
-    reason: Refusal
+    refusal: Refusal
     may_be_taken_over: bool
 
 
@@ -246,4 +246,4 @@ class OperatingState:
             return self.held
         if self.other_host is None or self.teaching_input:
             return None  # a teaching input sends commands itself
-        return self.other_host.reason
+        return self.other_host.refusal

@@ -216,8 +216,8 @@ _PLATE_OPACITY: Final = 0.85
 
 def lost_text(lost: Lost) -> str:
     """Say why there is no picture, and what comes next."""
-    reason = lost.reason.reason
-    text = QCoreApplication.translate("Refusal", reason.source).format_map(lost.reason.params)
+    reason = lost.refusal.reason
+    text = QCoreApplication.translate("Refusal", reason.source).format_map(lost.refusal.params)
     if reason == NO_OPENGL:
         return text
     if lost.comes_back:

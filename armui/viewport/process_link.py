@@ -113,7 +113,7 @@ class UpToDate:
 class Lost:
     """The process is gone; unless it comes back by itself, no pictures follow."""
 
-    reason: Refusal
+    refusal: Refusal
     comes_back: bool
 
 
@@ -252,9 +252,9 @@ A = TypeVar("A", Ready, Drawn)
 class ProcessLostError(Exception):
     """The process is of no use any more."""
 
-    def __init__(self, reason: Refusal) -> None:
-        self.reason = reason
-        super().__init__(str(reason))
+    def __init__(self, refusal: Refusal) -> None:
+        self.refusal = refusal
+        super().__init__(str(refusal))
 
 
 T = TypeVar("T")
@@ -549,7 +549,7 @@ class RenderSession:
                 self._keep(message.content)
             elif isinstance(message, Failed):
                 _LOG.error("The 3D view stopped\n%s", message.traceback)
-                raise ProcessLostError(message.reason)
+                raise ProcessLostError(message.refusal)
             else:
                 self._forward(message)
 
@@ -659,7 +659,7 @@ class ProcessLink:
             while not self._mailbox.is_closed:
                 self._draw_one(session)
         except ProcessLostError as error:
-            reason = error.reason
+            reason = error.refusal
             child.kill()
         except (OSError, EOFError):
             reason = None

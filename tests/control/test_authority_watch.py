@@ -270,7 +270,7 @@ def test_another_host_is_reported_while_it_stands_against_a_motion(program):
     report = program.watch.report()
     assert report.frames == "0x155"
     assert report.rate_hz == 60
-    assert report.reason.reason == OTHER_HOST
+    assert report.refusal.reason == OTHER_HOST
     assert report.may_be_taken_over is False
     program.wait(0.6)
     later = program.watch.report()
@@ -301,7 +301,7 @@ def test_a_mode_without_frames_is_reported_too(program):
     program.connection.status = status(move_mode=MoveMode.MOVE_M)
     program.wait(STEP_S)
     report = program.watch.report()
-    assert report.reason.reason == OTHER_MODE
+    assert report.refusal.reason == OTHER_MODE
     assert report.since is program.watch.report().since
     program.connection.status = status()
     program.wait(STEP_S)

@@ -298,7 +298,7 @@ def judge(way: Way) -> Judged:
         return Judged(findings, cycles, None)
     progress = driver.run(way, checked)
     faulty = progress.phase is RunPhase.FAILED
-    at = (progress.cycle, progress.index + 1, _text(progress.reason))
+    at = (progress.cycle, progress.index + 1, _text(progress.refusal))
     if not errors:
         return Judged(findings, cycles, progress, f"passed, but {at}" if faulty else "")
     order = [(each.cycle, each.row) for each in errors if each.kind in REFUSED_BY_THE_ARM]

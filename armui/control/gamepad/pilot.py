@@ -63,7 +63,7 @@ class PilotView:
         phase: How far the hold has come.
         device: The one whose dead-man button is held; None: none.
         axes: What moves, as J1+ J3−.
-        reason: Why the last hold was taken away, while the button is still held.
+        refusal: Why the last hold was taken away, while the button is still held.
         unusable: Names of what was found and cannot be used.
         missing: The packages that are not installed.
         problems: What a library says of what does not work.
@@ -75,7 +75,7 @@ class PilotView:
     phase: HoldPhase = HoldPhase.UP
     device: DeviceInfo | None = None
     axes: str = ""
-    reason: Refusal | None = None
+    refusal: Refusal | None = None
     unusable: tuple[str, ...] = ()
     missing: tuple[str, ...] = ()
     problems: tuple[str, ...] = ()
@@ -333,7 +333,7 @@ class GamepadPilot(QObject):
             phase=HoldPhase.UP if hand is None else hand.hold.phase,
             device=self._infos.get(self._holder) if self._holder is not None else None,
             axes="" if steered is None else axes_text(steered),
-            reason=self._reason,
+            refusal=self._reason,
             unusable=snapshot.unusable,
             missing=snapshot.missing,
             problems=snapshot.problems,

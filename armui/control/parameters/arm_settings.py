@@ -336,7 +336,7 @@ class ArmSettings(QObject, ControllerPart):
 
     def _tell_saved(self) -> None:
         reasons = [
-            cell.reason for each in self._saving if (cell := self.cell(each)).reason is not None
+            cell.refusal for each in self._saving if (cell := self.cell(each)).refusal is not None
         ]
         count = len(self._saving)
         self._saving = []

@@ -130,7 +130,9 @@ class Execution(QObject, ControllerPart):
         self._phase = RunPhase.STOPPING
 
     def _publish(self) -> None:
-        progress = self._snapshot(self._progress.reason if self._phase is RunPhase.FAILED else None)
+        progress = self._snapshot(
+            self._progress.refusal if self._phase is RunPhase.FAILED else None
+        )
         if progress != self._progress:
             self._progress = progress
             self.progressed.emit(progress)

@@ -354,7 +354,7 @@ class Player(Execution):
             remaining_s=0.0
             if over
             else schedule.remaining_s(self._index, self._cycle, elapsed_s, self._share),
-            reason=reason,
+            refusal=reason,
         )
 
     def _elapsed_s(self, run: Run) -> float:

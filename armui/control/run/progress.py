@@ -78,7 +78,7 @@ class Progress:
         done: Share of the cycle that is done, 0–1.
         remaining_s: Of the whole run at the override of now; ``None`` if it has no end, or is held
             back at 0 %.
-        reason: Why it failed.
+        refusal: Why it failed.
     """
 
     phase: RunPhase = RunPhase.IDLE
@@ -89,7 +89,7 @@ class Progress:
     cycles: int = 1
     done: float = 0.0
     remaining_s: float | None = None
-    reason: Refusal | None = None
+    refusal: Refusal | None = None
 
 
 class RunSchedule:

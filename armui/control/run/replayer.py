@@ -354,5 +354,5 @@ class Replayer(Execution):
             cycles=replay.cycles,
             done=done,
             remaining_s=None if endless else rest_s / self._share,
-            reason=reason,
+            refusal=reason,
         )

@@ -161,9 +161,9 @@ def not_heard(view: RecoveryView) -> bool:
 def other_mode(view: RecoveryView) -> Params | None:
     """Another host has put the joints into MIT, CPV or high-follow."""
     other = view.operating_state.other_host
-    if other is None or other.reason.reason != OTHER_MODE:
+    if other is None or other.refusal.reason != OTHER_MODE:
         return None
-    return {"other_mode": other.reason.params["other_mode"]}
+    return {"other_mode": other.refusal.params["other_mode"]}
 
 
 def other_mode_that_ends(view: RecoveryView) -> Params | None:
@@ -176,7 +176,7 @@ def other_host_is(code: Reason) -> Applies:
 
     def applies(view: RecoveryView) -> Params | None:
         other = view.operating_state.other_host
-        if other is None or other.reason.reason != code:
+        if other is None or other.refusal.reason != code:
             return None
         since = f"{other.since:%H:%M:%S}"
         return {"frames": other.frames, "since": since, "rate": other.rate_hz}

@@ -38,11 +38,11 @@ class Mf4Made(NamedTuple):
 
     Attributes:
         name: Of the recording.
-        reason: Why there is no .mf4 file of it; ``None``: there is.
+        refusal: Why there is no .mf4 file of it; ``None``: there is.
     """
 
     name: str
-    reason: Refusal | None
+    refusal: Refusal | None
 
 
 @dataclass(slots=True, eq=False)

@@ -345,10 +345,10 @@ class SessionRecorder(QObject):
 
     def _follow_mf4(self) -> None:
         for made in self.mf4.take_done():
-            if made.reason is None:
+            if made.refusal is None:
                 self._context.tell(EventCode.MF4_SAVED, name=made.name)
             else:
-                self._context.tell(EventCode.MF4_NOT_SAVED, name=made.name, reason=made.reason)
+                self._context.tell(EventCode.MF4_NOT_SAVED, name=made.name, reason=made.refusal)
             self.changed.emit()
 
     def _end(self, recording: SessionRecording, reason: str) -> None:

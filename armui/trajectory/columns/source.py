@@ -140,7 +140,7 @@ def _read(file_name: str, data: bytes, encoding: Encoding | None, dialect: Diale
         text = decode_as(data, encoding)
         return TableFile(file_name, data, encoding, text, sniff(text, dialect))
     except TrajectoryFileError as error:
-        raise TrajectoryFileError(error.reason, error.line, error.column, file_name) from error
+        raise TrajectoryFileError(error.refusal, error.line, error.column, file_name) from error
 
 
 def look_closer(path: Path, error: TrajectoryFileError) -> tuple[TrajectoryFileError, bool]:
@@ -158,5 +158,5 @@ def look_closer(path: Path, error: TrajectoryFileError) -> tuple[TrajectoryFileE
     try:
         table = open_table(path)
     except TrajectoryFileError as closer:
-        return (closer if error.reason.reason == FILE_KIND_UNKNOWN else error), False
+        return (closer if error.refusal.reason == FILE_KIND_UNKNOWN else error), False
     return error, not files.is_ours(table.text)

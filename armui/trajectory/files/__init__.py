@@ -122,9 +122,9 @@ def _named(path: Path) -> Iterator[None]:
     try:
         yield
     except TrajectoryFileError as error:
-        raise TrajectoryFileError(error.reason, error.line, error.column, path.name) from error
+        raise TrajectoryFileError(error.refusal, error.line, error.column, path.name) from error
     except OSError as error:
-        reason = broken(FILE_UNREADABLE, text=error_text(error)).reason
+        reason = broken(FILE_UNREADABLE, text=error_text(error)).refusal
         raise TrajectoryFileError(reason, file=path.name) from error
 
 

@@ -159,7 +159,7 @@ def _point(item: Fields) -> Waypoint:
     item.nothing_else()
     reason = check_point(point)
     if reason is not None:
-        raise FieldError(FieldProblem.BAD, item.path, reason=reason)
+        raise FieldError(FieldProblem.BAD, item.path, refusal=reason)
     return point
 
 

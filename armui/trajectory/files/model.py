@@ -28,13 +28,13 @@ class UnwritableError(ValueError):
 
     Attributes:
         row: The point or sample to blame, from 1; 0 where it is the whole.
-        reason: Why.
+        refusal: Why.
     """
 
-    def __init__(self, name: str, row: int, reason: Refusal) -> None:
-        super().__init__(f"{name!r} cannot be kept: row {row}, {reason}")
+    def __init__(self, name: str, row: int, refusal: Refusal) -> None:
+        super().__init__(f"{name!r} cannot be kept: row {row}, {refusal}")
         self.row = row
-        self.reason = reason
+        self.refusal = refusal
 
 
 def verify(content: Content) -> None:

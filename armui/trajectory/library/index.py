@@ -205,7 +205,7 @@ def _pack(entry: IndexEntry) -> dict[str, Any]:
         "taught_on": entry.taught_on,
     }
     if (damage := entry.damage) is not None:
-        reason = damage.reason
+        reason = damage.refusal
         place = [damage.line, damage.column, damage.file]
         fields["damage"] = [reason.code, dict(reason.params), *place]
     return fields

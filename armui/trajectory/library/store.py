@@ -185,7 +185,7 @@ class Library:
         """
         kept = self._scan().get(name)
         if kept is None:
-            raise TrajectoryFileError(broken(FILE_GONE).reason, file=name)
+            raise TrajectoryFileError(broken(FILE_GONE).refusal, file=name)
         if to_edit:
             self._met[name] = kept.stamp
         content: Content = load_by(self._call, kept.path, kept.stamp.size)
@@ -420,7 +420,7 @@ class Library:
             try:
                 self._drafts.save(content, rest)
             except UnwritableError as error:
-                raise LibraryError(error.reason, error.row) from error
+                raise LibraryError(error.refusal, error.row) from error
 
     def draft(self, name: str) -> Trajectory | None:
         """The unsaved state of a trajectory, if there is one.

@@ -83,7 +83,7 @@ def edited(point: Waypoint, column: PointColumn, text: str) -> Waypoint | Refusa
     try:
         changed = _edited(point, column, text.strip())
     except TrajectoryFileError as error:
-        return error.reason
+        return error.refusal
     return changed if isinstance(changed, Refusal) else check_point(changed) or changed
 
 

@@ -425,7 +425,7 @@ class ParameterPanel(Panel):
         if bound is not None and status in (CellStatus.READ, CellStatus.CHANGED):
             word = beyond_word(parameter.name, bound)
         cell.show_status(status, word, beyond=bound is not None)
-        reason = self._draft.why_wrong(state, parameter) or stands.reason
+        reason = self._draft.why_wrong(state, parameter) or stands.refusal
         said = status_explained(status, held) if reason is None else words.refusal(reason)
         too_far = "" if bound is None else beyond_factory(parameter, cell.value or 0.0, bound)
         lines = (full_name(parameter), span_text(parameter.name), too_far, said)
@@ -479,7 +479,7 @@ class ParameterPanel(Panel):
     def _said(self, refusal: Refusal | None) -> _Said:
         """Return the one thing to say: a refusal, what is wrong, a danger, or that it is saved."""
         state, cell, draft = self._controller.state, self._settings.cell, self._draft
-        reasons = (cell(parameter).reason for parameter in draft.parameters)
+        reasons = (cell(parameter).refusal for parameter in draft.parameters)
         first = (
             refusal
             or draft.first_wrong(state)

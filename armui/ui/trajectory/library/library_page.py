@@ -375,9 +375,9 @@ class LibraryPage(Page):
         self._findings.clear()
 
     def _on_progress(self, progress: Progress) -> None:
-        if progress.reason is not None:
+        if progress.refusal is not None:
             text = self.tr("“{name}” ended at row {row}. {reason}").format(
-                name=progress.name, row=progress.index + 1, reason=words.refusal(progress.reason)
+                name=progress.name, row=progress.index + 1, reason=words.refusal(progress.refusal)
             )
             self._say(text, Level.FAULT)
 
