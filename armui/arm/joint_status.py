@@ -273,7 +273,7 @@ class JointHistory:
         self._words: dict[tuple[Item, int], Word | None] = {}
         self._since: dict[tuple[Item, int], datetime] = {}
 
-    def follow(self, state: ArmState, generation: Generation | None, at: datetime) -> bool:
+    def add_state(self, state: ArmState, generation: Generation | None, at: datetime) -> bool:
         """Take in a snapshot of the arm; whether any word or status code has changed by it."""
         status = state.status
         changed = False

@@ -354,7 +354,7 @@ class Authority:
         self.holds = frozenset()
         self._cancelled_s, self.cancel_unheeded = now_s, False
 
-    def end(self, reason: End) -> None:
+    def end_command(self, reason: End) -> None:
         """Ends our command: no step starts from its target any more."""
         self._end(reason)
         if reason in {End.STOPPED, End.DISABLED, End.FORGOTTEN}:
@@ -392,7 +392,7 @@ class Authority:
     def _forget(self) -> None:
         self.other.reconnected()
         self.arm_percent = self._mode_sent = None
-        self._rest.forget()
+        self._rest.reset()
         self._seen, self._silent = None, NOT_CONNECTED()
 
     @property

@@ -148,7 +148,7 @@ class Context:
         )
         self.connection.void(command.number)
         if not self.connection.send([*lead, *frames], keep_s, command.number):
-            self.authority.end(End.NOT_SENT)
+            self.authority.end_command(End.NOT_SENT)
             return LINK_LOST()
         return command
 
@@ -181,7 +181,7 @@ class Context:
         if further is None:
             return COMMAND_OVER()
         if not self.connection.send(frames, keep_s, further.number):
-            self.authority.end(End.NOT_SENT)
+            self.authority.end_command(End.NOT_SENT)
             return LINK_LOST()
         return further
 
@@ -224,11 +224,11 @@ class ControllerPart:
     touched by a stop: a motion under way ends with the arm's own, and a setting moves nothing.
     """
 
-    def advance(self) -> None:
+    def follow_arm(self) -> None:
         """Look at what was heard and move on; called at each tick while a device is open."""
 
     def halt(self) -> None:
         """An emergency stop was asked for, or the arm has stopped: give up what would move it."""
 
-    def forget(self) -> None:
+    def forget_arm(self) -> None:
         """The arm is gone, lost or disconnected on purpose: no answer will come."""

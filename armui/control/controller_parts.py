@@ -192,7 +192,7 @@ class ControllerParts(QObject):
         """Moves the gripper."""
         gripper = GripperControl(self._context, self.settings, end_run=self._end_run_because)
         for run in (self.player, self.replayer):
-            run.gripper_sent.connect(gripper.follow)
+            run.gripper_sent.connect(gripper.note_travel)
         return gripper
 
     @cached_property
@@ -278,12 +278,12 @@ class ControllerParts(QObject):
         self.jogging.stop()
 
     def _end_run_because(self, reason: Refusal) -> None:
-        self.player.end(reason)
-        self.replayer.end(reason)
+        self.player.end_run(reason)
+        self.replayer.end_run(reason)
 
     def _forget_places(self) -> None:
         """The angles are counted anew: no place that was asked for before means the same."""
-        self._context.authority.end(End.ZERO_CHANGED)
+        self._context.authority.end_command(End.ZERO_CHANGED)
         self.player.drop()
 
     # What the controller itself does ----------------------------------------------------------

@@ -62,7 +62,7 @@ class MotionEnd:
         self._was_lost = False
         self.stuck = False
 
-    def end(self, code: Reason = PART_FAILED, *, single: bool = True) -> None:
+    def end_motion(self, code: Reason = PART_FAILED, *, single: bool = True) -> None:
         """End everything; where nothing moves, nothing is sent.
 
         Args:
@@ -133,10 +133,10 @@ class MotionEnd:
         """
         return self._ending or self.stuck
 
-    def follow(self, now_s: float) -> None:
+    def retry_end(self, now_s: float) -> None:
         """Go on with what could not be ended yet; called at each tick."""
         if self.stuck:
-            self.end(self._code)
+            self.end_motion(self._code)
         if self._ended_s is None:
             return
         connection = self._context.connection
@@ -157,7 +157,7 @@ class MotionEnd:
         jogging = self._controller.jogging
         if jogging.active:
             self._note()
-            jogging.end(self._reason())
+            jogging.end_jog(self._reason())
 
     def _end_replay(self) -> None:
         self._end_run(self._controller.replayer)
@@ -168,7 +168,7 @@ class MotionEnd:
     def _end_run(self, run: Execution) -> None:
         if run.running:
             self._note()
-            run.end(self._reason())
+            run.end_run(self._reason())
 
     def _end_single_motion(self) -> None:
         authority = self._context.authority
@@ -177,7 +177,7 @@ class MotionEnd:
             abort_motion(self._context)
 
     def _end_gripper(self) -> None:
-        self._controller.gripper.end()
+        self._controller.gripper.end_travel()
 
     def _reason(self) -> Refusal:
         """Why something ends; after a stop the arm is told nothing more."""

@@ -90,7 +90,7 @@ class Program:
             self.now_s += STEP_S
             joints_deg = self.connection.joints_deg
             self.connection.joints_deg = (joints_deg[0] + deg, *joints_deg[1:])
-            self.watch.advance(self.now_s)
+            self.watch.follow_arm(self.now_s)
 
     def other(self, *identifiers: int) -> None:
         """Another host sends frames now."""
@@ -289,7 +289,7 @@ def test_the_next_one_has_a_time_of_its_own(program, between):
         program.wait(2.0)
         assert program.watch.report() is None
     elif between == "forgotten":
-        program.watch.forget(program.now_s)
+        program.watch.reset(program.now_s)
     else:
         assert program.watch.take_over(program.now_s) is None
     program.other(0x155)
@@ -314,7 +314,7 @@ def test_a_mode_without_frames_is_reported_too(program):
 def test_over_another_connection_it_is_told_anew(program):
     program.other(0x155)
     program.wait(0.2)
-    program.watch.forget(program.now_s)
+    program.watch.reset(program.now_s)
     program.wait(STEP_S)
     assert program.codes == [EventCode.OTHER_HOST_MOVES] * 2
 
@@ -322,6 +322,6 @@ def test_over_another_connection_it_is_told_anew(program):
 def test_over_another_connection_a_cancel_is_told_anew(program):
     program.authority.cancelled(program.now_s)
     program.wait(1.5, deg=1.0)
-    program.watch.forget(program.now_s)
+    program.watch.reset(program.now_s)
     program.wait(STEP_S, deg=1.0)
     assert program.codes == [EventCode.CANCEL_UNHEEDED] * 2

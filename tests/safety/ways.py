@@ -187,9 +187,9 @@ class Driver:
             self._tracker.update(self._codec.decode(frame), self.now_s)
         self._observe()
         if self.authority.overspeed is not None:
-            self.player.end(self.authority.overspeed)
-        self.player.advance()
-        self.replayer.advance()
+            self.player.end_run(self.authority.overspeed)
+        self.player.follow_arm()
+        self.replayer.follow_arm()
 
     def arm_model(self) -> ArmModel:
         """What the check is told of it."""

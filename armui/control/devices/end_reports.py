@@ -10,7 +10,7 @@ from armui.arm.state import ArmState
 from armui.control.context import GENERATION_UNKNOWN, Context
 from armui.control.events import EventCode
 from armui.control.operating_state import OperatingState
-from armui.control.operations.operation import begun, operation
+from armui.control.operations.operation import operation, record_start
 from armui.control.operations.started import Ending, Started, ending_of
 from armui.control.requests.transactions import ReadBack, Transaction, TransactionQueue
 from armui.protocol import commands
@@ -75,7 +75,7 @@ class EndReports:
         if refusal is not None:
             return context.refuse(refusal)
         self.busy = True
-        started = begun(self.set_load)
+        started = record_start(self.set_load)
         context.tell(EventCode.LOAD_SENT, started, load=int(load))
         self._transactions.submit(
             Transaction(
@@ -98,7 +98,7 @@ class EndReports:
         if refusal is not None:
             return context.refuse(refusal)
         self.busy = True
-        started = begun(self.switch)
+        started = record_start(self.switch)
         context.tell(EventCode.END_FEEDBACK_SENT, started)
         self._transactions.submit(
             Transaction(

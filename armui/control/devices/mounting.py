@@ -9,7 +9,7 @@ from armui.arm.refusal import Reason, Refusal
 from armui.control.context import GENERATION_UNKNOWN
 from armui.control.events import EventCode
 from armui.control.operating_state import LINK_LOST
-from armui.control.operations.operation import begun, operation
+from armui.control.operations.operation import operation, record_start
 from armui.control.operations.started import Ending
 from armui.control.parameters.arm_settings import SETTING_NOT_KEPT
 from armui.control.safety.interlocks import CONTROL_OFFSET_UNKNOWN
@@ -80,7 +80,7 @@ class MountingControl:
         if not context.connection.send(frames):
             return context.refuse(LINK_LOST())
         context.authority.told_percent(percent)
-        started = begun(self.tell)
+        started = record_start(self.tell)
         started.close(Ending.SENT)
         context.tell(EventCode.MOUNTING_SENT, started, mounting=int(mounting))
         context.refresh()

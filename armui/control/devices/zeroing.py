@@ -16,7 +16,7 @@ from armui.arm.state import ArmState
 from armui.control.devices import teaching_phase
 from armui.control.events import EventCode
 from armui.control.operating_state import BUSY
-from armui.control.operations.operation import Consent, begun, operation
+from armui.control.operations.operation import Consent, operation, record_start
 from armui.control.operations.started import Ending, Started, ending_of
 from armui.control.requests.transactions import ReadBack, Transaction, TransactionQueue
 from armui.control.safety.interlocks import JOINTS_UNKNOWN, joint_list, why_no_command
@@ -112,7 +112,7 @@ class Zeroing:
             return context.refuse(refusal)
         self._before_zeroing()
         self._busy = True
-        started = begun(self.set_zero)
+        started = record_start(self.set_zero)
         code = EventCode.ZERO_SENT if joint == ALL_JOINTS else EventCode.ZERO_SENT_JOINT
         context.tell(code, started, joint=joint)
         self._transactions.submit(

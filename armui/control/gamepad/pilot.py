@@ -282,7 +282,7 @@ class GamepadPilot(QObject):
         if self._driving:
             self._driving = False
             if reason is not None and self._controller.jogging.steered is not None:
-                self._controller.jogging.end(reason)
+                self._controller.jogging.end_jog(reason)
             else:
                 self._stop_ours()
 

@@ -22,7 +22,7 @@ class DroppedFrames(ControllerPart):
         self._told = 0
         self._told_s: float | None = None
 
-    def advance(self) -> None:
+    def follow_arm(self) -> None:
         """Look at the count; called regularly while a device is open."""
         dropped = self._context.connection.frames_dropped
         if dropped <= self._told:
@@ -32,6 +32,6 @@ class DroppedFrames(ControllerPart):
             self._context.tell(EventCode.FRAMES_DROPPED, count=dropped - self._told, total=dropped)
             self._told, self._told_s = dropped, now_s
 
-    def forget(self) -> None:
+    def forget_arm(self) -> None:
         """The next device counts anew."""
         self._told, self._told_s = 0, None

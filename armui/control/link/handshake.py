@@ -97,7 +97,7 @@ class Handshake:
         """Whether the arm has answered everything, or as much as it will."""
         return self.phase is HandshakePhase.DONE
 
-    def advance(self, state: ArmState, now_s: float) -> None:
+    def follow_arm(self, state: ArmState, now_s: float) -> None:
         """Ask what is due, and take in what was heard."""
         self._take_firmware(state)
         if self.phase is HandshakePhase.GENERATION:

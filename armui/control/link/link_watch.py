@@ -53,6 +53,6 @@ class LinkWatch:
         """The arm that answers may be another one: it is asked anew."""
         self._answers_told = False
 
-    def forget(self) -> None:
+    def reset(self) -> None:
         """Another connection begins."""
         self._was_online = False

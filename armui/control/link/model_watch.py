@@ -85,7 +85,7 @@ class ModelWatch(ControllerPart):
             self._context.refresh()
             return
         connection.model = model
-        self.forget()
+        self.forget_arm()
         self._context.tell(EventCode.MODEL_RECALLED, **names)
         self._context.refresh()
 
@@ -96,7 +96,7 @@ class ModelWatch(ControllerPart):
             connection.model = model
             self._context.refresh()
 
-    def advance(self) -> None:
+    def follow_arm(self) -> None:
         """Look at the arm, if it stands."""
         now_s = self._context.clock()
         self._look_for_zeros()
@@ -112,7 +112,7 @@ class ModelWatch(ControllerPart):
         self._look_for_zeros()
         self._take(frozenset(arm.model for arm in found))
 
-    def forget(self) -> None:
+    def forget_arm(self) -> None:
         """Another arm may be another model."""
         self.fitting = self._seen = self._warned = None
         self._looks = 0

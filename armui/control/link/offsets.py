@@ -82,7 +82,7 @@ class OffsetFollower:
         """What was heard before is forgotten: give the known feedback time to be heard again."""
         self._listening_since_s = now_s
 
-    def advance(self, state: ArmState, now_s: float, *, came: bool) -> bool:
+    def follow_arm(self, state: ArmState, now_s: float, *, came: bool) -> bool:
         """Take in what was heard; whether other identifiers are in use from now on.
 
         Args:

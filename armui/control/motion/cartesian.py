@@ -18,7 +18,7 @@ from armui.control.events import EventCode
 from armui.control.motion.joint_motion import why_not_move
 from armui.control.motion.motion_command import CommandKind
 from armui.control.motion.point_frames import leading_mode
-from armui.control.operations.operation import begun, operation
+from armui.control.operations.operation import operation, record_start
 from armui.control.safety.interlocks import JOINTS_UNKNOWN
 from armui.kinematics.axes import AXES, LINEAR_AXES, JogFrame
 from armui.protocol import commands
@@ -175,7 +175,7 @@ class Cartesian(ControllerPart):
         """Send the tool centre point to a pose, with MOVE P or on a straight line with MOVE L."""
         code = EventCode.SENT_LINE if move_mode is MoveMode.MOVE_L else EventCode.SENT_POSE
         figures: dict[str, object] = dict(zip(map(str.lower, AXES), target, strict=True))
-        return self._move(begun(self.move), target, move_mode, code, figures)
+        return self._move(record_start(self.move), target, move_mode, code, figures)
 
     @operation("tool.step", "Move the tool by a step", why_not_move, moves=True)
     def step(self, axis: int, amount: float, frame: JogFrame) -> Refusal | None:
@@ -207,7 +207,7 @@ class Cartesian(ControllerPart):
         unit = "mm" if axis < LINEAR_AXES else "°"
         figures: dict[str, object] = {"axis": AXES[axis], "step": f"{amount:+g} {unit}"}
         pose, code = poses.matrix_to_pose(target), EventCode.STEPPED_TOOL
-        return self._move(begun(self.step), pose, MoveMode.MOVE_L, code, figures)
+        return self._move(record_start(self.step), pose, MoveMode.MOVE_L, code, figures)
 
     @operation("tool.arc", "Move the tool along an arc", why_not_move, moves=True, shown_first=True)
     def move_arc(self, *points: Sequence[float]) -> Refusal | None:
@@ -229,7 +229,7 @@ class Cartesian(ControllerPart):
         frames = leading_mode(codec, context.state(), MoveMode.MOVE_C, percent)
         frames += commands.move_arc(codec, start, middle, end, speed_percent=percent)
         way = (start, middle, end)
-        started, code = begun(self.move_arc), EventCode.SENT_ARC
+        started, code = record_start(self.move_arc), EventCode.SENT_ARC
         return self._send(frames, MoveMode.MOVE_C, points[-1], code, {}, started=started, way=way)
 
     def check_arc(self, *points: Sequence[float]) -> Refusal | None:
@@ -324,6 +324,6 @@ class Cartesian(ControllerPart):
     def _start_deg(self) -> Sequence[float]:
         return self._context.state().angles_deg() or _NO_TOOL
 
-    def forget(self) -> None:
+    def forget_arm(self) -> None:
         """Nothing is known of an arm that is gone; another one may be of another geometry."""
         self._model = None

@@ -68,7 +68,7 @@ class JogPath(Protocol):
         """Six angles at a place of the way, or why it cannot be gone so far."""
         ...
 
-    def end(self) -> Refusal:
+    def why_no_further(self) -> Refusal:
         """What to say at its end."""
         ...
 
@@ -105,7 +105,7 @@ class JointJogPath:
             base + way * gone for base, way in zip(self._base_deg, self._ways, strict=True)
         )
 
-    def end(self) -> Refusal:
+    def why_no_further(self) -> Refusal:
         """The limit that is nearest."""
         place = min(range(len(self._ways)), key=self._room_of)
         return JOG_AT_LIMIT(joint=place + 1, limit=self._bound_deg(place))
@@ -149,7 +149,7 @@ class HeldToolPath:
         """As far as the arm reaches: that is found out on the way."""
         return float("inf")
 
-    def end(self) -> Refusal:
+    def why_no_further(self) -> Refusal:
         """The edge of the arm's reach."""
         return JOG_OUT_OF_REACH()
 
@@ -160,7 +160,7 @@ class HeldToolPath:
         pose = poses.matrix_to_pose(poses.flange_matrix(target, self._tool))
         solutions = self._kinematics.inverse(pose, near_deg)
         if not solutions:
-            return self.end()
+            return self.why_no_further()
         beyond = check_joints(solutions[0], self._limits)
         return solutions[0] if beyond is None else at_limit(beyond)
 

@@ -63,12 +63,14 @@ class JogStream:
         self._gone = 0.0
         self._stalled_s = 0.0
 
-    def follow(self, way: JogPath) -> None:
+    def follow_path(self, way: JogPath) -> None:
         """Go on along another way, which begins at the setpoint of now."""
         self._way = way
         self._gone = 0.0
 
-    def advance(self, measured_deg: Sequence[float], dt_s: float, pace: Pace) -> Refusal | None:
+    def advance_setpoint(
+        self, measured_deg: Sequence[float], dt_s: float, pace: Pace
+    ) -> Refusal | None:
         """Put the setpoint on for the time gone by, as far as the arm has followed.
 
         Args:
@@ -81,7 +83,7 @@ class JogStream:
         """
         room = self._way.room() - self._gone
         if room <= _CLOSE:
-            return self._way.end()
+            return self._way.why_no_further()
         before = self._gone
         way = min(self._way.speed(pace) * dt_s, room)
         reason = self._go(way, measured_deg, dt_s, pace)

@@ -26,7 +26,7 @@ from armui.control.motion.jog_stream import JogStream
 from armui.control.motion.joint_motion import why_not_move
 from armui.control.motion.motion_command import CommandKind, MotionCommand
 from armui.control.motion.steered_path import SteeredJog, SteeredToolPath
-from armui.control.operations.operation import Consent, begun, operation
+from armui.control.operations.operation import Consent, operation, record_start
 from armui.control.operations.started import Ending, Started
 from armui.control.safety.interlocks import JOINTS_UNKNOWN
 from armui.control.safety.standstill import QUIET_DEG, QUIET_S, RestWatch
@@ -152,7 +152,7 @@ class Jogging(ControllerPart):
         if refusal is not None:
             return context.refuse(refusal)
         now_s = context.clock()
-        started, before = begun(self.start), context.authority.command
+        started, before = record_start(self.start), context.authority.command
         self._hold = _Hold(jog, now_s, now_s, now_s, started, before=before)
         self._timer.start()
         context.refresh()
@@ -182,10 +182,10 @@ class Jogging(ControllerPart):
         if jog.rates != before.rates:
             hold.jog = jog
             if hold.stream is not None:
-                hold.stream.follow(self._way(jog, hold.stream.setpoint_deg))
+                hold.stream.follow_path(self._way(jog, hold.stream.setpoint_deg))
         return True
 
-    def end(self, reason: Refusal) -> None:
+    def end_jog(self, reason: Refusal) -> None:
         """Stop, and say why."""
         if self._hold is not None:
             self._end(reason)
@@ -280,7 +280,7 @@ class Jogging(ControllerPart):
                 model_data(operating_state.model).accelerations_deg_s2,
             ),
         )
-        reason = stream.advance(measured_deg, dt_s, present)
+        reason = stream.advance_setpoint(measured_deg, dt_s, present)
         target_deg = tuple(round(angle, 3) for angle in stream.setpoint_deg)
         refusal = self._send(hold, target_deg, present.arm_percent)
         if refusal is not None or reason is not None:
@@ -321,7 +321,7 @@ class Jogging(ControllerPart):
 
     # The controller's tick ------------------------------------------------------------------
 
-    def advance(self) -> None:
+    def follow_arm(self) -> None:
         """Watch the arm."""
         self._rest.observe(self._context.connection.newest, self._context.clock())
         self.tick()
@@ -330,10 +330,10 @@ class Jogging(ControllerPart):
         """The arm is to stop, or has stopped."""
         self._let_go()
 
-    def forget(self) -> None:
+    def forget_arm(self) -> None:
         """The arm is gone."""
         self.halt()
-        self._rest.forget()
+        self._rest.reset()
 
 
 def _why_blind(state: ArmState, dt_s: float, now_s: float) -> Refusal | None:

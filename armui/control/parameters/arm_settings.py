@@ -16,7 +16,7 @@ from armui.arm.state import ArmState
 from armui.control.context import GENERATION_UNKNOWN, Context, ControllerPart
 from armui.control.events import EventCode
 from armui.control.operating_state import OperatingState
-from armui.control.operations.operation import Consent, begun, operation
+from armui.control.operations.operation import Consent, operation, record_start
 from armui.control.operations.started import Ending, Started, ending_of
 from armui.control.parameters.setting_cell import CellState, SettingCellState
 from armui.control.parameters.setting_checks import (
@@ -187,7 +187,7 @@ class ArmSettings(QObject, ControllerPart):
         if refusal is not None:
             return self._context.refuse(refusal)
         values = tuple((each.name, each.joint, value) for each, value in changes.items())
-        started = begun(self.save)
+        started = record_start(self.save)
         self._context.tell(EventCode.SETTINGS_SENT, started, count=len(changes), values=values)
         self._saving, self._started = list(changes), started
         batches = batches_of(changes)
@@ -203,7 +203,7 @@ class ArmSettings(QObject, ControllerPart):
     )
     def reset_end_limits(self) -> Refusal | None:
         """【初始化】: the end's limits as they left the factory (0x477), then read back."""
-        started = begun(self.reset_end_limits)
+        started = record_start(self.reset_end_limits)
         return self._reset(started, commands.reset_end_limits, [Batch(Group.END_LIMITS)])
 
     @operation(
@@ -214,7 +214,7 @@ class ArmSettings(QObject, ControllerPart):
     )
     def reset_joint_limits(self) -> Refusal | None:
         """Limits, speeds and accelerations of all joints as they left the factory (0x477)."""
-        started = begun(self.reset_joint_limits)
+        started = record_start(self.reset_joint_limits)
         return self._reset(started, commands.reset_joint_limits, _JOINT_BATCHES)
 
     def settle(self, parameters: Iterable[Parameter]) -> None:
@@ -359,7 +359,7 @@ class ArmSettings(QObject, ControllerPart):
 
     # A part of the controller -----------------------------------------------------------------
 
-    def forget(self) -> None:
+    def forget_arm(self) -> None:
         """Another arm may come: only what was refused is kept, so that it can be read."""
         self._cells = {
             parameter: cell

@@ -59,11 +59,11 @@ class SettingDraft:
         self.editing = False
         self._entries: dict[Parameter, DraftEntry] = {}
 
-    def begin(self) -> None:
+    def begin_editing(self) -> None:
         """Let entries be made."""
         self.editing = True
 
-    def end(self) -> None:
+    def end_editing(self) -> None:
         """Forget every entry; what the arm holds is shown again."""
         self.editing = False
         self._entries.clear()
@@ -75,7 +75,7 @@ class SettingDraft:
         else:
             self._entries.pop(parameter, None)
 
-    def forget(self, parameters: Iterable[Parameter]) -> None:
+    def drop_entries(self, parameters: Iterable[Parameter]) -> None:
         """These entries are in the arm, or not wanted any more."""
         for parameter in parameters:
             self._entries.pop(parameter, None)

@@ -63,7 +63,7 @@ class SettingSaving:
             refusal = self._settings.save(changes)
         if refusal is not None:
             self._running = False
-            self.forget()
+            self.forget_outcome()
         return refusal
 
     def ended(self) -> bool:
@@ -72,12 +72,12 @@ class SettingSaving:
             return False
         self._running = False
         taken = [each for each in self._asked if self._stands(each) is CellState.SAVED]
-        self._draft.forget(taken)
+        self._draft.drop_entries(taken)
         if len(taken) == len(self._asked) and not self._draft.changed:
-            self._draft.end()
+            self._draft.end_editing()
         return True
 
-    def forget(self) -> None:
+    def forget_outcome(self) -> None:
         """The operator has gone on: how it ended is not told any more."""
         self._asked = {}
 

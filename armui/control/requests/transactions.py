@@ -169,7 +169,7 @@ class TransactionQueue(ControllerPart):
         self._set_reading_aside()
         self._begin_next()
 
-    def advance(self) -> None:
+    def follow_arm(self) -> None:
         """See whether something was read, or is overdue."""
         self._drop_late()
         task = self._task
@@ -193,7 +193,7 @@ class TransactionQueue(ControllerPart):
         if self._task is not None and self._task.transaction.ends_with_stop:
             self._end(ENDED_BY_STOP())
 
-    def forget(self) -> None:
+    def forget_arm(self) -> None:
         """The arm is gone: whatever waits will not be done."""
         tasks = self._all()
         self._task = None

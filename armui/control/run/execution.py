@@ -64,7 +64,7 @@ class Execution(QObject, ControllerPart):
         """What it is doing now, or how it ended."""
         return self._phase
 
-    def end(self, reason: Refusal) -> None:
+    def end_run(self, reason: Refusal) -> None:
         """End it at once, because something else happens that it cannot go on beside."""
         if self.running:
             self._fail(reason, Ending.CUT_OFF)
@@ -72,11 +72,11 @@ class Execution(QObject, ControllerPart):
 
     def halt(self) -> None:
         """An emergency stop ends it."""
-        self.end(RUN_STOPPED())
+        self.end_run(RUN_STOPPED())
 
-    def forget(self) -> None:
+    def forget_arm(self) -> None:
         """The loss of the arm ends it."""
-        self.end(LINK_LOST())
+        self.end_run(LINK_LOST())
 
     # What each of the two does its own way ----------------------------------------------------
 

@@ -11,7 +11,7 @@ from armui.control.context import Context
 from armui.control.events import EventCode
 from armui.control.motion.motion_command import CommandKind, MotionCommand
 from armui.control.operating_state import LINK_LOST
-from armui.control.operations.operation import Consent, begun, operation
+from armui.control.operations.operation import Consent, operation, record_start
 from armui.control.operations.started import Ending
 from armui.control.run.arrival import Arrival, ArrivalWatch
 from armui.control.run.execution import Execution
@@ -82,7 +82,7 @@ class Replayer(Execution):
         self._timer = QTimer(self)
         self._timer.setTimerType(Qt.TimerType.PreciseTimer)
         self._timer.setInterval(PERIOD_MS)
-        self._timer.timeout.connect(self.advance)
+        self._timer.timeout.connect(self.follow_arm)
 
     # What the operator wants ------------------------------------------------------------------
 
@@ -98,7 +98,7 @@ class Replayer(Execution):
             return context.refuse(refusal)
         self._replay, self._cycle, self._at_s = replay, 1, 0.0
         self._gripper_mm = None
-        self._started = begun(self.start)
+        self._started = record_start(self.start)
         context.tell(EventCode.RUN_STARTED, self._started, name=replay.recording.name)
         self._timer.start()
         self._approach(replay)
@@ -117,7 +117,7 @@ class Replayer(Execution):
         if self._watch is not None:
             self._hold_back()
         self._phase = RunPhase.PAUSED
-        started = begun(self.pause)
+        started = record_start(self.pause)
         started.close(Ending.SENT)
         self._context.tell(EventCode.REPLAY_PAUSED, started)
         self._publish()
@@ -136,7 +136,7 @@ class Replayer(Execution):
             return self._context.refuse(LINK_LOST())
         self._phase = RunPhase.MOVING
         self._since_s = self._looked_s = self._context.clock()
-        started = begun(self.go_on)
+        started = record_start(self.go_on)
         started.close(Ending.SENT)
         self._context.tell(EventCode.REPLAY_CONTINUED, started)
         self._publish()
@@ -171,7 +171,7 @@ class Replayer(Execution):
 
     # What time and the arm bring --------------------------------------------------------------
 
-    def advance(self) -> None:
+    def follow_arm(self) -> None:
         """Send what is due; called at each tick and by a timer of its own."""
         replay = self._replay
         if replay is None or not self.running:
@@ -238,7 +238,7 @@ class Replayer(Execution):
         return self._context.send_motion(
             kind,
             commands.move_joints(self._codec, replay.first_deg, speed_percent=speed_percent),
-            started=begun(self.start),
+            started=record_start(self.start),
             move_mode=MoveMode.MOVE_J,
             speed_percent=speed_percent,
             joints_deg=replay.first_deg,

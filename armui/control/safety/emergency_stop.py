@@ -76,7 +76,7 @@ class EmergencyStop:
         self._stop = _Outstanding(frames, since_s, asked_s=now_s, sent_s=now_s, reached_s=now_s)
         return self._send(frames)
 
-    def advance(self, state: ArmState, now_s: float, *, online: bool) -> bool:
+    def follow_arm(self, state: ArmState, now_s: float, *, online: bool) -> bool:
         """Take in what was heard, repeat the stop if due; whether it was confirmed just now."""
         stop = self._stop
         if stop is None:
@@ -93,7 +93,7 @@ class EmergencyStop:
             self._send(stop.frames)
         return False
 
-    def forget(self) -> None:
+    def reset(self) -> None:
         """It is withdrawn, or another arm is connected."""
         self._stop = None
 
@@ -149,6 +149,6 @@ class StopWatch:
         self.holds = False
         return not resuming
 
-    def forget(self) -> None:
+    def reset(self) -> None:
         """Another connection: what it was is over."""
         self.holds = False

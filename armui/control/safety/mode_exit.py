@@ -95,10 +95,10 @@ class ModeExitCommand(ControllerPart):
             return context.refuse(refusal)
         connection, now_s = context.connection, context.clock()
         self._question = _Question(connection.mark, connection.newest.pauses, now_s, now_s)
-        self.advance()
+        self.follow_arm()
         return None
 
-    def advance(self) -> None:
+    def follow_arm(self) -> None:
         """Ask for the version, and act on the answer."""
         question, context = self._question, self._context
         if question is None:
@@ -129,7 +129,7 @@ class ModeExitCommand(ControllerPart):
         """A stop was asked for: the arm is left as it is."""
         self._question = None
 
-    def forget(self) -> None:
+    def forget_arm(self) -> None:
         """The arm is gone: no answer will come."""
         self._question = None
 

@@ -203,7 +203,7 @@ class Recovery(ControllerPart):
         if refusal is None and wanted not in _AT_ONCE:
             self._attempt = _PendingAction(now)
         self._context.refresh()
-        self.advance()
+        self.follow_arm()
         return refusal
 
     def why_not(self, step: Step, action: Action | None = None) -> Refusal | None:
@@ -231,7 +231,7 @@ class Recovery(ControllerPart):
             return None
         return OTHER_HOST_STREAMS(frames=other.frames)
 
-    def advance(self) -> None:
+    def follow_arm(self) -> None:
         """Look at what was heard; called regularly while a device is open."""
         now_s = self._context.clock()
         if self._request is not None:
@@ -255,7 +255,7 @@ class Recovery(ControllerPart):
         """A stop was asked for: it changes everything."""
         self._give_up()
 
-    def forget(self) -> None:
+    def forget_arm(self) -> None:
         """The arm is gone: no answer will come."""
         self._give_up()
 

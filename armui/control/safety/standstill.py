@@ -61,7 +61,7 @@ class RestWatch:
         # the angle heard longest ago tells when the arm was measured
         measured_s = min((each.at_s for each in state.joints_deg if each is not None), default=None)
         if angles_deg is None or measured_s is None or not is_fresh(measured_s, now_s):
-            self.forget()
+            self.reset()
             return
         standing = self._standing
         if standing is None or _apart(angles_deg, standing.angles_deg, self._within_deg):
@@ -75,7 +75,7 @@ class RestWatch:
         standing = self._standing
         return standing is not None and standing.measured_s - standing.since_s >= self._for_s
 
-    def forget(self) -> None:
+    def reset(self) -> None:
         """Nothing is known any more."""
         self._standing = None
 

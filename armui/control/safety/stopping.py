@@ -101,27 +101,27 @@ class Stopping:
     def withdraw(self) -> None:
         """Withdraw a stop that the arm has not confirmed."""
         if self.emergency_stop.requested:
-            self.emergency_stop.forget()
+            self.emergency_stop.reset()
             self._close(self._stop_started, Ending.CUT_OFF, EventCode.STOP_WITHDRAWN)
 
     def on_connecting(self, device: Device) -> None:
         """A stop that is outstanding holds for the device it was asked of, and no other."""
-        self._watch.forget()
+        self._watch.reset()
         self._halted_s = None
         if (
             self.emergency_stop.requested
             and self._asked_of is not None
             and not device.same(self._asked_of)
         ):
-            self.emergency_stop.forget()
+            self.emergency_stop.reset()
             abandoned = EventCode.STOP_ABANDONED
             self._close(self._stop_started, Ending.CUT_OFF, abandoned, device=self._asked_of)
 
-    def advance(self, state: ArmState, now_s: float, *, resuming: bool, still: bool) -> None:
+    def follow_arm(self, state: ArmState, now_s: float, *, resuming: bool, still: bool) -> None:
         """Take in what was heard; called at each tick, whatever else fails."""
         emergency_stop = self.emergency_stop
         online = self._connection.link is LinkState.ONLINE
-        if emergency_stop.advance(state, now_s, online=online):
+        if emergency_stop.follow_arm(state, now_s, online=online):
             self._watch.confirmed()
             self._close(self._stop_started, Ending.DONE, EventCode.STOP_CONFIRMED)
         unconfirmed = emergency_stop.unconfirmed(now_s)

@@ -43,6 +43,6 @@ class SaveAtFaults:
         self._due_s, self._saved_s = None, now_s
         return self._kind
 
-    def forget(self) -> None:
+    def reset(self) -> None:
         """The operator does not want it any more."""
         self._due_s = None

@@ -158,7 +158,7 @@ class SessionRecorder(QObject):
         """Where and how from now on; a recording under way goes on as it was begun."""
         self.choices = choices
         if not choices.save_at_faults:
-            self._at_faults.forget()
+            self._at_faults.reset()
 
     def start(self, name: str | None = None) -> Refusal | None:
         """Record to the disk: ``None``, it is under way, or why not.
@@ -176,7 +176,7 @@ class SessionRecorder(QObject):
         from armui.session.recording.session_recording import SessionRecording  # noqa: PLC0415 - numpy
 
         collector = self._begin_collecting()
-        self._facts.forget()
+        self._facts.reset()
         self._dropped_before, self._lost_told = self._lane.dropped, 0
         plan = self._plan(name or name_for(datetime.now().astimezone()), "operator")
         self._recording = SessionRecording(plan, self._context.clock)
@@ -212,7 +212,7 @@ class SessionRecorder(QObject):
         if refusal is not None or self._ring is None or self._collector is None:
             return None if refusal is None else self._context.refuse(refusal)
         self.look()
-        self._facts.forget()
+        self._facts.reset()
         lines = self._facts.news()
         name = f"{name_for(datetime.now().astimezone())}-{_WORDS.get(reason, reason)}"
         plan = self._plan(name, "ring" if reason == "operator" else reason)
@@ -249,7 +249,7 @@ class SessionRecorder(QObject):
                 ended = _is_done(self._saving, max(0.0, until_s - time.monotonic())) and ended
             self._saver.shutdown(wait=ended)
         if self._ring is not None:
-            self._ring.forget()
+            self._ring.clear()
         return ended
 
     # What happens -----------------------------------------------------------------------------
@@ -275,7 +275,7 @@ class SessionRecorder(QObject):
             return
         self._begin_collecting()
         if self._device is not None and self._device != report.device and self._ring is not None:
-            self._ring.forget()  # another bus: its frames do not belong to those
+            self._ring.clear()  # another bus: its frames do not belong to those
         self._device = report.device
         self._timer.start()
 

@@ -24,7 +24,7 @@ class SidecarLines:
         self._context = context
         self._told: dict[str, Line] = {}
 
-    def forget(self) -> None:
+    def reset(self) -> None:
         """A new recording begins: everything is new to it."""
         self._told = {}
 

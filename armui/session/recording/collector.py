@@ -110,7 +110,7 @@ class FrameRing:
                 self._bytes -= oldest.size
                 slabs.popleft()
 
-    def forget(self) -> None:
+    def clear(self) -> None:
         """Let go of everything."""
         with self._lock:
             self._slabs.clear()

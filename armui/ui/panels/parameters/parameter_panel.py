@@ -246,8 +246,8 @@ class ParameterPanel(Panel):
 
     def discard_changes(self) -> None:
         """Forget what was entered."""
-        self._draft.end()
-        self._saving.forget()
+        self._draft.end_editing()
+        self._saving.forget_outcome()
         self._then = None
         self._refusal = None
         self._settings.settle(self._cells)
@@ -276,16 +276,16 @@ class ParameterPanel(Panel):
     # -- actions ------------------------------------------------------------------------------
 
     def _on_read(self) -> None:
-        self._saving.forget()
+        self._saving.forget_outcome()
         self._settings.settle(self._cells)
         self._refusal = self._settings.read(self._batches)
         self._show_all()
 
     def _on_edit(self) -> None:
-        self._saving.forget()
+        self._saving.forget_outcome()
         self._refusal = None
         self._settings.settle(self._cells)
-        self._draft.begin()
+        self._draft.begin_editing()
         self._show_all()
         next(iter(self._cells.values())).focus_widget.setFocus(Qt.FocusReason.TabFocusReason)
 
@@ -355,7 +355,7 @@ class ParameterPanel(Panel):
         )
 
     def _reset_now(self) -> None:
-        self._saving.forget()
+        self._saving.forget_outcome()
         self._refusal = self.reset_to_factory()
         self._show_all()
 
