@@ -11,6 +11,8 @@ from typing import TYPE_CHECKING, Final, NamedTuple
 
 from armui.arm.models import ModelData, all_models, model_data
 from armui.arm.refusal import Reason, Refusal
+from armui.kinematics.arm_kinematics import Kinematics
+from armui.kinematics.poses import Pose, apart
 from armui.protocol.generation import PiperModel
 
 if TYPE_CHECKING:
@@ -157,8 +159,6 @@ def _fitting(
     pose: Sequence[float],
     zeros: Callable[[ModelData], Iterable[bool]],
 ) -> frozenset[FittingArm]:
-    from armui.kinematics.arm_kinematics import Kinematics  # noqa: PLC0415 - numpy
-    from armui.kinematics.poses import Pose, apart  # noqa: PLC0415 - see above
 
     told = Pose(*pose)
     found = set()

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, field
-from typing import NamedTuple
 
 from armui.arm.device import Device
 from armui.arm.limits import plausible
@@ -30,7 +29,8 @@ from armui.control.safety.interlocks import CONTROL_OFFSET_UNKNOWN, SPEED_ZERO
 from armui.protocol.generation import Generation
 
 
-class ActiveTasks(NamedTuple):
+@dataclass(frozen=True, slots=True)
+class ActiveTasks:
     """What the program itself is doing to the arm; see :class:`OperatingState` for the fields."""
 
     running: bool = False

@@ -7,6 +7,7 @@ the place the next step starts from while it is the last one the arm got; `End` 
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from typing import TYPE_CHECKING, Final
 
 from armui.arm.refusal import Reason, Refusal
@@ -110,7 +111,7 @@ class Authority:
         if end is not None:
             self._end(end)
         if seen.waiting and self.command is not None:
-            self.command = self.command._replace(sent_s=now_s)
+            self.command = replace(self.command, sent_s=now_s)
         self._follow_hold(seen)
         self._stood = self._stood or self.at_rest
         self._follow_cancel(now_s)
@@ -309,7 +310,7 @@ class Authority:
         """The next setpoint of a stream; ``None`` if the command is not ours to go on with."""
         if not self.is_current(command):
             return None
-        self.command = command._replace(joints_deg=tuple(joints_deg), sent_s=now_s)
+        self.command = replace(command, joints_deg=tuple(joints_deg), sent_s=now_s)
         return self.command
 
     def told_percent(self, percent: int) -> None:
@@ -321,7 +322,7 @@ class Authority:
             if command is not None:
                 if seen is not None:
                     self._slow_down(percent, seen.now_s)
-                self.command = command._replace(speed_percent=percent)
+                self.command = replace(command, speed_percent=percent)
                 self._overspeed.change_speed()
         elif seen is not None and (self.under_way or self.moves):
             self._hold(Hold.SPEED_ZERO, seen.now_s)
@@ -346,7 +347,7 @@ class Authority:
         self.holds = frozenset()
         self._overspeed.change_speed()
         if self.command is not None:
-            self.command = self.command._replace(sent_s=now_s)
+            self.command = replace(self.command, sent_s=now_s)
 
     def cancelled(self, now_s: float) -> None:
         """The arm was told to end its motion: what was asked for before never comes back."""
@@ -441,7 +442,7 @@ class Authority:
         if in_drag_teaching(state):
             return End.TAUGHT
         if status.value.arm_status not in MOVABLE_STATUSES:  # it may move on, but not to there
-            self.command = command._replace(joints_deg=None, tool=None)
+            self.command = replace(command, joints_deg=None, tool=None)
         late = status.at_s - command.sent_s > _TAKEN_IN_S
         if late and status.value.control_mode != ControlMode.CAN_CONTROL:
             return End.OTHER_MODE
@@ -453,7 +454,7 @@ class Authority:
             return None
         if command.joints_deg is None:
             # a pose: which angles the arm takes there is its own choice
-            self.command = command._replace(joints_deg=measured_deg)
+            self.command = replace(command, joints_deg=measured_deg)
             return None
         away_deg = max(
             abs(asked - measured)

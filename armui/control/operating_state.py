@@ -5,7 +5,6 @@ from __future__ import annotations
 import enum
 from dataclasses import dataclass, field
 from datetime import datetime
-from typing import NamedTuple
 
 from armui.arm.device import Device
 from armui.arm.limits import JointLimits
@@ -104,7 +103,8 @@ class Busy(enum.Enum):
     ZEROING = "zeroing"
 
 
-class OtherHostReport(NamedTuple):
+@dataclass(frozen=True, slots=True)
+class OtherHostReport:
     """Another host that moves the arm.
 
     Attributes:

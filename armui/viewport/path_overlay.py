@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Final, NamedTuple
+from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QFont, QPainter, QPen, QPolygonF
@@ -27,7 +27,8 @@ _MOST: Final = 120
 _NEAR_PX: Final = 13.0
 
 
-class _Rim(NamedTuple):
+@dataclass(frozen=True, slots=True)
+class _Rim:
     """The least distance of a sign from each edge of the picture."""
 
     left: float

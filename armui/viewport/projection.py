@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import math
-from typing import Final, NamedTuple
+from dataclasses import dataclass
+from typing import Final
 
 from armui.viewport.camera import VIEW_ANGLE_DEG, OrbitCamera
 from armui.viewport.vectors import Vector, minus, plus, unit
@@ -14,7 +15,8 @@ _NEAREST_SHARE: Final = 0.05
 """As in the picture: what is nearer to the eye than this share of the distance is not seen."""
 
 
-class Ray(NamedTuple):
+@dataclass(frozen=True, slots=True)
+class Ray:
     """A line of sight: `start_m` in the base frame and a unit vector away from the eye."""
 
     start_m: Vector

@@ -6,7 +6,8 @@ commands cannot be heard or asked for, so it is known only from what was set and
 
 from __future__ import annotations
 
-from typing import Final, NamedTuple
+from dataclasses import dataclass, replace
+from typing import Final
 
 from armui.arm.state import ArmState, is_fresh
 from armui.protocol.addressing import OFFSETS, Addressing
@@ -18,7 +19,8 @@ _SETTLED_S: Final = 0.05
 """A status this much after the setting was made after it."""
 
 
-class RequestedOffset(NamedTuple):
+@dataclass(frozen=True, slots=True)
+class RequestedOffset:
     """Offsets that were sent to the arm and have not been seen in use.
 
     Attributes:
@@ -76,7 +78,7 @@ class OffsetFollower:
     def answered(self, now_s: float) -> None:
         """The arm has answered that it keeps what was sent to it last (0x476)."""
         if self.requested is not None:
-            self.requested = self.requested._replace(answered_s=now_s)
+            self.requested = replace(self.requested, answered_s=now_s)
 
     def listen_anew(self, now_s: float) -> None:
         """What was heard before is forgotten: give the known feedback time to be heard again."""

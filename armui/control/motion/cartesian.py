@@ -10,7 +10,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Final
 
-from armui.arm.model_check import MODEL_DIFFERS
+from armui.arm.model_check import MODEL_DIFFERS, ModelFit, fitting_models
+from armui.arm.models import all_models
 from armui.arm.refusal import Reason, Refusal
 from armui.arm.state import ArmState
 from armui.control.context import Context, ControllerPart
@@ -20,7 +21,10 @@ from armui.control.motion.motion_command import CommandKind
 from armui.control.motion.point_frames import leading_mode
 from armui.control.operations.operation import operation, record_start
 from armui.control.safety.interlocks import JOINTS_UNKNOWN
+from armui.kinematics import poses
+from armui.kinematics.arm_kinematics import Kinematics
 from armui.kinematics.axes import AXES, LINEAR_AXES, JogFrame
+from armui.kinematics.poses import Pose, apart, flange_pose, matrix_to_pose, pose_to_matrix
 from armui.protocol import commands
 from armui.protocol.codes import MoveMode
 
@@ -30,8 +34,7 @@ if TYPE_CHECKING:
     from armui.control.motion.jog_floor import JogFloor
     from armui.control.motion.joint_motion import Motion
     from armui.control.operations.started import Started
-    from armui.kinematics.arm_kinematics import Kinematics
-    from armui.kinematics.poses import Matrix, Pose
+    from armui.kinematics.poses import Matrix
     from armui.protocol.frame import Frame
 
 POSE_UNKNOWN = Reason(
@@ -85,16 +88,13 @@ class Cartesian(ControllerPart):
 
     def prepare(self) -> None:
         """Load what computes with poses, before there is an arm that must not wait for it."""
-        from armui.arm.models import all_models  # noqa: PLC0415 - see above
-        from armui.trajectory.planning import planning  # noqa: F401, PLC0415 - the pace of a line
+        from armui.trajectory.planning import planning  # noqa: F401, PLC0415 - scipy, for a line
 
         all_models()  # an arm is compared with each of them: files, which are read now
         self.kinematics()
 
     def kinematics(self) -> Kinematics:
         """Of the chosen model, with the zeros this arm counts from: as the picture shows it."""
-        from armui.kinematics.arm_kinematics import Kinematics  # noqa: PLC0415 - see above
-
         geometry = self._context.operating_state().model_fit.geometry
         if self._model is None or self._model.geometry != geometry:
             self._model = Kinematics(geometry)
@@ -105,8 +105,6 @@ class Cartesian(ControllerPart):
         flange = state.end_pose()
         if flange is None:
             return None
-        from armui.kinematics import poses  # noqa: PLC0415 - see above
-
         return poses.tool_pose(flange, self.tool) if any(self.tool) else poses.Pose(*flange)
 
     def why_unknown(self) -> Refusal | None:
@@ -125,8 +123,6 @@ class Cartesian(ControllerPart):
 
     def _other_model(self, state: ArmState) -> Refusal | None:
         """That another model fits, as a reason."""
-        from armui.arm.model_check import ModelFit, fitting_models  # noqa: PLC0415 - see above
-
         joints_deg, pose = state.angles_deg(), state.end_pose()
         if joints_deg is None or pose is None:
             return None
@@ -135,8 +131,6 @@ class Cartesian(ControllerPart):
 
     @staticmethod
     def _fits(model: Kinematics, state: ArmState) -> bool:
-        from armui.kinematics.poses import Pose, apart  # noqa: PLC0415 - see above
-
         joints_deg, pose = state.angles_deg(), state.end_pose()
         if joints_deg is None or pose is None:
             return True
@@ -155,9 +149,8 @@ class Cartesian(ControllerPart):
         unknown = self.why_unknown()
         if unknown is not None:
             return unknown
-        from armui.arm.reach import check_path, check_pose  # noqa: PLC0415 - see above
-        from armui.kinematics import poses  # noqa: PLC0415 - see above
-        from armui.kinematics.tool_path import Line  # noqa: PLC0415 - see above
+        from armui.arm.reach import check_path, check_pose  # noqa: PLC0415 - scipy
+        from armui.kinematics.tool_path import Line  # noqa: PLC0415 - scipy
 
         model, start_deg = self.kinematics(), self._start_deg()
         limits = self._context.operating_state().limits
@@ -192,8 +185,6 @@ class Cartesian(ControllerPart):
         unknown = self._context.refresh().cannot_move or self.why_unknown()
         if unknown is not None:
             return self._context.refuse(unknown)
-        from armui.kinematics import poses  # noqa: PLC0415 - see above
-
         measured_deg = self._context.authority.measured_deg()
         if measured_deg is None:
             return self._context.refuse(JOINTS_UNKNOWN())
@@ -222,8 +213,6 @@ class Cartesian(ControllerPart):
         refusal = context.refresh().cannot_move or self.why_unknown() or self.check_arc(*points)
         if refusal is not None:
             return context.refuse(refusal)
-        from armui.kinematics.poses import flange_pose  # noqa: PLC0415 - see above
-
         start, middle, end = (flange_pose(point, self.tool) for point in points)
         codec, percent = context.connection.codec, self._motion.speed_percent
         frames = leading_mode(codec, context.state(), MoveMode.MOVE_C, percent)
@@ -234,9 +223,8 @@ class Cartesian(ControllerPart):
 
     def check_arc(self, *points: Sequence[float]) -> Refusal | None:
         """Whether the arm stands at the start of an arc and can follow it to its end."""
-        from armui.arm.reach import check_path  # noqa: PLC0415 - see above
-        from armui.kinematics import poses  # noqa: PLC0415 - see above
-        from armui.kinematics.tool_path import Arc, ArcError  # noqa: PLC0415 - see above
+        from armui.arm.reach import check_path  # noqa: PLC0415 - scipy
+        from armui.kinematics.tool_path import Arc, ArcError  # noqa: PLC0415 - scipy
 
         model, start_deg = self.kinematics(), self._start_deg()
         flanges = [poses.flange_pose(point, self.tool) for point in points]
@@ -261,8 +249,6 @@ class Cartesian(ControllerPart):
         refusal = context.refresh().cannot_move or self.check(target, move_mode)
         if refusal is not None:
             return context.refuse(refusal)
-        from armui.kinematics.poses import flange_pose  # noqa: PLC0415 - see above
-
         codec, percent = context.connection.codec, self._motion.speed_percent
         frames = leading_mode(codec, context.state(), move_mode, percent)
         flange = flange_pose(target, self.tool)
@@ -281,8 +267,6 @@ class Cartesian(ControllerPart):
         started: Started,
         way: Sequence[Sequence[float]],
     ) -> Refusal | None:
-        from armui.kinematics.poses import pose_to_matrix  # noqa: PLC0415 - see above
-
         context = self._context
         sent = context.send_motion(
             CommandKind.POSE,
@@ -301,8 +285,6 @@ class Cartesian(ControllerPart):
 
     def _leads_away(self, target: Sequence[float]) -> bool:
         """Whether the tool is measured elsewhere than at a pose."""
-        from armui.kinematics.poses import Pose, apart  # noqa: PLC0415 - see above
-
         here = self.tool_pose(self._context.state())
         if here is None:
             return False
@@ -311,8 +293,6 @@ class Cartesian(ControllerPart):
 
     def _base(self, measured: Matrix) -> Matrix:
         """Where a step of the tool starts from."""
-        from armui.kinematics.poses import apart, matrix_to_pose  # noqa: PLC0415 - see above
-
         authority = self._context.authority
         asked = authority.tool_base()
         if asked is None or authority.under_way:

@@ -8,7 +8,9 @@ from typing import TYPE_CHECKING, Final, Protocol
 
 from armui.arm.limits import JOINTS, JointLimits, check_joints
 from armui.arm.refusal import Reason, Refusal
+from armui.kinematics import poses
 from armui.kinematics.axes import LINEAR_AXES, JogFrame
+from armui.kinematics.poses import shifted, tool_matrix
 
 if TYPE_CHECKING:
     from armui.control.motion.jog_pace import Pace
@@ -138,7 +140,6 @@ class HeldToolPath:
         tool: Sequence[float],
         limits: Sequence[JointLimits],
     ) -> None:
-        from armui.kinematics.poses import tool_matrix  # noqa: PLC0415 - numpy, loaded when asked for
 
         self._kinematics = kinematics
         self._tool = tuple(tool)
@@ -155,8 +156,6 @@ class HeldToolPath:
 
     def _joints_of(self, target: Matrix, near_deg: Sequence[float]) -> tuple[float, ...] | Refusal:
         """The solution nearest to ``near_deg``, or why there is none."""
-        from armui.kinematics import poses  # noqa: PLC0415 - see above
-
         pose = poses.matrix_to_pose(poses.flange_matrix(target, self._tool))
         solutions = self._kinematics.inverse(pose, near_deg)
         if not solutions:
@@ -189,8 +188,6 @@ class ToolJogPath(HeldToolPath):
 
     def joints_at(self, gone: float, near_deg: Sequence[float]) -> tuple[float, ...] | Refusal:
         """The solution nearest to ``near_deg``, or why there is none."""
-        from armui.kinematics.poses import shifted  # noqa: PLC0415 - see above
-
         jog = self._jog
         target = shifted(self._start, jog.axis, jog.direction * gone, jog.frame)
         return self._joints_of(target, near_deg)

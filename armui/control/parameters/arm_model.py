@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Final
 
 from armui.arm.models import ArmModel, model_data
+from armui.kinematics.arm_kinematics import Kinematics
 
 if TYPE_CHECKING:
     from armui.arm.state import ArmState
@@ -23,8 +24,6 @@ def arm_model(controller: ArmController) -> ArmModel:
 
 def planning_model(state: ArmState, now: OperatingState, tool_z_mm: float = 0.0) -> ArmModel:
     """The same of an arm as heard, with a tool that reaches so far beyond the flange."""
-    from armui.kinematics.arm_kinematics import Kinematics  # noqa: PLC0415 - numpy, scipy
-
     handle, data = state.teaching_handle, model_data(now.model)
     return ArmModel(
         limits=now.limits,

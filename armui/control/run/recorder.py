@@ -12,9 +12,10 @@ from armui.control.events import EventCode
 from armui.control.operating_state import BUSY, OperatingState, why_unreachable
 from armui.control.operations.operation import operation, record_start
 from armui.control.operations.started import Ending, Started
+from armui.control.run.sample_store import SampleStore
 
 if TYPE_CHECKING:
-    from armui.control.run.sample_store import Recorded, SampleStore
+    from armui.control.run.sample_store import Recorded
     from armui.trajectory.samples.recording import Array
 
 
@@ -68,7 +69,6 @@ class Recorder(QObject, ControllerPart):
         refusal = why_not_record(self._context.refresh())
         if refusal is not None:
             return self._context.refuse(refusal)
-        from armui.control.run.sample_store import SampleStore  # noqa: PLC0415 - numpy
 
         self._samples = SampleStore(self._context.operating_state().model_fit.taught_on)
         self.dropped = 0

@@ -25,6 +25,7 @@ from armui.control.run.player import (
     why_not_run,
 )
 from armui.control.run.progress import ENDLESS, Progress, RunPhase, sent_percent
+from armui.control.run.replay import why_behind, why_not
 from armui.protocol import commands
 from armui.protocol.codes import MoveMode
 from armui.trajectory.points.program import Waypoint
@@ -89,8 +90,6 @@ class Replayer(Execution):
     @operation("replay.start", "Replay a recording", why_not_run, moves=True, shown_first=True)
     def start(self, replay: Replay) -> Refusal | None:
         """Begin a replay: ``None`` if the arm is on its way to the first sample, or why not."""
-        from armui.control.run.replay import why_not  # noqa: PLC0415 - numpy, loaded with the first
-
         context = self._context
         operating_state = context.refresh()
         refusal = why_not_run(operating_state) or why_not(replay, operating_state)
@@ -254,8 +253,6 @@ class Replayer(Execution):
         return REPLAY_GAP(seconds=round(gap_s, 1))
 
     def _stream(self, replay: Replay) -> None:
-        from armui.control.run.replay import why_behind  # noqa: PLC0415 - loaded by start()
-
         now_s = self._context.clock()
         if now_s <= self._since_s:
             return

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import json
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, Final, NamedTuple
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Final
 
 from armui.control.events import EventCode, Level
 from armui.session.session import MarkKind
@@ -25,7 +26,8 @@ _STOPS: Final = frozenset(
 )
 
 
-class FedEvent(NamedTuple):
+@dataclass(frozen=True, slots=True)
+class FedEvent:
     """Something that happened.
 
     Attributes:

@@ -21,8 +21,10 @@ from armui.control.sessions.mf4_converter import Mf4Converter
 from armui.control.sessions.progress import RecordingProgress, RingContent
 from armui.control.sessions.ring_saving import SaveAtFaults
 from armui.control.sessions.sidecar_lines import SidecarLines
+from armui.session.recording.collector import Collector, FrameRing
 from armui.session.recording.kinds import MF4_SUFFIX, is_name, name_for, why_not_written
 from armui.session.recording.lane import FrameLane
+from armui.session.recording.sidecar import event_line
 from armui.session.session import MarkKind
 from armui.system import paths
 
@@ -30,7 +32,6 @@ if TYPE_CHECKING:
     from armui.bus.link import BusReport
     from armui.control.context import Context
     from armui.control.sessions.event_feed import FedEvent
-    from armui.session.recording.collector import Collector, FrameRing
     from armui.session.recording.session_recording import SessionRecording
     from armui.session.recording.sidecar import Line
     from armui.session.recording.writer import RecordingPlan
@@ -173,7 +174,7 @@ class SessionRecorder(QObject):
             refusal = SESSION_NAME_BAD(name=name)
         if refusal is not None:
             return self._context.refuse(refusal)
-        from armui.session.recording.session_recording import SessionRecording  # noqa: PLC0415 - numpy
+        from armui.session.recording.session_recording import SessionRecording  # noqa: PLC0415 - python-can
 
         collector = self._begin_collecting()
         self._facts.reset()
@@ -282,7 +283,6 @@ class SessionRecorder(QObject):
     def _begin_collecting(self) -> Collector:
         """From the first device, or the first wish, on."""
         # numpy comes with the first device: the window starts without it
-        from armui.session.recording.collector import Collector, FrameRing  # noqa: PLC0415
 
         if self._collector is None or self._ring is None:
             self._ring = FrameRing(KEPT_S)
@@ -362,7 +362,7 @@ class SessionRecorder(QObject):
         self.changed.emit()
 
     def _plan(self, name: str, reason: str) -> RecordingPlan:
-        from armui.session.recording.writer import RecordingPlan, TimeBase  # noqa: PLC0415 - numpy
+        from armui.session.recording.writer import RecordingPlan, TimeBase  # noqa: PLC0415 - as above
 
         device = self._context.connection.device
         channel = "can" if device is None else str(device.channel)
@@ -386,8 +386,6 @@ _WORDS: Final = {"operator": "saved"}
 
 
 def _line(each: FedEvent, shift_s: float) -> Line:
-    from armui.session.recording.sidecar import event_line  # noqa: PLC0415 - numpy
-
     return event_line(each.at_s + shift_s, each.mark, each.entry)
 
 
@@ -403,7 +401,7 @@ def _save(
     Raises:
         OSError: It could not be written.
     """
-    from armui.session.recording.session_recording import write_at_once  # noqa: PLC0415 - numpy
+    from armui.session.recording.session_recording import write_at_once  # noqa: PLC0415 - as above
 
     collector.collect(everything=True)
     return write_at_once(plan, ring.snapshot(), lines, {"reason": plan.name}, clock)

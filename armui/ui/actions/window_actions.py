@@ -15,7 +15,11 @@ from armui.control.safety.recovery_steps import StepKind
 from armui.ui.actions.command import Command, CommandSource, Target, allow, also, new_action
 from armui.ui.actions.commands_button import CommandsButton
 from armui.ui.actions.keys import listen_for
+from armui.ui.actions.palette import CommandPalette
 from armui.ui.actions.palette_items import Callback, PaletteItems, lead_to, use
+from armui.ui.actions.shortcut_list import ShortcutList
+from armui.ui.guide.guide_window import GuideWindow
+from armui.ui.guide.place import section_of
 from armui.ui.words.text import Text
 
 if TYPE_CHECKING:
@@ -183,31 +187,19 @@ class WindowActions(QObject):
 
     def open_palette(self) -> None:
         """Show the command palette."""
-
-        def make() -> QDialog:
-            from armui.ui.actions.palette import CommandPalette  # noqa: PLC0415 - faster start
-
-            return CommandPalette(
+        self._open(
+            "palette",
+            lambda: CommandPalette(
                 self._controller, self.palette_items(), self._background, self._window
-            )
-
-        self._open("palette", make)
+            ),
+        )
 
     def open_shortcuts(self) -> None:
         """Show the list of all shortcuts."""
-
-        def make() -> QDialog:
-            from armui.ui.actions.shortcut_list import ShortcutList  # noqa: PLC0415 - faster start
-
-            return ShortcutList(self._controller, self._places, self._window)
-
-        self._open("shortcuts", make)
+        self._open("shortcuts", lambda: ShortcutList(self._controller, self._places, self._window))
 
     def open_guide(self) -> None:
         """Show the user guide at the place where the operator is."""
-        from armui.ui.guide.guide_window import GuideWindow  # noqa: PLC0415 - faster start
-        from armui.ui.guide.place import section_of  # noqa: PLC0415 - as above
-
         if isinstance(QApplication.activeWindow(), GuideWindow):
             return
         section = section_of(*self._where())

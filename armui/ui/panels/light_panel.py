@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 from typing import Final
 
 from PySide6.QtCore import QRectF, QSignalBlocker, QSize, Qt, Signal
@@ -234,7 +235,7 @@ class LightPanel(Panel):
         Command("light.all", Text("LightPanel", "All lamps of the joint")),
         Command("light.pick", Text("LightPanel", "Colour of the lamps")),
         Command("light.confirm", operation=operation_of(Lights.set_light)),
-        *(Command(f"light.joint_{j}", _LAMPS._replace(suffix=f"J{j}")) for j in JOINTS),
+        *(Command(f"light.joint_{j}", replace(_LAMPS, suffix=f"J{j}")) for j in JOINTS),
     )
 
     def __init__(self, controller: ArmController) -> None:

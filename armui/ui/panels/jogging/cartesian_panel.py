@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from typing import Final
 
 from PySide6.QtWidgets import QAbstractButton, QButtonGroup, QFrame, QLabel, QSizePolicy, QWidget
@@ -180,7 +181,7 @@ class CartesianPanel(JogPanel):
         Command("cartesian.move_c", Text("Action", "MOVE C: along the arc"), _MOVE_ARC),
         Command("cartesian.keys", Text("JogPanel", "Keyboard jogging")),
         Command("cartesian.step", operation=operation_of(Cartesian.step), presses=False),
-        *(Command(f"cartesian.target_{axis}", _TARGET._replace(suffix=axis)) for axis in AXES),
+        *(Command(f"cartesian.target_{axis}", replace(_TARGET, suffix=axis)) for axis in AXES),
     )
 
     def __init__(self, controller: ArmController, preferences: SettingsStore) -> None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import Qt
@@ -231,7 +232,7 @@ class MotionPanel(JogPanel):
         Command("motion.step", Text("JogPanel", "Step of − and +")),
         Command("motion.jog_step", operation=operation_of(Motion.jog), presses=False),
         Command("motion.jog", operation=operation_of(Jogging.start)),
-        *(Command(f"motion.target_{j}", _TARGET._replace(suffix=f"J{j}")) for j in JOINTS),
+        *(Command(f"motion.target_{j}", replace(_TARGET, suffix=f"J{j}")) for j in JOINTS),
     )
 
     def __init__(self, controller: ArmController, preferences: SettingsStore) -> None:
