@@ -27,10 +27,9 @@ from armui.control.link.connection import Connection
 from armui.control.link.device_finder import DeviceFinder
 from armui.control.link.link_watch import LinkWatch
 from armui.control.motion.motion_command import End
-from armui.control.motion_end import MotionEnd
+from armui.control.motion_end import MotionEnd, abort_motion
 from armui.control.operating_state import Busy, OperatingState
 from armui.control.parts import Parts
-from armui.control.run.run_end import abort_motion
 from armui.control.safety.emergency_stop import is_stopped
 from armui.control.safety.stopping import Stopping
 from armui.protocol.codes import TrajectoryCommand

@@ -22,7 +22,7 @@ from armui.control.devices.teaching import TeachingControl
 from armui.control.devices.zeroing import Zeroing
 from armui.control.gamepad.pilot import GamepadPilot
 from armui.control.link.bus_access import BusAccess
-from armui.control.link.dropped_frames import DroppedFrames
+from armui.control.link.link_watch import DroppedFrames
 from armui.control.link.model_watch import ModelWatch
 from armui.control.motion.cartesian import Cartesian
 from armui.control.motion.jog_floor import JogFloor

@@ -6,11 +6,11 @@ import can
 import pytest
 
 from armui.control.motion.point_frames import GRIPPER_OTHER_GENERATION
+from armui.control.motion_end import RUN_STOPPED
 from armui.control.operating_state import LINK_LOST, OFFLINE, RUN_UNDER_WAY
 from armui.control.run.arrival import RUN_ELSEWHERE
 from armui.control.run.player import NOT_PAUSED, NOT_RUNNING, RUN_TOO_SLOW
 from armui.control.run.progress import ENDLESS, Run, RunPhase
-from armui.control.run.run_end import RUN_STOPPED
 from armui.control.safety.interlocks import ARM_FAULT, NOT_ENABLED
 from armui.kinematics.arm_kinematics import Kinematics
 from armui.protocol.codes import MoveMode

@@ -9,10 +9,10 @@ from PySide6.QtCore import QObject, Signal
 
 from armui.arm.refusal import Refusal
 from armui.control.context import Context, ControllerPart
+from armui.control.motion_end import RUN_STOPPED, abort_motion, abort_motion_for
 from armui.control.operating_state import LINK_LOST
 from armui.control.operations.started import Ending
 from armui.control.run.progress import OVER, Progress, RunPhase
-from armui.control.run.run_end import RUN_STOPPED, abort_motion, abort_motion_for
 from armui.control.safety.standstill import RestWatch
 from armui.protocol import commands
 from armui.protocol.codes import TrajectoryCommand

@@ -16,11 +16,10 @@ from armui.arm.refusal import Reason, Refusal
 from armui.control.events import EventCode
 from armui.control.operations.started import Ending, Started
 from armui.control.sessions.choices import SessionChoices
-from armui.control.sessions.event_feed import EventFeed
 from armui.control.sessions.mf4_converter import Mf4Converter
 from armui.control.sessions.progress import RecordingProgress, RingContent
 from armui.control.sessions.ring_saving import SaveAtFaults
-from armui.control.sessions.sidecar_lines import SidecarLines
+from armui.control.sessions.sidecar_lines import EventFeed, SidecarLines
 from armui.session.recording.collector import Collector, FrameRing
 from armui.session.recording.kinds import MF4_SUFFIX, is_name, name_for, why_not_written
 from armui.session.recording.lane import FrameLane
@@ -31,7 +30,7 @@ from armui.system import paths
 if TYPE_CHECKING:
     from armui.bus.link import BusReport
     from armui.control.context import Context
-    from armui.control.sessions.event_feed import FedEvent
+    from armui.control.sessions.sidecar_lines import FedEvent
     from armui.session.recording.session_recording import SessionRecording
     from armui.session.recording.sidecar import Line
     from armui.session.recording.writer import RecordingPlan
