@@ -108,6 +108,14 @@ class ArmRig:
         """The adapter is back."""
         self.broken = None
 
+    def hold_driver(self) -> None:
+        """The program's driver keeps the next frame, and whoever sends it, until `free_driver`."""
+        self._host_bus.hold()
+
+    def free_driver(self) -> None:
+        """The driver lets go of the frame that it keeps."""
+        self._host_bus.let_go()
+
     def lie(
         self,
         joints_deg: Sequence[float],
@@ -183,10 +191,13 @@ class ArmRig:
 
     @property
     def _sends_nothing(self) -> bool:
-        """Whether nothing is to be sent, and the sending thread has let go of the driver.
+        """Whether nothing is to be sent, or the driver holds up all that is.
 
-        On a busy computer it may hold it for longer than a stop would wait.
+        The sending thread has let go of the driver then: on a busy computer it may hold it for
+        longer than a stop would wait.
         """
+        if self._host_bus is not None and self._host_bus.is_holding:
+            return True
         connection = self.controller._connection
         worker = connection._worker
         if worker is None or not connection.idle:
@@ -272,6 +283,8 @@ class ArmRig:
 
     def close(self) -> None:
         """End every thread and bus."""
+        if self._host_bus is not None:
+            self._host_bus.let_go()
         self.controller.shutdown()
         self._arm_bus.shutdown()
         self._ear.shutdown()

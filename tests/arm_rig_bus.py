@@ -65,7 +65,11 @@ class ArmBus(VirtualBus):
 
 
 class HostBus(VirtualBus):
-    """Where the program is plugged in; its bus thread can be waited for, see :meth:`rest`."""
+    """Where the program is plugged in; its bus thread can be waited for, see :meth:`rest`.
+
+    Attributes:
+        is_holding: Whether the driver holds a frame, and whoever sends it; see :meth:`hold`.
+    """
 
     def __init__(self, channel: str) -> None:
         super().__init__(channel=channel)
@@ -73,6 +77,9 @@ class HostBus(VirtualBus):
         self._inbox = _Inbox()
         self.queue = cast("queue.Queue[can.Message]", self._inbox)  # it has what the others use
         self.channel.append(self.queue)
+        self._free = threading.Event()
+        self._free.set()
+        self.is_holding = False
 
     @property
     def is_open(self) -> bool:
@@ -84,8 +91,20 @@ class HostBus(VirtualBus):
         """Whether nothing has arrived since the one who receives last found nothing."""
         return self._open and self._inbox.is_quiet
 
+    def hold(self) -> None:
+        """Have the driver keep whoever sends, whatever timeout it is given, until `let_go`."""
+        self._free.clear()
+
+    def let_go(self) -> None:
+        """Let the frame that is held go out, and the others after it."""
+        self.is_holding = False
+        self._free.set()
+
     def send(self, msg: can.Message, timeout: float | None = None) -> None:
         """Hand a message to all others; the bus thread has to look what became of it."""
+        if not self._free.is_set():
+            self.is_holding = True
+            self._free.wait()
         super().send(msg, timeout)
         self._inbox.disturb()
 

@@ -131,6 +131,11 @@ def report_lines(report: ExportReport) -> list[str]:
             f"{report.not_understood:,} frames are none of the arm's and were left out "
             "(armui decode shows them)"
         )
+    if report.questions:
+        lines.append(
+            f"{report.questions:,} frames ask for the firmware version, as armui does when it "
+            "connects; generation 1 does not answer them"
+        )
     if report.without_stamp:
         lines.append(
             f"{report.without_stamp:,} frames have a time that no ROS time stamp can tell and were "

@@ -31,9 +31,9 @@ def with_unit(value: float | None, unit: str, decimals: int = DECIMALS) -> str:
 
 
 def append_unit(figure: str, unit: str) -> str:
-    """Return a written figure with its unit, if it has one."""
-    gap = "" if unit in {"", "°"} else " "
-    return f"{figure}{gap}{unit}"
+    """Return a written figure with its unit, if it has one; ``12°``, ``3°/s``, but ``40 °C``."""
+    close = not unit or (unit.startswith("°") and unit != "°C")
+    return f"{figure}{unit}" if close else f"{figure} {unit}"
 
 
 def angle(value_deg: float | None) -> str:
@@ -50,6 +50,11 @@ def short_angle(value_deg: float) -> str:
 def percent(value: float | None) -> str:
     """A percentage without decimals."""
     return with_unit(value, "%", 0)
+
+
+def count(number: int) -> str:
+    """A number of things, its digits in groups of three."""
+    return f"{number:,}"
 
 
 def joints(numbers: list[int]) -> str:

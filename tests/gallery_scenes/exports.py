@@ -18,7 +18,7 @@ REPORT = {
     "items": 1_805_304, "frames": 5_412_268, "generation": 2, "why_generation": "",
     "model": "PiPER", "why_model": "", "pose_fits": "PiPER L",
     "firmware": "S-V1.8-5", "offset": 0, "channel": "can0", "other_channels": ["can1"],
-    "of_other_channels": 41_020, "not_understood": 12, "without_stamp": 0,
+    "of_other_channels": 41_020, "not_understood": 12, "questions": 0, "without_stamp": 0,
     "damages": [["byte 48213", "the file breaks off", 5_412_268, False]], "damage_count": 1,
 }  # fmt: skip
 

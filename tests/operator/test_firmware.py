@@ -195,7 +195,7 @@ def test_a_mounting_is_told_in_the_modes_the_arm_is_in_and_kept(mounting, name, 
     key = mounting.device.arm_key(mounting.controller.state.identity.node_number)
     assert mounting.store.settings.mountings == {key: name}
     assert "does not tell it back" in mounting.read("end_load_message")
-    assert "Told this arm last by this program" in mounting.find("mounting_told").text()
+    assert "Mounting, as last set from here" in mounting.find("mounting_told").text()
 
 
 def test_each_arm_has_its_own_mounting(mounting):
@@ -210,14 +210,14 @@ def test_each_arm_has_its_own_mounting(mounting):
         mounting.run_until(lambda: mounting.controller.state.identity is not None)
         mounting.run(0.5)
 
-    assert told() == "nothing yet"
+    assert told() == "not set from here yet"
     connect("0031")
     mounting.click("mounting_on_the_left_side")
     confirm(mounting)
     assert told() == "Left side"
     mounting.click("mounting_level")  # chosen, and not told
     connect("0042")
-    assert told() == "nothing yet"
+    assert told() == "not set from here yet"
     assert not mounting.find("mounting_level").isChecked()
     assert not mounting.find("mounting_on_the_left_side").isChecked()
     mounting.click("mounting_on_the_right_side")

@@ -90,7 +90,7 @@ def test_recording_begins_with_a_warning_and_ends_with_the_arms_word(enabled):
     give(enabled, "stop_recording")
     phase(enabled, "nothing under way")
     assert enabled.heard() == [teach(2)]
-    assert enabled.read("teaching_state") == "End of recording (drag teaching off)"
+    assert enabled.read("teaching_state") == "Recording ended; still in drag teaching"
     assert usable(enabled) == {"start_recording", "run_recording", "move_to_start"}
     assert enabled.firmware.teaching.recording[-1] == pytest.approx(THERE_DEG)
 

@@ -237,6 +237,20 @@ def test_0_percent_holds_back_and_only_continue_goes_on(ready, what):
     assert "motion_too_fast" not in ready.codes()
 
 
+@pytest.mark.parametrize("meanwhile_s", [0.0, 0.06, 0.16])
+def test_0_percent_stays_a_pause_when_it_is_raised_before_the_arm_stands(ready, meanwhile_s):
+    """Down to 0 % and up again with one drag of the slider: the replay is still slowing down."""
+    replayer = replaying(ready)
+    override(ready, 0)
+    ready.run(meanwhile_s)
+    override(ready, 60)
+    ready.run(1.0)
+    assert replayer.phase is RunPhase.PAUSED
+    assert max(speeds_deg_s(ready, 0.5)) < 0.01
+    assert replayer.go_on() is None
+    assert speeds_deg_s(ready, 1.5)[-20:] == pytest.approx([7.2] * 20, abs=0.6)
+
+
 def test_what_goes_on_is_told_a_lower_speed_before(ready):
     player = started(ready, FAR)
     ready.run(0.6)
@@ -370,6 +384,107 @@ def test_a_slow_run_is_not_given_up(ready):
     assert player.phase is RunPhase.DONE
 
 
+# A driver that holds what it is given -------------------------------------------------------------
+
+
+def turning_fast(ready):
+    """A run in the middle of a long way, and a driver that keeps the next frame."""
+    player = started(ready, (-140.0, *HERE[1:]), FAR)
+    ready.run_until(lambda: ready.firmware.mechanics.speeds_deg_s[0] > 100.0)
+    ready.heard()
+    ready.hold_driver()
+    return player
+
+
+def sent(ready):
+    return [(frame.arbitration_id, frame.data[:3].hex()) for frame in ready.heard()]
+
+
+def test_a_driver_that_is_slow_for_a_moment_tells_the_lowest_last(ready):
+    player = turning_fast(ready)
+    assert override(ready, 50) is None
+    ready.run(0.04)
+    assert override(ready, 25) is None
+    ready.run(0.04)
+    assert sent(ready) == []
+    ready.free_driver()
+    ready.run(0.3)
+
+    assert sent(ready) == [(0x151, "010128"), (0x151, "010114"), (0x151, "010114")]
+    assert ready.firmware.condition.speed_percent == 20  # 25 % of 80
+    assert player.phase is RunPhase.MOVING
+    assert not {"motion_too_fast", "bus_blocked"} & set(ready.codes())
+
+
+@pytest.mark.parametrize(("percent", "held"), [(25, (0x151, "010114")), (0, (0x150, "000100"))])
+def test_a_lower_speed_that_the_driver_keeps_ends_the_run_and_nothing_late_follows(
+    ready, percent, held
+):
+    player = turning_fast(ready)
+    assert override(ready, percent) is None
+    ready.run_until(lambda: not player.running, seconds=3.0)
+    assert "motion_too_fast" in ready.codes()
+    assert player.phase is RunPhase.FAILED
+    ready.run(1.0)
+    assert "bus_blocked" in ready.codes()
+    assert ready.controller.speed_override.set_percent(10) is None
+    ready.run(2.0)
+    assert sent(ready) == []
+
+    ready.free_driver()
+    ready.run(0.2)
+    assert sent(ready) == [held, (0x150, "000600")]  # the arm ends a motion if it is still at one
+    ready.run(3.0)
+    assert "bus_unblocked" in ready.codes()
+    assert set(sent(ready)) <= {(0x151, "010128")}  # the operator's own 40 %
+    assert not ready.firmware.mechanics.moving
+
+
+@pytest.mark.parametrize("blocked_s", [0.3, 2.5])
+def test_a_replay_at_0_percent_ends_where_it_was_held_back_whatever_the_driver_kept(
+    ready, blocked_s
+):
+    replayer = replaying(ready)
+    ready.hold_driver()
+    ready.run(0.04)
+    assert override(ready, 0) is None
+    ready.run(blocked_s)
+    assert sent(ready) == []
+    stood_deg = ready.firmware.joints_deg[0]
+    assert ("bus_blocked" in ready.codes()) is (blocked_s > 0.5)
+
+    ready.free_driver()
+    ready.run(3.0)
+    late = sent(ready)
+    assert {each[0] for each in late} <= {0x155, 0x156, 0x157}
+    assert blocked_s < 0.5 or len(late) == 1  # what was in the driver cannot be recalled
+    # no further than it went on being recorded until it was held back, in 0.2 s
+    assert 0.0 <= ready.firmware.joints_deg[0] - stood_deg < 12.0 * 0.2
+    assert not ready.firmware.mechanics.moving
+    assert replayer.phase is RunPhase.PAUSED
+
+
+def test_a_replay_that_the_driver_keeps_from_the_arm_ends_and_nothing_late_follows(ready):
+    replayer = replaying(ready)
+    ready.hold_driver()
+    assert override(ready, 25) is None
+    ready.run_until(lambda: not replayer.running, seconds=5.0)
+    assert replayer.phase is RunPhase.FAILED
+    assert {"bus_blocked", "replay_failed"} <= set(ready.codes())
+    ready.run(1.0)
+    stood_deg = ready.firmware.joints_deg[0]
+    assert sent(ready) == []
+
+    ready.free_driver()
+    ready.run(0.2)
+    kept, abort = sent(ready)
+    assert kept[0] == 0x155
+    assert abort == (0x150, "000600")
+    ready.run(3.0)
+    assert set(sent(ready)) <= {(0x151, "010128")}
+    assert ready.firmware.joints_deg[0] == pytest.approx(stood_deg, abs=0.5)
+
+
 # Arms and computers of every kind -----------------------------------------------------------------
 
 
@@ -413,3 +528,21 @@ def test_after_a_pause_of_the_program_the_pace_is_that_of_the_override(ready):
     ready.run(0.5)
     assert ready.firmware.joints_deg[0] - before_deg == pytest.approx(1.2 * 0.52, abs=0.25)
     assert replayer.phase is RunPhase.MOVING
+
+
+def test_a_pause_of_the_program_ends_the_coming_to_a_stand(ready):
+    """The arm rests at the last target by then: nothing sets it moving once more."""
+    replayer = replaying(ready)
+    override(ready, 0)
+    ready.run(0.04)
+    ready.heard()
+    for timer in (replayer._timer, ready.controller._timer):
+        timer.stop()
+    for _ in range(50):  # the program is held up; the arm is heard all the time
+        ready._pass(STEP_S)
+    ready.run(0.5)
+    assert not {0x155, 0x156, 0x157} & {frame.arbitration_id for frame in ready.heard()}
+    assert replayer.phase is RunPhase.PAUSED
+    override(ready, 100)
+    assert replayer.go_on() is None
+    assert speeds_deg_s(ready, 1.0)[-10:] == pytest.approx([12.0] * 10, abs=0.6)

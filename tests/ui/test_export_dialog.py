@@ -33,7 +33,7 @@ REPORT = {
     "items": 1234, "frames": 5678, "generation": 2, "why_generation": "", "firmware": "",
     "model": "PiPER", "why_model": "", "pose_fits": "",
     "offset": 0, "channel": "can0", "other_channels": [], "of_other_channels": 0,
-    "not_understood": 0, "without_stamp": 0, "damages": [], "damage_count": 0,
+    "not_understood": 0, "questions": 0, "without_stamp": 0, "damages": [], "damage_count": 0,
 }  # fmt: skip
 
 

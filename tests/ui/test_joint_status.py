@@ -121,7 +121,7 @@ def test_figures_have_a_fixed_number_of_decimals_and_their_unit(
         "31 °C",
         "",
         "",
-        "0.0 °/s",  # never a negative zero
+        "0.0°/s",  # never a negative zero
         "",
         "",
     ]

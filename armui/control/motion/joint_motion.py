@@ -5,11 +5,12 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Final
 
-from armui.arm.limits import check_joints
-from armui.arm.refusal import Refusal
+from armui.arm.limits import ANGLE_STEP_DEG, JointLimits, check_joint, check_joints
+from armui.arm.refusal import Reason, Refusal
 from armui.control.context import Context, ControllerPart
 from armui.control.events import EventCode
 from armui.control.motion.jog_floor import JogFloor
+from armui.control.motion.jog_path import JOG_AT_LIMIT
 from armui.control.motion.motion_command import CommandKind
 from armui.control.operating_state import RUN_UNDER_WAY, OperatingState
 from armui.control.operations.operation import operation, record_start
@@ -21,6 +22,10 @@ from armui.protocol import commands
 from armui.protocol.codes import MoveMode
 from armui.trajectory.files.errors import SPEED_OUT_OF_RANGE
 
+STEP_BEYOND_LIMIT = Reason(
+    "step_beyond_limit",
+    "J{joint}: this step would go beyond its limit of {limit}°. Take a smaller step.",
+)
 _HOME_DEG: Final = (0.0,) * 6
 _FIRST_SPEED_PERCENT: Final = 30
 _LAG_STEPS: Final = 2
@@ -36,6 +41,18 @@ def why_not_move(now: OperatingState) -> Refusal | None:
 def why_no_speed(now: OperatingState) -> Refusal | None:
     """Tell why the speed of motions may not be set; without an arm it waits for one."""
     return RUN_UNDER_WAY() if now.running else None
+
+
+def _why_no_step(
+    joint: int, base_deg: float, delta_deg: float, limits: JointLimits
+) -> Refusal | None:
+    """Tell why a joint can't go a step further: it is at its limit, or the step is too long."""
+    bound_deg = limits.max_deg if delta_deg > 0 else limits.min_deg
+    if check_joint(joint, base_deg + delta_deg, limits) is None:
+        return None
+    if abs(bound_deg - base_deg) <= ANGLE_STEP_DEG:
+        return JOG_AT_LIMIT(joint=joint, limit=bound_deg)
+    return STEP_BEYOND_LIMIT(joint=joint, limit=bound_deg)
 
 
 class Motion(ControllerPart):
@@ -104,6 +121,12 @@ class Motion(ControllerPart):
         target_deg = list(base_deg)
         target_deg[joint - 1] = round(target_deg[joint - 1] + delta_deg, 3)
         refusal = self._floor.why_step_lower(target_deg, base_deg)
+        if refusal is not None:
+            return context.refuse(refusal)
+        limits = operating_state.limits[joint - 1]
+        refusal = operating_state.cannot_move or _why_no_step(
+            joint, base_deg[joint - 1], delta_deg, limits
+        )
         if refusal is not None:
             return context.refuse(refusal)
         figures = {"joint": joint, "target": target_deg[joint - 1]}

@@ -187,7 +187,12 @@ class Replayer(Execution):
         self._publish()
 
     def _comes_to_a_stand(self, replay: Replay) -> bool:
-        """Whether it has been paused by 0 %, and the recorded time still slows down."""
+        """Whether it has been paused by 0 %, and the recorded time still slows down.
+
+        After a long pause of the program it does so no more: the arm rests at the last target.
+        """
+        if self._context.clock() - self._since_s >= _LONGEST_GAP_S:
+            self._pace = 0.0
         paused = self._phase is RunPhase.PAUSED and self._watch is None
         return paused and self._pace > 0.0 and self._at_s < replay.duration_s
 
@@ -272,12 +277,16 @@ class Replayer(Execution):
             self._end_cycle(replay)
 
     def _change_pace(self, replay: Replay, gone_s: float) -> None:
-        """Let the recorded time go over to the override, as fast as the joints can follow."""
-        if self._pace == self._share:
+        """Let the recorded time go over to the override, as fast as the joints can follow.
+
+        What was paused comes to a stand, also when the override was raised again meanwhile.
+        """
+        wanted = 0.0 if self._phase is RunPhase.PAUSED else self._share
+        if self._pace == wanted:
             return
         braking_s = replay.braking_s(self._at_s, self._context.state())
         most = gone_s / max(braking_s, _SLOWED_WITHIN_S)
-        self._pace += min(max(self._share - self._pace, -most), most)
+        self._pace += min(max(wanted - self._pace, -most), most)
 
     def _send_target(self, target_deg: tuple[float, ...]) -> bool:
         command = self._command

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
 TOO_FAST = Reason(
     "too_fast",
-    "Joint {joint} moves at {value} °/s, where {maximum} °/s is shown. Set the speed again "
+    "Joint {joint} moves at {value}°/s, where {maximum}°/s is shown. Set the speed again "
     "before the next motion.",
 )
 TOOL_TOO_FAST = Reason(
@@ -29,7 +29,7 @@ TOOL_TOO_FAST = Reason(
 )
 TOOL_TURNS_TOO_FAST = Reason(
     "tool_turns_too_fast",
-    "The tool turns at {value} °/s, where {maximum} °/s is shown. Set the speed again before "
+    "The tool turns at {value}°/s, where {maximum}°/s is shown. Set the speed again before "
     "the next motion.",
 )
 

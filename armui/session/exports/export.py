@@ -255,6 +255,7 @@ class _Export:
             other_channels=tuple(_name(each) for each in reader.other_channels),
             of_other_channels=reader.of_other_channels,
             not_understood=history.not_understood + reader.of_other_kinds,
+            questions=history.questions,
             without_stamp=getattr(sink, "without_stamp", 0),
             damages=tuple(self._source.damages[:_MOST_DAMAGES_TOLD]),
             damage_count=self._source.damage_count,
@@ -297,7 +298,7 @@ def _sink(export_format: ExportFormat, target: WholeFile | WholeFolder, facts: E
 
 
 def _why_nothing(request: ExportRequest, reader: ArmFrameReader, history: History) -> ExportProblem:
-    if reader.taken == reader.of_other_kinds + history.not_understood:
+    if reader.taken == reader.of_other_kinds + history.not_understood + history.questions:
         return ExportProblem.NO_ARM
     if request.begin_s > 0.0 or request.end_s < math.inf:
         return ExportProblem.NOTHING_THEN

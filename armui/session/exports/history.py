@@ -13,6 +13,7 @@ import numpy as np
 
 from armui.arm.state import FRESH_FOR_S
 from armui.protocol.codes import MotorAction
+from armui.protocol.firmware_version import VERSION_ID
 from armui.protocol.signal_columns import payload_words, signal_column
 from armui.session.frames import NOT_OF_THE_ARM
 from armui.telemetry.series_columns import joined
@@ -183,12 +184,15 @@ class History:
         codec: As above.
         frames: The newest piece.
         not_understood: Frames so far that are in no table, or of another length.
+        questions: Those so far by which a host asked an arm of generation 1 for its firmware; it
+            has no such message.
     """
 
     def __init__(self, codec: Codec) -> None:
         self.codec = codec
         self.frames = no_frames()
         self.not_understood = 0
+        self.questions = 0
         self._samples: dict[str, Samples] = {}
         self._stops = np.empty(0, np.int64)
 
@@ -201,6 +205,9 @@ class History:
         ends = np.flatnonzero(np.diff(frames.ids[order])) + 1
         for places in np.split(order, ends) if len(order) else ():
             layout = self.codec.layout(int(frames.ids[places[0]]))
+            if layout is None and frames.ids[places[0]] == VERSION_ID:
+                self.questions += len(places)
+                continue
             if layout is None:
                 self.not_understood += len(places)
                 continue

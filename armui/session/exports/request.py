@@ -129,6 +129,7 @@ class ExportReport:
         of_other_channels: How many frames they had.
         not_understood: Frames of the channel that are none of the arm's: in no table, of another
             length or kind.
+        questions: Frames by which a host asked for the firmware, and generation 1 knows none.
         without_stamp: Frames whose time no ROS time stamp can tell.
         damages: The first damaged places of the log.
         damage_count: All of them.
@@ -147,6 +148,7 @@ class ExportReport:
     other_channels: tuple[str, ...]
     of_other_channels: int
     not_understood: int
+    questions: int
     without_stamp: int
     damages: tuple[Damage, ...]
     damage_count: int

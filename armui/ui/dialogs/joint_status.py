@@ -265,7 +265,7 @@ def cell_width(table: QWidget, words: list[str]) -> int:
     """How wide a column must be for these words, bold, behind their mark."""
     metrics = QFontMetrics(scaled_font(table, 1.0, bold=True))
     widest = max(metrics.horizontalAdvance(word) for word in words)
-    small = QFontMetrics(scaled_font(table, _SMALL)).horizontalAdvance("-00.00 °/s · 00:00:00")
+    small = QFontMetrics(scaled_font(table, _SMALL)).horizontalAdvance("-00.00°/s · 00:00:00")
     return int(_TEXT_LEFT_PX + max(widest, small) + _GAP_PX)
 
 

@@ -15,6 +15,8 @@ FOLDER: Final = paths.RESOURCES / "guide"
 _ANCHOR: Final = re.compile(r'^<a id="([a-z_]+)"></a>$', re.MULTILINE)
 _HEADING: Final = re.compile(r"^(#+) (.+)$", re.MULTILINE)
 _PICTURE: Final = re.compile(r"!\[[^\]]*\]\(([^)]+)\)")
+_NUMBERS: Final = re.compile(r"^<!-- ([MPB0-9 ]+) -->\n+", re.MULTILINE)
+"""Functions of the manual (M), of the protocol (P) and of this program (B)."""
 _MARKUP: Final = re.compile(r"[*`_|#>\[\]()!-]")
 
 
@@ -27,12 +29,14 @@ class GuideSection:
         title: Its heading.
         level: 1 for the whole guide's first page, 2 for a chapter, 3 for a part of one.
         text: The whole of it as Markdown, its heading included.
+        functions: The numbers of the functions it tells of, for the tests.
     """
 
     anchor: str
     title: str
     level: int
     text: str
+    functions: tuple[str, ...] = ()
 
     @property
     def pictures(self) -> tuple[str, ...]:
@@ -54,7 +58,12 @@ def parse(text: str) -> list[GuideSection]:
         heading = _HEADING.search(body)
         if heading is None:
             raise ValueError(f"section {anchor[1]} has no heading")
-        sections.append(GuideSection(anchor[1], heading[2].strip(), len(heading[1]), body))
+        numbers = tuple(_NUMBERS.findall(body))
+        body = _NUMBERS.sub("", body)
+        functions = tuple(" ".join(numbers).split())
+        sections.append(
+            GuideSection(anchor[1], heading[2].strip(), len(heading[1]), body, functions)
+        )
     return sections
 
 

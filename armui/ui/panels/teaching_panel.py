@@ -345,9 +345,7 @@ class TeachingPanel(Panel):
         phase = self._phase_now()
         heard = self._controller.state.status
         known = heard is not None and phase is not None
-        self._state.setText(
-            words.teaching(heard.value.teaching) if heard and known else fmt.NOTHING
-        )
+        self._state.setText(words.teaching_now(heard.value) if heard and known else fmt.NOTHING)
         self._phase.setText(_PHASES.text(phase) if phase is not None else fmt.NOTHING)
         now = self._controller.operating_state
         for command, button in self._buttons.items():

@@ -327,7 +327,7 @@ class StatusBar(Translated, QWidget):
                 "reached": words.reached(status.reached),
             }
             if status.teaching != TeachingState.OFF:
-                texts["teaching"] = words.teaching(status.teaching)
+                texts["teaching"] = words.teaching_now(status)
             if any(status.communication_fault) or any(status.limit_exceeded):
                 texts["joints"] = self._joint_faults(status)
         texts["control"] = self.tr("Control: {mode}").format(mode=texts["control"])

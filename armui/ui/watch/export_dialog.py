@@ -175,6 +175,9 @@ def remarks_text(report: dict[str, Any]) -> list[str]:
     if report["not_understood"]:
         text = translate("ExportDialog", "{count:,} of them do not belong to the arm.")
         line += " " + text.format(count=report["not_understood"])
+    if report["questions"]:
+        text = translate("ExportDialog", "{count:,} are questions of this program or another host.")
+        line += " " + text.format(count=report["questions"])
     lines.append(line)
     return lines
 

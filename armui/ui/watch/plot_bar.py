@@ -90,7 +90,7 @@ class PlotBar(Translated, QWidget):
         self.sets.setCurrentIndex(self.sets.findData(name or ""))
         self._show_span(frame.shown.span_s)
         self.pause.setChecked(not frame.live)
-        self.pause.setText(self.tr("Pause") if frame.live else self.tr("Go on"))
+        self.pause.setText(self.tr("Pause") if frame.live else self.tr("Live"))
         self.undo.setEnabled(frame.can_undo)
         self.cursors.setChecked(self._board.has_cursors)
 

@@ -24,6 +24,7 @@ from armui.ui.words.arm import (
     reached,
     teaching,
     teaching_command,
+    teaching_now,
     trajectory_command,
 )
 from armui.ui.words.events import event
@@ -58,6 +59,7 @@ __all__ = [
     "step_question",
     "teaching",
     "teaching_command",
+    "teaching_now",
     "trajectory_command",
     "why_not",
 ]

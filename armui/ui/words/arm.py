@@ -13,8 +13,14 @@ from PySide6.QtCore import QT_TRANSLATE_NOOP, QCoreApplication
 from armui.arm.device import Device
 from armui.arm.joint_status import Item, StatusVerdict, Word
 from armui.arm.model_check import OLDER_ZEROS
-from armui.arm.state import GripperFault
-from armui.protocol.codes import EndLoad, Mounting, TeachingState, TrajectoryCommand
+from armui.arm.state import GripperFault, Status
+from armui.protocol.codes import (
+    ControlMode,
+    EndLoad,
+    Mounting,
+    TeachingState,
+    TrajectoryCommand,
+)
 from armui.ui.words.text import Texts, sentence
 
 _CONTROL_MODES: Final = Texts("ControlMode") | {
@@ -208,7 +214,7 @@ def teaching_command(command: TeachingState) -> str:
 
 
 def trajectory_command(command: TrajectoryCommand) -> str:
-    """What a command of 0x150 byte 1 is called («暂停当前规划»)."""
+    """What a command of 0x150 byte 1 is called («暂停当前轨迹»)."""
     return _PLANS.text(command)
 
 
@@ -288,6 +294,14 @@ def move_mode(code: int) -> str:
 def teaching(code: int) -> str:
     """What drag teaching does, byte 3 («关闭»)."""
     return _word(_TEACHING_STATES, code)
+
+
+def teaching_now(status: Status) -> str:
+    """What drag teaching does, where the arm has ended a recording and not left the mode yet."""
+    ended = status.teaching == TeachingState.STOP_RECORDING
+    if ended and status.control_mode == ControlMode.TEACHING:
+        return QCoreApplication.translate("Teaching", "Recording ended; still in drag teaching")
+    return teaching(status.teaching)
 
 
 def reached(is_reached: bool) -> str:

@@ -373,5 +373,4 @@ def signal_value(signal: SignalLayout, value: float) -> str:
     if signal.is_scaled:
         decimals = min(max(0, math.ceil(-math.log10(signal.scale))), _MOST_DECIMALS)
     unit = _UNITS.get(signal.unit, signal.unit)
-    gap = "" if unit in {"", "°"} else " "
-    return f"{fmt.number(value, decimals)}{gap}{unit}"
+    return fmt.with_unit(value, unit, decimals)

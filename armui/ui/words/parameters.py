@@ -9,6 +9,7 @@ from PySide6.QtCore import QT_TRANSLATE_NOOP
 from armui.arm.backup import ComparisonVerdict
 from armui.arm.parameters import KINDS, Parameter
 from armui.control.parameters.setting_draft import CellStatus
+from armui.ui import format as fmt
 from armui.ui.words.text import Texts, sentence
 
 _NAMES: Final = Texts("Parameter") | {
@@ -72,8 +73,7 @@ def full_name(parameter: Parameter) -> str:
 def value_text(name: str, value: float) -> str:
     """A value with as many decimals as it has a meaning, and its unit."""
     kind = KINDS[name]
-    gap = "" if kind.unit.startswith("°") or not kind.unit else " "
-    return f"{value:.{kind.decimals}f}{gap}{kind.unit}"
+    return fmt.with_unit(value, kind.unit, kind.decimals)
 
 
 def status_word(status: CellStatus) -> str:

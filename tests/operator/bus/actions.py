@@ -77,7 +77,7 @@ class BusMonitor:
         """What stands below a frame: names and values."""
         return {
             self.model.index(place, frame_model.NAME, index).data(): self.model.index(
-                place, frame_model.DATA, index
+                place, frame_model.SAYS, index
             ).data()
             for place in range(self.model.rowCount(index))
         }

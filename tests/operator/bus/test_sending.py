@@ -50,6 +50,22 @@ def test_a_question_goes_out_on_a_press(monitor, box):
     assert monitor.driver.codes()[-1] == "frame_sent_by_hand"
 
 
+def test_what_is_typed_is_read_while_it_is_typed(monitor, box):
+    monitor.unlock()
+    assert box.decoded.text() == ""
+    monitor.write("155", "00 00 2E E0")
+    assert box.decoded.text() == "Target angles J1, J2: 4 bytes instead of 8"
+    QTest.keyClicks(box.data, " FF FF D1 20")
+    assert box.decoded.text() == "Target angles J1, J2: J1 12.000°   J2 -12.000°"
+    monitor.write("2A1", "00")
+    assert box.decoded.text().startswith("Arm status: ")  # also of what is not sent by hand
+    monitor.write("3C1", "00")
+    assert box.decoded.text().startswith("Unknown")
+    monitor.write("15", "0")
+    assert box.decoded.text() == ""
+    assert heard(monitor) == []
+
+
 def test_what_moves_the_arm_is_held_and_says_what_happens(monitor, box):
     monitor.unlock()
     monitor.write("0x471", "07 01 00 00 00 00 00 00")

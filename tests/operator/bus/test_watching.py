@@ -50,6 +50,17 @@ def test_signals_with_units_and_words_below_a_frame(monitor):
     assert monitor.tree.isExpanded(monitor.index("0x2A5"))
 
 
+def test_what_a_frame_says_stands_in_its_row(monitor):
+    assert monitor.cell(monitor.index("0x2A5"), frame_model.SAYS) == "J1 0.000°   J2 0.000°"
+    assert monitor.driver.controller.motion.send_joints((5.0, *[0.0] * 5)) is None
+    monitor.run(3.0)
+    says = monitor.index("0x2A5").siblingAtColumn(frame_model.SAYS)
+
+    assert says.data() == "J1 5.000°   J2 0.000°"
+    assert says.data(Qt.ItemDataRole.ToolTipRole) == "J1: 5.000°\nJ2: 0.000°"
+    assert "Status Normal (0)" in monitor.cell(monitor.index("0x2A1"), frame_model.SAYS)
+
+
 def test_the_words_change_with_the_language(monitor):
     monitor.expand(monitor.index("0x2A1"))
     monitor.driver.store.change(language="zh")
@@ -373,3 +384,6 @@ def test_in_a_narrow_window_the_data_are_seen_whole(monitor):
     header = monitor.tree.header()
     right = header.sectionViewportPosition(frame_model.DATA) + header.sectionSize(frame_model.DATA)
     assert right <= monitor.tree.viewport().width()
+    assert header.sectionSize(frame_model.SAYS) >= 240
+    window.resize(2200, 700)
+    assert header.length() <= monitor.tree.viewport().width()

@@ -66,7 +66,7 @@ def test_paused_it_stands_still_and_runs_on(plots, app_driver):
     edge_s = plots.board.edge_s()
     app_driver.run(1.0)
     assert plots.board.edge_s() == edge_s
-    assert plots.window.bar.pause.text() == "Go on"
+    assert plots.window.bar.pause.text() == "Live"
     plots.click("plot_pause")
     assert plots.board.edge_s() == plots.board.now_s()
 

@@ -188,9 +188,11 @@ class MountingCard(QFrame):
 
     def _show_told(self) -> None:
         told = self._kept
-        how = self.tr("nothing yet") if told is None else words.mounting(told)
-        text = self.tr("Told this arm last by this program: {mounting}").format(mounting=how)
-        self._told.setText(text)
+        if told is None:
+            self._told.setText(self.tr("Mounting: not set from here yet"))
+            return
+        text = self.tr("Mounting, as last set from here: {mounting}")
+        self._told.setText(text.format(mounting=words.mounting(told)))
 
     def retranslate_ui(self) -> None:
         """Put every word into the operator's language."""

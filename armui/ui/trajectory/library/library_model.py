@@ -127,9 +127,9 @@ class LibraryModel(TableModel):
         if column is LibraryColumn.POINTS:
             if entry.damage is not None:
                 return fmt.NOTHING
-            count = entry.count
+            count = fmt.count(entry.count)
             is_recording = entry.kind == "recording"
-            return self.tr("{count} samples").format(count=count) if is_recording else str(count)
+            return self.tr("{count} samples").format(count=count) if is_recording else count
         if column is LibraryColumn.LENGTH:
             return fmt.duration(entry.length_s)
         if column is LibraryColumn.MODIFIED:

@@ -345,7 +345,7 @@ class RecordingPage(Page):
             self._kept.setText(self.tr("Nothing is left: correct the marked fields."))
         else:
             text = self.tr("Keeps {kept} of {count} samples, {time}")
-            kept, count = len(result.samples), len(whole.samples)
+            kept, count = fmt.count(len(result.samples)), fmt.count(len(whole.samples))
             text = text.format(kept=kept, count=count, time=fmt.duration(result.duration_s))
             self._kept.setText(text)
         for button in (self._preview, self._as_samples, self._as_points):
@@ -431,7 +431,7 @@ class RecordingPage(Page):
         self._record.setText(self.tr("Stop recording") if running else self.tr("Record"))
         if running:
             text = self.tr("Recording: {time}, {count} samples").format(
-                time=fmt.duration(recorder.duration_s), count=recorder.count
+                time=fmt.duration(recorder.duration_s), count=fmt.count(recorder.count)
             )
             if recorder.dropped:
                 text += self.tr(" ({count} lost)").format(count=recorder.dropped)
@@ -439,7 +439,8 @@ class RecordingPage(Page):
             text = self.tr("Lead the arm by hand, or move it by anything, while it records.")
         else:
             text = self.tr("Recorded: {time}, {count} samples").format(
-                time=fmt.duration(self._recording.duration_s), count=len(self._recording.samples)
+                time=fmt.duration(self._recording.duration_s),
+                count=fmt.count(len(self._recording.samples)),
             )
         self._state.setText(text)
         for field in (self._from, self._to, self._tolerance):

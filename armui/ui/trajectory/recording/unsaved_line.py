@@ -10,6 +10,7 @@ from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QWidget
 
 from armui.control.events import Level
+from armui.ui import format as fmt
 from armui.ui.widgets.buttons import describe, named, push_button
 from armui.ui.widgets.layouts import in_row
 from armui.ui.widgets.message_line import MessageLine
@@ -103,6 +104,8 @@ class UnsavedRecordingLine(Translated, QWidget):
             return
         first = self._found[0]
         text = self.tr("Unsaved recording of {time}: “{name}”, {count} samples.").format(
-            time=f"{first.begun.astimezone():%Y-%m-%d %H:%M}", name=first.name, count=first.count
+            time=f"{first.begun.astimezone():%Y-%m-%d %H:%M}",
+            name=first.name,
+            count=fmt.count(first.count),
         )
         self._message.show_message(text, Level.WARNING)

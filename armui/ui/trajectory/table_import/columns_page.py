@@ -20,6 +20,7 @@ from armui.trajectory.columns.model import JOINTS, POSE
 from armui.trajectory.files import TrajectoryFileError
 from armui.trajectory.library.store import Library, LibraryError
 from armui.trajectory.points.program import check_name
+from armui.ui import format as fmt
 from armui.ui import words
 from armui.ui.trajectory.library.library_work import LibraryWork
 from armui.ui.trajectory.table_import.columns_table import ColumnsTable
@@ -280,7 +281,7 @@ class ColumnsPage(Page):
         self._work = TableImport(self._file, self.mapping, name, self._library.folder, self)
         self._work.finished.connect(self._on_finished)
         self._let_choose(False)
-        text = self.tr("Importing {count} rows…").format(count=f"{self._file.sheet.count:,}")
+        text = self.tr("Importing {count} rows…").format(count=fmt.count(self._file.sheet.count))
         self._message.show_message(text)
         self._work.start()
 
@@ -348,10 +349,12 @@ class ColumnsPage(Page):
         """How large the table is, and how much of it is shown."""
         sheet = self._file.sheet
         text = self.tr("{file}: {count} columns, {rows} rows; the first rows are shown")
-        text = text.format(file=self._file.file_name, count=sheet.width, rows=f"{sheet.count:,}")
+        text = text.format(
+            file=self._file.file_name, count=sheet.width, rows=fmt.count(sheet.count)
+        )
         hidden = self._table.hidden_count
         if hidden:
-            more = self.tr("; {count} further columns are left out").format(count=f"{hidden:,}")
+            more = self.tr("; {count} further columns are left out").format(count=fmt.count(hidden))
             text += more
         return text
 

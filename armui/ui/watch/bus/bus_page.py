@@ -70,7 +70,8 @@ _KEYS: Final = ("bus.bus_load", "bus.frames_per_s", "bus.error_frames_per_s")
 _ICON_PX: Final = 16
 _PAD_PX: Final = 24
 _INDENT_PX: Final = 22
-_NAME_PX: Final = 190
+_NAME_PX: Final = 150
+_SAYS_PX: Final = 240
 
 
 class FrameTree(RowView):
@@ -96,24 +97,29 @@ class FrameTree(RowView):
         widths = {
             frame_model.ID: text("0x00000000") + _INDENT_PX + _PAD_PX,
             frame_model.SENDER: text("another host") + _PAD_PX,
-            frame_model.DATA: max(bytes_width(self), text("0000000000000000000000")) + _PAD_PX,
+            frame_model.NAME: _NAME_PX,
+            frame_model.DATA: bytes_width(self) + _PAD_PX,
             frame_model.RATE: text("Rate, Hz 0") + _PAD_PX,
             frame_model.JITTER: text("±00.00 / 00.00") + _PAD_PX,
-            frame_model.COUNT: text("00000000") + _PAD_PX,
+            frame_model.COUNT: text("00,000,000") + _PAD_PX,
             frame_model.LAST: text("00:00:00.000") + _PAD_PX,
         }
         for column, width in widths.items():
             header.setSectionResizeMode(column, QHeaderView.ResizeMode.Interactive)
             header.resizeSection(column, width)
-        header.setSectionResizeMode(frame_model.NAME, QHeaderView.ResizeMode.Stretch)
+        header.setSectionResizeMode(frame_model.SAYS, QHeaderView.ResizeMode.Stretch)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """Where not all fits, the name is no wider than it must be: Qt would leave it as it was."""
-        super().resizeEvent(event)
+        """Where not all fits, what is said keeps the room it needs, and the last columns scroll."""
         header = self.header()
-        others = header.length() - header.sectionSize(frame_model.NAME)
-        if self.viewport().width() - others < _NAME_PX:
-            header.resizeSection(frame_model.NAME, _NAME_PX)
+        others = header.length() - header.sectionSize(frame_model.SAYS)
+        fits = self.viewport().width() - others >= _SAYS_PX
+        modes = QHeaderView.ResizeMode
+        mode = modes.Stretch if fits else modes.Interactive
+        if header.sectionResizeMode(frame_model.SAYS) != mode:
+            header.setSectionResizeMode(frame_model.SAYS, mode)
+            header.resizeSection(frame_model.SAYS, _SAYS_PX)
+        super().resizeEvent(event)
 
     def drawRow(  # noqa: N802 - the name Qt calls
         self, painter: QPainter, option: QStyleOptionViewItem, index: Index
@@ -236,8 +242,8 @@ class BusSummary(Translated, QWidget):
         _put(self.rate, f"{fmt.number(rate, 0)} /s" if rate is not None else fmt.NOTHING)
         errors = self._latest("bus.error_frames_per_s", now_s)
         often = f" ({fmt.number(errors, 0)} /s)" if errors else ""
-        _put(self.errors, f"{snapshot.error_frames}{often}")
-        _put(self.lost, str(self._lost))
+        _put(self.errors, f"{fmt.count(snapshot.error_frames)}{often}")
+        _put(self.lost, fmt.count(self._lost))
         if self.counted.text() != counted:
             self.counted.show_text(counted)
         _put(self.paused, paused)
@@ -267,7 +273,7 @@ class BusSummary(Translated, QWidget):
                 "{count} frames were lost before the program could read them: the computer is too "
                 "busy, or the adapter too slow. What is shown is not all that was on the bus."
             )
-            found.append(text.format(count=self._lost))
+            found.append(text.format(count=fmt.count(self._lost)))
         if load is not None and load >= _BUSY_PERCENT:
             found.append(
                 self.tr("The bus is nearly full: frames of low rank come late. Have less sent.")
@@ -278,7 +284,11 @@ class BusSummary(Translated, QWidget):
                 "identifiers beyond the first {rows}."
             )
             rows = len(snapshot.rows)
-            found.append(text.format(late=snapshot.left_out, more=snapshot.beyond, rows=rows))
+            found.append(
+                text.format(
+                    late=fmt.count(snapshot.left_out), more=fmt.count(snapshot.beyond), rows=rows
+                )
+            )
         trouble = " ".join(found), level
         if trouble != self._trouble:
             self._trouble = trouble
@@ -359,7 +369,7 @@ class BusPage(Page):
         self._views = QStackedWidget()
         self._views.addWidget(self.tree)
         self._views.addWidget(self.trace)
-        self.send_box = SendBox(controller)
+        self.send_box = SendBox(controller, self._texts)
         self._timer = SeenTimer(self, LOOK_MS, self.look)
         self._soon = QTimer(self, interval=_SOON_MS, singleShot=True)
         self._lay_out()
@@ -483,7 +493,8 @@ class BusPage(Page):
             return
         text = self.tr("Counted since {time}, when opened or cleared: {count} frames")
         counted = text.format(
-            time=self._clock_text(snapshot.since_s).partition(".")[0], count=snapshot.frames
+            time=self._clock_text(snapshot.since_s).partition(".")[0],
+            count=fmt.count(snapshot.frames),
         )
         paused = ""
         if self._standing is not None:

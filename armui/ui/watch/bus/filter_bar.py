@@ -133,7 +133,7 @@ class FilterBar(Translated, QWidget):
 
     def _name_pause(self) -> None:
         going = not self.pause.isChecked()
-        self.pause.setText(self.tr("Pause") if going else self.tr("Go on"))
+        self.pause.setText(self.tr("Pause") if going else self.tr("Live"))
         self.pause.setShortcut(QKeySequence(keys_of("bus.pause")))  # other text takes it away
 
     def retranslate_ui(self) -> None:

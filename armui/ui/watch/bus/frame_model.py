@@ -11,7 +11,7 @@ from PySide6.QtCore import QAbstractItemModel, QModelIndex, QObject, Qt
 from PySide6.QtCore import QCoreApplication as App
 
 from armui.control.safety.hand_frame import command_id
-from armui.protocol.codec import Codec, Message
+from armui.protocol.codec import Codec, InvalidFrame, Message
 from armui.protocol.frame import Frame, FrameFlag
 from armui.telemetry.bus_errors import errors_of
 from armui.telemetry.bus_senders import Sender
@@ -32,8 +32,8 @@ if TYPE_CHECKING:
 LIT_S: Final = 1.0
 """So long a byte that has changed stays lit."""
 
-ID, NAME, SENDER, DATA, RATE, JITTER, COUNT, LAST = range(8)
-COLUMNS: Final = 8
+ID, NAME, SENDER, DATA, SAYS, RATE, JITTER, COUNT, LAST = range(9)
+COLUMNS: Final = 9
 _RIGHT: Final = frozenset({RATE, JITTER, COUNT})
 _OTHERS: Final = frozenset({Sender.OTHER, Sender.OTHER_ARM})
 _LEADER: Final = frozenset({0x151, 0x155, 0x156, 0x157, 0x159})
@@ -136,6 +136,18 @@ class FrameTexts:
             if name in message.signals
         ]
 
+    def describe(self, frame: Frame) -> str:
+        """What a frame to be sent means: its name and what it says, or why it is malformed."""
+        codec, name = self.codec, self.name(frame.arbitration_id, 0)
+        decoded = None if codec is None else codec.decode(frame)
+        if codec is None or codec.layout(frame.arbitration_id) is None:
+            return name
+        says = signals_text(self.signals(frame.arbitration_id, 0, frame.data, Sender.OWN))
+        if isinstance(decoded, InvalidFrame):
+            why = frames.why_invalid(decoded, len(frame.data), codec)
+            says = f"{why}   {says}".rstrip()
+        return f"{name}: {says}" if says else name
+
     def trouble(self, row: FrameRow) -> str:
         """Why frames of a row do not follow the protocol; "" if all of them do."""
         if row.flags & FrameFlag.ERROR:
@@ -145,6 +157,11 @@ class FrameTexts:
         if self.codec is None or row.flags or self.codec.layout(row.arbitration_id) is None:
             return frames.frame_kind(row.arbitration_id, row.flags, self.codec)
         return frames.why_invalid(row.invalid, row.invalid_length, self.codec)
+
+
+def signals_text(signals: Sequence[SignalText]) -> str:
+    """What a frame says, in one line."""
+    return "   ".join(f"{each.name} {each.value}" for each in signals)
 
 
 def _spoken(codec: Codec | None) -> tuple[Generation, Addressing, FirmwareVersion | None] | None:
@@ -161,7 +178,7 @@ class _Node:
         details: How many rows are below it.
     """
 
-    __slots__ = ("_read", "_signals", "details", "place", "row")
+    __slots__ = ("_read", "_says", "_signals", "details", "place", "row")
 
     def __init__(self, row: FrameRow) -> None:
         self.row = row
@@ -169,14 +186,22 @@ class _Node:
         self.details = 0
         self._read: FrameRow | None = None
         self._signals: list[SignalText] = []
+        self._says: str | None = None
 
     def signals(self, texts: FrameTexts) -> list[SignalText]:
         """Decoded once for each payload."""
         row = self.row
         if self._read is None or self._read is not row:
             self._signals = texts.signals(row.arbitration_id, row.flags, row.data, row.sender)
-            self._read = row
+            self._read, self._says = row, None
         return self._signals
+
+    def says(self, texts: FrameTexts) -> str:
+        """What the frame says, in one line; made for rows that are looked at."""
+        signals = self.signals(texts)
+        if self._says is None:
+            self._says = signals_text(signals)
+        return self._says
 
     def forget(self) -> None:
         """It is read in other words."""
@@ -352,8 +377,10 @@ class FrameModel(QAbstractItemModel):
 
     def _tip(self, index: Index) -> str:
         if not index.internalId():
-            row = self._node(index).row
-            return self._texts.trouble(row) or self._texts.words(row)
+            node = self._node(index)
+            if index.column() == SAYS:
+                return "\n".join(f"{e.name}: {e.value}" for e in node.signals(self._texts))
+            return self._texts.trouble(node.row) or self._texts.words(node.row)
         if index.column() == ID and self._key(index) is not None:
             return App.translate("BusMonitor", "Show as curve")
         return self.cells(index)[index.column()].text
@@ -370,6 +397,7 @@ class FrameModel(QAbstractItemModel):
             for column in range(COLUMNS)
         ]
         cells[DATA] = Cell("", tones[DATA], payload=self._payload(row))
+        cells[SAYS] = Cell(node.says(self._texts), tones[SAYS])
         return cells
 
     def _payload(self, row: FrameRow) -> Payload:
@@ -395,10 +423,10 @@ class FrameModel(QAbstractItemModel):
             return texts.name(row.arbitration_id, row.flags)
         if column == SENDER:
             return texts.sender(row.sender, row.arbitration_id)
-        if column == DATA:
+        if column in {DATA, SAYS}:
             return ""
         if column == COUNT:
-            return str(row.count)
+            return fmt.count(row.count)
         if column == LAST:
             return self._clock_text(row.last_s)
         return self._timing(row, column)
@@ -427,7 +455,7 @@ class FrameModel(QAbstractItemModel):
         signals = node.signals(self._texts)
         if place < len(signals):
             cells[NAME] = Cell(signals[place].name)
-            cells[DATA] = Cell(signals[place].value)
+            cells[SAYS] = Cell(signals[place].value)
             return cells
         cells[NAME] = Cell(self._texts.trouble(node.row), Tone.TROUBLE)
         if node.row.invalid_count:
@@ -449,6 +477,7 @@ def _headers() -> tuple[str, ...]:
         App.translate("BusMonitor", "Message"),
         App.translate("BusMonitor", "Sender"),
         App.translate("BusMonitor", "Data"),
+        App.translate("BusMonitor", "Says"),
         App.translate("BusMonitor", "Rate, Hz"),
         App.translate("BusMonitor", "Jitter, ms"),
         App.translate("BusMonitor", "Count"),
@@ -465,6 +494,7 @@ def _header_tips() -> tuple[str, ...]:
             "By the identifier: what is not this program's and no arm sends is another host's",
         ),
         App.translate("BusMonitor", "Bytes that have changed within the last second are lit"),
+        App.translate("BusMonitor", "What the last frame said, in physical units"),
         App.translate("BusMonitor", "Over the last 3 s, and at least 8 cycles"),
         App.translate(
             "BusMonitor",

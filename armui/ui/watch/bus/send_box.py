@@ -17,7 +17,7 @@ from armui.ui.widgets.buttons import named, push_button
 from armui.ui.widgets.hold_button import HoldButton
 from armui.ui.widgets.layouts import in_column, in_row
 from armui.ui.widgets.message_line import MessageLine
-from armui.ui.widgets.text_label import ElidedLabel
+from armui.ui.widgets.text_label import ElidedLabel, text_label
 from armui.ui.widgets.translated import Translated
 from armui.ui.words.frames import frame_effect
 
@@ -26,6 +26,7 @@ if TYPE_CHECKING:
 
     from armui.control.arm_controller import ArmController
     from armui.control.operating_state import OperatingState
+    from armui.ui.watch.bus.frame_model import FrameTexts
 
 UNLOCKED_MS: Final = 60_000
 """So long after the last frame it locks by itself."""
@@ -43,11 +44,13 @@ class SendBox(Translated, QWidget):
 
     Args:
         controller: Sends.
+        texts: Puts the frame that is typed into words.
     """
 
-    def __init__(self, controller: ArmController) -> None:
+    def __init__(self, controller: ArmController, texts: FrameTexts) -> None:
         super().__init__()
         self._controller = controller
+        self._texts = texts
         self._pressed: Frame | None = None
         self._sent = ""
         self.unlock = named("bus_unlock", HoldButton(controller))
@@ -67,6 +70,7 @@ class SendBox(Translated, QWidget):
         self.hold = named("bus_hold_to_send", HoldButton(controller))
         self._hint = named("bus_send_hint", ElidedLabel())
         self._hint.setProperty("rank", "muted")
+        self.decoded = text_label("bus_send_decoded", wraps=True, plain=True)
         self.message = named("bus_send_message", MessageLine())
         self._timer = QTimer(self, singleShot=True, interval=UNLOCKED_MS)
         self._timer.timeout.connect(self.close_lock)
@@ -92,7 +96,7 @@ class SendBox(Translated, QWidget):
             self.lock,
             spacing=8,
         )
-        in_column(row, self.message, on=self, spacing=6, margins=0)
+        in_column(row, self.decoded, self.message, on=self, spacing=6, margins=0)
 
     # The lock ---------------------------------------------------------------------------------
 
@@ -181,7 +185,11 @@ class SendBox(Translated, QWidget):
         self.send.setEnabled(may)
         self.hold.setEnabled(may)
         self.message.setVisible(is_open)
+        self.decoded.setVisible(is_open)
         if is_open:
+            means = self._texts.describe(frame) if isinstance(frame, Frame) else ""
+            if means != self.decoded.text():
+                self.decoded.setText(means)
             text, level = self._says(frame, why_not)
             if text != self.message.text():
                 self.message.show_message(text, level)

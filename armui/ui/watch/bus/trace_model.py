@@ -12,7 +12,7 @@ from armui.protocol.frame import FrameFlag
 from armui.telemetry.bus_senders import Sender
 from armui.telemetry.bus_trace import TracedFrame, TraceSnapshot
 from armui.ui.watch.bus.cells import Cell, Payload, Tone
-from armui.ui.watch.bus.frame_model import FrameTexts
+from armui.ui.watch.bus.frame_model import FrameTexts, signals_text
 from armui.ui.widgets.table_model import LEFT, Index, TableModel
 from armui.ui.words import frames
 
@@ -120,7 +120,7 @@ class TraceModel(TableModel):
                 Tone.NOTE if sender in _OTHERS else Tone.PLAIN,
             ),
             Cell(payload=Payload(frame.data, frame.changed)),
-            Cell("   ".join(f"{each.name} {each.value}" for each in signals)),
+            Cell(signals_text(signals)),
         ]
 
     def _frame(self, place: int) -> TracedFrame:

@@ -16,6 +16,7 @@ from armui.arm.refusal import Refusal
 from armui.system.atomic import write_whole
 from armui.telemetry.event_json import to_json
 from armui.telemetry.events import Asker, EventEntry, EventKind, Level
+from armui.ui import format as fmt
 from armui.ui import words
 from armui.ui.background import Job
 from armui.ui.dialogs.files import FileExport
@@ -207,7 +208,7 @@ class EventBar(Translated, QWidget):
 
     def show_count(self, shown: int, kept: int) -> None:
         """Say how many there are."""
-        text = self.tr("{shown} of {kept}").format(shown=f"{shown:,}", kept=f"{kept:,}")
+        text = self.tr("{shown} of {kept}").format(shown=fmt.count(shown), kept=fmt.count(kept))
         if self.count.text() != text:
             self.count.setText(text)
 

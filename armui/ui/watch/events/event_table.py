@@ -51,7 +51,7 @@ _TITLES: Final = Texts("EventTable") | {
 }
 _GOOD: Final = "✓"
 _BAD: Final = "✗"
-_CUT: Final = "–"
+_CUT: Final = "⚠"
 
 
 def column_title(column: EventColumn) -> str:

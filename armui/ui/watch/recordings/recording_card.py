@@ -77,11 +77,6 @@ def size_text(count: int) -> str:
     return f"{count / 1e6:.1f} MB" if count < 1e9 else f"{count / 1e9:.2f} GB"
 
 
-def count_text(number: int) -> str:
-    """A number of things, its digits in groups of three."""
-    return f"{number:,}".replace(",", "\u202f")
-
-
 def moment_text(unix_s: float) -> str:
     """A local time, to the second; of 0, which stands for one that nobody knows, none."""
     at = local_time(unix_s) if unix_s else None
@@ -203,7 +198,7 @@ class RingCard(Translated, QFrame):
             self.tr("{length} of {minutes} minutes · {frames} frames").format(
                 length=length_text(ring.span_s),
                 minutes=round(KEPT_S / 60),
-                frames=count_text(ring.frames),
+                frames=fmt.count(ring.frames),
             )
         )
         self.memory_label.setText(
@@ -354,12 +349,12 @@ class RecordingCard(Translated, QFrame):
             self._before = progress.elapsed_s, progress.total_bytes
         text = self.tr("{length} · {frames} frames · {size} · {rate}/s").format(
             length=length_text(progress.elapsed_s),
-            frames=count_text(progress.frames),
+            frames=fmt.count(progress.frames),
             size=size_text(progress.total_bytes),
             rate=size_text(round(self._rate)),
         )
         if progress.lost:
-            text += " · " + self.tr("{count} lost").format(count=count_text(progress.lost))
+            text += " · " + self.tr("{count} lost").format(count=fmt.count(progress.lost))
         return text
 
     def _show_button(self, *, recording: bool) -> None:

@@ -16,6 +16,7 @@ from armui.control.operating_state import LinkState
 from armui.session.reader import SUFFIXES
 from armui.session.session import KeepsCounts
 from armui.system.helper_process import HelperProcess
+from armui.ui import format as fmt
 from armui.ui import words
 from armui.ui.background import Job
 from armui.ui.dialogs.base import ArmDialog
@@ -244,7 +245,7 @@ class ReplayWindow(ArmDialog):
             self.progress.setValue(round(1000 * share))
         text = self.tr("Reading {name}: {count} frames so far")
         name = "" if self._path is None else self._path.name
-        self._hint.setText(text.format(name=name, count=f"{progress.frames:,}"))
+        self._hint.setText(text.format(name=name, count=fmt.count(progress.frames)))
 
     def _on_cancel(self) -> None:
         self._leave()
@@ -334,19 +335,19 @@ class ReplayWindow(ArmDialog):
         parts = []
         if session.damage_count:
             text = self.tr("{count} places of the log could not be read; the rest is shown.")
-            parts.append(text.format(count=f"{session.damage_count:,}"))
+            parts.append(text.format(count=fmt.count(session.damage_count)))
         if session.reversed_times:
             text = self.tr("{count} frames had a time before the one in front of them: put right.")
-            parts.append(text.format(count=f"{session.reversed_times:,}"))
+            parts.append(text.format(count=fmt.count(session.reversed_times)))
         cut = getattr(session, "cut", "")
         if cut == "frames":
             text = self.tr("The log is longer: only its first {count} frames are shown.")
-            parts.append(text.format(count=f"{session.frames:,}"))
+            parts.append(text.format(count=fmt.count(session.frames)))
         elif cut == "disk":
             text = self.tr(
                 "The disk for temporary files is full: only the first {count} frames are shown."
             )
-            parts.append(text.format(count=f"{session.frames:,}"))
+            parts.append(text.format(count=fmt.count(session.frames)))
         own = self._surveys[0]
         if not own.arm_ids:
             parts.append(self.tr("Nothing in it comes from an arm of this kind."))
