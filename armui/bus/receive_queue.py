@@ -51,7 +51,7 @@ class ReceiveQueue:
         return self._of_earlier + self._by_kernel + self._by_adapter
 
     def attach(self, bus: can.BusABC) -> None:
-        """A device was opened."""
+        """Watch the queue of a device that was opened."""
         self.detach()
         self._socket = _socket_of(bus)
         if self._socket is not None:
@@ -80,7 +80,7 @@ class ReceiveQueue:
 
 
 def _socket_of(bus: can.BusABC) -> socket.socket | None:
-    """A second handle on the bus's socket; ``None``: it has none, or the system tells nothing."""
+    """Return a second handle on the bus's socket; ``None``: there is none to ask."""
     system: str = sys.platform  # its type: checked for every system
     if system != "linux":
         return None

@@ -170,7 +170,7 @@ class ArmController(ControllerParts):
 
     @staticmethod
     def interfaces() -> list[str]:
-        """The back-ends python-can knows on this computer."""
+        """Return the back-ends python-can knows on this computer."""
         from armui.bus.adapters import interfaces  # noqa: PLC0415 - loaded when asked for
 
         return interfaces()
@@ -234,7 +234,7 @@ class ArmController(ControllerParts):
         self._parts.attempt("Assessor", self._refresh)
 
     def withdraw_stop(self) -> None:
-        """A stop that the arm has not confirmed is wanted no more."""
+        """Withdraw a stop that the arm has not confirmed."""
         self._stop.withdraw()
         self._refresh()
 

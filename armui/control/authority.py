@@ -179,20 +179,20 @@ class Authority:
         return Mover.NOBODY if self.at_rest else Mover.UNKNOWN
 
     def why_not(self) -> Refusal | None:
-        """The reason against any motion frame of ours now, or ``None``."""
+        """Return the reason against any motion frame of ours now, or ``None``."""
         return self.why_not_ours() or self.why_held()
 
     def why_not_ours(self) -> Refusal | None:
-        """The same, but for a motion of ours that is held back in the arm."""
+        """As :meth:`why_not`, but for a motion of ours that is held back in the arm."""
         failed = PART_FAILED() if self.failed else None
         return failed or self.why_silent() or self.other.why_not()
 
     def why_silent(self) -> Refusal | None:
-        """The feedback that a motion counts on and that is not heard, or ``None``."""
+        """Return the feedback that a motion counts on and that is not heard, or ``None``."""
         return self._silent
 
     def why_held(self) -> Refusal | None:
-        """The motion that is held back in the arm, as a reason against another one."""
+        """Return the motion that is held back in the arm, as a reason against another one."""
         return why_held(self.holds)
 
     @property
@@ -201,7 +201,7 @@ class Authority:
         return self.command.joints_deg if self.holds and self.command is not None else None
 
     def joint_base_deg(self) -> tuple[float, ...] | None:
-        """Six angles a step or a jog of a joint starts from; ``None``: they are not known.
+        """Return six angles a step or a jog of a joint starts from; ``None``: they are not known.
 
         Our own target while it is the last command and the arm is on its way or there, so that
         steps add up and a sagging arm does not creep; otherwise where the arm is measured.
@@ -212,7 +212,7 @@ class Authority:
         return command.joints_deg
 
     def measured_deg(self) -> tuple[float, ...] | None:
-        """Six angles to set out from; ``None`` while they are not known well enough.
+        """Return six angles to set out from; ``None`` while they are not known well enough.
 
         Of a moving arm, angles that are no longer the newest tell where it was.
         """
@@ -226,11 +226,11 @@ class Authority:
         return None if late and not self.at_rest else seen.state.angles_deg()
 
     def tool_base(self) -> Matrix | None:
-        """The last target of the tool while it is ours, whether or not the tool is there."""
+        """Return the last target of the tool while it is ours, whether or not the tool is there."""
         return None if self.command is None else self.command.tool
 
     def lowers_speed(self, percent: float) -> bool:
-        """Whether a percentage is below the arm's, so that it must arrive before the target."""
+        """Tell whether a percentage is below the arm's: it must arrive before the target."""
         seen = self._seen
         status = None if seen is None else seen.state.status
         told = None if status is None else status.value.speed_percent
@@ -238,7 +238,7 @@ class Authority:
         return not known or percent < max(known)
 
     def mode_in_force(self) -> tuple[ControlMode, MoveMode] | None:
-        """The modes the arm is in: as reported, or as sent when it has had no time to report them.
+        """Return the arm's modes: as reported, or as sent while it had no time to report them.
 
         ``None`` where a mode word with them cannot be sent: nobody knows them, or somebody else
         has the command.
@@ -270,7 +270,7 @@ class Authority:
         pace: ToolPace | None = None,
         started: Started | None = None,
     ) -> MotionCommand:
-        """A new command of ours takes the place of whatever was before.
+        """Have a new command of ours take the place of whatever was before.
 
         Args:
             kind: What it is.
@@ -301,13 +301,13 @@ class Authority:
         return self.command
 
     def is_current(self, command: MotionCommand) -> bool:
-        """Whether a command is still the last one given to the arm."""
+        """Tell whether a command is still the last one given to the arm."""
         return self.command is not None and self.command.number == command.number
 
     def extend(
         self, command: MotionCommand, joints_deg: Sequence[float], now_s: float
     ) -> MotionCommand | None:
-        """The next setpoint of a stream; ``None`` if the command is not ours to go on with."""
+        """Take the next setpoint of a stream; ``None``: the command is not ours to go on with."""
         if not self.is_current(command):
             return None
         self.command = replace(command, joints_deg=tuple(joints_deg), sent_s=now_s)
@@ -350,13 +350,13 @@ class Authority:
             self.command = replace(self.command, sent_s=now_s)
 
     def cancelled(self, now_s: float) -> None:
-        """The arm was told to end its motion: what was asked for before never comes back."""
+        """Note that the arm was told to end its motion: what was asked before never comes back."""
         self._end(End.CANCELLED)
         self.holds = frozenset()
         self._cancelled_s, self.cancel_unheeded = now_s, False
 
     def end_command(self, reason: End) -> None:
-        """Ends our command: no step starts from its target any more."""
+        """End our command: no step starts from its target any more."""
         self._end(reason)
         if reason in {End.STOPPED, End.DISABLED, End.FORGOTTEN}:
             self.holds = frozenset()

@@ -90,7 +90,7 @@ class Context:
         report_and_tell(self.tell, self.clock(), started, code, **params)
 
     def why_no_motion(self) -> Refusal | None:
-        """The reason against a motion frame of ours by who moves the arm now, or ``None``.
+        """Return the reason against a motion frame of ours by who moves the arm now, or ``None``.
 
         The check that every motion frame passes: it judges by what is heard at this very moment,
         not by the controller's last tick.
@@ -153,7 +153,7 @@ class Context:
         return command
 
     def _pace(self, way: Sequence[Sequence[float]]) -> ToolPace:
-        """How fast a line or an arc is at 100 %, from where the joints are measured to stand."""
+        """Return how fast a line or an arc is at 100 %, from where the joints stand."""
         state = self.state()
         start_deg = None if self.authority.moves else state.angles_deg()
         return tool_pace(way, start_deg, planning_model(state, self.operating_state()))
@@ -209,7 +209,7 @@ class Context:
         )
 
     def why_unknown(self) -> Refusal | None:
-        """Why the arm cannot be asked: it is not there, or its protocol is not known yet."""
+        """Tell why the arm cannot be asked: it is not there, or its protocol is not known yet."""
         connection = self.connection
         refusal = why_unreachable(connection.link, connection.device)
         if refusal is None and connection.generation is None:
@@ -228,7 +228,7 @@ class ControllerPart:
         """Look at what was heard and move on; called at each tick while a device is open."""
 
     def halt(self) -> None:
-        """An emergency stop was asked for, or the arm has stopped: give up what would move it."""
+        """Give up what would move the arm: a stop was asked for, or the arm has stopped."""
 
     def forget_arm(self) -> None:
-        """The arm is gone, lost or disconnected on purpose: no answer will come."""
+        """Await nothing more: the arm is gone, lost or disconnected on purpose."""

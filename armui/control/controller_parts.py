@@ -214,7 +214,7 @@ class ControllerParts(QObject):
         return recorder
 
     def on_sessions_chosen(self) -> None:
-        """The operator has chosen otherwise how and where sessions are recorded."""
+        """Take over how and where the operator wants sessions to be recorded."""
         if self.session_choices is not None and "sessions" in vars(self):
             self.sessions.choose(self.session_choices())
 
@@ -240,7 +240,7 @@ class ControllerParts(QObject):
         return DroppedFrames(self._context)
 
     def _all_parts(self) -> tuple[ControllerPart, ...]:
-        """Those that follow an arm, in the order in which they act; but recovery, which is last."""
+        """Return those that follow an arm, in the order in which they act; recovery is last."""
         return (
             self.motors,
             self.motion,

@@ -236,7 +236,7 @@ class MotionEnd:
         self._controller.gripper.end_travel()
 
     def _reason(self) -> Refusal:
-        """Why something ends; after a stop the arm is told nothing more."""
+        """Tell why something ends; after a stop the arm is told nothing more."""
         stopped = self._stopping()
         return Refusal(RUN_STOPPED if stopped else self._code)
 

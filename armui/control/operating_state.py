@@ -62,14 +62,14 @@ class LinkState(enum.Enum):
 
 
 def why_only_heard(device: Device | None) -> Refusal | None:
-    """The reason why an arm that is heard is not spoken to, or ``None``: it may be."""
+    """Return the reason why an arm that is heard is not spoken to, or ``None``: it may be."""
     if device is None or not device.listen_only:
         return None
     return Refusal(LISTEN_ONLY if device.recorded is None else REPLAYED_LOG)
 
 
 def why_unreachable(link: LinkState, device: Device | None = None) -> Refusal | None:
-    """The reason against sending anything at all: no arm is heard, or it is only listened to.
+    """Tell why nothing at all can be sent: no arm is heard, or it is only listened to.
 
     Args:
         link: How the program stands to its arm.

@@ -92,7 +92,7 @@ def marks_of(frames: LogFrames, generation: Generation) -> list[SessionMark]:
 
 
 def marked_ids(generation: Generation) -> tuple[frozenset[int], frozenset[int]]:
-    """The identifiers that marks are found in: of every frame, and of those heard at all."""
+    """Return the identifiers that marks are found in: of every frame, and of those heard at all."""
     names = {"ArmStatus", "MotionCommand", "MotorEnable", *_TARGETS, *_DRIVERS}
     every, heard = set(), set()
     for offset in OFFSETS:
@@ -208,7 +208,7 @@ class _Finder:
         kind: MarkKind,
         **entry: object,
     ) -> Iterator[SessionMark]:
-        """Where streams of commands begin."""
+        """Return where streams of commands begin."""
         for place in _bursts(times_s, np.flatnonzero(which)):
             yield self._mark(times_s, place, None, kind, **entry)
 
@@ -247,7 +247,7 @@ def _runs(values: NDArray[Any]) -> Iterator[tuple[int, int, int]]:
 
 
 def _bursts(times_s: NDArray[np.float64], places: NDArray[np.int64]) -> list[int]:
-    """Where streams of commands begin."""
+    """Return where streams of commands begin."""
     if places.size == 0:
         return []
     began = np.diff(times_s[places], prepend=-np.inf) > _BURST_S

@@ -40,7 +40,7 @@ class Mf4ProcessError(Exception):
 
 
 def rows_of(path: Path) -> Generator[Rows]:
-    """The frames of a file; the first answer is empty, once it is opened.
+    """Return the frames of a file; the first answer is empty, once it is opened.
 
     Raises:
         Mf4ProcessError: It cannot be read from here on.
@@ -60,7 +60,7 @@ def rows_of(path: Path) -> Generator[Rows]:
 
 
 def _answer(ours: Connection) -> Rows | None:
-    """What the process has read; ``None``: that was all."""
+    """Return what the process has read; ``None``: that was all."""
     if not ours.poll(_ANSWERS_WITHIN_S):
         raise Mf4ProcessError(f"asammdf reads nothing more within {_ANSWERS_WITHIN_S:g} s")
     try:

@@ -87,7 +87,7 @@ class Session(Protocol):
     def reversed_times(self) -> int: ...  # noqa: D102 - said above
 
     def frames_between(self, t0_s: float, t1_s: float) -> Iterator[FrameBatch]:
-        """The frames with t0_s <= time < t1_s, in the order of time.
+        """Return the frames with t0_s <= time < t1_s, in the order of time.
 
         A batch's `first` is the number of its first frame within the whole session.
         """

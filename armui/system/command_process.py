@@ -14,7 +14,7 @@ _END_S: Final = 10.0
 
 
 def this_program() -> list[str]:
-    """How this program is started once more; the name of a command follows.
+    """Return how this program is started once more; the name of a command follows.
 
     A packaged program is its own interpreter, and knows none of an interpreter's options.
     """
@@ -58,7 +58,7 @@ class CommandProcess:
                 self._process.kill()
 
     def wait(self, within_s: float = _END_S) -> bool:
-        """Whether it has ended and was listened to, after a time at most."""
+        """Tell whether it has ended and was listened to, after a time at most."""
         self._thread.join(within_s)
         return not self._thread.is_alive()
 

@@ -96,7 +96,7 @@ def pack(value: object, folder: Path) -> Packed:
 
 
 def unpack(packed: Packed) -> Any:
-    """The value. Changes of its arrays are seen by nobody else.
+    """Return the value. Changes of its arrays are seen by nobody else.
 
     Raises:
         OSError: The file of its large arrays is gone.

@@ -62,14 +62,14 @@ class HudValues:
 
 
 def hud_font(base: QFont) -> QFont:
-    """The figures' font: all digits equally wide, so that nothing dances at 60 Hz."""
+    """Return the figures' font: all digits equally wide, so that nothing dances at 60 Hz."""
     font = QFont(base)
     font.setFeature(QFont.Tag("tnum"), 1)
     return font
 
 
 def figures(values: Sequence[float] | None) -> list[str]:
-    """Six figures with three decimals, or six dashes."""
+    """Return six figures with three decimals, or six dashes."""
     if values is None:
         return [_NOT_HEARD] * 6
     # Adding zero turns the "-0.000" of tiny negative values into "0.000".
@@ -94,7 +94,7 @@ class Hud:
         self._figures_end_px = self._column_px = 0.0
 
     def frame(self, base_font: QFont) -> QRectF:
-        """The rectangle the figures take, at the top left."""
+        """Return the rectangle the figures take, at the top left."""
         if self._base_font != base_font:
             self._measure(base_font)
         metrics = self._metrics
@@ -138,7 +138,7 @@ class Hud:
         painter.restore()
 
     def quantity_at(self, place: QPointF, base_font: QFont) -> str | None:
-        """The key of the figure at a place; ``None`` where there is none."""
+        """Return the key of the figure at a place; ``None`` where there is none."""
         frame = self.frame(base_font)
         if not frame.contains(place):
             return None

@@ -74,7 +74,7 @@ class Sign:
 def tags(
     path: PathPicture, projection: Projection, first: frozenset[int] = frozenset()
 ) -> list[Tag]:
-    """The numbers that can be read.
+    """Return the numbers that can be read.
 
     Args:
         path: Its points.
@@ -101,7 +101,7 @@ def tags(
 
 
 def signs(path: PathPicture, projection: Projection) -> list[Sign]:
-    """The findings, errors last, so that they lie on top.
+    """Return the findings, errors last, so that they lie on top.
 
     One that happens outside of the picture stands at its rim, where one would have to look for it.
     """
@@ -121,7 +121,7 @@ def signs(path: PathPicture, projection: Projection) -> list[Sign]:
 def finding_at(
     path: PathPicture, projection: Projection, x_px: float, y_px: float
 ) -> FindingMark | None:
-    """The finding whose sign is at a pixel; of several the one that matters most."""
+    """Return the finding whose sign is at a pixel; of several the one that matters most."""
     near = [
         sign
         for sign in signs(path, projection)
@@ -218,7 +218,7 @@ class PathOverlay:
 
     @staticmethod
     def finding_at(preview: Preview, projection: Projection, at: QPointF) -> FindingMark | None:
-        """The finding whose sign is at a place of the widget."""
+        """Return the finding whose sign is at a place of the widget."""
         path = preview.path
         if path is None or not path.findings:
             return None

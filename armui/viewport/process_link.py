@@ -186,7 +186,7 @@ class ChildProcess:
             limit.cancel()
 
     def receive(self, limit_s: float) -> Answer | None:
-        """The next message; None: there was none within the limit.
+        """Return the next message; None: there was none within the limit.
 
         Raises:
             EOFError, OSError: the process has ended.
@@ -494,7 +494,7 @@ class RenderSession:
             self._robots[read] = content
 
     def _unasked(self, state: ViewState) -> ViewState:
-        """The state without questions that an earlier process was asked."""
+        """Return the state without questions that an earlier process was asked."""
 
         def fresh(question: PickRequest | None) -> PickRequest | None:
             if question is None or question.serial <= self._answered_serial:
@@ -505,7 +505,7 @@ class RenderSession:
         return replace(state, pick=fresh(state.pick), mark_pick=fresh(state.mark_pick))
 
     def _receive(self) -> Answer | None:
-        """The next message; None: it hangs, for it is silent though it had its turns."""
+        """Return the next message; None: it hangs, for it is silent though it had its turns."""
         message = self._child.receive(LIMITS[self.phase].silent_s)
         if message is not None:
             return message
@@ -526,7 +526,7 @@ class RenderSession:
         return {each: had for each, had in turns.items() if each != self._heartbeat_thread}
 
     def _await(self, kind: type[A]) -> A:
-        """The next answer of a kind; what comes before it is told, or noted."""
+        """Return the next answer of a kind; what comes before it is told, or noted."""
         since_s = looked_s = time.monotonic()
         turns: dict[int, ThreadTurns] = {}
         while True:

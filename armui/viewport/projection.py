@@ -23,7 +23,7 @@ class Ray:
     direction: Vector
 
     def at(self, distance_m: float) -> Vector:
-        """The place so far along it."""
+        """Return the place so far along it."""
         return plus(self.start_m, self.direction, distance_m)
 
 
@@ -60,7 +60,7 @@ class Projection:
         return self.scale_px(self.relative(place_m)[2]) or 0.0
 
     def ray(self, x_px: float, y_px: float) -> Ray:
-        """The line of everything that is seen at a pixel."""
+        """Return the line of everything that is seen at a pixel."""
         across = (x_px - self.width_px / 2.0) / self._size_px
         up = (self.height_px / 2.0 - y_px) / self._size_px
         camera = self.camera

@@ -541,7 +541,7 @@ class ArmView(QWidget):
         self._again_button.setText(QCoreApplication.translate("ArmView", "Start the 3D view again"))
 
     def quantities_at(self, place: QPoint) -> list[str]:
-        """The key of the figure at a place; see `armui.telemetry.quantities`."""
+        """Return the key of the figure at a place; see `armui.telemetry.quantities`."""
         key = self._hud_painter.quantity_at(QPointF(place), self.font())
         return [] if key is None else [key]
 

@@ -126,14 +126,14 @@ class LogWorker(QThread):
         keep_s: float | None = None,  # noqa: ARG002
         command: int | None = None,  # noqa: ARG002
     ) -> bool:
-        """Nothing can be sent to a log: always false."""
+        """Return false: nothing can be sent to a log."""
         return False
 
     def void(self, newest: int) -> None:
-        """Nothing waits."""
+        """Do nothing: no frame waits."""
 
     def send_urgent(self, frames: Sequence[Frame]) -> bool:  # noqa: ARG002 - as a bus worker
-        """Nothing can be sent to a log: always false."""
+        """Return false: nothing can be sent to a log."""
         return False
 
     def set_listeners(self, listeners: Sequence[Listener]) -> None:

@@ -158,7 +158,7 @@ class GripperControl(ControllerPart):
         return self.by_angle and self.why_no_angle() is None
 
     def why_no_angle(self) -> Refusal | None:
-        """Why this arm's gripper cannot be told an angle in the place of an opening."""
+        """Tell why this arm's gripper cannot be told an angle in the place of an opening."""
         generation = self._context.connection.generation
         if generation is None:
             return GENERATION_UNKNOWN()
@@ -328,7 +328,7 @@ class GripperControl(ControllerPart):
         self._request.advance()
 
     def note_travel(self, target: float, effort: float) -> None:
-        """A run has sent it there; it is to be known whether it moves when the run is ended."""
+        """Note where a run has sent it: whether it moves must be known when the run is ended."""
         heard = self._heard()
         if heard is not None:
             now_s = self._context.clock()
@@ -403,7 +403,7 @@ class GripperControl(ControllerPart):
             context.connection.send(here)
 
     def halt(self) -> None:
-        """The arm is to stop: nothing is sent again, nothing more is expected."""
+        """Send nothing again and expect nothing more: the arm is to stop."""
         self._drop_request()
 
     def forget_arm(self) -> None:

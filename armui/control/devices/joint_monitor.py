@@ -71,7 +71,7 @@ class JointMonitor(QObject):
         return list(self._faults)
 
     def cell(self, item: Item, joint: int) -> StatusCell:
-        """One cell of the table; all are stale while nothing is heard."""
+        """Return one cell of the table; all are stale while nothing is heard."""
         cell = self._history.cell(self._controller.state, self.generation, item, joint)
         if self._controller.operating_state.link is LinkState.ONLINE:
             return cell

@@ -98,7 +98,7 @@ class Lights:
 
 
 def check_light(**figures: int) -> Refusal | None:
-    """Whether figures may be sent to a lamp: ``None``, or the first reason against it.
+    """Tell why figures may not be sent to a lamp; ``None``: they may.
 
     Args:
         **figures: Any of those in :data:`RANGES`.

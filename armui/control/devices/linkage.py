@@ -130,7 +130,7 @@ class LinkageControl(ControllerPart):
         return None
 
     def release(self) -> Refusal | None:
-        """The way back: a motion output arm without offsets (0xFC)."""
+        """Make the arm a motion output arm without offsets again (0xFC)."""
         return self.set(LinkageRole.MOTION_OUTPUT)
 
     def _on_finished(self, started: Started, role: LinkageRole, refusal: Refusal | None) -> None:
@@ -168,6 +168,6 @@ class LinkageControl(ControllerPart):
         self._context.close(self._started, Ending.DONE, in_use, feedback=feedback, control=command)
 
     def forget_arm(self) -> None:
-        """The next device begins without offsets."""
+        """Begin without offsets with the next device."""
         self._cut_off()
         self._used, self._was_known = _NO_OFFSET, True

@@ -123,7 +123,7 @@ class Motors(ControllerPart):
         self._context.close(self._started, ending, code, **figures)
 
     def halt(self) -> None:
-        """The arm is to stop: nothing is switched on any more."""
+        """Switch nothing on any more: the arm is to stop."""
         self._drop_request()
 
     def forget_arm(self) -> None:

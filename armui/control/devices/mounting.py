@@ -87,7 +87,7 @@ class MountingControl:
         return None
 
     def why_not(self, mounting: Mounting) -> Refusal | None:
-        """The reason against telling it now, or ``None``."""
+        """Return the reason against telling it now, or ``None``."""
         context = self._context
         return (
             why_not_mount(context.operating_state())
@@ -96,7 +96,7 @@ class MountingControl:
         )
 
     def why_not_by_firmware(self, mounting: Mounting) -> Refusal | None:
-        """The reason that lies in the arm's firmware against a mounting, or ``None``."""
+        """Return the reason that lies in the arm's firmware against a mounting, or ``None``."""
         if mounting is not Mounting.UPSIDE_DOWN:
             return None
         return why_not_by_firmware(self._context.state(), "has_upside_down")

@@ -89,7 +89,7 @@ class TeachingControl(ControllerPart):
         self._context.close(self._started, ending, code, command=int(command))
 
     def halt(self) -> None:
-        """A stop ends whatever was asked for."""
+        """Give up whatever was asked for: the arm is to stop."""
         self._drop_request()
 
     def forget_arm(self) -> None:

@@ -169,7 +169,7 @@ class GamepadPilot(QObject):
         return self._leaving is None or self._leaving.end()
 
     def buttons_of(self, info: DeviceInfo) -> Assignment:
-        """What the buttons of a device do."""
+        """Return what the buttons of a device do."""
         kept = None if self._settings is None else self._settings.gamepad_buttons.get(info.name)
         return assignment(info.kind, kept)
 

@@ -283,7 +283,7 @@ class Connection(QObject):
         return self.heard_traffic.joined(self._by_hand.traffic())
 
     def note_by_hand(self, frame: Frame) -> None:
-        """A frame that the operator wrote is about to be sent to this device."""
+        """Note that a frame the operator wrote is about to be sent to this device."""
         self._by_hand.note(frame.arbitration_id, frame.data, self._clock())
 
     def send(
@@ -339,11 +339,11 @@ class Connection(QObject):
             listener.know_generation(self.generation)
 
     def _understood(self, state: ArmState) -> ArmState:
-        """What can be told of the arm as long as it is not known which protocol it speaks."""
+        """Return what can be told of the arm while its protocol is not known."""
         return state if self.generation is not None else common_to_generations(state)
 
     def _another_answers(self, state: ArmState) -> bool:
-        """Whether an arm has said something else of itself than the one of the handshake."""
+        """Tell whether an arm has said something else of itself than the one of the handshake."""
         known = None if self.handshake is None else self.handshake.identity
         return (
             known is not None and state.identity is not None and known.contradicts(state.identity)

@@ -167,11 +167,11 @@ class Handshake:
         return _VERSION_ROUNDS if state.version_heard_s is None else _TORN_ROUNDS
 
     def _leads(self, state: ArmState, now_s: float) -> bool:
-        """Whether it is a teaching input that leads and tells no status."""
+        """Tell whether it is a teaching input that leads and tells no status."""
         return state.status is None and is_fresh(state.foreign_targets_s, now_s)
 
     def _speaks_fast(self, state: ArmState, now_s: float) -> bool:
-        """Whether an arm that must not be asked speaks as often as generation 2.
+        """Tell whether an arm that must not be asked speaks as often as generation 2.
 
         On a connection that only listens its silence says nothing.
         """

@@ -53,11 +53,11 @@ class LinkWatch:
             self._tell(code, **figures)
 
     def arm_came(self) -> None:
-        """The arm that answers may be another one: it is asked anew."""
+        """Tell its answers once more: the arm that came may be another one."""
         self._answers_told = False
 
     def reset(self) -> None:
-        """Another connection begins."""
+        """Take the arm for away: another connection begins."""
         self._was_online = False
 
 
@@ -84,5 +84,5 @@ class DroppedFrames(ControllerPart):
             self._told, self._told_s = dropped, now_s
 
     def forget_arm(self) -> None:
-        """The next device counts anew."""
+        """Count from 0: the next device counts anew."""
         self._told, self._told_s = 0, None

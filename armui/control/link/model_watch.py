@@ -49,7 +49,7 @@ class ModelWatch(ControllerPart):
         self._zeros: tuple[Device, PiperModel, bool] | None = None
 
     def fit(self) -> ModelFit:
-        """What is known of the model that was chosen."""
+        """Return what is known of the model that was chosen."""
         connection = self._context.connection
         arm = connection.device, connection.model
         older_zeros = self._zeros is not None and self._zeros == (*arm, True)

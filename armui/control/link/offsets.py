@@ -70,22 +70,22 @@ class OffsetFollower:
         return self.control_known and not moves_unseen
 
     def request(self, addressing: Addressing, now_s: float, *, ends_input: bool = False) -> None:
-        """Offsets have been sent to the arm: it may use them from now on, or later."""
+        """Note offsets that were sent to the arm: it may use them from now on, or later."""
         same = addressing == self.addressing and self.control_known
         requested = RequestedOffset(addressing, now_s, ends_input=ends_input)
         self.requested = None if same and self.requested is None else requested
 
     def answered(self, now_s: float) -> None:
-        """The arm has answered that it keeps what was sent to it last (0x476)."""
+        """Note that the arm keeps what was sent to it last: it has answered (0x476)."""
         if self.requested is not None:
             self.requested = replace(self.requested, answered_s=now_s)
 
     def listen_anew(self, now_s: float) -> None:
-        """What was heard before is forgotten: give the known feedback time to be heard again."""
+        """Give the known feedback time to be heard again, whatever was heard before."""
         self._listening_since_s = now_s
 
     def follow_arm(self, state: ArmState, now_s: float, *, came: bool) -> bool:
-        """Take in what was heard; whether other identifiers are in use from now on.
+        """Take in what was heard; tell whether other identifiers are in use from now on.
 
         Args:
             state: The arm as heard.

@@ -94,21 +94,21 @@ class Cartesian(ControllerPart):
         self.kinematics()
 
     def kinematics(self) -> Kinematics:
-        """Of the chosen model, with the zeros this arm counts from: as the picture shows it."""
+        """Return those of the chosen model, with the zeros this arm counts from."""
         geometry = self._context.operating_state().model_fit.geometry
         if self._model is None or self._model.geometry != geometry:
             self._model = Kinematics(geometry)
         return self._model
 
     def tool_pose(self, state: ArmState) -> Pose | None:
-        """Where the tool centre point is measured, or ``None`` while the pose is not known."""
+        """Return where the tool centre point is measured; ``None``: the pose is not known."""
         flange = state.end_pose()
         if flange is None:
             return None
         return poses.tool_pose(flange, self.tool) if any(self.tool) else poses.Pose(*flange)
 
     def why_unknown(self) -> Refusal | None:
-        """The reason against computing with poses: not heard, or not those of this kind of arm."""
+        """Tell why poses cannot be computed: not heard, or not those of this kind of arm."""
         state = self._context.state()
         if state.angles_deg() is None:
             return JOINTS_UNKNOWN()
@@ -122,7 +122,7 @@ class Cartesian(ControllerPart):
         return self._other_model(state) or MODEL_DIFFERS()
 
     def _other_model(self, state: ArmState) -> Refusal | None:
-        """That another model fits, as a reason."""
+        """Return as a reason that another model fits; ``None``: none does."""
         joints_deg, pose = state.angles_deg(), state.end_pose()
         if joints_deg is None or pose is None:
             return None
@@ -140,7 +140,7 @@ class Cartesian(ControllerPart):
     # Motions --------------------------------------------------------------------------------
 
     def check(self, target: Sequence[float], move_mode: MoveMode) -> Refusal | None:
-        """Whether the tool centre point can go from where it is to a pose.
+        """Tell whether the tool centre point can go from where it is to a pose.
 
         Args:
             target: X, Y, Z in mm and RX, RY, RZ in degrees.
@@ -222,7 +222,7 @@ class Cartesian(ControllerPart):
         return self._send(frames, MoveMode.MOVE_C, points[-1], code, {}, started=started, way=way)
 
     def check_arc(self, *points: Sequence[float]) -> Refusal | None:
-        """Whether the arm stands at the start of an arc and can follow it to its end."""
+        """Tell whether the arm stands at the start of an arc and can follow it to its end."""
         from armui.arm.reach import check_path  # noqa: PLC0415 - scipy
         from armui.kinematics.tool_path import Arc, ArcError  # noqa: PLC0415 - scipy
 
@@ -284,7 +284,7 @@ class Cartesian(ControllerPart):
         return None
 
     def _leads_away(self, target: Sequence[float]) -> bool:
-        """Whether the tool is measured elsewhere than at a pose."""
+        """Tell whether the tool is measured elsewhere than at a pose."""
         here = self.tool_pose(self._context.state())
         if here is None:
             return False
@@ -292,7 +292,7 @@ class Cartesian(ControllerPart):
         return off_mm > _AWAY_MM or off_deg > _ARRIVED_DEG
 
     def _base(self, measured: Matrix) -> Matrix:
-        """Where a step of the tool starts from."""
+        """Return where a step of the tool starts from."""
         authority = self._context.authority
         asked = authority.tool_base()
         if asked is None or authority.under_way:
@@ -305,5 +305,5 @@ class Cartesian(ControllerPart):
         return self._context.state().angles_deg() or _NO_TOOL
 
     def forget_arm(self) -> None:
-        """Nothing is known of an arm that is gone; another one may be of another geometry."""
+        """Forget the geometry of an arm that is gone; another one may have another."""
         self._model = None

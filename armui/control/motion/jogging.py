@@ -231,7 +231,7 @@ class Jogging(ControllerPart):
             self._go_on(hold, hold.stream, measured_deg, dt_s)
 
     def _is_replaced(self, hold: _Hold) -> bool:
-        """Whether a command that is not this jog's has been given since it began."""
+        """Tell whether a command that is not this jog's has been given since it began."""
         ours = self._context.authority.command
         if hold.command is not None:
             return ours is None or ours.number != hold.command.number
@@ -337,7 +337,7 @@ class Jogging(ControllerPart):
 
 
 def _why_blind(state: ArmState, dt_s: float, now_s: float) -> Refusal | None:
-    """Why the program cannot know where the arm is, or whether the operator still holds on."""
+    """Tell why the program cannot know where the arm is, or whether the operator still holds on."""
     if dt_s > _HELD_UP_S:
         return JOG_HELD_UP(value=round(1000 * dt_s))
     if any(heard is None or now_s - heard.at_s > _FEEDBACK_S for heard in state.joints_deg):
@@ -361,7 +361,7 @@ def _by_joints(jog: Jog) -> bool:
 
 
 def axes_text(jog: SteeredJog) -> str:
-    """The axes that move and their directions, as J1+ J3−."""
+    """Return the axes that move and their directions, as J1+ J3−."""
     names = tuple(f"J{joint}" for joint in JOINTS) if jog.frame is None else AXES
     moving = zip(names, jog.rates, strict=True)
     return " ".join(f"{name}{'+' if rate > 0 else '−'}" for name, rate in moving if rate)

@@ -133,7 +133,7 @@ class Motion(ControllerPart):
         return self._move(record_start(self.jog), target_deg, EventCode.JOGGED, **figures)
 
     def jog_lagging(self, joint: int, step_deg: float) -> bool:
-        """Whether the arm is so far behind that a held button should not step on."""
+        """Tell whether the arm is so far behind that a held button should not step on."""
         asked_deg, heard = self.setpoint_deg, self._context.state().joints_deg[joint - 1]
         if asked_deg is None or heard is None:
             return False

@@ -59,11 +59,11 @@ class SteeredToolPath(HeldToolPath):
         self._frame = frame
 
     def speed(self, pace: Pace) -> float:
-        """The present share of full speed."""
+        """Return the present share of full speed."""
         return pace.share
 
     def joints_at(self, gone: float, near_deg: Sequence[float]) -> tuple[float, ...] | Refusal:
-        """The solution nearest to ``near_deg``, or why there is none."""
+        """Return the solution nearest to ``near_deg``, or why there is none."""
         way_mm = [gone * each for each in self._mm_s]
         turn_deg = [gone * each for each in self._deg_s]
         return self._joints_of(moved(self._start, way_mm, turn_deg, self._frame), near_deg)

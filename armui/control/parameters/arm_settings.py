@@ -105,7 +105,7 @@ class ArmSettings(QObject, ControllerPart):
         return self._open > 0
 
     def cell(self, parameter: Parameter) -> SettingCellState:
-        """How a parameter stands."""
+        """Return how a parameter stands."""
         cell = self._cells.get(parameter, _UNREAD)
         if cell.state not in {CellState.READ, CellState.SAVED}:
             return cell
@@ -113,7 +113,7 @@ class ArmSettings(QObject, ControllerPart):
         return _UNREAD if heard(self._context.state(), parameter) is None else cell
 
     def everything(self) -> list[Batch] | Refusal:
-        """All that a backup holds of this arm, or why that is not known now."""
+        """Return all that a backup holds of this arm, or why that is not known now."""
         refusal = self._context.why_unknown()
         if refusal is not None:
             return refusal
@@ -123,7 +123,7 @@ class ArmSettings(QObject, ControllerPart):
         return list(all_batches(teaching=second, drag_assistance=assistance))
 
     def holds(self, parameter: Parameter, value: float) -> bool:
-        """Whether what the arm said last is a value, as far as its frames can tell the two apart.
+        """Tell whether the arm's last word is a value, as far as its frames can tell.
 
         Only while a device is open.
         """
@@ -134,7 +134,7 @@ class ArmSettings(QObject, ControllerPart):
         )
 
     def why_not_kept(self, batches: Iterable[Batch]) -> Refusal | None:
-        """Why this arm has no such parameters: its generation, or its firmware, has none."""
+        """Tell why this arm has no such parameters: its generation, or its firmware, has none."""
         generation = self._context.connection.generation
         groups = {batch.group for batch in batches}
         if generation is Generation.ONE and groups & _SECOND_ONLY:
@@ -230,7 +230,7 @@ class ArmSettings(QObject, ControllerPart):
     # How it is carried out --------------------------------------------------------------------
 
     def _codec(self) -> Codec | Refusal:
-        """What to speak, or why nothing can be set now."""
+        """Return what to speak, or why nothing can be set now."""
         refusal = why_no_settings(self._context.refresh()) or why_moving(self._context.state())
         return self._context.connection.codec if refusal is None else self._context.refuse(refusal)
 
@@ -293,7 +293,7 @@ class ArmSettings(QObject, ControllerPart):
         return None
 
     def _why_not_any_more(self) -> Refusal | None:
-        """What has come up since the press against setting parameters."""
+        """Return what has come up since the press against setting parameters."""
         return self._context.operating_state().occupied or why_moving(self._context.state())
 
     def _submit(self, *transactions: Transaction) -> None:

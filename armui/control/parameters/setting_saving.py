@@ -20,7 +20,7 @@ class Saves(Protocol):
         """Set parameters: ``None`` if they are on their way, or why nothing was sent."""
 
     def cell(self, parameter: Parameter) -> SettingCellState:
-        """How a parameter stands between the program and the arm."""
+        """Return how a parameter stands between the program and the arm."""
 
 
 class SettingSaving:
@@ -67,7 +67,7 @@ class SettingSaving:
         return refusal
 
     def ended(self) -> bool:
-        """Look at how the parameters stand; whether the saving has come to its end just now."""
+        """Look at how the parameters stand; tell whether the saving has just come to its end."""
         if not self._running or any(self._stands(each) is CellState.SAVING for each in self._asked):
             return False
         self._running = False
@@ -78,7 +78,7 @@ class SettingSaving:
         return True
 
     def forget_outcome(self) -> None:
-        """The operator has gone on: how it ended is not told any more."""
+        """Tell no more how it ended: the operator has gone on."""
         self._asked = {}
 
     def _stands(self, parameter: Parameter) -> CellState:

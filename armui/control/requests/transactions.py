@@ -277,7 +277,7 @@ class TransactionQueue(ControllerPart):
             self._after_answer(task)
 
     def _why_another_arm(self, task: _Task) -> Refusal | None:
-        """Why the arm it was meant for is not the one to be spoken to now."""
+        """Tell why the arm it was meant for is not the one to be spoken to now."""
         connection = self._context.connection
         if task.arm is None or task.arm == connection.arm:
             return None

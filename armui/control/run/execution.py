@@ -95,7 +95,7 @@ class Execution(QObject, ControllerPart):
         raise NotImplementedError
 
     def _snapshot(self, reason: Refusal | None) -> Progress:
-        """How far it has come by now.
+        """Return how far it has come by now.
 
         Args:
             reason: Why it failed, if it has.
@@ -165,7 +165,7 @@ class Execution(QObject, ControllerPart):
         return self._send(commands.trajectory_command(self._codec, TrajectoryCommand.CONTINUE))
 
     def _rests(self) -> bool:
-        """Whether the arm is measured to have come to rest since the motion was ended."""
+        """Tell whether the arm is measured to have come to rest since the motion was ended."""
         self._rest.observe(self._context.state(), self._context.clock())
         return self._rest.at_rest
 

@@ -223,7 +223,7 @@ class Player(Execution):
         self._publish()
 
     def _reason(self) -> Refusal | None:
-        """Why the run cannot go on; what is not known for a moment is waited for."""
+        """Tell why the run cannot go on; what is not known for a moment is waited for."""
         reason = self._context.operating_state().cannot_run
         now_s = self._context.clock()
         self._known = reason is None

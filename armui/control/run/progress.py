@@ -117,7 +117,7 @@ class RunSchedule:
         return 5.0 + 3.0 * self._lengths_s[index]
 
     def in_cycle_s(self, index: int, elapsed_s: float) -> float:
-        """How far a cycle is, so long after a point was sent."""
+        """Return how far a cycle is, so long after a point was sent."""
         length_s = self._lengths_s[index]
         return self._ends_s[index] - length_s + min(elapsed_s, length_s)
 

@@ -187,7 +187,7 @@ class Replayer(Execution):
         self._publish()
 
     def _comes_to_a_stand(self, replay: Replay) -> bool:
-        """Whether it has been paused by 0 %, and the recorded time still slows down.
+        """Tell whether it has been paused by 0 %, and the recorded time still slows down.
 
         After a long pause of the program it does so no more: the arm rests at the last target.
         """
@@ -249,7 +249,7 @@ class Replayer(Execution):
         )
 
     def _why_late(self) -> Refusal | None:
-        """Why a stream of targets does not go on after a long pause of the program."""
+        """Tell why a stream of targets does not go on after a long pause of the program."""
         if self._phase is not RunPhase.MOVING or self._watch is not None:
             return None
         gap_s = self._context.clock() - self._since_s

@@ -178,7 +178,7 @@ class ModeExitCommand(ControllerPart):
         return None
 
     def why_not(self) -> Refusal | None:
-        """The reason against it now, or ``None``; against a stream only the stop wins."""
+        """Return the reason against it now, or ``None``; against a stream only the stop wins."""
         authority = self._context.authority
         if (silent := authority.why_silent()) is not None:
             return silent

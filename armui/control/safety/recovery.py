@@ -207,7 +207,7 @@ class Recovery(ControllerPart):
         return refusal
 
     def why_not(self, step: Step, action: Action | None = None) -> Refusal | None:
-        """The reason against taking a step now that does not lie in the step, or ``None``.
+        """Return the reason against taking a step now that does not lie in the step, or ``None``.
 
         Args:
             step: What is shown.
@@ -273,7 +273,7 @@ class Recovery(ControllerPart):
     # How an action fares --------------------------------------------------------------------------
 
     def _follow(self, step: Step, now_s: float) -> Step:
-        """The step with what has become of the action taken against it."""
+        """Return the step with what has become of the action taken against it."""
         attempt = self._attempt
         if attempt is None:
             return step
@@ -307,7 +307,7 @@ class Recovery(ControllerPart):
         )
 
     def _holds(self, step: Step, now_s: float) -> bool:
-        """Whether a step is to be shown: some states are passed through in a moment."""
+        """Tell whether a step is to be shown: some states are passed through in a moment."""
         if step.kind not in _MAY_BE_BRIEF or step.kind is self.step.kind:
             self._brief_since_s = None
             return True

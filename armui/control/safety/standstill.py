@@ -76,7 +76,7 @@ class RestWatch:
         return standing is not None and standing.measured_s - standing.since_s >= self._for_s
 
     def reset(self) -> None:
-        """Nothing is known any more."""
+        """Forget what was measured."""
         self._standing = None
 
 
@@ -85,7 +85,7 @@ def _apart(angles_deg: Sequence[float], others_deg: Sequence[float], within_deg:
 
 
 def why_moving(state: ArmState) -> Refusal | None:
-    """The joints that are measured to move, as a reason; one that tells nothing is no reason."""
+    """Return the joints measured to move, as a reason; silent ones are no reason."""
     moving = [
         joint
         for joint, speed in zip(JOINTS, _speeds_deg_s(state), strict=True)
@@ -95,7 +95,7 @@ def why_moving(state: ArmState) -> Refusal | None:
 
 
 def why_not_still(state: ArmState) -> Refusal | None:
-    """The same, and for each joint its speed must be known."""
+    """As :func:`why_moving`, and the speed of each joint must be known."""
     speeds = zip(JOINTS, _speeds_deg_s(state), strict=True)
     unknown = [joint for joint, speed in speeds if speed is None]
     if unknown:

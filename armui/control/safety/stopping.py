@@ -137,7 +137,7 @@ class Stopping:
         self._follow_halt(now_s, still=still)
 
     def state(self, state: ArmState, now_s: float, *, resuming: bool) -> StopState:
-        """Where the stop stands; see :meth:`EmergencyStop.state`."""
+        """Return where the stop stands; see :meth:`EmergencyStop.state`."""
         online = self._connection.link is LinkState.ONLINE
         return self.emergency_stop.state(state, now_s, online=online, resuming=resuming)
 
@@ -150,7 +150,7 @@ class Stopping:
                 self._tell(EventCode.STOP_REACHES_OTHER, feedback=f"0x{0x2A1 + offset:03X}")
 
     def _on_every_offset(self, frames: Sequence[Frame]) -> list[Frame]:
-        """The frames on this arm's own identifier first, the two others directly behind."""
+        """Return the frames on this arm's own identifier first, the two others directly behind."""
         addressing = self._connection.codec.addressing
         return [
             Frame(shifted, frame.data)
@@ -161,7 +161,7 @@ class Stopping:
     # Halt and hold ----------------------------------------------------------------------------
 
     def why_no_halt(self) -> Refusal | None:
-        """The reason against a halt: no arm is heard, or it may only be listened to."""
+        """Return the reason against a halt: no arm is heard, or it may only be listened to."""
         device = self._connection.device
         if device is not None and device.listen_only and device.recorded is None:
             return HALT_LISTEN_ONLY()
@@ -196,7 +196,7 @@ class Stopping:
         return None
 
     def _replays_teaching(self) -> bool:
-        """Whether the arm says that it runs a recording of its own: that has its own abort."""
+        """Tell whether the arm says that it runs a recording of its own: that has its own abort."""
         status = self._connection.newest.status
         return status is not None and phase_of(status.value) in {
             TeachingPhase.REPLAYING,

@@ -108,7 +108,7 @@ class Mf4Converter:
             conversion.called_off.set()
 
     def take_done(self) -> list[Mf4Made]:
-        """Those that are done since the last call."""
+        """Return those that are done since the last call."""
         done = [each for each in self._conversions.values() if each[1].done()]
         for conversion, _future in done:
             del self._conversions[conversion.name]

@@ -121,7 +121,7 @@ class SessionRecorder(QObject):
         return self._saving is not None
 
     def busy_names(self) -> frozenset[str]:
-        """The recordings whose files are being written: they must not be moved."""
+        """Return the recordings whose files are being written: they must not be moved."""
         writing = [*self._ending] + ([self._recording] if self._recording is not None else [])
         names = {each.name for each in writing if each.name is not None}
         if self._saving_plan is not None:
@@ -129,7 +129,7 @@ class SessionRecorder(QObject):
         return self.mf4.names | names
 
     def progress(self) -> RecordingProgress | None:
-        """The recording under way, if any."""
+        """Return the recording under way, if any."""
         recording = self._recording
         if recording is None:
             return None
@@ -143,7 +143,7 @@ class SessionRecorder(QObject):
         )
 
     def ring(self) -> RingContent:
-        """What the ring holds now."""
+        """Return what the ring holds now."""
         if self._ring is None:
             return RingContent()
         frames, span_s = self._ring.span()

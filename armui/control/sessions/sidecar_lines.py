@@ -60,7 +60,7 @@ class EventFeed:
         self._revision = self._newest = 0
 
     def take_events(self) -> list[FedEvent]:
-        """What has happened, or has changed, since the last call."""
+        """Return what has happened, or has changed, since the last call."""
         self._revision, entries = self._log.since(self._revision)
         newest = self._newest
         self._newest = self._log.newest
@@ -90,11 +90,11 @@ class SidecarLines:
         self._told: dict[str, Line] = {}
 
     def reset(self) -> None:
-        """A new recording begins: everything is new to it."""
+        """Take everything for new: another recording begins."""
         self._told = {}
 
     def news(self) -> list[Line]:
-        """What is known now and was not told."""
+        """Return what is known now and was not told."""
         connection = self._context.connection
         state = self._context.state()
         lines: list[Line] = []
@@ -122,7 +122,7 @@ class SidecarLines:
 
 
 def settings_read(state: ArmState) -> list[dict[str, float | int | str]]:
-    """The parameters that were read from the arm, as the file of a backup names them."""
+    """Return the parameters that were read from the arm, as the file of a backup names them."""
     return [
         parameter_row(parameter, known.value)
         for batch in all_batches(teaching=True, drag_assistance=True)

@@ -129,7 +129,7 @@ def _without_strays(own: NDArray[np.float64], steps: NDArray[np.float64]) -> NDA
 
 
 def _continued(own: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Where the clock was set back, what follows is moved up to the time of that moment."""
+    """Return where the clock was set back, what follows is moved up to the time of that moment."""
     steps = np.diff(own)
     moved = np.where(steps < -_CLOCK_SET_S, -steps, 0.0)
     if moved.any():
@@ -202,7 +202,7 @@ def index_or_reason(path: Path, folder: Path) -> LogIndex | Refusal:
 
 
 def _why_not(path: Path, error: NotALogError) -> Refusal:
-    """What is wrong with a file that is no log, as far as its beginning tells."""
+    """Return what is wrong with a file that is no log, as far as its beginning tells."""
     name = {"name": path.name}
     if isinstance(error.__cause__, OSError):
         return REPLAY_UNREADABLE(**name, text=str(error))

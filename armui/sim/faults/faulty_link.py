@@ -55,7 +55,7 @@ class FaultyLink:
         return self._delayed(self._coming, kept, now_s)
 
     def to_bus(self, frames: list[Frame], now_s: float, dt_s: float) -> tuple[list[Frame], int]:
-        """The frames that reach the bus now, and how many never will.
+        """Return the frames that reach the bus now, and how many never will.
 
         Args:
             frames: What the arm says.

@@ -25,7 +25,7 @@ SPEED_OUT_OF_RANGE = Reason(
 
 
 def field_refusal(error: FieldError) -> Refusal:
-    """What is wrong with a field, as a `TrajectoryFileError` says it."""
+    """Return what is wrong with a field, as a `TrajectoryFileError` says it."""
     if error.problem is FieldProblem.MISSING:
         return JSON_FIELD_MISSING(field=error.name)
     if error.problem is FieldProblem.UNKNOWN:
@@ -70,7 +70,7 @@ _NO_FIGURES: Final = dict.fromkeys(
 def broken(
     code: Reason, line: int = 0, column: int = 0, /, **params: float | str
 ) -> TrajectoryFileError:
-    """A `TrajectoryFileError`, in short."""
+    """Return a `TrajectoryFileError`, in short."""
     shown = {key: _short(value) for key, value in params.items()}
     return TrajectoryFileError(Refusal(code, shown), line, column)
 

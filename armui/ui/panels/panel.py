@@ -236,6 +236,6 @@ class Panel(Translated, QWidget):
 
 
 def _least_height(card: QWidget, width_px: int) -> int:
-    """How high a card must be to be seen whole, in pixels."""
+    """Return how high a card must be to be seen whole, in pixels."""
     least = card.minimumSizeHint().height()
     return max(least, card.heightForWidth(width_px)) if card.hasHeightForWidth() else least

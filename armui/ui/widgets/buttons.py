@@ -40,7 +40,7 @@ def named(name: str, thing: Named) -> Named:
 def push_button(
     name: str = "", text: str = "", *, primary: bool = False, on_enter: bool | None = None
 ) -> QPushButton:
-    """A button with words.
+    """Return a button with words.
 
     Args:
         name: Its object name.
@@ -104,7 +104,7 @@ def bar_button(name: str, *, toggles: bool = False) -> QPushButton:
 
 
 def choice_button(name: str, text: str = "") -> QToolButton:
-    """A button that stays down when it is chosen.
+    """Return a button that stays down when it is chosen.
 
     Args:
         name: Its object name.

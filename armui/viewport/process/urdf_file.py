@@ -232,7 +232,7 @@ def _joint(path: Path, joint: yourdfpy.Joint) -> Joint:
 
 
 def _arm_joints(path: Path, joints: Sequence[Joint]) -> tuple[str, ...]:
-    """Names of the hinges that all long branches share: the arm without its fingers."""
+    """Return names of the hinges that all long branches share: the arm without its fingers."""
     hinges_to: dict[str, tuple[str, ...]] = {}
     for joint in joints:
         before = hinges_to.get(joint.parent, ())

@@ -100,7 +100,7 @@ class PoseRow(TargetRow):
         self.measured.show_text(fmt.with_unit(value, self._unit), stale=stale)
 
     def _tips(self) -> tuple[str, str]:
-        """What − and + do."""
+        """Return what − and + do."""
         if self.minus.continuous:
             tip = self.tr("Moves along {axis} while it is held; let go to stop.")
         else:
@@ -426,7 +426,7 @@ class CartesianPanel(JogPanel):
         return None
 
     def _nonsense(self) -> Refusal | None:
-        """What is to be said against the first text that is no figure."""
+        """Return what is to be said against the first text that is no figure."""
         for row in self._rows:
             if row.field.is_nonsense():
                 params = {"axis": row.name, "value": row.field.text()}

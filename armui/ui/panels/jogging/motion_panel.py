@@ -108,7 +108,7 @@ class JointRow(TargetRow):
     # -- target -------------------------------------------------------------------------------
 
     def beyond_limits(self) -> Refusal | None:
-        """What is to be said against the figure in the field, if it is out of limits."""
+        """Return what is to be said against the figure in the field, if it is out of limits."""
         target = self.field.value
         return None if target is None else check_joint(self.joint, target, self._limits)
 
@@ -160,7 +160,7 @@ class JointRow(TargetRow):
             label.show_attention(wanted=broken)
 
     def _tips(self) -> tuple[str, str]:
-        """What − and + do."""
+        """Return what − and + do."""
         if self.minus.continuous:
             hold = self.tr("Moves joint {joint} while it is held; let go to stop.")
             tips = (hold, hold)

@@ -204,7 +204,7 @@ class ParameterPanel(Panel):
     # -- what a panel of its own adds ---------------------------------------------------------
 
     def title(self) -> str:
-        """What the panel is called."""
+        """Return what the panel is called."""
         raise NotImplementedError
 
     def reset_question(self) -> tuple[str, str]:
@@ -212,7 +212,7 @@ class ParameterPanel(Panel):
         return "", ""
 
     def why_no_reset(self) -> str:
-        """Why 【初始化】 is not there for this arm; empty: it is."""
+        """Tell why 【初始化】 is not there for this arm; empty: it is."""
         return ""
 
     def reset_to_factory(self) -> Refusal | None:
@@ -220,20 +220,20 @@ class ParameterPanel(Panel):
         return None
 
     def danger(self) -> str:
-        """What in the figures shown is dangerous, in plain words; empty: nothing."""
+        """Return what in the figures shown is dangerous, in plain words; empty: nothing."""
         return self._beyond()
 
     def danger_of_saving(self) -> str:
-        """What saving would make dangerous, to be agreed to before; empty: nothing."""
+        """Return what saving would make dangerous, to be agreed to before; empty: nothing."""
         beyond = self._beyond()
         return f"{beyond}\n{beyond_danger()}" if beyond else ""
 
     def _bound(self, parameter: Parameter, value: float) -> float | None:
-        """The factory value of this model that a value goes beyond."""
+        """Return the factory value of this model that a value goes beyond."""
         return factory_bound(parameter, value, model_data(self._operating_state.model))
 
     def _beyond(self) -> str:
-        """What was entered that goes beyond the factory's values, a line each."""
+        """Return what was entered that goes beyond the factory's values, a line each."""
         return "\n".join(
             beyond_factory(parameter, value, bound)
             for parameter, value in self._draft.changes().items()
@@ -243,7 +243,7 @@ class ParameterPanel(Panel):
     # -- leaving ------------------------------------------------------------------------------
 
     def has_unsaved_changes(self) -> bool:
-        """Whether something was entered that is not in the arm."""
+        """Tell whether something was entered that is not in the arm."""
         return self._draft.changed
 
     def discard_changes(self) -> None:
@@ -256,7 +256,7 @@ class ParameterPanel(Panel):
         self._show_all()
 
     def why_no_saving(self) -> str:
-        """Why what was entered cannot be saved now; empty: it can."""
+        """Tell why what was entered cannot be saved now; empty: it can."""
         wrong = self._draft.first_wrong(self._controller.state)
         return self._no_way() or words.why_not(self._controller.operating_state.occupied or wrong)
 
@@ -394,7 +394,7 @@ class ParameterPanel(Panel):
             self._settings.read(self._batches)
 
     def _why_not_here(self) -> Refusal | None:
-        """Why nothing can be read or saved: no arm, or one that has no such parameters."""
+        """Tell why nothing can be read or saved: no arm, or one that has no such parameters."""
         return self._operating_state.unreachable or self._settings.why_not_kept(self._batches)
 
     def _no_way(self) -> str:
@@ -434,7 +434,7 @@ class ParameterPanel(Panel):
         cell.describe(full_name(parameter), "\n".join(line for line in lines if line))
 
     def _word(self, cell: SettingCell, status: CellStatus, known: Reading[float] | None) -> str:
-        """What stands below a value."""
+        """Return what stands below a value."""
         if status is not CellStatus.CHANGED:
             return status_word(status) or self.remark(cell)
         held = None if known is None else known.value
@@ -442,7 +442,7 @@ class ParameterPanel(Panel):
         return self.tr("was {held}").format(held=fmt.number(held, decimals))
 
     def remark(self, _cell: SettingCell) -> str:
-        """What stands below a value of which there is nothing else to say."""
+        """Return what stands below a value of which there is nothing else to say."""
         return ""
 
     def _show_possible(self) -> None:

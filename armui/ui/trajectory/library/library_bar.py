@@ -164,7 +164,7 @@ class LibraryBar(QWidget):
 
 
 def _key(owner: QWidget, keys: str, alone: bool) -> QAction:
-    """An action that a key triggers, in a widget alone or in all that is in it."""
+    """Return an action that a key triggers, in a widget alone or in all that is in it."""
     action = QAction(owner)
     action.setShortcut(QKeySequence(keys))
     context = Qt.ShortcutContext

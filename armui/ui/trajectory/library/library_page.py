@@ -278,7 +278,7 @@ class LibraryPage(Page):
         self.refresh(names)
 
     def chosen(self) -> list[IndexEntry]:
-        """The chosen entries, from top to bottom."""
+        """Return the chosen entries, from top to bottom."""
         return self._table.chosen()
 
     def _show_usable(self, *_: object) -> None:

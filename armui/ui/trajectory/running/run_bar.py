@@ -436,7 +436,7 @@ class RunBar(Translated, QWidget):
             self._show_usable()
 
     def _why_not(self) -> str:
-        """Why nothing can be sent now; "" if it can."""
+        """Tell why nothing can be sent now; "" if it can."""
         if self._nothing is not None:
             return words.refusal(self._nothing)
         if self._runner.running:
