@@ -28,7 +28,6 @@ _BUTTONS: Final = Texts("LibraryBar") | {
 }
 _OF_TABLE: Final = ("delete", "rename", "duplicate")
 """Their keys count in the list alone: in the search they edit its text."""
-_OF_CHOSEN: Final = ("delete", "export", "duplicate", "rename")
 _SEARCH_PX: Final = 120
 
 
