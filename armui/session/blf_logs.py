@@ -216,7 +216,7 @@ class ObjectStream:
         return data[begin:]
 
     def _completed(self, shortened: bytes, least: int, place: int) -> Iterator[bytes]:
-        """An object whose last, unused bytes were left out, with them; nothing if more lacks."""
+        """Return an object with the unused bytes it was cut by; nothing if more lacks."""
         signature, header_size, version, size, kind = _BASE.unpack_from(shortened)
         if least - size <= _SPARED.get(kind, -1):
             head = _BASE.pack(signature, header_size, version, least, kind)

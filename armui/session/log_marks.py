@@ -189,7 +189,7 @@ class _Finder:
         yield from self._sent(times_s, actions == MotorAction.DISABLE, command, code="disable_sent")
 
     def of_silence(self) -> Iterator[SessionMark]:
-        """Where nothing of the arm is heard for long, whatever offset its identifiers have."""
+        """Return where nothing of the arm is heard for long, under whatever offset."""
         ids = [self._ids[name][0] for name in _FAST]
         ids += [0x2A1 + offset for offset in OFFSETS]
         ids += [0x2A5 + offset for offset in OFFSETS]

@@ -58,7 +58,7 @@ def model_of_log(
 def zeros_of_log(
     session: Session, channel: Channel, generation: Generation, feedback_offset: int
 ) -> bool | None:
-    """Whether the poses in a log are those of the zeros before S-V1.6-3; ``None``: who knows."""
+    """Tell whether poses in a log have the zeros before S-V1.6-3; ``None``: unknown."""
     return _agreed(session, channel, generation, feedback_offset, lambda arm: arm.older_zeros)
 
 
@@ -80,7 +80,7 @@ def _agreed(
 
 
 def told_model(lines: Iterable[Mapping[str, Any]]) -> PiperModel | None:
-    """What the lines of a sidecar say last; ``None`` where they say nothing that is understood."""
+    """Return the model the lines of a sidecar say last; ``None``: none is understood."""
     told = [line.get("model") for line in lines if line.get("kind") == "arm"]
     known = [PiperModel(each) for each in told if each in list(PiperModel)]
     return known[-1] if known else None

@@ -93,7 +93,7 @@ class Session(Protocol):
         """
 
     def snapshot_at(self, t_s: float) -> FrameBatch:
-        """The last frame of each identifier and channel at or before a time, in the order of time.
+        """Return the last frame of each identifier and channel up to a time, in order.
 
         Of those in `REMEMBERED_IDS` the last `REMEMBERED`. Its rows are no neighbours in the log:
         `first` is 0 and means nothing.
@@ -141,4 +141,4 @@ class HasDataRows(Protocol):
     """A `Session` that has the frames of each identifier at hand."""
 
     def data_rows(self, channel: Channel, arbitration_id: int) -> DataRows | None:
-        """The frames with 11-bit identifiers that carry data; ``None`` where there are none."""
+        """Return frames with 11-bit identifiers that carry data; ``None``: there are none."""

@@ -94,7 +94,7 @@ def _complete_candump(message: can.Message, line: str) -> None:
 
 
 def _rewrite_candump(line: str) -> str | None:
-    """A line of candump's screen output with times, or with a length code (-8), as -L has it."""
+    """Return a line of candump's screen output, or one with a length code, as -L has it."""
     without_code = _CANDUMP_LENGTH_CODE.sub(r"\1", line)
     if without_code != line:
         return without_code

@@ -125,7 +125,7 @@ class FeedbackSchedule:
 
 @cache
 def _slots(generation: Generation) -> tuple[tuple[int, int, tuple[str, ...], str], ...]:
-    """When each burst of a generation is first due, its period, its frames and their option."""
+    """Return when each burst is first due, its period, its frames and their option."""
     database = load_database(generation)
     groups: dict[tuple[int, int, str], list[str]] = {}
 
@@ -296,7 +296,7 @@ class Feedback:
         )
 
     def _lever_m(self, index: int) -> float:
-        """How far the flange is from a joint's axis, by turning the joint a little both ways."""
+        """Return how far, in m, the flange is from a joint's axis, by turning it a little."""
         ends = []
         for nudge_deg in (-_NUDGE_DEG, _NUDGE_DEG):
             nudged = list(self._arm.mechanics.positions_deg)

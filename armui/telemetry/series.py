@@ -166,7 +166,7 @@ def _merged(
     lows: Sequence[NDArray[Any]],
     highs: Sequence[NDArray[Any]],
 ) -> tuple[NDArray[np.int64], Sequence[NDArray[Any]], Sequence[NDArray[Any]]]:
-    """What is to be stored: the first bucket may be one that is there already, and has grown."""
+    """Return what is to be stored: the first bucket may be there already, and has grown."""
     if numbers.size > level.numbers.size:  # more than the ring holds
         newest = slice(-level.numbers.size, None)
         numbers = numbers[newest]
@@ -447,7 +447,7 @@ class Series:
         return self._place(end_s) - self._place(begin_s)
 
     def value_at(self, field: str, at_s: float) -> tuple[float, float] | None:
-        """The last sample up to a time, as `latest`; ``None`` where there is none any more."""
+        """Return the last sample up to a time, as `latest`; ``None``: there is none any more."""
         place = self._place(np.nextafter(at_s, np.inf)) - 1
         found = self._span(place, place + 1)
         return (float(found["time_s"][0]), float(found[field][0])) if found.size else None
@@ -513,7 +513,7 @@ class Series:
             into.heard[first:behind] = not np.isnan(before[fields[0]][0])
 
     def _place(self, time_s: float) -> int:
-        """The first sample that is not before a time, counted from the first there ever was."""
+        """Return the number of the first sample not before a time, counted from the first ever."""
         count, capacity, times_s = self._count, self._capacity, self._times_s
         oldest = max(0, count + self._ahead - capacity + 1)
         return oldest + bisect_left(
@@ -521,7 +521,7 @@ class Series:
         )
 
     def _span(self, first: int, behind: int) -> NDArray[Any]:
-        """A copy of the samples from one place up to another, as far as they are still there."""
+        """Return a copy of the samples between two places, as far as they are still there."""
         first = max(first, self._count + self._ahead - self._capacity + 1, 0)
         behind = min(behind, self._count)
         if behind <= first:

@@ -62,7 +62,7 @@ def row_of(record: Record, codec: Codec, *, proven: bool) -> Callable[[_Signals]
 
 
 def told_signals(record: Record, codec: Codec, *, proven: bool) -> frozenset[str] | None:
-    """The signals of a message that are understood; ``None`` if there are none; see `row_of`."""
+    """Return the signals of a message that are understood; ``None``: none; see `row_of`."""
     if not (proven or record.common):
         return None
     try:

@@ -232,7 +232,7 @@ def lost_text(lost: Lost) -> str:
 
 
 def add_again_button(view: QWidget, start_again: Callable[[], object]) -> QPushButton:
-    """A button over the picture's place, for when it does not come back by itself; hidden."""
+    """Add a hidden button in the picture's place, for when it does not come back."""
     button = QPushButton(view)
     button.setObjectName("picture_again_button")
     button.setAutoDefault(False)

@@ -91,7 +91,7 @@ class RobotShape:
         return (rows[3], rows[7], rows[11]), turned(rows, axis)
 
     def joint_pointer(self, number: int, links: Sequence[Rows]) -> Vector:
-        """A unit vector square to a joint's axis that turns with the joint: along what it moves."""
+        """Return a unit vector square to a joint's axis, along what the joint moves."""
         place, axis = self.joint_frame(number, links)
         following = next((each for each in self.joints if each.number == number + 1), None)
         if following is not None:

@@ -212,7 +212,7 @@ class ArmView(QWidget):
         return self._client.looks_old or self._lost is not None
 
     def grab_picture(self) -> QImage | None:
-        """A copy of the picture with the figures, as it is on the screen; None without one."""
+        """Return a copy of the picture with the figures, as on the screen; None without one."""
         return None if self._picture is None else self.grab().toImage()
 
     def shutdown(self) -> None:

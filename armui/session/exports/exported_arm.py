@@ -108,7 +108,7 @@ def look_at(
 
 
 def _channel(batches: Iterable[FrameBatch], wish: str | None) -> Channel:
-    """The channel with the most frames of an arm's feedback, unless another one is asked for."""
+    """Return the channel asked for, or the one with the most feedback of an arm."""
     counts: Counter[Channel] = Counter()
     names: dict[Channel, None] = {}
     for batch in batches:

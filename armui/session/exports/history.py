@@ -228,7 +228,7 @@ class History:
             self._samples[layout.name] = Samples(layout, rows, times_s, words, old)
 
     def _new_stops(self) -> NDArray[np.int64]:
-        """Where every target that stands is ended: by a stop, an abort or disabled motors."""
+        """Return where every target is ended: by a stop, an abort or disabled motors."""
         stops = []
         commands = self._samples.get("MotionCommand")
         if commands is not None:
@@ -253,7 +253,7 @@ class History:
     def ended_at(
         self, rows: NDArray[np.int64], by: tuple[str, ...], *, by_stops: bool
     ) -> NDArray[np.int64]:
-        """The last frame, at frames of the log, that ended a command; -1 where there was none.
+        """Return the last frame, as of some, that ended a command; -1 where none did.
 
         Args:
             rows: Frames of the log.

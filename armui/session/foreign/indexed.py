@@ -231,7 +231,7 @@ class IndexedLog:
             yield self._batch(begin, min(begin + _ROWS, behind))
 
     def snapshot_at(self, t_s: float) -> FrameBatch:
-        """The last frame of each identifier and channel at or before a time; see `Session`."""
+        """Return the last frame of each identifier and channel up to a time; see `Session`."""
         behind = int(np.searchsorted(self._times_s, t_s, side="right"))
         rows: list[int] = []
         ids = self._columns["ids"]
@@ -244,7 +244,7 @@ class IndexedLog:
         return self._chosen(np.array(sorted(rows), np.int64))
 
     def data_rows(self, channel: Channel, arbitration_id: int) -> DataRows | None:
-        """All data frames of one identifier on one channel; ``None`` where there are none."""
+        """Return the data frames of an identifier on a channel; ``None``: there are none."""
         columns, order = self._columns, self._order
         if channel not in self.channels or not order.size:
             return None

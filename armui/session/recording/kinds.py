@@ -66,7 +66,7 @@ class BlockFormat(Protocol):
         """Return what the file begins with."""
 
     def header(self, size: int) -> bytes:
-        """What stands at the beginning of the file now that it has so many bytes, if that moves."""
+        """Return the beginning of the file now that it has so many bytes, if that moves."""
 
     def closing(self) -> bytes:
         """Return what the file ends with."""

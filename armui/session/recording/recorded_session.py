@@ -105,7 +105,7 @@ def _batches(
 
 
 def _quick_batch(data: bytes, start_s: float, names: tuple[Channel, ...]) -> FrameBatch | None:
-    """A block that is one whole container of classic data frames; None if it is anything else."""
+    """Return a block that is one container of classic data frames; None: it is not."""
     try:
         sign, _head, _version, size, kind = blf.OBJ_HEADER_BASE_STRUCT.unpack_from(data)
         method, unpacked = _CONTAINER.unpack_from(data, _HEAD)

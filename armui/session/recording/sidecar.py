@@ -107,7 +107,7 @@ def events_of(lines: Sequence[Mapping[str, Any]]) -> list[Mapping[str, Any]]:
 
 
 def marks_of(lines: Sequence[Mapping[str, Any]]) -> list[SessionMark]:
-    """The moments worth going to, in the order of time; the times of an event are log times."""
+    """Return the moments worth going to, in the order of time, in log times."""
     marks = []
     shift_s = _shift_s(lines[0]) if lines else 0.0
     for line in events_of(lines):

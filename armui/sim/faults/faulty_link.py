@@ -100,7 +100,7 @@ class FaultyLink:
 
 
 def _without(frames: list[Frame], never: Collection[int], lost: Counter[int]) -> list[Frame]:
-    """The frames but those that get lost; `lost` counts down how many still will, by identifier."""
+    """Return the frames that get through; `lost` counts down those that will not, by identifier."""
     if not (never or lost):
         return frames
     kept: list[Frame] = []

@@ -166,7 +166,7 @@ class DriverLoop:
         return law
 
     def _with_weight(self, law: DriverLaw, positions_deg: SixValues) -> DriverLaw:
-        """The law with the torque that carries the arm's weight, where the controller adds it."""
+        """Return the law with the torque that carries the weight, where it is added."""
         carrying = [index for index, each in self._setpoints.items() if each.carries_weight]
         if not carrying:
             return law

@@ -216,7 +216,7 @@ class _Interval:
         return side
 
     def torques(self, joints: Values, mean_speeds: Values) -> Values:
-        """What the drivers give in a step, from the joints at its start and their mean speeds."""
+        """Return what the drivers give in a step, from its start and the mean speeds."""
         return self._told - self._law.kp * joints - self._braking * mean_speeds
 
     def solve(self, moves: Flags, right: Values) -> Values:

@@ -135,7 +135,7 @@ class Flash(Protocol):
     problem: str
 
     def load(self, model: PiperModel = PiperModel.PIPER) -> ArmSettingsRecord:
-        """What was saved last; a model's factory values when nothing was, or none can be read."""
+        """Return what was saved last; a model's factory values when none can be read."""
         ...
 
     def save(self, settings: ArmSettingsRecord) -> None:

@@ -185,7 +185,7 @@ def _unit(
     titled: Sequence[str],
     figures: Sequence[Figures],
 ) -> str:
-    """The unit that the titles of a quantity's kin say, or the figures of all of them speak for."""
+    """Return the unit that the titles of a quantity's kin say, or their figures suggest."""
     group = next((kin for kin in (JOINTS, POSE[:3], POSE[3:]) if quantity in kin), (quantity,))
     said = {
         unit

@@ -116,7 +116,7 @@ def read_point(text: str, line: int, comments: tuple[str, ...]) -> Waypoint:
 
 
 def _split(text: str, line: int) -> tuple[list[Token], str | None]:
-    """The words of a line and the comment at its end; blanks in quotation marks part nothing."""
+    """Return the words of a line and its comment; blanks in quotation marks part nothing."""
     words: list[Token] = []
     position = 0
     for match in _TOKEN.finditer(text):

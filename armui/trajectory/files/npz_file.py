@@ -68,7 +68,7 @@ def read(data: bytes) -> Content:
 
 
 def name_in(file: BinaryIO) -> str | None:
-    """The name of the recording in an archive, without its samples; ``None`` in a damaged one."""
+    """Return the recording's name in an archive; ``None``: it is damaged."""
     try:
         with zipfile.ZipFile(file) as archive:
             header = json.loads(str(_array(_member(archive, _HEADER))))

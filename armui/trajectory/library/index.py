@@ -212,7 +212,7 @@ def _pack(entry: IndexEntry) -> dict[str, Any]:
 
 
 def _unpack(data: dict[str, Any]) -> dict[str, tuple[Stamp, IndexEntry]]:
-    """The entries of the file; whatever is wrong with it raises something, and then none count."""
+    """Return the entries of the file; if anything is wrong it raises, and none count."""
     if data["version"] != _VERSION:
         return {}
     entries = {}

@@ -82,7 +82,7 @@ class PlannedPath:
         return dict(sorted((int(self.rows[last]), last) for last in lasts))
 
     def outline(self, most: int) -> Whole:
-        """The indices of about so many samples, spread over all of them, and of each row's last."""
+        """Return the indices of about so many samples, evenly, and of each row's last."""
         step = max(1, len(self.rows) // most)
         wanted = np.append(self.begins[1:], True)
         wanted[::step] = True

@@ -290,7 +290,7 @@ def _arc(start: Matrix, middle: Matrix, end: Matrix) -> Arc:
 
 
 def _kept(moves: list[PlannedToolMoves], paths: Paths) -> tuple[list[PlannedToolMoves], Paths]:
-    """What was followed before and begins where it did, and the paths that are left to follow."""
+    """Return what begins where it did before, and the paths that are left to follow."""
     kept = []
     left = np.ones(len(paths.stops), dtype=bool)
     for group in moves:

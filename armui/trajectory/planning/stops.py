@@ -73,7 +73,7 @@ def as_told(values: Array | Sequence[float]) -> Array:
 
 
 def bounds(arm: ArmModel) -> tuple[Array, Array]:
-    """The lowest and the highest angles of the joints, with the rounding of the bus granted."""
+    """Return the lowest and highest angles of the joints, with the bus's rounding."""
     half_step = ANGLE_STEP_DEG / 2
     low = np.array([limits.min_deg - half_step for limits in arm.limits])
     high = np.array([limits.max_deg + half_step for limits in arm.limits])

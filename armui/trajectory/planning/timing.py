@@ -241,7 +241,7 @@ def _replay(
     *,
     again: bool,
 ) -> PlannedPath:
-    """The approach to the first sample, which the arm waits for, then the samples in their time.
+    """Return the approach to the first sample, then the samples in their time.
 
     And, for another cycle, the way back to the first.
     """

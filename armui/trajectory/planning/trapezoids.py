@@ -67,7 +67,7 @@ def places(times_s: Array, lasting_s: Array, speeds: Array, accelerations: Array
 
 
 def times(gone: Array, ways: Array, speeds: Array, accelerations: Array) -> Array:
-    """When a motion has come so far: the other way round than `places`, for ways of 0 and more.
+    """Return when a motion has come so far, the inverse of `places`, for ways ≥ 0.
 
     Args:
         gone: How far, 0 to `ways`.

@@ -33,7 +33,7 @@ _NO_POSE: Final = (0.0,) * VALUE_COUNT
 
 
 def to_text(points: Sequence[Waypoint]) -> str:
-    """A row for each point and a tab between its cells: what a spreadsheet takes over as it is."""
+    """Return a row for each point and tabs between its cells, as a spreadsheet takes it."""
     return "\n".join(
         "\t".join(_one_line(text_of(point, column)) for column in PointColumn) for point in points
     )

@@ -39,7 +39,7 @@ class Change:
 
 
 def difference(before: Points, after: Points) -> Change | None:
-    """The smallest stretch in which two lists of points differ; ``None`` if they are the same."""
+    """Return the smallest stretch in which two lists of points differ; ``None``: none."""
     shorter = min(len(before), len(after))
     first = 0
     while first < shorter and before[first] is after[first]:

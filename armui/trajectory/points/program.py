@@ -259,7 +259,7 @@ def check_figure(field: str, value: float) -> Refusal | None:
 
 
 def check_point(point: Waypoint) -> Refusal | None:
-    """Whether a point is whole and possible for some arm: ``None``, or the first reason against.
+    """Tell why a point is not whole, or possible for no arm; ``None``: it is fine.
 
     Whether *this* arm can do it is for `armui.trajectory.planning.check`.
     """

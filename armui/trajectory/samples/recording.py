@@ -170,7 +170,7 @@ class SampleCursor:
         return tuple(here.tolist())
 
     def gripper_mm_at(self, recorded_s: float) -> float:
-        """The opening of the last sample not later than a time; NaN where it was not recorded."""
+        """Return the opening of the last sample up to a time; NaN: it was not recorded."""
         return float(self._samples[self.index_at(recorded_s), GRIPPER])
 
     def _time_s(self, index: int) -> float:

@@ -91,7 +91,7 @@ def describe(widget: QWidget, name: str, tip: str = "") -> None:
 
 
 def bar_button(name: str, *, toggles: bool = False) -> QPushButton:
-    """A button of a bar above what a window shows; Enter elsewhere in the window is not for it.
+    """Return a button of a bar above what a window shows; Enter elsewhere is not for it.
 
     Args:
         name: Its object name.

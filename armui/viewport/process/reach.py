@@ -248,7 +248,7 @@ def reached(robot: Robot, reach: Reach) -> ReachVolume:
 
 
 def _at_zero(robot: Robot, reach: Reach) -> tuple[list[_Axis], Array]:
-    """The joints' axes and the tool, (1, 3), in the base frame while all joints are at zero."""
+    """Return the joints' axes and the tool, (1, 3), in the base frame at zero."""
     poses = robot.link_poses((0.0,) * ARM_JOINT_COUNT, 0.0)
     by_name = {joint.name: joint for joint in robot.joints}
     axes = []

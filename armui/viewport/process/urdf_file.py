@@ -156,7 +156,7 @@ def _description(path: Path) -> yourdfpy.Robot:
 
 
 def _content(path: Path) -> bytes:
-    """The file, which is sound XML: yourdfpy would go on with what it can make out of other."""
+    """Return the file, which is sound XML: yourdfpy would go on with broken XML."""
     try:
         content = read_file(path, _MOST_BYTES)
         # URDF files are the operator's own, and expat in supported Pythons stops entity bombs.

@@ -123,7 +123,7 @@ class DiagnosticStream:
     # When -------------------------------------------------------------------------------------
 
     def _changes(self, history: History, message: str) -> NDArray[np.int64]:
-        """Frames of the newest piece whose codes differ from those before; the first one, too."""
+        """Return the frames whose codes differ from those before; the first one, too."""
         samples = history.samples(message)
         if samples is None:
             return np.empty(0, np.int64)

@@ -317,7 +317,7 @@ class FixedStream:
 
 
 def make_streams(facts: ExportFacts) -> list[Stream]:
-    """One for each topic that an arm of this generation can fill, but for the diagnostics."""
+    """Return a stream for each topic of this generation, but for the diagnostics."""
     streams: list[Stream] = [
         FixedStream(facts),
         JointStream(facts.codec, commanded=False),

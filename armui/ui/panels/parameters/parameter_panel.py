@@ -507,7 +507,7 @@ class ParameterPanel(Panel):
         return _Said("")
 
     def _saved(self) -> _Said:
-        """All of it is in the arm; where that keeps coarser steps than were asked for, which."""
+        """Say that all is in the arm; where it keeps coarser steps than asked for, which."""
         nearest = [
             f"{full_name(parameter)} {value_text(parameter.name, known.value)}"
             for parameter, value in self._saving.asked.items()

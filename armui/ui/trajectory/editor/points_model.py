@@ -276,7 +276,7 @@ class PointsModel(TableModel):
 
 
 def shown(point: Waypoint, column: PointColumn) -> str:
-    """What a cell shows: figures with a fixed number of decimals; the title has their units."""
+    """Return what a cell shows: figures with fixed decimals; the title has their units."""
     if column in VALUES:
         return fmt.number(point.target[column - PointColumn.VALUE_1])
     if column is PointColumn.MIDDLE:

@@ -356,7 +356,7 @@ class _Preview(TableModel):
 
 
 def _shown(sheet: Sheet) -> list[int]:
-    """The places of the columns that are shown: the first ones, and all that hold something."""
+    """Return the places of the columns shown: the first ones, and all that hold something."""
     guessed = {place for place, guess in enumerate(sheet.guesses) if guess.column is not None}
     return sorted(guessed.union(range(min(sheet.width, _MOST_COLUMNS))))
 
