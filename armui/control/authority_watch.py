@@ -33,7 +33,7 @@ class AuthorityWatch:
     Args:
         authority: Knows who moves the arm.
         connection: The way to the arm.
-        tell: Takes the notices.
+        tell: Takes the events.
         end_motion: Ends our motion with a reason.
 
     Attributes:

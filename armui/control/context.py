@@ -46,7 +46,7 @@ class Context:
 
     Attributes:
         connection: The way to the arm.
-        tell: Takes the notices.
+        tell: Takes the events.
         clock: Monotonic time in seconds.
         state: The arm as last heard.
         operating_state: What the operator can do, as of the last look: the controller's tick looks,

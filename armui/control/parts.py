@@ -19,7 +19,7 @@ class Parts:
     Its first failure is told to the operator, every one is logged.
 
     Args:
-        tell: Takes the notices.
+        tell: Takes the events.
         on_failure: Called whenever one fails: no motion may go on unwatched.
     """
 

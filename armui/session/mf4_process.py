@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any, Final
 
 import can
 
-from armui.system.helper_process import settle_in
+from armui.system.helper_process import configure_process
 
 if TYPE_CHECKING:
     from collections.abc import Generator
@@ -74,7 +74,7 @@ def _answer(ours: Connection) -> Rows | None:
 
 def _read(path: Path, its: Connection) -> None:
     """In the new process: send what it reads, and what goes wrong."""
-    settle_in()
+    configure_process()
     logging.disable()
     with contextlib.redirect_stdout(None), contextlib.redirect_stderr(None):
         try:

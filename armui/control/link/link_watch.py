@@ -22,7 +22,7 @@ class LinkWatch:
 
     Args:
         connection: The way to the arm.
-        tell: Takes the notices.
+        tell: Takes the events.
     """
 
     def __init__(self, connection: Connection, tell: Tell) -> None:

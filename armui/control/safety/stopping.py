@@ -50,7 +50,7 @@ class Stopping:
 
     Args:
         connection: The way to the arm.
-        tell: Takes the notices.
+        tell: Takes the events.
         clock: Monotonic time in seconds.
         end_all: Has every part of the program give up what would move the arm.
 
