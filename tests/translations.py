@@ -23,6 +23,8 @@ from typing import Final, NamedTuple
 from pypinyin import lazy_pinyin
 
 from armui.arm.refusal import Reason
+from armui.doctor.facts import OfArm, OfCan, OfProgram, OfScreen
+from armui.doctor.report import ReportText
 from armui.protocol.generation import Generation
 from armui.protocol.layout import load_database
 from armui.system.sentence import Sentence
@@ -37,7 +39,10 @@ LONGEST = 20
 """Characters of a Chinese text that may be a name; a longer one is a sentence."""
 
 
-KINDS: Final[tuple[type[Sentence], ...]] = (Reason, FindingKind)
+KINDS: Final[tuple[type[Sentence], ...]] = (
+    *(Reason, FindingKind, ReportText),
+    *(OfProgram, OfScreen, OfCan, OfArm),
+)
 """What says sentences: the classes whose constants stand beside what raises them."""
 
 

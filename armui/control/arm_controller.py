@@ -79,12 +79,15 @@ class ArmController(ControllerParts):
         operating_state_changed: A :class:`OperatingState`, when it differs.
         devices_found: A list of :class:`Device`, the answer to :meth:`search_devices`.
         searching_changed: Whether a search is under way.
+        all_motion_ended: The operator has stopped or halted the arm, or a failure or the system has
+            ended every motion: what was about to begin is not to begin any more.
     """
 
     state_changed = Signal(object)
     operating_state_changed = Signal(object)
     devices_found = Signal(object)
     searching_changed = Signal(bool)
+    all_motion_ended = Signal()
 
     def __init__(
         self,
@@ -232,6 +235,7 @@ class ArmController(ControllerParts):
         """Stop the arm at once: past every other frame, whatever else is under way (0x150)."""
         self._stop.stop()
         self._parts.attempt("Assessor", self._refresh)
+        self.all_motion_ended.emit()
 
     def withdraw_stop(self) -> None:
         """Withdraw a stop that the arm has not confirmed."""
@@ -242,6 +246,7 @@ class ArmController(ControllerParts):
         """End any motion with power on: the joints hold where they come to rest (0x150)."""
         refusal = self._stop.halt(self._end_all_motion)
         self._parts.attempt("Assessor", self._refresh)
+        self.all_motion_ended.emit()
         return refusal
 
     def stop_again_when_undone(self, on: bool) -> None:
@@ -310,10 +315,12 @@ class ArmController(ControllerParts):
             self._motion_end.end_motion()
             # the failure may lie within the very call that goes on to begin a motion
             QTimer.singleShot(0, self, self._motion_end.end_motion)
+            self.all_motion_ended.emit()
 
     def end_all_motion(self) -> None:
         """End every motion of this program, since the system is about to end it or to sleep."""
         self._motion_end.end_motion(SYSTEM_ENDS)
+        self.all_motion_ended.emit()
 
     def abort_from_any_thread(self) -> bool:
         """Tell the arm to end a motion of ours, also while the window's thread is held up.
@@ -327,6 +334,7 @@ class ArmController(ControllerParts):
         self._authority.failed = True
         if not self._motion_end.busy:
             self._motion_end.end_motion()
+            self.all_motion_ended.emit()
 
     def _follow_stop(self, now_s: float) -> None:
         resuming = self.motors.busy is Busy.RESUMING
@@ -393,3 +401,5 @@ class ArmController(ControllerParts):
         """No part goes on with what a halt has ended, and no target comes back."""
         self._end_driven()
         self._authority.cancelled(self._clock())
+        self.mode_exit.halt()
+        self.gripper.end_travel()

@@ -15,7 +15,7 @@ from armui.doctor.probes.can_devices import look_at_can
 from armui.doctor.probes.listening import listen
 from armui.doctor.probes.program import look_at_program
 from armui.doctor.probes.screen import TRIALS, look_at_screen
-from armui.doctor.report import Language, Words, as_json, as_text, language_of_system
+from armui.doctor.report import Language, Words, as_json, as_text, language_of_system, translation
 
 EXIT_ARM_ANSWERS: Final = 0
 EXIT_NO_ARM: Final = 1
@@ -79,7 +79,7 @@ def run(options: argparse.Namespace, probes: Probes = Probes()) -> int:
     answers = an_arm_answers(facts)
     language: Language = options.lang or language_of_system(_settings_file())
     render = as_json if options.json else as_text
-    text = render(findings, Words(language), arm_answers=answers, asked=options.ask)
+    text = render(findings, Words(translation(language)), arm_answers=answers, asked=options.ask)
     try:
         sys.stdout.write(text)
     except UnicodeEncodeError:  # a terminal that knows no Chinese

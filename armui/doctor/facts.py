@@ -5,6 +5,9 @@ from __future__ import annotations
 import enum
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from typing import ClassVar
+
+from armui.system.sentence import Sentence
 
 
 @dataclass(frozen=True, slots=True)
@@ -307,19 +310,69 @@ class Section(enum.Enum):
 
 
 @dataclass(frozen=True, slots=True)
+class DiagnosisKind(Sentence):
+    """Something that can be found out.
+
+    Attributes:
+        section: What it is about; each has a class.
+        severity: How grave it is, as a rule.
+    """
+
+    context: ClassVar[str] = "Diagnosis"
+    section: ClassVar[Section]
+    severity: DiagnosisLevel = field(default=DiagnosisLevel.FAULT, compare=False)
+
+    def __call__(self, *commands: str, **params: str) -> Diagnosis:
+        """It with its remedy and with what its sentence mentions."""
+        return Diagnosis(self, self.severity, params, commands)
+
+
+class OfProgram(DiagnosisKind):
+    """It is about the program itself."""
+
+    section = Section.PROGRAM
+
+
+class OfScreen(DiagnosisKind):
+    """It is about windows and the 3D picture."""
+
+    section = Section.SCREEN
+
+
+class OfCan(DiagnosisKind):
+    """It is about CAN devices."""
+
+    section = Section.CAN
+
+
+class OfArm(DiagnosisKind):
+    """It is about what is heard on a bus."""
+
+    section = Section.ARM
+
+
+@dataclass(frozen=True, slots=True)
 class Diagnosis:
     """One thing found out.
 
     Attributes:
-        section: What it is about.
-        code: Names its words in ``resources/doctor/texts.toml``.
+        kind: What it is.
         severity: How grave it is.
-        params: What the words mention.
+        params: What its sentence mentions, and more for those who read the report as JSON.
         commands: The remedy, to be copied; a line each.
     """
 
-    section: Section
-    code: str
+    kind: DiagnosisKind
     severity: DiagnosisLevel
     params: Mapping[str, str] = field(default_factory=dict)
     commands: tuple[str, ...] = ()
+
+    @property
+    def code(self) -> str:
+        """The id of what was found out."""
+        return self.kind.id
+
+    @property
+    def section(self) -> Section:
+        """What it is about."""
+        return self.kind.section

@@ -4,298 +4,175 @@ from __future__ import annotations
 
 from typing import Final
 
+from armui.doctor import judge_heard as heard_kinds
 from armui.doctor.facts import (
-    ArmFacts,
     CanFacts,
     Diagnosis,
+    DiagnosisKind,
     DiagnosisLevel,
     Facts,
-    HeardFacts,
-    LimitFacts,
     LinkFacts,
+    OfArm,
+    OfCan,
+    OfProgram,
+    OfScreen,
     PackageFacts,
     ProgramFacts,
     ScreenFacts,
-    Section,
     SerialPortFacts,
     UsbAdapterFacts,
 )
-from armui.protocol.firmware_version import (
-    RECOMMENDED,
-    FirmwareBug,
-    FirmwareVersion,
-    quirks_of,
+from armui.doctor.judge_heard import judge_heard
+
+# The program.
+
+PYTHON = OfProgram("python", "armui {armui}, Python {version}, {system}.", DiagnosisLevel.OK)
+PYTHON_OLD = OfProgram(
+    "python_old",
+    "armui {armui} wants Python 3.11 or newer; this is {version} on {system}. Install a newer "
+    "Python.",
+)
+PACKAGES = OfProgram(
+    "packages", "All {count} packages are there in a fitting version.", DiagnosisLevel.OK
+)
+PRIORITY = OfProgram(
+    "priority",
+    "On a busy computer, window, bus and stop may go before other programs.",
+    DiagnosisLevel.OK,
+)
+PRIORITY_REFUSED = OfProgram(
+    "priority_refused",
+    "On a busy computer, window, bus and stop wait their turn behind other programs: {text}. A "
+    "stop may then leave some tenths of a second later. Install rtkit, or close what keeps the "
+    "computer busy.",
+    DiagnosisLevel.NOTE,
+)
+PACKAGE_MISSING = OfProgram("package_missing", "The package {package} is missing. Install it.")
+PACKAGE_OTHER = OfProgram(
+    "package_other", "The package {package} is there as {installed}; {wanted} is wanted."
+)
+PACKAGE_OPTIONAL = OfProgram(
+    "package_optional",
+    "The package {package} is not installed; some adapters or a simulated arm in another process "
+    "want it.",
+    DiagnosisLevel.NOTE,
 )
 
-# From what was heard on a bus: the failures that owners of real arms report.
+# The screen.
 
-_NORMAL: Final = 0
-_EMERGENCY_STOP: Final = 1
-_FASTEST_DEG_S: Final = 3600.0
-_FASTEST_DEG_S2: Final = 20_000.0
-"""Far above any joint of this arm; 0xFFFF read back is 37,548 °/s²."""
-_TILT_DEG: Final = 89.0
-_LOW_V: Final = 21.0
-"""The supply has 24 V."""
-_SILENT_BY_TEACHING_LEVEL: Final = 255
-_UDEV_RULE: Final = (
-    'echo \'SUBSYSTEM=="usb", ATTRS{idVendor}=="1d50", MODE="0666"\''
-    " | sudo tee /etc/udev/rules.d/90-candlelight.rules"
+QT = OfScreen("qt", "Qt {qt} draws through {platform}.", DiagnosisLevel.OK)
+QT_NOT_LOADED = OfScreen("qt_not_loaded", "Qt cannot be loaded: {text}")
+LIBRARIES_MISSING = OfScreen(
+    "libraries_missing", "System libraries that Qt wants are missing: {libraries}."
 )
-_STROKE_LIMITS_MM: Final = (0, 70, 100)
-_BITRATE_OF_SYSTEM: Final = ("udp_multicast", "virtual")
-_USUAL_MODES: Final = ("MOVE P", "MOVE J", "MOVE L", "MOVE C")
-
-
-def judge_heard(heard: HeardFacts) -> list[Diagnosis]:
-    """What a device let hear, or why it did not."""
-    name = _name(heard)
-    base = {"device": name, "seconds": f"{heard.seconds:.1f}", "count": str(heard.frames)}
-    if heard.problem:
-        return [_not_opened(heard, base)]
-    findings: list[Diagnosis] = []
-    if heard.bus_off:
-        findings.append(_arm_finding("heard_bus_off", DiagnosisLevel.FAULT, base, _restart(heard)))
-    if heard.error_frames:
-        params = {**base, "count": str(heard.error_frames)}
-        level = DiagnosisLevel.WARNING if heard.arm is not None else DiagnosisLevel.FAULT
-        findings.append(_arm_finding("error_frames", level, params))
-    if heard.arm is not None:
-        findings += judge_arm(heard.arm, heard)
-        if heard.asked and not heard.answered:
-            findings.append(_arm_finding("no_answer", DiagnosisLevel.FAULT, base))
-    else:
-        findings.append(_no_arm(heard, base))
-    if heard.other_offsets:
-        offsets = ", ".join(f"0x{each:02X}" for each in heard.other_offsets)
-        findings.append(
-            _arm_finding("second_arm", DiagnosisLevel.WARNING, {**base, "offsets": offsets})
-        )
-    if heard.other_hosts and not _is_leader(heard):
-        frames = ", ".join(
-            f"0x{each.arbitration_id:03X} ({each.rate_hz:.0f}/s)" for each in heard.other_hosts
-        )
-        findings.append(
-            _arm_finding("other_host", DiagnosisLevel.WARNING, {**base, "frames": frames})
-        )
-    return findings
-
-
-def _is_leader(heard: HeardFacts) -> bool:
-    return heard.leader or bool(heard.shifted_feedback)
-
-
-def _not_opened(heard: HeardFacts, base: dict[str, str]) -> Diagnosis:
-    params = {**base, "text": heard.problem_text, "package": heard.package}
-    commands: tuple[str, ...] = ()
-    if heard.problem == "bus_backend_missing":
-        commands = (f"python -m pip install {heard.package}",)
-    elif heard.interface == "socketcan" and heard.problem in {"bus_down", "bus_gone"}:
-        commands = (f"sudo ip link set {heard.channel} up type can bitrate 1000000 restart-ms 100",)
-    elif heard.problem == "bus_permission":
-        commands = (_UDEV_RULE, "sudo udevadm control --reload && sudo udevadm trigger")
-    code = heard.problem if heard.problem in _PROBLEMS else "bus_failed"
-    return _arm_finding(code, DiagnosisLevel.FAULT, params, commands)
-
-
-_PROBLEMS: Final = (
-    "bus_backend_missing",
-    "bus_driver_missing",
-    "bus_gone",
-    "bus_busy",
-    "bus_down",
-    "bus_permission",
-    "bus_bad_argument",
-    "bus_failed",
+NO_DISPLAY = OfScreen(
+    "no_display",
+    "Qt {qt} is there, but no desktop session: start the program in one, or name its display.",
+)
+QT_PLATFORM_FAILED = OfScreen("qt_platform_failed", "Qt {qt} finds no way to the screen: {text}")
+OPENGL = OfScreen("opengl", "OpenGL for the 3D picture: {renderer}.", DiagnosisLevel.OK)
+OPENGL_SOFTWARE = OfScreen(
+    "opengl_software",
+    "OpenGL for the 3D picture is drawn by the processor ({renderer}): slower, but it works. A "
+    "graphics driver makes it faster.",
+    DiagnosisLevel.NOTE,
+)
+OPENGL_FAILED = OfScreen(
+    "opengl_failed",
+    "The 3D picture cannot be drawn, the rest of the program works: {text}",
+    DiagnosisLevel.WARNING,
 )
 
+# CAN devices.
 
-def _no_arm(heard: HeardFacts, base: dict[str, str]) -> Diagnosis:
-    if _is_leader(heard):
-        ids = heard.shifted_feedback or tuple(each.arbitration_id for each in heard.other_hosts)
-        params = {**base, "ids": _ids(ids)}
-        return _arm_finding(
-            "teaching_input", DiagnosisLevel.FAULT, params, _end_teaching_input(heard)
-        )
-    if heard.frames:
-        params = {**base, "ids": _ids(heard.unknown_ids)}
-        return _arm_finding("no_arm", DiagnosisLevel.FAULT, params)
-    commands = (
-        (f"ip -details -statistics link show {heard.channel}",)
-        if heard.interface == "socketcan"
-        else ()
-    )
-    return _arm_finding("nothing_heard", DiagnosisLevel.FAULT, base, commands)
+SEARCH_FAILED = OfCan("search_failed", "No search for CAN devices is possible: {text}")
+NO_DEVICES = OfCan(
+    "no_devices",
+    "No CAN device is found. Plug in the adapter; try another cable and another USB port.",
+    DiagnosisLevel.WARNING,
+)
+DEVICE = OfCan("device", "{device}, serial number {serial}.", DiagnosisLevel.OK)
+NO_DRIVER = OfCan(
+    "no_driver",
+    "{adapter} ({usb}, serial number {serial}) is plugged in, but no CAN interface has come of "
+    "it: its driver is not loaded. In a virtual machine, hand the USB device over to it; WSL has "
+    "no CAN in its usual kernel.",
+)
+PORT_CLOSED = OfCan(
+    "port_closed",
+    "{path} may not be opened by this user; it belongs to the group {group}. Join it, then log "
+    "out and in again.",
+)
+LINK = OfCan(
+    "link",
+    "{channel} ({kind}) is up, {bitrate} bit/s, {state}, error counters {tx}/{rx}, serial number "
+    "{serial}.",
+    DiagnosisLevel.OK,
+)
+LINK_DOWN = OfCan("link_down", "{channel} is switched off. Switch it on with the arm's bit rate.")
+BUS_OFF = OfCan(
+    "bus_off",
+    "{channel} is off the bus (bus-off): too many errors. Check the cable, the terminating "
+    "resistors and the bit rate ({bitrate}), then bring it back.",
+)
+ERROR_PASSIVE = OfCan(
+    "error_passive",
+    "{channel} sees many errors ({state}, counters {tx}/{rx}): nobody acknowledges, or the bit "
+    "rate {bitrate} is not the arm's. Is the arm switched on? CAN_H and CAN_L swapped? 120 Ω at "
+    "both ends?",
+)
+ERROR_WARNING = OfCan(
+    "error_warning",
+    "{channel} counts errors ({tx}/{rx}): look at cable and terminating resistors.",
+    DiagnosisLevel.WARNING,
+)
+BITRATE_ODD = OfCan(
+    "bitrate_odd",
+    "{channel} runs at {bitrate} bit/s; arms run at 1000000 (today's) or 500000 (generation 1's "
+    "text).",
+    DiagnosisLevel.WARNING,
+)
+BITRATE_OLD = OfCan(
+    "bitrate_old",
+    "{channel} runs at {bitrate} bit/s, as generation 1's text says; today's arms run at 1000000.",
+    DiagnosisLevel.NOTE,
+)
+LINK_LISTEN_ONLY = OfCan(
+    "link_listen_only",
+    "{channel} is in listen-only mode: no command and no emergency stop goes out.",
+    DiagnosisLevel.WARNING,
+)
+NO_RESTART = OfCan(
+    "no_restart",
+    "{channel} does not come back by itself from bus-off (restart-ms is 0).",
+    DiagnosisLevel.NOTE,
+)
+KERNEL_DROPPED = OfCan(
+    "kernel_dropped",
+    "{channel}: the kernel has dropped {count} received frames since it was switched on; the "
+    "computer was too busy.",
+    DiagnosisLevel.NOTE,
+)
+SEVERAL = OfCan(
+    "several",
+    "Several adapters: {names}. Their names may swap at the next plugging in, and settings go to "
+    "the wrong arm. Tell arms apart by the serial number, or give the adapters fixed names:",
+    DiagnosisLevel.NOTE,
+)
 
+NO_DEVICE_TO_LISTEN = OfArm(
+    "no_device_to_listen",
+    "There is no device to listen to. A simulated arm in another process is heard with "
+    "--interface udp_multicast.",
+    DiagnosisLevel.WARNING,
+)
 
-def judge_arm(arm: ArmFacts, heard: HeardFacts) -> list[Diagnosis]:
-    """An arm whose feedback is heard."""
-    params = {
-        "device": _name(heard),
-        "generation": str(arm.generation),
-        "reason": arm.reason,
-        "rate": f"{arm.frames_per_s:.0f}",
-        "offset": f"0x{arm.feedback_offset:02X}",
-        "firmware": arm.firmware or "",
-        "identity": f" ({', '.join(arm.identity)})" if arm.identity else "",
-    }
-    findings = [_arm_finding("arm", DiagnosisLevel.OK, params), *_firmware(arm, heard, params)]
-    findings += _model(arm, params)
-    if arm.feedback_offset:
-        findings.append(_arm_finding("offset", DiagnosisLevel.NOTE, params))
-    if arm.teaching_input:
-        ids = {**params, "ids": "0x2A1"}
-        findings.append(
-            _arm_finding("teaching_input", DiagnosisLevel.WARNING, ids, _end_teaching_input(heard))
-        )
-    findings += _status(arm, params)
-    findings += _drivers(arm, params)
-    findings += _feedback(arm, heard, params)
-    damaged = [str(each.joint) for each in arm.limits if _is_damaged(each)]
-    if damaged:
-        joints = {**params, "joints": ", ".join(damaged)}
-        commands = _send(heard, 0x477, "0002000000000000")
-        findings.append(_arm_finding("limits_damaged", DiagnosisLevel.FAULT, joints, commands))
-    return findings
-
-
-def _firmware(arm: ArmFacts, heard: HeardFacts, params: dict[str, str]) -> list[Diagnosis]:
-    if arm.firmware is None:
-        if arm.generation == 1:
-            return []
-        return [_arm_finding("firmware_unknown", DiagnosisLevel.NOTE, params, _ask(heard))]
-    version = FirmwareVersion.parse(arm.firmware)
-    findings = [_arm_finding("firmware", DiagnosisLevel.OK, params)]
-    if version is not None and version < RECOMMENDED:
-        findings.append(_arm_finding("firmware_old", DiagnosisLevel.NOTE, params))
-    if version is not None and FirmwareBug.FEEDBACK_PARTS in quirks_of(version).bugs:
-        findings.append(_arm_finding("reference_lost", DiagnosisLevel.NOTE, params))
-    return findings
-
-
-def _model(arm: ArmFacts, params: dict[str, str]) -> list[Diagnosis]:
-    """Which arm of the family it is, by its own pose; a moving arm's fits none."""
-    if not arm.models:
-        return []
-    names = {**params, "fits": ", ".join(arm.models)}
-    if arm.chosen_model is not None and arm.chosen_model not in arm.models:
-        names["chosen"] = arm.chosen_model
-        return [_arm_finding("model_other", DiagnosisLevel.WARNING, names)]
-    return [_arm_finding("model", DiagnosisLevel.OK, names)]
-
-
-def _status(arm: ArmFacts, params: dict[str, str]) -> list[Diagnosis]:
-    if arm.status_code is None:
-        return [_arm_finding("status_silent", DiagnosisLevel.WARNING, params)]
-    findings: list[Diagnosis] = []
-    status = {**params, "status": f"0x{arm.status_code:02X} {arm.status_word}".strip()}
-    if arm.status_code == _EMERGENCY_STOP:
-        findings.append(_arm_finding("stopped", DiagnosisLevel.WARNING, status))
-    elif arm.status_code != _NORMAL:
-        findings.append(_arm_finding("status", DiagnosisLevel.WARNING, status))
-    if arm.mode_word and arm.mode_word not in _USUAL_MODES:
-        findings.append(
-            _arm_finding("unusual_mode", DiagnosisLevel.WARNING, {**params, "mode": arm.mode_word})
-        )
-    return findings
-
-
-def _drivers(arm: ArmFacts, params: dict[str, str]) -> list[Diagnosis]:
-    findings: list[Diagnosis] = []
-    if arm.unreachable:
-        joints = {**params, "joints": ", ".join(map(str, arm.unreachable))}
-        findings.append(_arm_finding("joints_unreachable", DiagnosisLevel.FAULT, joints))
-    if arm.beyond_limit:
-        joints = {**params, "joints": ", ".join(map(str, arm.beyond_limit))}
-        findings.append(_arm_finding("joints_beyond_limit", DiagnosisLevel.WARNING, joints))
-    if arm.driver_faults:
-        faults = ", ".join(f"J{joint}: {fault}" for joint, fault in arm.driver_faults)
-        findings.append(
-            _arm_finding("driver_faults", DiagnosisLevel.FAULT, {**params, "faults": faults})
-        )
-    if arm.lowest_voltage is not None and 0 < arm.lowest_voltage < _LOW_V:
-        voltage = {**params, "voltage": f"{arm.lowest_voltage:.1f}"}
-        findings.append(_arm_finding("voltage_low", DiagnosisLevel.WARNING, voltage))
-    return findings
-
-
-def _feedback(arm: ArmFacts, heard: HeardFacts, params: dict[str, str]) -> list[Diagnosis]:
-    """Angles and pose that cannot be true, or are easily misread."""
-    findings: list[Diagnosis] = []
-    if _all_zero(arm) or (arm.teaching is not None and _SILENT_BY_TEACHING_LEVEL in arm.teaching):
-        commands = _mend_teaching(arm.teaching, heard) if arm.generation == 2 else ()
-        findings.append(_arm_finding("feedback_zero", DiagnosisLevel.FAULT, params, commands))
-    tilt = arm.pose[4]
-    if tilt is not None and abs(tilt) > _TILT_DEG:
-        findings.append(
-            _arm_finding("euler_edge", DiagnosisLevel.NOTE, {**params, "ry": f"{tilt:.1f}"})
-        )
-    return findings
-
-
-def _mend_teaching(
-    teaching: tuple[float, float, float] | None, heard: HeardFacts
-) -> tuple[str, ...]:
-    """0x47D with friction level 1, the other two as the arm has them, if they are known."""
-    if teaching is None:
-        return _ask(heard)
-    range_percent, stroke_mm, _friction = teaching
-    possible = min(max(int(range_percent), 100), 200)
-    stroke = int(stroke_mm) if stroke_mm in _STROKE_LIMITS_MM else 0
-    return _send(heard, 0x47D, f"{possible:02X}{stroke:02X}010000000000")
-
-
-def _ask(heard: HeardFacts) -> tuple[str, ...]:
-    channel = f" --channel {heard.channel}" if heard.channel else ""
-    return (f"armui doctor --ask --interface {heard.interface}{channel}",)
-
-
-def _all_zero(arm: ArmFacts) -> bool:
-    """Whether the end pose is all zero: no pose of this arm is."""
-    return all(each == 0 for each in arm.pose)
-
-
-def _is_damaged(limits: LimitFacts) -> bool:
-    low, high = limits.min_deg, limits.max_deg
-    speed, acceleration = limits.max_speed_deg_s, limits.max_acceleration_deg_s2
-    return (
-        (low is not None and high is not None and not low < high)
-        or (speed is not None and not 0 < speed < _FASTEST_DEG_S)
-        or (acceleration is not None and not 0 < acceleration < _FASTEST_DEG_S2)
-    )
-
-
-def _end_teaching_input(heard: HeardFacts) -> tuple[str, ...]:
-    """0x470 with 0xFC and no offsets: a motion output again, after a power cycle."""
-    return _send(heard, 0x470, "FC00000000000000")
-
-
-def _restart(heard: HeardFacts) -> tuple[str, ...]:
-    if heard.interface != "socketcan":
-        return ()
-    return (f"sudo ip link set {heard.channel} type can restart",)
-
-
-def _send(heard: HeardFacts, arbitration_id: int, data: str) -> tuple[str, ...]:
-    """How to send one frame by hand."""
-    if heard.interface == "socketcan":
-        return (f"cansend {heard.channel} {arbitration_id:03X}#{data}",)
-    bitrate = "" if heard.interface in _BITRATE_OF_SYSTEM else ", bitrate=1000000"
-    code = (
-        f"import can; b = can.Bus(interface='{heard.interface}', "
-        f"channel='{heard.channel}'{bitrate}); "
-        f"b.send(can.Message(arbitration_id=0x{arbitration_id:03X}, "
-        f"is_extended_id=False, data=bytes.fromhex('{data}'))); b.shutdown()"
-    )
-    return (f'python -c "{code}"',)
-
-
-def _ids(ids: tuple[int, ...]) -> str:
-    return ", ".join(f"0x{each:03X}" for each in ids)
-
-
-def _name(heard: HeardFacts) -> str:
-    return f"{heard.interface} {heard.channel}".strip()
+BY_ID: Final = {
+    each.id: each
+    for each in (*vars(heard_kinds).values(), *globals().values())
+    if isinstance(each, DiagnosisKind)
+}
+"""Everything that can be found out, for what is read of another process."""
 
 
 # From what there is of CAN devices.
@@ -312,7 +189,7 @@ def judge_can(facts: CanFacts) -> list[Diagnosis]:
     """Adapters, drivers, permissions, interfaces."""
     findings: list[Diagnosis] = []
     if facts.error:
-        findings.append(_finding("search_failed", DiagnosisLevel.FAULT, {"text": facts.error}))
+        findings.append(SEARCH_FAILED(text=facts.error))
     findings += [_without_driver(each) for each in facts.usb if not each.links]
     findings += [_closed_port(each) for each in facts.ports if not each.may_open]
     for link in facts.links:
@@ -321,17 +198,13 @@ def judge_can(facts: CanFacts) -> list[Diagnosis]:
     linked = {each.name for each in facts.links}
     others = [d for d in facts.devices if not (d.interface == "socketcan" and d.channel in linked)]
     findings += [
-        _finding(
-            "device",
-            DiagnosisLevel.OK,
-            {"device": f"{each.interface} {each.channel}", "serial": each.serial or "—"},
-        )
+        DEVICE(device=f"{each.interface} {each.channel}", serial=each.serial or "—")
         for each in others
     ]
     if len(hardware) > 1:
         findings.append(_several(hardware))
     if not facts.links and not others and not facts.usb and not facts.ports:
-        findings.append(_finding("no_devices", DiagnosisLevel.WARNING, {}))
+        findings.append(NO_DEVICES())
     return findings
 
 
@@ -345,23 +218,22 @@ def judge_link(link: LinkFacts) -> list[Diagnosis]:
         "kind": link.kind,
     }
     if not link.up:
-        return [_finding("link_down", DiagnosisLevel.FAULT, params, _up(link))]
+        return [LINK_DOWN(*_up(link), **params)]
     findings = [_state(link, params)]
     if link.bitrate is not None and link.bitrate not in _KNOWN_BITRATES:
-        findings.append(_finding("bitrate_odd", DiagnosisLevel.WARNING, params, _again(link)))
+        findings.append(BITRATE_ODD(*_again(link), **params))
     elif link.bitrate is not None and link.bitrate != _USUAL_BITRATE:
-        findings.append(_finding("bitrate_old", DiagnosisLevel.NOTE, params, _again(link)))
+        findings.append(BITRATE_OLD(*_again(link), **params))
     if link.listen_only:
-        findings.append(_finding("link_listen_only", DiagnosisLevel.WARNING, params, _again(link)))
+        findings.append(LINK_LISTEN_ONLY(*_again(link), **params))
     if link.kind == "can" and not link.restart_ms:
         commands = (
             f"sudo ip link set {link.name} down",
             f"sudo ip link set {link.name} up type can restart-ms 100",
         )
-        findings.append(_finding("no_restart", DiagnosisLevel.NOTE, params, commands))
+        findings.append(NO_RESTART(*commands, **params))
     if link.dropped:
-        params = {**params, "count": str(link.dropped)}
-        findings.append(_finding("kernel_dropped", DiagnosisLevel.NOTE, params))
+        findings.append(KERNEL_DROPPED(**params, count=str(link.dropped)))
     return findings
 
 
@@ -370,12 +242,12 @@ def _state(link: LinkFacts, params: dict[str, str]) -> Diagnosis:
     params = {**params, "tx": _count(link.tx_errors), "rx": _count(link.rx_errors)}
     if link.state == "BUS-OFF":
         commands = (f"sudo ip link set {link.name} type can restart",)
-        return _finding("bus_off", DiagnosisLevel.FAULT, params, commands)
+        return BUS_OFF(*commands, **params)
     if link.state == "ERROR-PASSIVE" or errors >= _PASSIVE_COUNT:
-        return _finding("error_passive", DiagnosisLevel.FAULT, params, _again(link))
+        return ERROR_PASSIVE(*_again(link), **params)
     if link.state == "ERROR-WARNING" or errors >= _WARNING_COUNT:
-        return _finding("error_warning", DiagnosisLevel.WARNING, params)
-    return _finding("link", DiagnosisLevel.OK, params)
+        return ERROR_WARNING(**params)
+    return LINK(**params)
 
 
 def _count(value: int | None) -> str:
@@ -395,15 +267,12 @@ def _again(link: LinkFacts) -> tuple[str, ...]:
 
 def _without_driver(adapter: UsbAdapterFacts) -> Diagnosis:
     params = {"adapter": adapter.name, "usb": adapter.usb_id, "serial": adapter.serial or "—"}
-    return _finding("no_driver", DiagnosisLevel.FAULT, params, ("sudo modprobe gs_usb",))
+    return NO_DRIVER("sudo modprobe gs_usb", **params)
 
 
 def _closed_port(port: SerialPortFacts) -> Diagnosis:
     group = port.group or "dialout"
-    params = {"path": port.path, "group": group}
-    return _finding(
-        "port_closed", DiagnosisLevel.FAULT, params, (f'sudo usermod -aG {group} "$USER"',)
-    )
+    return PORT_CLOSED(f'sudo usermod -aG {group} "$USER"', path=port.path, group=group)
 
 
 def _several(links: list[LinkFacts]) -> Diagnosis:
@@ -415,19 +284,7 @@ def _several(links: list[LinkFacts]) -> Diagnosis:
         for each in links
         if each.serial
     )
-    return _finding("several", DiagnosisLevel.NOTE, {"names": names}, commands)
-
-
-def _finding(
-    code: str, level: DiagnosisLevel, params: dict[str, str], commands: tuple[str, ...] = ()
-) -> Diagnosis:
-    return Diagnosis(Section.CAN, code, level, params, commands)
-
-
-def _arm_finding(
-    code: str, level: DiagnosisLevel, params: dict[str, str], commands: tuple[str, ...] = ()
-) -> Diagnosis:
-    return Diagnosis(Section.ARM, code, level, params, commands)
+    return SEVERAL(*commands, names=names)
 
 
 # From the program and the screen.
@@ -483,7 +340,7 @@ def judge(facts: Facts) -> list[Diagnosis]:
     for heard in facts.heard:
         findings += judge_heard(heard)
     if facts.can is not None and not facts.heard:
-        findings.append(Diagnosis(Section.ARM, "no_device_to_listen", DiagnosisLevel.WARNING))
+        findings.append(NO_DEVICE_TO_LISTEN())
     return findings
 
 
@@ -497,16 +354,12 @@ def an_arm_answers(facts: Facts) -> bool:
 def judge_program(facts: ProgramFacts) -> list[Diagnosis]:
     """Python and packages."""
     params = {"armui": facts.armui, "version": facts.python, "system": facts.system}
-    if facts.python_suffices:
-        findings = [Diagnosis(Section.PROGRAM, "python", DiagnosisLevel.OK, params)]
-    else:
-        findings = [Diagnosis(Section.PROGRAM, "python_old", DiagnosisLevel.FAULT, params)]
+    findings = [(PYTHON if facts.python_suffices else PYTHON_OLD)(**params)]
     wrong = [each for each in facts.packages if not each.satisfied]
     findings += [_package(each, facts.executable) for each in wrong]
     needed = [each for each in facts.packages if not each.extra]
     if needed and not any(each in wrong for each in needed):
-        count = {"count": str(len(needed))}
-        findings.append(Diagnosis(Section.PROGRAM, "packages", DiagnosisLevel.OK, count))
+        findings.append(PACKAGES(count=str(len(needed))))
     if facts.goes_first is not None:
         findings.append(_priority(facts))
     return findings
@@ -514,11 +367,10 @@ def judge_program(facts: ProgramFacts) -> list[Diagnosis]:
 
 def _priority(facts: ProgramFacts) -> Diagnosis:
     if facts.goes_first:
-        return Diagnosis(Section.PROGRAM, "priority", DiagnosisLevel.OK)
-    text = {"text": facts.priority_reason}
+        return PRIORITY()
     tool = _installer(facts.families)
     commands = (f"{tool} rtkit",) if tool else ()
-    return Diagnosis(Section.PROGRAM, "priority_refused", DiagnosisLevel.NOTE, text, commands)
+    return PRIORITY_REFUSED(*commands, text=facts.priority_reason)
 
 
 def _package(facts: PackageFacts, executable: str) -> Diagnosis:
@@ -530,12 +382,10 @@ def _package(facts: PackageFacts, executable: str) -> Diagnosis:
     }
     command = f'{_quoted(executable)} -m pip install "{facts.name}{facts.wanted}"'
     if facts.installed is not None:
-        return Diagnosis(Section.PROGRAM, "package_other", DiagnosisLevel.FAULT, params, (command,))
+        return PACKAGE_OTHER(command, **params)
     if facts.extra:
-        return Diagnosis(
-            Section.PROGRAM, "package_optional", DiagnosisLevel.NOTE, params, (command,)
-        )
-    return Diagnosis(Section.PROGRAM, "package_missing", DiagnosisLevel.FAULT, params, (command,))
+        return PACKAGE_OPTIONAL(command, **params)
+    return PACKAGE_MISSING(command, **params)
 
 
 def judge_screen(facts: ScreenFacts, program: ProgramFacts | None) -> list[Diagnosis]:
@@ -544,48 +394,30 @@ def judge_screen(facts: ScreenFacts, program: ProgramFacts | None) -> list[Diagn
     findings: list[Diagnosis] = []
     if facts.missing_libraries:
         findings.append(
-            Diagnosis(
-                Section.SCREEN,
-                "libraries_missing",
-                DiagnosisLevel.FAULT,
-                {"libraries": ", ".join(facts.missing_libraries)},
-                _install(facts.missing_libraries, families),
+            LIBRARIES_MISSING(
+                *_install(facts.missing_libraries, families),
+                libraries=", ".join(facts.missing_libraries),
             )
         )
     if facts.qt is None:
-        text = {"text": facts.qt_error}
-        findings.append(Diagnosis(Section.SCREEN, "qt_not_loaded", DiagnosisLevel.FAULT, text))
+        findings.append(QT_NOT_LOADED(text=facts.qt_error))
     elif not facts.has_display:
-        findings.append(
-            Diagnosis(
-                Section.SCREEN,
-                "no_display",
-                DiagnosisLevel.FAULT,
-                {"qt": facts.qt},
-                ("export DISPLAY=:0",),
-            )
-        )
+        findings.append(NO_DISPLAY("export DISPLAY=:0", qt=facts.qt))
     elif facts.platform is None:
-        params = {"qt": facts.qt, "text": facts.qt_error}
-        findings.append(
-            Diagnosis(Section.SCREEN, "qt_platform_failed", DiagnosisLevel.FAULT, params)
-        )
+        findings.append(QT_PLATFORM_FAILED(qt=facts.qt, text=facts.qt_error))
     else:
-        params = {"qt": facts.qt, "platform": facts.platform}
-        findings.append(Diagnosis(Section.SCREEN, "qt", DiagnosisLevel.OK, params))
+        findings.append(QT(qt=facts.qt, platform=facts.platform))
     findings.append(_opengl(facts, families))
     return findings
 
 
 def _opengl(facts: ScreenFacts, families: tuple[str, ...]) -> Diagnosis:
     if facts.opengl is None:
-        params = {"text": facts.opengl_error}
         commands = _install(("libEGL.so.1", "libGL.so.1", "libXrender.so.1"), families)
-        return Diagnosis(Section.SCREEN, "opengl_failed", DiagnosisLevel.WARNING, params, commands)
-    params = {"renderer": facts.opengl}
+        return OPENGL_FAILED(*commands, text=facts.opengl_error)
     if any(word in facts.opengl.lower() for word in _SOFTWARE_RENDERERS):
-        return Diagnosis(Section.SCREEN, "opengl_software", DiagnosisLevel.NOTE, params)
-    return Diagnosis(Section.SCREEN, "opengl", DiagnosisLevel.OK, params)
+        return OPENGL_SOFTWARE(renderer=facts.opengl)
+    return OPENGL(renderer=facts.opengl)
 
 
 def _install(libraries: tuple[str, ...], families: tuple[str, ...]) -> tuple[str, ...]:

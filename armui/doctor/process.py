@@ -1,4 +1,4 @@
-"""`armui doctor` in a process of its own, for the window: what it looks at may hang or crash."""
+"""`armui doctor` for the window: in a process of its own, as what it looks at may hang or crash."""
 
 from __future__ import annotations
 
@@ -7,8 +7,10 @@ import subprocess
 from collections.abc import Callable, Sequence
 from typing import Final
 
-from armui.doctor.facts import Diagnosis
-from armui.doctor.report import findings_of_json, load_texts
+from armui.doctor.facts import Diagnosis, DiagnosisLevel
+from armui.doctor.judge import NO_DEVICES, judge_can
+from armui.doctor.probes.can_devices import look_at_adapters
+from armui.doctor.report import findings_of_json
 from armui.system.command_process import CommandProcess
 
 _PATIENCE_S: Final = 180.0
@@ -42,13 +44,27 @@ class DoctorProcess(CommandProcess):
         else:
             self._answer(_findings(out, err))
 
-    def _answer(self, answer: object) -> None:
-        load_texts()  # here, where nobody waits for the disk
-        super()._answer(answer)
-
 
 def _findings(out: str, err: str) -> list[Diagnosis] | str:
     try:
         return findings_of_json(out)
     except (json.JSONDecodeError, ValueError, KeyError, TypeError):
         return err.strip()[-_LAST_WORDS:] or "the examination ended without a report"
+
+
+_GRAVE = (DiagnosisLevel.FAULT, DiagnosisLevel.WARNING)
+
+
+def adapter_trouble() -> list[Diagnosis]:
+    """Interfaces that are down or wrongly set, adapters without a driver, ports nobody may open.
+
+    No device is opened, and python-can is not asked. Takes some milliseconds, as a rule; for a
+    thread that may wait. Faults come first.
+    """
+    findings = judge_can(look_at_adapters())
+    return [
+        each
+        for level in _GRAVE
+        for each in findings
+        if each.severity is level and each.kind != NO_DEVICES
+    ]

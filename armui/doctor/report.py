@@ -5,33 +5,56 @@ from __future__ import annotations
 import json
 import locale
 import os
-from collections.abc import Mapping, Sequence
-from functools import cache
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
 from pathlib import Path
-from typing import Final, Literal
+from typing import ClassVar, Final, Literal, get_args
+from xml.etree import ElementTree as ET
 
 from armui import __version__
 from armui.doctor.facts import Diagnosis, DiagnosisLevel, Section
-from armui.doctor.judge import judge_can
-from armui.doctor.probes.can_devices import look_at_adapters
+from armui.doctor.judge import BY_ID
 from armui.system.files import read_file
+from armui.system.sentence import Sentence
 
 Language = Literal["zh", "en"]
+LANGUAGES: Final[tuple[Language, ...]] = get_args(Language)
 
-_TEXTS: Final = Path("doctor") / "texts.toml"
+Translate = Callable[[str, str], str]
+"""Puts a text of a context into a language, as Qt's own does."""
+
+
+@dataclass(frozen=True, slots=True)
+class ReportText(Sentence):
+    """A text of the report itself."""
+
+    context: ClassVar[str] = "DoctorReport"
+
+
+LISTENED = ReportText("listened", "Listened only: nothing was sent.")
+ASKED = ReportText("asked", "Questions were sent to the arm (--ask): they move and change nothing.")
+ARM_ANSWERS = ReportText("arm_answers", "An arm answers.")
+NO_ARM_ANSWERS = ReportText("no_arm_answers", "No arm answers.")
+OF_PROGRAM = ReportText("of_program", "Program")
+OF_SCREEN = ReportText("of_screen", "Screen")
+OF_CAN = ReportText("of_can", "CAN devices")
+OF_ARM = ReportText("of_arm", "Bus and arm")
+MARKED_OK = ReportText("marked_ok", "[ ok ]")
+MARKED_NOTE = ReportText("marked_note", "[note]")
+MARKED_WARNING = ReportText("marked_warning", "[warn]")
+MARKED_FAULT = ReportText("marked_fault", "[FAIL]")
+
+_SECTIONS: Final = {
+    Section.PROGRAM: OF_PROGRAM,
+    Section.SCREEN: OF_SCREEN,
+    Section.CAN: OF_CAN,
+    Section.ARM: OF_ARM,
+}
 _MARKS: Final = {
-    "en": {
-        DiagnosisLevel.OK: "[ ok ]",
-        DiagnosisLevel.NOTE: "[note]",
-        DiagnosisLevel.WARNING: "[warn]",
-        DiagnosisLevel.FAULT: "[FAIL]",
-    },
-    "zh": {
-        DiagnosisLevel.OK: "[正常]",
-        DiagnosisLevel.NOTE: "[提示]",
-        DiagnosisLevel.WARNING: "[注意]",
-        DiagnosisLevel.FAULT: "[故障]",
-    },
+    DiagnosisLevel.OK: MARKED_OK,
+    DiagnosisLevel.NOTE: MARKED_NOTE,
+    DiagnosisLevel.WARNING: MARKED_WARNING,
+    DiagnosisLevel.FAULT: MARKED_FAULT,
 }
 _INDENT: Final = "       "
 
@@ -40,38 +63,41 @@ class Words:
     """The words of one language.
 
     Args:
-        language: Which.
+        translate: Puts them into it.
     """
 
-    def __init__(self, language: Language) -> None:
-        self.language: Language = language
+    def __init__(self, translate: Translate) -> None:
+        self._translate = translate
 
     def text(self, finding: Diagnosis) -> str:
         """A finding as a sentence."""
-        return self._get("finding", finding.code).format_map(finding.params)
+        return self.plain(finding.kind).format_map(finding.params)
 
     def section(self, section: Section) -> str:
         """What a section is called."""
-        return self._get("section", section.value)
+        return self.plain(_SECTIONS[section])
 
-    def plain(self, name: str) -> str:
-        """A sentence of the report itself."""
-        return self._get("report", name)
+    def plain(self, text: Sentence) -> str:
+        """A text without figures."""
+        return self._translate(text.context, text.source)
 
     def mark(self, severity: DiagnosisLevel) -> str:
         """How a severity is marked at the beginning of a line."""
-        return _MARKS[self.language][severity]
-
-    def _get(self, table: str, name: str) -> str:
-        return load_texts()[table][name][self.language]
+        return self.plain(_MARKS[severity])
 
 
-@cache
-def load_texts() -> Mapping[str, Mapping[str, Mapping[str, str]]]:
-    """The words, by table, name and language; read once, by whoever may wait for the disk."""
-    import tomllib  # noqa: PLC0415 - Python 3.10 lacks it, and is to be told so
-
-    return tomllib.loads(read_file(_resources() / _TEXTS).decode())
+def translation(language: Language) -> Translate:
+    """What puts texts into a language where Qt may be missing: it reads the file of the texts."""
+    if language == "en":
+        return lambda _context, source: source
+    file = _resources() / "i18n" / "armui_zh.ts"
+    content = ET.fromstring(read_file(file))  # noqa: S314 - our own
+    texts = {
+        (context.findtext("name"), message.findtext("source")): message.findtext("translation")
+        for context in content.iter("context")
+        for message in context.iter("message")
+    }
+    return lambda context, source: texts.get((context, source)) or source
 
 
 def _resources() -> Path:
@@ -100,7 +126,7 @@ def language_of_system(settings_file: Path | None = None) -> Language:
 def as_text(findings: Sequence[Diagnosis], words: Words, *, arm_answers: bool, asked: bool) -> str:
     """The report for people, and for a support mail."""
     lines = [f"armui doctor {__version__}"]
-    lines.append(words.plain("asked" if asked else "listened"))
+    lines.append(words.plain(ASKED if asked else LISTENED))
     for section in Section:
         mine = [each for each in findings if each.section is section]
         if mine:
@@ -108,7 +134,7 @@ def as_text(findings: Sequence[Diagnosis], words: Words, *, arm_answers: bool, a
         for finding in mine:
             lines.append(f"{words.mark(finding.severity)} {words.text(finding)}")
             lines += [f"{_INDENT}$ {command}" for command in finding.commands]
-    lines += ["", words.plain("arm_answers" if arm_answers else "no_arm_answers")]
+    lines += ["", words.plain(ARM_ANSWERS if arm_answers else NO_ARM_ANSWERS)]
     return "\n".join(lines) + "\n"
 
 
@@ -147,30 +173,10 @@ def findings_of_json(text: str) -> list[Diagnosis]:
     """
     return [
         Diagnosis(
-            Section(each["section"]),
-            each["code"],
+            BY_ID[each["code"]],
             DiagnosisLevel(each["severity"]),
             each["params"],
             tuple(each["commands"]),
         )
         for each in json.loads(text)["findings"]
-    ]
-
-
-_GRAVE = (DiagnosisLevel.FAULT, DiagnosisLevel.WARNING)
-
-
-def adapter_trouble() -> list[Diagnosis]:
-    """Interfaces that are down or wrongly set, adapters without a driver, ports nobody may open.
-
-    No device is opened, and python-can is not asked. Takes some milliseconds, as a rule; for a
-    thread that may wait. Faults come first.
-    """
-    load_texts()  # whoever shows the findings must not wait for the disk
-    findings = judge_can(look_at_adapters())
-    return [
-        each
-        for level in _GRAVE
-        for each in findings
-        if each.severity is level and each.code != "no_devices"
     ]

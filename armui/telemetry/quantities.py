@@ -132,6 +132,15 @@ DRIVER_FAULTS: Final = (
 GRIPPER_FAULTS: Final = DRIVER_FAULTS[:6]
 """The bits of ``gripper_faults``."""
 
+_POSE_AXES: Final = ("x", "y", "z", "rx", "ry", "rz")
+TOOL_POSE: Final = Record(
+    "ToolPose",
+    Source.ARM,
+    tuple(
+        _figure(f"tool_{axis}", "°" if axis.startswith("r") else "mm", "") for axis in _POSE_AXES
+    ),
+)
+"""No message has it: it is worked out of the flange's pose while a tool is set."""
 _STATUS: Final = Record(
     "ArmStatus",
     Source.ARM,
@@ -181,6 +190,7 @@ def _feedback() -> Iterator[Record]:
         yield Record(message, Source.ARM, _joint_fields(pair), common=True)
     for place, axes in enumerate(_POSES, 1):
         yield Record(f"EndPose{place}", Source.ARM, _pose_fields(axes), common=True)
+    yield TOOL_POSE
     yield _STATUS
     yield _GRIPPER
     for joint in JOINTS:

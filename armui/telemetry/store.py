@@ -15,7 +15,16 @@ from armui.protocol.codes import MotorAction, StopCommand, TrajectoryCommand
 from armui.protocol.frame import Frame, FrameFlag
 from armui.system.clock import steady_s, wall_clock
 from armui.telemetry.listener import Listener
-from armui.telemetry.quantities import BUS, QUANTITIES, RECORDS, Quantity, Record, Source, Space
+from armui.telemetry.quantities import (
+    BUS,
+    QUANTITIES,
+    RECORDS,
+    TOOL_POSE,
+    Quantity,
+    Record,
+    Source,
+    Space,
+)
 from armui.telemetry.series import KEPT_S, Row, Series
 from armui.telemetry.series_columns import NOT_OF_THE_ARM, ColumnWriter, row_of
 
@@ -49,6 +58,37 @@ ENDS: Final = {
 """What of 0x150 ends every target that stands."""
 
 _Writer = Callable[[Mapping[str, float], float], None]
+_POSE_MESSAGES: Final = ("EndPose1", "EndPose2", "EndPose3")
+
+
+class _ToolPoseWriter:
+    """Works out the pose of the tool centre point once all three messages of the flange's are in.
+
+    Args:
+        tool: Its pose in the flange, mm and degrees.
+        series: Where to.
+    """
+
+    def __init__(self, tool: Sequence[float], series: Series) -> None:
+        from armui.kinematics import poses  # noqa: PLC0415 - loaded when a tool is set
+
+        self._tool, self._series = tool, series
+        self._poses = poses
+        self._flange: dict[str, float] = {}
+
+    def following(self, write: _Writer) -> _Writer:
+        """Return what writes one of the three messages, and then the tool's pose."""
+
+        def write_both(signals: Mapping[str, float], at_s: float) -> None:
+            write(signals, at_s)
+            flange = self._flange
+            flange.update(signals)
+            if len(flange) == len(TOOL_POSE.fields):
+                pose = [flange[axis] for axis in ("X", "Y", "Z", "RX", "RY", "RZ")]
+                self._series.write(at_s, self._poses.tool_pose(pose, self._tool))
+                flange.clear()
+
+        return write_both
 
 
 class Telemetry(Listener):
@@ -79,6 +119,7 @@ class Telemetry(Listener):
         self._codec: Codec | None = None
         self._columns: ColumnWriter | None = None
         self._generation: Generation | None = None
+        self._tool: Sequence[float] = ()
         self._from_others: dict[str, _Writer] = {}
         self._own: dict[str, _Writer] = {}
         self._standing: dict[Space, tuple[object, set[Series]]] = {
@@ -145,6 +186,18 @@ class Telemetry(Listener):
         if generation is not self._generation:
             with self._choosing:
                 self._generation = generation
+                self._choose()
+
+    def set_tool(self, tool: Sequence[float]) -> None:
+        """Keep the pose of a tool centre point beside the flange's from now on.
+
+        Args:
+            tool: Its pose in the flange, mm and degrees; zeros: it is the flange, and is not kept.
+        """
+        wanted = tuple(tool) if any(tool) else ()
+        if wanted != self._tool:
+            with self._choosing:
+                self._tool = wanted
                 self._choose()
 
     # The bus thread ---------------------------------------------------------------------------
@@ -255,6 +308,11 @@ class Telemetry(Listener):
             writer = self._writer(record, codec, proven=proven)
             if writer is not None:
                 chosen[record.source][record.message] = writer
+        if self._tool:
+            tool_pose = _ToolPoseWriter(self._tool, self.series[TOOL_POSE.name])
+            for message in _POSE_MESSAGES:
+                measured = chosen[Source.ARM]
+                measured[message] = tool_pose.following(measured[message])
         ends: dict[str, _Writer] = {
             "MotionCommand": self._on_motion_command,
             "MotorEnable": self._on_motor_enable,

@@ -137,8 +137,14 @@ class Hud:
             right += self._column_px + _GAP_PX
         painter.restore()
 
-    def quantity_at(self, place: QPointF, base_font: QFont) -> str | None:
-        """Return the key of the figure at a place; ``None`` where there is none."""
+    def quantity_at(self, place: QPointF, base_font: QFont, *, of_tool: bool) -> str | None:
+        """Return the key of the figure at a place; ``None`` where there is none.
+
+        Args:
+            place: In the widget.
+            base_font: Of the widget.
+            of_tool: The pose shown is that of the tool centre point, not of the flange.
+        """
         frame = self.frame(base_font)
         if not frame.contains(place):
             return None
@@ -149,7 +155,7 @@ class Hud:
             return None  # the name of the point
         line = min(line - 1, 5)
         if place.x() < frame.center().x():
-            return f"arm.pose_{_POSE[line][0].lower()}"
+            return f"arm.{'tool' if of_tool else 'pose'}_{_POSE[line][0].lower()}"
         return f"arm.joint_angle.{line + 1}"
 
     def _measure(self, base_font: QFont) -> None:

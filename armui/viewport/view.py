@@ -542,7 +542,7 @@ class ArmView(QWidget):
 
     def quantities_at(self, place: QPoint) -> list[str]:
         """Return the key of the figure at a place; see `armui.telemetry.quantities`."""
-        key = self._hud_painter.quantity_at(QPointF(place), self.font())
+        key = self._hud_painter.quantity_at(QPointF(place), self.font(), of_tool=self._hud.of_tool)
         return [] if key is None else [key]
 
     def _on_joint_picked(self, number: int | None) -> None:

@@ -366,13 +366,6 @@
     </message>
 </context>
 <context>
-    <name>AdapterTrouble</name>
-    <message>
-        <source>en</source>
-        <translation>zh</translation>
-    </message>
-</context>
-<context>
     <name>ArcBox</name>
     <message>
         <source>start</source>
@@ -891,6 +884,10 @@
         <translation>最近 1 秒内变化过的字节会点亮</translation>
     </message>
     <message>
+        <source>What the last frame said, in physical units</source>
+        <translation>最近一帧的内容，按物理单位</translation>
+    </message>
+    <message>
         <source>Over the last 3 s, and at least 8 cycles</source>
         <translation>按最近 3 秒计算，至少 8 个周期</translation>
     </message>
@@ -913,10 +910,6 @@
     <message>
         <source>Says</source>
         <translation>内容</translation>
-    </message>
-    <message>
-        <source>What the last frame said, in physical units</source>
-        <translation>最近一帧的内容，按物理单位</translation>
     </message>
 </context>
 <context>
@@ -1569,6 +1562,281 @@
     </message>
 </context>
 <context>
+    <name>Diagnosis</name>
+    <message>
+        <source>armui {armui}, Python {version}, {system}.</source>
+        <translation>armui {armui}，运行于 Python {version}，{system}。</translation>
+    </message>
+    <message>
+        <source>armui {armui} wants Python 3.11 or newer; this is {version} on {system}. Install a newer Python.</source>
+        <translation>armui {armui} 需要 Python 3.11 或更高版本，当前为 {version}（{system}）。请安装新版 Python。</translation>
+    </message>
+    <message>
+        <source>All {count} packages are there in a fitting version.</source>
+        <translation>所需的 {count} 个软件包均已安装，版本合适。</translation>
+    </message>
+    <message>
+        <source>On a busy computer, window, bus and stop may go before other programs.</source>
+        <translation>电脑繁忙时，本程序的窗口、总线和急停可优先运行。</translation>
+    </message>
+    <message>
+        <source>On a busy computer, window, bus and stop wait their turn behind other programs: {text}. A stop may then leave some tenths of a second later. Install rtkit, or close what keeps the computer busy.</source>
+        <translation>电脑繁忙时，本程序的窗口、总线和急停须与其他程序轮流运行（{text}），急停可能晚零点几秒发出。请安装 rtkit，或关闭占用电脑的程序。</translation>
+    </message>
+    <message>
+        <source>The package {package} is missing. Install it.</source>
+        <translation>缺少软件包 {package}，请安装。</translation>
+    </message>
+    <message>
+        <source>The package {package} is there as {installed}; {wanted} is wanted.</source>
+        <translation>软件包 {package} 的版本为 {installed}，需要 {wanted}。</translation>
+    </message>
+    <message>
+        <source>The package {package} is not installed; some adapters or a simulated arm in another process want it.</source>
+        <translation>未安装软件包 {package}；部分适配器或另一进程中的仿真机械臂需要它。</translation>
+    </message>
+    <message>
+        <source>Qt {qt} draws through {platform}.</source>
+        <translation>Qt {qt} 通过 {platform} 显示。</translation>
+    </message>
+    <message>
+        <source>Qt cannot be loaded: {text}</source>
+        <translation>无法加载 Qt：{text}</translation>
+    </message>
+    <message>
+        <source>System libraries that Qt wants are missing: {libraries}.</source>
+        <translation>缺少 Qt 需要的系统库：{libraries}。</translation>
+    </message>
+    <message>
+        <source>Qt {qt} is there, but no desktop session: start the program in one, or name its display.</source>
+        <translation>Qt {qt} 可用，但没有桌面会话：请在桌面会话中启动程序，或指定显示器。</translation>
+    </message>
+    <message>
+        <source>Qt {qt} finds no way to the screen: {text}</source>
+        <translation>Qt {qt} 无法打开显示：{text}</translation>
+    </message>
+    <message>
+        <source>OpenGL for the 3D picture: {renderer}.</source>
+        <translation>3D 画面使用的 OpenGL：{renderer}。</translation>
+    </message>
+    <message>
+        <source>OpenGL for the 3D picture is drawn by the processor ({renderer}): slower, but it works. A graphics driver makes it faster.</source>
+        <translation>3D 画面的 OpenGL 由处理器绘制（{renderer}）：较慢但可用。安装显卡驱动可以加快。</translation>
+    </message>
+    <message>
+        <source>The 3D picture cannot be drawn, the rest of the program works: {text}</source>
+        <translation>无法绘制 3D 画面，程序其余部分可用：{text}</translation>
+    </message>
+    <message>
+        <source>No search for CAN devices is possible: {text}</source>
+        <translation>无法搜索 CAN 设备：{text}</translation>
+    </message>
+    <message>
+        <source>No CAN device is found. Plug in the adapter; try another cable and another USB port.</source>
+        <translation>没有找到 CAN 设备。请插入适配器，或更换数据线和 USB 接口。</translation>
+    </message>
+    <message>
+        <source>{device}, serial number {serial}.</source>
+        <translation>{device}，序列号 {serial}。</translation>
+    </message>
+    <message>
+        <source>{adapter} ({usb}, serial number {serial}) is plugged in, but no CAN interface has come of it: its driver is not loaded. In a virtual machine, hand the USB device over to it; WSL has no CAN in its usual kernel.</source>
+        <translation>{adapter}（{usb}，序列号 {serial}）已插入，但没有生成 CAN 接口：驱动未加载。虚拟机中请先把 USB 设备交给虚拟机；WSL 的默认内核不含 CAN。</translation>
+    </message>
+    <message>
+        <source>{path} may not be opened by this user; it belongs to the group {group}. Join it, then log out and in again.</source>
+        <translation>当前用户无权打开 {path}，它属于用户组 {group}。请加入该组，然后注销并重新登录。</translation>
+    </message>
+    <message>
+        <source>{channel} ({kind}) is up, {bitrate} bit/s, {state}, error counters {tx}/{rx}, serial number {serial}.</source>
+        <translation>{channel}（{kind}）已启用，{bitrate} bit/s，{state}，错误计数 {tx}/{rx}，序列号 {serial}。</translation>
+    </message>
+    <message>
+        <source>{channel} is switched off. Switch it on with the arm's bit rate.</source>
+        <translation>{channel} 未启用。请按机械臂的波特率启用。</translation>
+    </message>
+    <message>
+        <source>{channel} is off the bus (bus-off): too many errors. Check the cable, the terminating resistors and the bit rate ({bitrate}), then bring it back.</source>
+        <translation>{channel} 已离线（bus-off）：错误过多。请检查电缆、终端电阻和波特率（{bitrate}），然后恢复。</translation>
+    </message>
+    <message>
+        <source>{channel} sees many errors ({state}, counters {tx}/{rx}): nobody acknowledges, or the bit rate {bitrate} is not the arm's. Is the arm switched on? CAN_H and CAN_L swapped? 120 Ω at both ends?</source>
+        <translation>{channel} 错误很多（{state}，计数 {tx}/{rx}）：没有节点应答，或波特率 {bitrate} 与机械臂不符。机械臂是否上电？CAN_H 与 CAN_L 是否接反？两端是否有 120 Ω 终端电阻？</translation>
+    </message>
+    <message>
+        <source>{channel} counts errors ({tx}/{rx}): look at cable and terminating resistors.</source>
+        <translation>{channel} 出现错误（{tx}/{rx}）：请检查电缆和终端电阻。</translation>
+    </message>
+    <message>
+        <source>{channel} runs at {bitrate} bit/s; arms run at 1000000 (today's) or 500000 (generation 1's text).</source>
+        <translation>{channel} 的波特率为 {bitrate} bit/s；机械臂为 1000000（当前）或 500000（第 1 代协议文本）。</translation>
+    </message>
+    <message>
+        <source>{channel} runs at {bitrate} bit/s, as generation 1's text says; today's arms run at 1000000.</source>
+        <translation>{channel} 的波特率为 {bitrate} bit/s，与第 1 代协议文本一致；当前机械臂为 1000000。</translation>
+    </message>
+    <message>
+        <source>{channel} is in listen-only mode: no command and no emergency stop goes out.</source>
+        <translation>{channel} 处于只听模式：任何指令和急停都发不出去。</translation>
+    </message>
+    <message>
+        <source>{channel} does not come back by itself from bus-off (restart-ms is 0).</source>
+        <translation>{channel} 发生 bus-off 后不会自动恢复（restart-ms 为 0）。</translation>
+    </message>
+    <message>
+        <source>{channel}: the kernel has dropped {count} received frames since it was switched on; the computer was too busy.</source>
+        <translation>{channel}：启用以来内核丢弃了 {count} 个接收报文，计算机过于繁忙。</translation>
+    </message>
+    <message>
+        <source>Several adapters: {names}. Their names may swap at the next plugging in, and settings go to the wrong arm. Tell arms apart by the serial number, or give the adapters fixed names:</source>
+        <translation>有多个适配器：{names}。重新插拔后名称可能互换，设置会发到错误的机械臂。请按序列号区分，或固定适配器名称：</translation>
+    </message>
+    <message>
+        <source>There is no device to listen to. A simulated arm in another process is heard with --interface udp_multicast.</source>
+        <translation>没有可监听的设备。另一进程中的仿真机械臂可用 --interface udp_multicast 监听。</translation>
+    </message>
+    <message>
+        <source>{device}: the package {package} is missing.</source>
+        <translation>{device}：缺少软件包 {package}。</translation>
+    </message>
+    <message>
+        <source>{device}: the maker's driver is missing: {text}</source>
+        <translation>{device}：缺少厂商驱动：{text}</translation>
+    </message>
+    <message>
+        <source>{device} is not there (any more): {text}</source>
+        <translation>{device} 不存在或已拔出：{text}</translation>
+    </message>
+    <message>
+        <source>{device} is in use by another program. End that program, or listen there.</source>
+        <translation>{device} 正被其他程序使用。请先关闭该程序。</translation>
+    </message>
+    <message>
+        <source>{device} is switched off.</source>
+        <translation>{device} 未启用。</translation>
+    </message>
+    <message>
+        <source>{device} may not be opened by this user: {text}</source>
+        <translation>当前用户无权打开 {device}：{text}</translation>
+    </message>
+    <message>
+        <source>{device} cannot be opened with these settings: {text}</source>
+        <translation>{device} 无法以这些参数打开：{text}</translation>
+    </message>
+    <message>
+        <source>{device} cannot be opened: {text}</source>
+        <translation>{device} 无法打开：{text}</translation>
+    </message>
+    <message>
+        <source>{device} went off the bus (bus-off) while it was listened to: cable, terminating resistors, bit rate.</source>
+        <translation>监听期间 {device} 离线（bus-off）：请检查电缆、终端电阻、波特率。</translation>
+    </message>
+    <message>
+        <source>{device}: {count} error frames in {seconds} s. Bit rate other than the arm's, a loose plug, or no terminating resistor.</source>
+        <translation>{device}：{seconds} s 内有 {count} 个错误帧。可能波特率与机械臂不符、插头松动或缺少终端电阻。</translation>
+    </message>
+    <message>
+        <source>{device}: not one frame in {seconds} s. Is the arm switched on, the CAN cable plugged in, the bit rate 1000000? The arm may also be told to keep silent (0x422): a power cycle ends that.</source>
+        <translation>{device}：{seconds} s 内没有收到任何报文。机械臂是否上电、CAN 线是否插好、波特率是否为 1000000？机械臂也可能被置为静默（0x422）：重新上电即可恢复。</translation>
+    </message>
+    <message>
+        <source>{device}: {count} frames in {seconds} s, but no feedback of an arm. Heard: {ids}.</source>
+        <translation>{device}：{seconds} s 内收到 {count} 个报文，但没有机械臂反馈。收到：{ids}。</translation>
+    </message>
+    <message>
+        <source>{device}: feedback is heard, but no question was answered: commands do not get through. Another offset of the commands (0x470), or an adapter that only listens.</source>
+        <translation>{device}：能收到反馈，但询问没有应答：指令没有送达。可能是控制偏移不同（0x470），或适配器处于只听模式。</translation>
+    </message>
+    <message>
+        <source>{device}: an arm of generation {generation}, {rate} frames/s.</source>
+        <translation>{device}：第 {generation} 代协议的机械臂，{rate} 帧/s。</translation>
+    </message>
+    <message>
+        <source>Firmware {firmware}{identity}.</source>
+        <translation>固件 {firmware}{identity}。</translation>
+    </message>
+    <message>
+        <source>The firmware's version was not heard: the arm tells it only when asked.</source>
+        <translation>未收到固件版本：机械臂只在被询问时回答。</translation>
+    </message>
+    <message>
+        <source>The maker recommends firmware S-V1.8-9 or later; {firmware} has known faults. Updates come from the maker's support.</source>
+        <translation>厂家建议使用 S-V1.8-9 或更高版本固件；{firmware} 存在已知问题。更新请联系厂家支持。</translation>
+    </message>
+    <message>
+        <source>Model by the pose it reports: {fits}.</source>
+        <translation>按机械臂反馈的位姿判断，型号为 {fits}。</translation>
+    </message>
+    <message>
+        <source>Connected as a {chosen}, but the pose it reports is that of a {fits}. Connect it as a {fits}: tool moves and checks would be wrong.</source>
+        <translation>连接时选择的型号是 {chosen}，但其反馈的位姿属于 {fits}。请按 {fits} 重新连接：否则末端运动和检查会出错。</translation>
+    </message>
+    <message>
+        <source>With {firmware} a joint may lose its reference without a fault: angles look right, the arm stands elsewhere. Compare the 3D picture with the arm; only stop and resume (the arm drops) or a power cycle mends it.</source>
+        <translation>{firmware} 的关节可能在没有报错的情况下丢失基准：角度看似正常，实际位置不同。请对照 3D 画面与机械臂；只有急停后恢复（机械臂会下落）或重新上电才能修复。</translation>
+    </message>
+    <message>
+        <source>The arm's feedback is shifted by {offset} (0x470): the program follows it by itself.</source>
+        <translation>机械臂的反馈偏移为 {offset}（0x470）：程序会自动跟随。</translation>
+    </message>
+    <message>
+        <source>{device}: a second arm is heard, its feedback shifted by {offsets}.</source>
+        <translation>{device}：听到第二台机械臂，反馈偏移为 {offsets}。</translation>
+    </message>
+    <message>
+        <source>{device}: the arm is a teaching-input arm: it leads others and takes no commands ({ids}). Make it a motion output again (0x470, 0xFC), then switch it off and on.</source>
+        <translation>{device}：该机械臂为示教输入臂（主臂），不接受运动指令（{ids}）。请重新设为运动输出臂（0x470，0xFC），然后断电重启。</translation>
+    </message>
+    <message>
+        <source>The arm is in emergency stop. Resume drops the arm: hold it.</source>
+        <translation>机械臂处于急停状态。恢复时机械臂会下落：请扶住机械臂。</translation>
+    </message>
+    <message>
+        <source>{device}: another program or host commands the arm: {frames}. End it before you move the arm from here.</source>
+        <translation>{device}：另一程序或主机正在控制机械臂：{frames}。从本机控制之前请先停止它。</translation>
+    </message>
+    <message>
+        <source>The arm's status (0x2A1) is not heard, though other feedback is.</source>
+        <translation>收到了其他反馈，但没有收到机械臂状态（0x2A1）。</translation>
+    </message>
+    <message>
+        <source>The arm reports {status}.</source>
+        <translation>机械臂报告状态 {status}。</translation>
+    </message>
+    <message>
+        <source>The arm is in {mode}: another program has set it. A new mode word leaves the joints limp and the arm falls.</source>
+        <translation>机械臂处于 {mode}：由其他程序设置。切换模式会使关节失力，机械臂会下落。</translation>
+    </message>
+    <message>
+        <source>Joint {joints}: no communication with the main controller. Switch the arm off and on; if it stays, the cable inside is at fault.</source>
+        <translation>关节 {joints}：与主控制器通讯异常。请断电重启；若仍存在，则为内部线缆故障。</translation>
+    </message>
+    <message>
+        <source>Joint {joints} is beyond its limit.</source>
+        <translation>关节 {joints} 超出限位。</translation>
+    </message>
+    <message>
+        <source>Drivers report: {faults}.</source>
+        <translation>驱动器报告：{faults}。</translation>
+    </message>
+    <message>
+        <source>The drivers see only {voltage} V; the supply should have 24 V. A supply that is too weak, or a long cable.</source>
+        <translation>驱动器电压只有 {voltage} V，应为 24 V。电源功率不足或电缆过长。</translation>
+    </message>
+    <message>
+        <source>The feedback is all zero: seen with a teaching level of 255 in 0x47E (S-V1.5-8). Make the arm a teaching input and a motion output again, and set the teaching level to 1 (0x47D).</source>
+        <translation>反馈全部为零：0x47E 中示教等级为 255 时会出现（S-V1.5-8）。请将机械臂设为示教输入臂再改回，并把示教等级设为 1（0x47D）。</translation>
+    </message>
+    <message>
+        <source>RY is {ry}°: near ±90° the three angles of the end pose jump by up to 360°. That is how they are, not a fault; never subtract them.</source>
+        <translation>RY 为 {ry}°：接近 ±90° 时末端姿态角会跳变，最大 360°。这是欧拉角的特性，不是故障；不要对其做差。</translation>
+    </message>
+    <message>
+        <source>Joint {joints}: the limits kept in the arm are damaged. Set joint limits, speeds and accelerations to factory values (0x477), then read and set each.</source>
+        <translation>关节 {joints}：机械臂中保存的限位已损坏。请将关节限位、速度、加速度恢复出厂值（0x477），然后逐项读取并设置。</translation>
+    </message>
+</context>
+<context>
     <name>DialectBar</name>
     <message>
         <source>Encoding</source>
@@ -1634,10 +1902,6 @@
         <translation>仅查看和监听，没有发送任何报文。终端命令：armui doctor</translation>
     </message>
     <message>
-        <source>en</source>
-        <translation>zh</translation>
-    </message>
-    <message>
         <source>The examination is under way.</source>
         <translation>正在诊断。</translation>
     </message>
@@ -1660,6 +1924,57 @@
     <message>
         <source>No fault was found.</source>
         <translation>没有发现故障。</translation>
+    </message>
+</context>
+<context>
+    <name>DoctorReport</name>
+    <message>
+        <source>Listened only: nothing was sent.</source>
+        <translation>仅监听：没有发送任何报文。</translation>
+    </message>
+    <message>
+        <source>Questions were sent to the arm (--ask): they move and change nothing.</source>
+        <translation>已向机械臂发送询问报文（--ask）：不会引起运动，也不会更改设置。</translation>
+    </message>
+    <message>
+        <source>An arm answers.</source>
+        <translation>机械臂有应答。</translation>
+    </message>
+    <message>
+        <source>No arm answers.</source>
+        <translation>没有机械臂应答。</translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation>程序</translation>
+    </message>
+    <message>
+        <source>Screen</source>
+        <translation>显示</translation>
+    </message>
+    <message>
+        <source>CAN devices</source>
+        <translation>CAN 设备</translation>
+    </message>
+    <message>
+        <source>Bus and arm</source>
+        <translation>总线与机械臂</translation>
+    </message>
+    <message>
+        <source>[ ok ]</source>
+        <translation>[正常]</translation>
+    </message>
+    <message>
+        <source>[note]</source>
+        <translation>[提示]</translation>
+    </message>
+    <message>
+        <source>[warn]</source>
+        <translation>[注意]</translation>
+    </message>
+    <message>
+        <source>[FAIL]</source>
+        <translation>[故障]</translation>
     </message>
 </context>
 <context>
@@ -2305,10 +2620,6 @@
         <translation>只导出了通道 {channel}；{others} 的 {count:,} 帧未导出。</translation>
     </message>
     <message>
-        <source>{count:,} are questions of this program or another host.</source>
-        <translation>{count:,} 帧为本程序或其他程序的查询。</translation>
-    </message>
-    <message>
         <source>A folder with a file for each message: every frame with its time, decoded into signals with their units.</source>
         <translation>一个文件夹，每种报文一个文件：每一帧带时间，解码为带单位的信号。</translation>
     </message>
@@ -2327,6 +2638,10 @@
     <message>
         <source>{frames:,} frames read as generation {generation}, {model}.</source>
         <translation>共 {frames:,} 帧，按第 {generation} 代协议读取，型号 {model}。</translation>
+    </message>
+    <message>
+        <source>{count:,} are questions of this program or another host.</source>
+        <translation>{count:,} 帧为本程序或其他程序的查询。</translation>
     </message>
 </context>
 <context>
@@ -2547,10 +2862,6 @@
         <translation>清空</translation>
     </message>
     <message>
-        <source>Live</source>
-        <translation>实时</translation>
-    </message>
-    <message>
         <source>Counting begins anew, from nothing</source>
         <translation>从零重新统计</translation>
     </message>
@@ -2581,6 +2892,10 @@
     <message>
         <source>Sender</source>
         <translation>发送方</translation>
+    </message>
+    <message>
+        <source>Live</source>
+        <translation>实时</translation>
     </message>
 </context>
 <context>
@@ -5093,14 +5408,6 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>请先选择机械臂的安装方式。</translation>
     </message>
     <message>
-        <source>Mounting: not set from here yet</source>
-        <translation>安装方式：本程序尚未设置</translation>
-    </message>
-    <message>
-        <source>Mounting, as last set from here: {mounting}</source>
-        <translation>安装方式：本程序上次设为{mounting}</translation>
-    </message>
-    <message>
         <source>Mounting of the arm</source>
         <translation>机械臂安装方式</translation>
     </message>
@@ -5111,6 +5418,14 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     <message>
         <source>The arm does not answer this and cannot be asked for it: another program, or the arm itself after a power cut, may have another one.</source>
         <translation>机械臂对此不应答，也无法查询：其他程序或断电后的机械臂可能采用不同的设置。</translation>
+    </message>
+    <message>
+        <source>Mounting: not set from here yet</source>
+        <translation>安装方式：本程序尚未设置</translation>
+    </message>
+    <message>
+        <source>Mounting, as last set from here: {mounting}</source>
+        <translation>安装方式：本程序上次设为{mounting}</translation>
     </message>
 </context>
 <context>
@@ -6033,6 +6348,10 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>为此机械臂保存，不运动。</translation>
     </message>
     <message>
+        <source>This arm tells no number of its own: another one without a number at this adapter would be taken for it.</source>
+        <translation>此机械臂不报自己的编号：同一适配器上另一台不报编号的机械臂会被当作它。</translation>
+    </message>
+    <message>
         <source>The measured angles</source>
         <translation>当前测得的角度</translation>
     </message>
@@ -6400,10 +6719,6 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>暂停</translation>
     </message>
     <message>
-        <source>Live</source>
-        <translation>实时</translation>
-    </message>
-    <message>
         <source>Plots that answer a question</source>
         <translation>回答一个问题的一组图</translation>
     </message>
@@ -6462,6 +6777,10 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     <message>
         <source>{count} s</source>
         <translation>{count} 秒</translation>
+    </message>
+    <message>
+        <source>Live</source>
+        <translation>实时</translation>
     </message>
 </context>
 <context>
@@ -7032,6 +7351,30 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     <message>
         <source>no</source>
         <translation>否</translation>
+    </message>
+    <message>
+        <source>Tool centre point X</source>
+        <translation>工具中心点 X</translation>
+    </message>
+    <message>
+        <source>Tool centre point Y</source>
+        <translation>工具中心点 Y</translation>
+    </message>
+    <message>
+        <source>Tool centre point Z</source>
+        <translation>工具中心点 Z</translation>
+    </message>
+    <message>
+        <source>Tool centre point RX</source>
+        <translation>工具中心点 RX</translation>
+    </message>
+    <message>
+        <source>Tool centre point RY</source>
+        <translation>工具中心点 RY</translation>
+    </message>
+    <message>
+        <source>Tool centre point RZ</source>
+        <translation>工具中心点 RZ</translation>
     </message>
 </context>
 <context>
@@ -7682,10 +8025,6 @@ The other program must have ended.</source>
         <translation>机械臂当前不由本程序控制：{mode}。请先退出该模式。</translation>
     </message>
     <message>
-        <source>J{joint}: this step would go beyond its limit of {limit}°. Take a smaller step.</source>
-        <translation>J{joint}：这一步会越过限位 {limit}°，请减小步长。</translation>
-    </message>
-    <message>
         <source>The arm is in emergency stop. Hold the arm, press Resume, then enable the motors.</source>
         <translation>机械臂处于急停状态。请扶住机械臂，按“恢复”，然后使能电机。</translation>
     </message>
@@ -7800,10 +8139,6 @@ The other program must have ended.</source>
     <message>
         <source>This arm was connected as a {chosen}, but the pose it reports is that of a {fits}: the program would compute with the wrong lengths. Connect it as a {fits}; until then the joints can be moved one by one.</source>
         <translation>该机械臂按 {chosen} 连接，但其反馈的位姿属于 {fits}：程序会用错误的连杆长度计算。请按 {fits} 重新连接；在此之前可以逐个移动关节。</translation>
-    </message>
-    <message>
-        <source>Joint {joint} moves at {value}°/s, where {maximum}°/s is shown. Set the speed again before the next motion.</source>
-        <translation>关节 {joint} 实测 {value}°/s，而显示的速度为 {maximum}°/s。下次运动前请重新设定速度。</translation>
     </message>
     <message>
         <source>Tool centre point: {value} is not possible. Enter lengths up to {maximum} mm and angles up to 180°.</source>
@@ -7936,10 +8271,6 @@ The other program must have ended.</source>
     <message>
         <source>Jog step: “{value}” is not an angle. Enter degrees in figures, for example 0.5.</source>
         <translation>点动步长：“{value}”不是角度。请输入以度为单位的数字，例如 0.5。</translation>
-    </message>
-    <message>
-        <source>The tool turns at {value}°/s, where {maximum}°/s is shown. Set the speed again before the next motion.</source>
-        <translation>末端转动速度为 {value}°/s，而显示的速度对应 {maximum}°/s。请在下次运动前重新设置速度。</translation>
     </message>
     <message>
         <source>Robot description: the file {path} is not there. Choose another file, or use the built-in one.</source>
@@ -8704,6 +9035,18 @@ The other program must have ended.</source>
     <message>
         <source>The fingertip would come to {value} mm; jogs end at {minimum} mm, as chosen under Settings. Jog upwards.</source>
         <translation>末端将到 {value} mm；按“设置”中的选择，点动止于 {minimum} mm。请向上点动。</translation>
+    </message>
+    <message>
+        <source>J{joint}: this step would go beyond its limit of {limit}°. Take a smaller step.</source>
+        <translation>J{joint}：这一步会越过限位 {limit}°，请减小步长。</translation>
+    </message>
+    <message>
+        <source>Joint {joint} moves at {value}°/s, where {maximum}°/s is shown. Set the speed again before the next motion.</source>
+        <translation>关节 {joint} 实测 {value}°/s，而显示的速度为 {maximum}°/s。下次运动前请重新设定速度。</translation>
+    </message>
+    <message>
+        <source>The tool turns at {value}°/s, where {maximum}°/s is shown. Set the speed again before the next motion.</source>
+        <translation>末端转动速度为 {value}°/s，而显示的速度对应 {maximum}°/s。请在下次运动前重新设置速度。</translation>
     </message>
 </context>
 <context>

@@ -103,7 +103,7 @@ class Build:
             "--distpath", place, "--workpath", self.work / "pyinstaller", HERE / "armui.spec",
         )  # fmt: skip
         made = place / "armui"
-        texts = made / "_internal/armui/resources/doctor/texts.toml"
+        texts = made / "_internal/armui/resources/i18n/armui_zh.ts"
         if not texts.is_file():
             raise SystemExit(f"{texts} is missing: the wheel was not what was packed")
         if sys.platform == "linux":

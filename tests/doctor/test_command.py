@@ -188,12 +188,15 @@ def test_bad_options_are_refused(capsys, words):
 
 
 @pytest.mark.timeout(120)
-def test_without_a_single_package_it_says_which_are_missing():
-    """As on a computer where nothing but Python is installed."""
+@pytest.mark.parametrize(
+    ("language", "words"), [("en", "The package numpy is missing."), ("zh", "缺少软件包 numpy")]
+)
+def test_without_a_single_package_it_says_which_are_missing(language, words):
+    """As on a computer where nothing but Python is installed: no Qt that translates, either."""
     done = subprocess.run(
-        [sys.executable, "-S", "-m", "armui", "doctor", "--json", "--lang", "en"],
-        cwd=ROOT, capture_output=True, text=True, timeout=100, check=False,
-        env={**os.environ, "PYTHONPATH": str(ROOT)},
+        [sys.executable, "-S", "-m", "armui", "doctor", "--json", "--lang", language],
+        cwd=ROOT, capture_output=True, encoding="utf-8", timeout=100, check=False,
+        env={**os.environ, "PYTHONPATH": str(ROOT), "PYTHONIOENCODING": "utf-8"},
     )  # fmt: skip
     assert done.stderr == ""
     assert done.returncode == 1
@@ -202,6 +205,7 @@ def test_without_a_single_package_it_says_which_are_missing():
                if each["code"] == "package_missing"}  # fmt: skip
     assert {"numpy", "python-can", "PySide6-Essentials", "cantools"} <= missing
     assert "search_failed" in codes(report)
+    assert any(each["text"].startswith(words) for each in report["findings"])
 
 
 def test_a_window_that_cannot_be_loaded_names_the_doctor(monkeypatch, capsys):

@@ -27,11 +27,13 @@ from armui.doctor.judge import (
     an_arm_answers,
     judge,
     judge_can,
-    judge_heard,
     judge_program,
     judge_screen,
 )
+from armui.doctor.judge_heard import judge_heard
+from armui.doctor.report import LANGUAGES, Words, translation
 
+WORDS = [Words(translation(language)) for language in LANGUAGES]
 UBUNTU = ("ubuntu", "debian")
 ARM = ArmFacts(
     generation=2, reason="", firmware="S-V1.8-9", status_code=0, status_word="Normal",
@@ -49,12 +51,15 @@ def on_can0(arm: ArmFacts | None = ARM, **more) -> HeardFacts:
 
 
 def codes(findings: list[Diagnosis]) -> list[str]:
+    for words in WORDS:
+        assert all(words.text(each) for each in findings), "each has its figures"
     return [each.code for each in findings]
 
 
 def grave(findings: list[Diagnosis]) -> dict[str, Diagnosis]:
     """What is not in order, by code."""
-    return {each.code: each for each in findings if each.severity is not DiagnosisLevel.OK}
+    bad = [each for each in findings if each.severity is not DiagnosisLevel.OK]
+    return dict(zip(codes(bad), bad, strict=True))
 
 
 def changed(**more) -> HeardFacts:

@@ -94,6 +94,17 @@ def test_the_emergency_stop_is_meant_for_what_is_about_to_begin(operator):
     assert not operator.child("findings_title").isVisible()
 
 
+@pytest.mark.parametrize("end", ["halt_and_hold", "on_failure", "end_all_motion"])
+def test_what_ends_every_motion_is_meant_for_what_is_about_to_begin(operator, end):
+    operator.click("run_send")
+    getattr(operator.app_driver.controller, end)()
+    assert operator.text("run_checking") == ""
+    operator.workers.work()
+    operator.app_driver.run(1.0)
+    assert not operator.running
+    assert not operator.child("findings_title").isVisible()
+
+
 def test_a_stopped_arm_hinders_no_check(operator):
     operator.app_driver.click("stop_button")
     operator.app_driver.run(1.0)

@@ -6,8 +6,10 @@ import math
 import pytest
 from PySide6.QtGui import QAction
 
+from armui.protocol.generation import Generation
 from armui.settings import SettingsStore
 from armui.ui.panels.jogging.motion_panel import MotionPanel
+from armui.ui.panels.jogging.own_home import OwnHome
 
 HERE = (10.0, 30.0, -40.0, 5.0, 20.0, 0.0)
 AWAY = (-20.0, 50.0, -60.0, 0.0, 0.0, 30.0)
@@ -80,6 +82,32 @@ def test_it_is_of_one_arm_and_waits_for_motors(at_home):
     at_home.store.change(home_poses={"another": HERE})
     at_home.controller.disconnect_device()
     assert not at_home.find("own_home_button").isEnabled()
+
+
+def test_before_an_arm_has_named_itself_none_is_offered(app_driver):
+    """What was kept for an arm without a number, at this adapter, is no other arm's."""
+    app_driver.store.change(home_poses={app_driver.device.arm_key(): AWAY})
+    app_driver.controller.connect_device(app_driver.device)
+    for _ in range(60):
+        app_driver.step()
+        choose(app_driver, "set_own_home_measured")
+        if app_driver.controller.state.identity is None:
+            assert list(app_driver.store.settings.home_poses) == [app_driver.device.arm_key()]
+        own = app_driver.window.findChild(OwnHome)
+        assert own.angles_deg != AWAY
+    assert app_driver.controller.state.identity is not None
+
+
+def test_an_arm_that_cannot_be_told_from_another_says_so(any_driver):
+    any_driver.ready()
+    any_driver.run(0.5)
+    choose(any_driver, "set_own_home_measured")
+    numberless = any_driver.firmware.generation is Generation.ONE
+    adapter = any_driver.device.arm_key()
+    assert (list(any_driver.store.settings.home_poses) == [adapter]) is numberless
+    for name in ("own_home_button", "set_own_home_button"):
+        doubt = "no number of its own" in any_driver.find(name).toolTip()
+        assert doubt is numberless
 
 
 def test_without_an_arm_there_is_nothing_to_keep(app_driver):

@@ -77,6 +77,34 @@ def test_0_percent_is_shown_as_a_pause_and_goes_on_by_holding_continue(app_drive
     assert operator.text("run_text").endswith("done")
 
 
+def typed_slowly(driver, field):
+    """Half a figure, then something that the window shows anew, then the rest and Enter."""
+    field.setFocus()
+    field.selectAll()
+    QTest.keyClicks(field, "1")
+    driver.controller.operating_state_changed.emit(driver.controller.operating_state)
+    driver.run(0.1)
+    QTest.keyClicks(field, "5")
+    driver.heard()
+    QTest.keyClick(field, Qt.Key.Key_Return)
+    driver.step()
+
+
+def test_what_is_typed_counts_whatever_changes_meanwhile(app_driver):
+    running(app_driver)
+    field = app_driver.find("override_field")
+    typed_slowly(app_driver, field)
+    assert app_driver.controller.speed_override.percent == 15
+    QTest.keyClick(app_driver.window, Qt.Key.Key_F8)
+    assert app_driver.read("override_field") == "5 %", "what counts is shown, typed in or not"
+
+
+def test_what_is_typed_in_the_top_bar_counts_whatever_changes_meanwhile(app_driver):
+    app_driver.ready()
+    typed_slowly(app_driver, app_driver.find("speed_field"))
+    assert app_driver.controller.motion.speed_percent == 15
+
+
 def test_without_a_run_the_keys_set_the_speed_in_the_top_bar(app_driver):
     app_driver.ready()
     QTest.keyClick(app_driver.window, Qt.Key.Key_F8)

@@ -218,3 +218,10 @@ def test_an_arm_that_comes_while_a_slow_disk_reads_is_not_the_one_pressed_for(wa
     assert not warned.running
     assert not warned.warned
     assert "another arm answers" in warned.text("editor_message")
+
+
+@pytest.mark.parametrize("end", ["emergency_stop", "halt_and_hold"])
+def test_what_was_asked_before_a_stop_or_a_halt_cannot_be_accepted_after_it(warned, end):
+    getattr(warned.app_driver.controller, end)()
+    assert not warned.warned
+    assert not warned.running

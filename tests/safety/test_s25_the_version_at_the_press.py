@@ -229,11 +229,12 @@ def test_an_answer_of_before_the_press_does_not_count(held, other_host):
     assert other.joints_deg == pytest.approx(A, abs=1.0)
 
 
-def test_a_stop_meanwhile_ends_it(held):
+@pytest.mark.parametrize("end", ["emergency_stop", "halt_and_hold"])
+def test_a_stop_or_a_halt_meanwhile_ends_it(held, end):
     answer(held, [])
     assert press(held) is None
     held.step()
-    held.controller.emergency_stop()
+    getattr(held.controller, end)()
     held.firmware._handlers["FirmwareVersion"] = lambda _signals: version_frames(NEW)
     held.run(2.0)
     assert mode_words(held) == []

@@ -256,3 +256,30 @@ def test_dialogs_have_it(app_driver):
 def test_chinese(app_driver):
     app_driver.store.change(language="zh")
     app_driver.wait(lambda: app_driver.find("halt_button").text() == "停住")
+
+
+@pytest.mark.parametrize("way", ["move", "close"])
+def test_a_gripper_under_way_ends_where_it_is(any_rig, way):
+    """It closes on whatever lies between its fingers: who halts the arm means it, too."""
+    rig = any_rig
+    rig.ready()
+    gripper, control = rig.firmware.gripper, rig.controller.gripper
+    assert control.move(60.0, 1.0) is None
+    if way == "close":
+        rig.run_until(lambda: "gripper_there" in rig.codes(), seconds=20.0)
+        assert control.move_to_end(opened=False) is None
+    rig.run_until(lambda: 10.0 < gripper.travel < 40.0, seconds=10.0)
+    assert rig.controller.halt_and_hold() is None
+    at_halt = gripper.travel
+    rig.run(2.0)
+    assert gripper.travel == pytest.approx(at_halt, abs=5.0)
+    assert gripper.enabled
+
+
+def test_a_gripper_that_stands_is_told_nothing(any_rig):
+    rig = any_rig
+    rig.ready()
+    rig.heard()
+    assert rig.controller.halt_and_hold() is None
+    rig.run(0.5)
+    assert 0x159 not in {frame.arbitration_id for frame in rig.heard()}

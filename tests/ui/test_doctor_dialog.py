@@ -13,7 +13,8 @@ from pytestqt.qtbot import QtBot
 from armui.arm.device import Device
 from armui.bus.adapters import BUS_BUSY
 from armui.control.operating_state import LinkState
-from armui.doctor.facts import Diagnosis, DiagnosisLevel, Section
+from armui.doctor.judge import LINK_DOWN, PACKAGES
+from armui.doctor.judge_heard import NOTHING_HEARD
 from armui.ui.dialogs.connect import ConnectDialog
 from armui.ui.dialogs.doctor import DoctorDialog
 from tests.ui.arm_states import NOW_S, arm_state, operating_state
@@ -21,20 +22,9 @@ from tests.ui.dialog_reading import message, shown, words_of
 from tests.ui.fake_controller import FakeController
 
 LEFT = Qt.MouseButton.LeftButton
-DOWN = Diagnosis(
-    Section.CAN,
-    "link_down",
-    DiagnosisLevel.FAULT,
-    {"channel": "can0"},
-    ("sudo ip link set can0 up",),
-)
-FINE = Diagnosis(Section.PROGRAM, "packages", DiagnosisLevel.OK, {"count": "12"})
-NOTHING_HEARD = Diagnosis(
-    Section.ARM,
-    "nothing_heard",
-    DiagnosisLevel.FAULT,
-    {"device": "x", "seconds": "2", "count": "0"},
-)
+DOWN = LINK_DOWN("sudo ip link set can0 up", channel="can0")
+FINE = PACKAGES(count="12")
+SILENT = NOTHING_HEARD(device="x", seconds="2", count="0")
 
 
 class Examinations:
@@ -87,6 +77,13 @@ def test_findings_with_their_remedies(qtbot, dialog, examinations):
     assert dialog.findChild(QLineEdit).text() == "sudo ip link set can0 up"
     qtbot.mouseClick(dialog.findChild(QPushButton, "copy_command"), LEFT)
     assert QGuiApplication.clipboard().text() == "sudo ip link set can0 up"
+
+
+def test_another_language_while_it_is_shown(qtbot, dialog, examinations, translator):
+    answer(qtbot, dialog, examinations, [DOWN])
+    translator.set_language("zh")
+    qtbot.waitUntil(lambda: "can0 未启用。" in words_of(dialog))
+    assert "[故障] can0 未启用。" in dialog.report()
 
 
 def test_the_report_is_copied_whole(qtbot, dialog, examinations):
@@ -150,10 +147,10 @@ def test_an_open_device_is_left_alone_and_its_arm_judged_here(
     qtbot.mouseClick(dialog.close_button, LEFT)
     dialog.open()
     assert examinations.arguments[-1] == ["--no-listen"]
-    answer(qtbot, dialog, examinations, [FINE, NOTHING_HEARD])
+    answer(qtbot, dialog, examinations, [FINE, SILENT])
     text = words_of(dialog)
     assert "an arm of generation 2" in text
-    assert "emergency stop (急停)" in text
+    assert "The arm is in emergency stop." in text
     assert "not one frame" not in text
 
 

@@ -71,10 +71,6 @@ class Cartesian(ControllerPart):
         context: What the parts of the controller share.
         motion: Owns the speed.
         floor: Knows how low a step may lead.
-
-    Attributes:
-        tool: The tool centre point in the flange: X, Y, Z in mm, RX, RY, RZ in degrees. The arm
-            knows nothing of it: it is told, and tells, where the flange is.
     """
 
     def __init__(self, context: Context, motion: Motion, floor: JogFloor) -> None:
@@ -82,7 +78,20 @@ class Cartesian(ControllerPart):
         self._floor = floor
         self._motion = motion
         self._model: Kinematics | None = None
-        self.tool: tuple[float, ...] = _NO_TOOL
+        self._tool: tuple[float, ...] = _NO_TOOL
+
+    @property
+    def tool(self) -> tuple[float, ...]:
+        """The tool centre point in the flange: X, Y, Z in mm, RX, RY, RZ in degrees.
+
+        The arm knows nothing of it: it is told, and tells, where the flange is.
+        """
+        return self._tool
+
+    @tool.setter
+    def tool(self, tool: tuple[float, ...]) -> None:
+        self._tool = tool
+        self._context.connection.telemetry.set_tool(tool)
 
     # What is known --------------------------------------------------------------------------
 

@@ -26,7 +26,7 @@ from armui.control.arm_controller import ArmController
 from armui.control.events import Level
 from armui.control.operating_state import LinkState, OperatingState
 from armui.doctor.facts import Diagnosis
-from armui.doctor.report import Words, adapter_trouble
+from armui.doctor.process import adapter_trouble
 from armui.ui import words
 from armui.ui.actions.command import Command, Target
 from armui.ui.background import Background, Job
@@ -166,14 +166,10 @@ class AdapterTrouble(Translated, QWidget):
 
     def retranslate_ui(self) -> None:
         """Say it in the operator's language."""
-        # Translators: the code of the language that is shown, "zh" for Chinese
-        words = Words("zh" if self.tr("en") == "zh" else "en")
         for row in self._rows:
             self._column.removeWidget(row)
             row.deleteLater()
-        self._rows = [
-            FindingRow(each, words.text(each), words.mark(each.severity)) for each in self._findings
-        ]
+        self._rows = [FindingRow(each) for each in self._findings]
         for row in self._rows:
             self._column.addWidget(row)
         self.setVisible(bool(self._rows))

@@ -19,14 +19,14 @@ from armui.control.events import Level
 from armui.control.operating_state import LinkState
 from armui.doctor.facts import Diagnosis, DiagnosisLevel, HeardFacts, Section
 from armui.doctor.hearing import arm_facts
-from armui.doctor.judge import judge_heard
+from armui.doctor.judge_heard import ARM, OTHER_HOST, judge_heard
 from armui.doctor.process import DoctorProcess
-from armui.doctor.report import Words, as_text
+from armui.doctor.report import as_text
 from armui.protocol.codec import Codec
 from armui.protocol.generation import Generation
 from armui.ui.actions.command import Command, Target
 from armui.ui.dialogs.base import ArmDialog, CloseButton
-from armui.ui.dialogs.finding_row import FindingRow
+from armui.ui.dialogs.finding_row import WORDS, FindingRow
 from armui.ui.widgets.buttons import enable_or_explain, named, push_button
 from armui.ui.widgets.layouts import STRETCH, bare_area, fill, in_column
 from armui.ui.widgets.message_line import MessageLine
@@ -71,8 +71,7 @@ def judge_connected(controller: ArmController, *, frames: int, seconds: float) -
     )
     findings = judge_heard(heard)
     if now.other_host is not None and not now.teaching_input:
-        params = {"device": now.device.name, "frames": now.other_host.frames}
-        findings.append(Diagnosis(Section.ARM, "other_host", DiagnosisLevel.WARNING, params))
+        findings.append(OTHER_HOST(device=now.device.name, frames=now.other_host.frames))
     return findings
 
 
@@ -194,8 +193,8 @@ class DoctorDialog(ArmDialog):
     def report(self) -> str:
         """The report as text, for a support mail."""
         findings = self._findings()
-        answers = any(each.code == "arm" for each in findings)
-        return as_text(findings, self._words(), arm_answers=answers, asked=False)
+        answers = any(each.kind == ARM for each in findings)
+        return as_text(findings, WORDS, arm_answers=answers, asked=False)
 
     # What comes back --------------------------------------------------------------------------
 
@@ -216,10 +215,6 @@ class DoctorDialog(ArmDialog):
 
     def _findings(self) -> list[Diagnosis]:
         return self._answer if isinstance(self._answer, list) else []
-
-    def _words(self) -> Words:
-        # Translators: the code of the language that is shown, "zh" for Chinese
-        return Words("zh" if self.tr("en") == "zh" else "en")
 
     def _refresh(self) -> None:
         waiting = self._under_way is not None
@@ -255,13 +250,12 @@ class DoctorDialog(ArmDialog):
             self._message.show_message("")
 
     def _refresh_rows(self) -> None:
-        words = self._words()
         self._rows = []
         for section in Section:
             findings = [each for each in self._findings() if each.section is section]
             if findings:
-                self._rows.append(partial(_heading, words.section(section)))
-            self._rows += [partial(_row, each, words) for each in findings]
+                self._rows.append(partial(_heading, WORDS.section(section)))
+            self._rows += [partial(FindingRow, each) for each in findings]
         column = QWidget()
         layout = in_column(STRETCH, on=column, spacing=_GAP_PX, margins=(0, 0, _GAP_PX, 0))
         self._column = layout
@@ -302,7 +296,3 @@ def _heading(text: str) -> QWidget:
     label = QLabel(text)
     label.setProperty("rank", "muted")
     return label
-
-
-def _row(finding: Diagnosis, words: Words) -> QWidget:
-    return FindingRow(finding, words.text(finding), words.mark(finding.severity))

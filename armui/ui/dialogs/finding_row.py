@@ -5,11 +5,12 @@ from __future__ import annotations
 from functools import partial
 from typing import Final
 
-from PySide6.QtCore import QEvent, Qt
+from PySide6.QtCore import QCoreApplication, QEvent, Qt
 from PySide6.QtGui import QFontDatabase, QGuiApplication
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QLineEdit, QPushButton, QWidget
 
 from armui.doctor.facts import Diagnosis, DiagnosisLevel
+from armui.doctor.report import Words
 from armui.ui.theme import colors_of
 from armui.ui.widgets import icons
 from armui.ui.widgets.buttons import push_button
@@ -18,19 +19,22 @@ from armui.ui.widgets.layouts import empty_grid, in_row
 _ICON_PX: Final = 18
 _GAP_PX: Final = 10
 
+WORDS: Final = Words(QCoreApplication.translate)
+"""The words of the diagnosis in the language chosen."""
+
 
 class FindingRow(QWidget):
     """Shows a finding.
 
     Args:
         finding: What was found.
-        text: The same in words.
-        mark: How grave it is, in a word: for those who do not see the colour.
     """
 
-    def __init__(self, finding: Diagnosis, text: str, mark: str) -> None:
+    def __init__(self, finding: Diagnosis) -> None:
         super().__init__()
         self._level = finding.severity
+        # the mark is for those who do not see the colour
+        text, mark = WORDS.text(finding), WORDS.mark(finding.severity)
         self._icon = QLabel()
         self._icon.setFixedWidth(_ICON_PX)
         self._icon.setToolTip(mark)

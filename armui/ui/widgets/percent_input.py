@@ -79,13 +79,26 @@ class PercentInput(QObject):
         self.show_value()
 
     def follow_value(self) -> None:
-        """Show the percentage that holds, unless the operator has the handle in hand."""
-        if not self.slider.isSliderDown():
-            self.show_value()
+        """Show the percentage that holds, unless the operator has the handle in hand.
+
+        A figure that is being typed stays until it is entered.
+        """
+        if self.slider.isSliderDown():
+            return
+        self._show_in_slider()
+        typed = self.field.cleanText() != self.field.textFromValue(self.field.value())
+        if not (typed and self.field.hasFocus()):
+            self._show_in_field()
 
     def show_value(self) -> None:
         """Show the percentage that holds."""
+        self._show_in_slider()
+        self._show_in_field()
+
+    def _show_in_slider(self) -> None:
         percent = self._value()
         self.slider.show_requested(percent, attention=self._warns and percent < _FULL_PERCENT)
+
+    def _show_in_field(self) -> None:
         with QSignalBlocker(self.field):
-            self.field.setValue(percent)
+            self.field.setValue(self._value())

@@ -133,15 +133,40 @@ def test_what_is_no_figure_has_no_menu(app_driver):
 def test_each_figure_over_the_picture(qapp):
     hud, font = Hud(), qapp.font()
     frame = hud.frame(font)
-    keys = [
-        hud.quantity_at(frame.topLeft() + QPoint(x, 18 + round(line * frame.height() / 7.9)), font)
-        for x in (20, round(frame.width()) - 20)
-        for line in range(7)
-    ]
-    assert keys == [
-        None,  # the name of the point, with no figure beside it
-        *(f"arm.pose_{axis}" for axis in ("x", "y", "z", "rx", "ry", "rz")),
-        None,
-        *(f"arm.joint_angle.{joint}" for joint in range(1, 7)),
-    ]
-    assert hud.quantity_at(frame.bottomRight() + QPoint(3, 3), font) is None
+
+    def keys(of_tool):
+        places = [
+            frame.topLeft() + QPoint(x, 18 + round(line * frame.height() / 7.9))
+            for x in (20, round(frame.width()) - 20)
+            for line in range(7)
+        ]
+        return [hud.quantity_at(place, font, of_tool=of_tool) for place in places]
+
+    for of_tool, point in ((False, "pose"), (True, "tool")):
+        assert keys(of_tool) == [
+            None,  # the name of the point, with no figure beside it
+            *(f"arm.{point}_{axis}" for axis in ("x", "y", "z", "rx", "ry", "rz")),
+            None,
+            *(f"arm.joint_angle.{joint}" for joint in range(1, 7)),
+        ]
+    assert hud.quantity_at(frame.bottomRight() + QPoint(3, 3), font, of_tool=False) is None
+
+
+def test_with_a_tool_the_curve_is_that_of_its_point(app_driver):
+    app_driver.ready()
+    row = panel(app_driver, CartesianPanel).findChild(QWidget, "pose_measured_Z")
+    view = app_driver.program.view
+    place = view._hud_painter.frame(view.font()).topLeft().toPoint() + QPoint(20, 60)
+    assert view.quantities_at(place)[0].startswith("arm.pose_")
+    assert app_driver.controller.telemetry.latest("arm.tool_z") is None
+    app_driver.type_into("tool_field_Z", "120")
+    app_driver.run(0.3)
+
+    (key,) = view.quantities_at(place)
+    assert key.startswith("arm.tool_")
+    assert under(app_driver.window, row) == ["arm.tool_z"]
+    shown = app_driver.controller.cartesian.tool_pose(app_driver.controller.state)
+    kept = [app_driver.controller.telemetry.latest(f"arm.tool_{axis}") for axis in ("x", "y", "z")]
+    assert [value for _at_s, value in kept] == pytest.approx(shown[:3], abs=0.01)
+    flange = app_driver.controller.state.end_pose()
+    assert sum((a - b) ** 2 for a, b in zip(shown, flange[:3], strict=False)) ** 0.5 > 100

@@ -89,11 +89,19 @@ class PoseRow(TargetRow):
         self._label = QLabel(name)
         self._label.setFont(scaled_font(self._label, 1.15, bold=True))
         self._label.setFixedWidth(_NAME_PX)
-        kind = f"pose_{name.lower()}"
-        tell_quantities(self, *(f"{source}.{kind}" for source in ("arm", "own", "other")))
         parts = (self._label, self.minus, (self.field, 1), self.plus, self.measured)
         in_row(*parts, on=self, spacing=8, margins=0)
         self.retranslate_ui()
+
+    def name_curves(self, *, of_tool: bool) -> None:
+        """Say which curves it shows; targets on the bus are those of the flange.
+
+        Args:
+            of_tool: The figures are those of the tool centre point, not of the flange.
+        """
+        axis = self.name.lower()
+        of_flange = (f"{source}.pose_{axis}" for source in ("arm", "own", "other"))
+        tell_quantities(self, *((f"arm.tool_{axis}",) if of_tool else of_flange))
 
     def show_measured(self, value: float | None, *, stale: bool) -> None:
         """Show the measured value."""
@@ -275,6 +283,8 @@ class CartesianPanel(JogPanel):
         """Poses of another point stand for nothing: they are taken anew."""
         self._controller.cartesian.tool = tool
         self._tool.show_tool(tool)
+        for row in self._rows:
+            row.name_curves(of_tool=any(tool))
         self._arc.clear()
         self._release()
         self._follow_arm()

@@ -10,8 +10,10 @@ from PySide6.QtWidgets import QMenu, QWidget
 
 from armui.arm.limits import check_joints
 from armui.arm.refusal import Reason, Refusal
+from armui.control.context import GENERATION_UNKNOWN
 from armui.control.operating_state import NOT_CONNECTED
 from armui.control.safety.interlocks import JOINTS_UNKNOWN
+from armui.protocol.generation import Generation
 from armui.ui import format as fmt
 from armui.ui import words
 from armui.ui.widgets.buttons import caption, enable_or_explain, named, push_button
@@ -29,6 +31,8 @@ NO_OWN_HOME = Reason(
 )
 
 
+_NO_NUMBER: Final = "?"
+"""Of an arm of generation 2; those of generation 1 are known by their adapter alone."""
 _MOST: Final = 200
 """So many arms are remembered."""
 
@@ -82,11 +86,18 @@ class OwnHome(Translated, QWidget):
 
     @property
     def _arm(self) -> str | None:
-        """What the arm that is connected is remembered by."""
-        device = self._controller.operating_state.device
+        """What the arm that is connected is remembered by; ``None`` before it has named itself."""
+        now, identity = self._controller.operating_state, self._controller.state.identity
+        first = now.generation is Generation.ONE
+        if now.device is None or (identity is None and not first):
+            return None
+        return now.device.arm_key(self._node or ("" if first else _NO_NUMBER))
+
+    @property
+    def _node(self) -> str:
+        """The arm's own number; "": it tells none, as none of generation 1 does."""
         identity = self._controller.state.identity
-        node = "" if identity is None else identity.node_number
-        return None if device is None else device.arm_key(node)
+        return "" if identity is None else identity.node_number
 
     @property
     def angles_deg(self) -> Angles | None:
@@ -112,9 +123,9 @@ class OwnHome(Translated, QWidget):
         self._keep(self._controller.state.angles_deg())
 
     def _keep(self, angles_deg: Sequence[float] | None) -> None:
-        arm = self._arm
+        arm, device = self._arm, self._controller.operating_state.device
         if arm is None:
-            self.refused.emit(NOT_CONNECTED())
+            self.refused.emit(NOT_CONNECTED() if device is None else GENERATION_UNKNOWN())
         elif angles_deg is None:
             self.refused.emit(JOINTS_UNKNOWN())
         else:
@@ -143,13 +154,24 @@ class OwnHome(Translated, QWidget):
                 f"J{joint} {fmt.angle(angle)}" for joint, angle in enumerate(angles_deg, start=1)
             )
             use = self.tr("Moves the joints to {angles}.").format(angles=figures)
-        enable_or_explain(self.go, reason, use)
+        doubt = self._doubt()
+        enable_or_explain(self.go, reason, "\n".join(filter(None, (use, doubt))))
+        kept = self.tr("Kept for this arm; nothing moves.")
+        self._set.setToolTip("\n".join(filter(None, (kept, doubt))))
+
+    def _doubt(self) -> str:
+        """What to say where another arm at this adapter would be taken for this one."""
+        if self._arm is None or self._node:
+            return ""
+        return self.tr(
+            "This arm tells no number of its own: another one without a number at this adapter "
+            "would be taken for it."
+        )
 
     def retranslate_ui(self) -> None:
         """Put every word into the operator's language."""
         caption(self.go, self.tr("Own home"))
         caption(self._set, self.tr("Set own home"))
-        self._set.setToolTip(self.tr("Kept for this arm; nothing moves."))
         self.set_measured.setText(self.tr("The measured angles"))
         self.set_typed.setText(self.tr("The targets in the fields"))
         self.show_possible()

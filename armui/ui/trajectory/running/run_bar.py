@@ -182,6 +182,7 @@ class RunBar(Translated, QWidget):
         choices.changed.connect(self._on_shared)
         self._runner.progressed.connect(self._on_progress)
         controller.operating_state_changed.connect(self._on_operating_state)
+        controller.all_motion_ended.connect(self._on_all_motion_ended)
         self.retranslate_ui()
 
     def _make_widgets(self) -> None:
@@ -428,10 +429,14 @@ class RunBar(Translated, QWidget):
             self._show_usable()
         self.progressed.emit(progress)
 
+    def _on_all_motion_ended(self) -> None:
+        """Begin nothing: a stop or a halt is meant for what was about to begin, too."""
+        if self._request is not None and self._request.runs:
+            self._request.give_up()
+
     def _on_operating_state(self, operating_state: OperatingState) -> None:
-        request = self._request
-        if request is not None and request.runs and operating_state.stop is not StopState.RUNNING:
-            request.give_up()  # the stop was meant for what was about to begin, too
+        if operating_state.stop is not StopState.RUNNING:
+            self._on_all_motion_ended()
         if self.isVisible():
             self._show_usable()
 
