@@ -138,7 +138,7 @@ class Fields:
         return values
 
     def number_lists(self, name: str, counts: tuple[int, ...]) -> Iterator[tuple[float, ...]]:
-        """Each of a list of such lists."""
+        """Return a list of lists of numbers, each as many as one of the counts says."""
         for index, value in enumerate(self._list(name)):
             values = _numbers(value, counts)
             if values is None:
@@ -164,7 +164,7 @@ class Fields:
         return None if self._values.get(name) is None else self.object(name)
 
     def objects(self, name: str, count: int | None = None) -> Iterator[Fields]:
-        """Each of a list of objects, so many if it is said how many."""
+        """Return a list of objects, so many if it is said how many."""
         for index, value in enumerate(self._list(name, count)):
             yield Fields(value, (*self.path, name, index))
 

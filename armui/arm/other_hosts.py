@@ -126,7 +126,7 @@ class OtherTraffic:
         return False
 
     def joined(self, more: OtherTraffic) -> OtherTraffic:
-        """This and what somebody else was heard to send, as though it were one host's."""
+        """Return this and what somebody else was heard to send, as though of one host."""
         if not more.series:
             return self
         series = dict(self.series)

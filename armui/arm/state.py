@@ -347,7 +347,7 @@ _UNKNOWN: Final = {
 
 
 def common_to_generations(state: ArmState) -> ArmState:
-    """The same state without what only one of the generations can explain.
+    """Return a state without what only one of the generations can explain.
 
     Angles, the pose, the modes of 0x2A1 and what proves that the arm is there stay.
     """

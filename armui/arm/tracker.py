@@ -121,7 +121,7 @@ class Tracker:
         self._sequence += 1
 
     def reset_timeouts(self) -> None:
-        """What was taken in so far comes from a log and was not heard one after another."""
+        """Count no silences of what was taken in: it comes from a log, not one after another."""
         self._silences = self._pauses = 0
         self._before_pause = []
         self._sequence += 1

@@ -58,7 +58,7 @@ class Notifier:
         self._update_told()
 
     def flush(self, codec: Codec, now_s: float) -> None:
-        """Pass on the frames collected since the last flush; this codec decoded them."""
+        """Pass on the frames that were collected since the last flush, decoded by this codec."""
         if self._wanted is not self._followed:
             self._update_told()
         heard, self.heard = self.heard, []

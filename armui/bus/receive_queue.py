@@ -59,7 +59,7 @@ class ReceiveQueue:
             self._at_opening = _drops(self._socket)
 
     def detach(self) -> None:
-        """The device is closed; what was lost stays counted."""
+        """Watch no queue: the device is closed. What was lost stays counted."""
         self._of_earlier += self._by_kernel
         self._by_kernel = 0
         if self._socket is not None:
@@ -92,7 +92,7 @@ def _socket_of(bus: can.BusABC) -> socket.socket | None:
 
 
 def _lengthen(receiving: socket.socket) -> None:
-    """As far as the system allows: without rights only to net.core.rmem_max."""
+    """Lengthen the queue as far as the system allows: without rights to net.core.rmem_max."""
     if receiving.getsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF) >= _WANTED_BYTES:
         return
     for option in (_SO_RCVBUFFORCE, socket.SO_RCVBUF):

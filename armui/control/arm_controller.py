@@ -213,7 +213,7 @@ class ArmController(ControllerParts):
         self.recovery.follow_arm()
 
     def let_motion_finish(self) -> None:
-        """When the program ends, a single motion goes on to its target: the operator chose so."""
+        """Let a single motion go on to its target when the program ends: the operator chose so."""
         self._lets_finish = True
 
     def shutdown(self) -> bool:
@@ -369,7 +369,7 @@ class ArmController(ControllerParts):
         self.recovery.follow_arm()
 
     def _on_arm_came(self) -> None:
-        """What was read and saved before may have been another arm's."""
+        """Forget what was read and saved before: it may have been another arm's."""
         self._link_watch.arm_came()
         self._authority.end_command(End.SILENT)
         self.settings.forget_arm()
@@ -398,7 +398,7 @@ class ArmController(ControllerParts):
         self._refresh()
 
     def _end_all_motion(self) -> None:
-        """No part goes on with what a halt has ended, and no target comes back."""
+        """Let no part go on with what a halt has ended, and no target come back."""
         self._end_driven()
         self._authority.cancelled(self._clock())
         self.mode_exit.halt()

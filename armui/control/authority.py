@@ -463,7 +463,7 @@ class Authority:
         return End.MOVED_AWAY if away_deg > ARRIVED_DEG else None
 
     def _follow_hold(self, seen: Observation) -> None:
-        """What the arm itself drops is held back no more."""
+        """Take what the arm itself has dropped for held back no more."""
         status = seen.state.status
         if not self.holds or status is None or not status.fresh(seen.now_s):
             return

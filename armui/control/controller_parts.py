@@ -282,7 +282,7 @@ class ControllerParts(QObject):
         self.replayer.end_run(reason)
 
     def _forget_places(self) -> None:
-        """The angles are counted anew: no place that was asked for before means the same."""
+        """Forget the places asked for: the angles are counted anew, and none means the same."""
         self._context.authority.end_command(End.ZERO_CHANGED)
         self.player.drop()
 

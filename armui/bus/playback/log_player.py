@@ -149,7 +149,7 @@ class LogPlayer:
         self.curves_from_s = math.inf
 
     def _for_log(self, listeners: Sequence[Listener]) -> list[Listener]:
-        """The same listeners; the series of the curves can take in many frames at once."""
+        """Return the same listeners; the series of the curves takes many frames at once."""
         found: list[Listener] = []
         for listener in listeners:
             if isinstance(listener, Telemetry):

@@ -241,7 +241,7 @@ class LogWorker(QThread):
         return self._player.curves_from_s
 
     def _drop_history(self) -> None:
-        """Nothing more is read of another place: whoever looks up the next one goes first."""
+        """Stop reading of another place: whoever looks up the next one goes first."""
         with self._wake:
             history, self._history, self._history_due = self._history, None, False
         if history is not None:

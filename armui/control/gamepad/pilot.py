@@ -174,7 +174,7 @@ class GamepadPilot(QObject):
         return assignment(info.kind, kept)
 
     def set_mode(self, mode: JogMode) -> None:
-        """What the axes move from now on; what is held ends."""
+        """Set what the axes move from now on; what is held ends."""
         if mode is not self._mode:
             self._take_away(None)
             self._mode = mode
@@ -228,7 +228,7 @@ class GamepadPilot(QObject):
             self._take_away(reason)
 
     def _on_pressed(self, key: str) -> None:
-        """A dead-man button goes down; a second one beside another takes both away."""
+        """Begin a hold as a dead-man button goes down; a second one takes both away."""
         if self._holder is None:
             self._holder, self._reason = key, None
         elif self._holder != key:
@@ -275,7 +275,7 @@ class GamepadPilot(QObject):
             self._take_away(Refusal(code, {"name": self._infos[self._holder].name}))
 
     def _take_away(self, reason: Refusal | None) -> None:
-        """Nothing is held any more, whatever fingers are still down."""
+        """Take every hold away, whatever fingers are still down."""
         for hand in self._hands.values():
             hand.spend()
         self._reason = reason
@@ -300,7 +300,7 @@ class GamepadPilot(QObject):
     # Buttons ----------------------------------------------------------------------------------
 
     def _on_buttons(self, info: DeviceInfo, down: frozenset[str], up: frozenset[str]) -> None:
-        """The reader has seen buttons go down or come up: none is missed, however short."""
+        """Take in that buttons went down or came up: none is missed, however short."""
         if self._reader is None:
             return
         buttons = self.buttons_of(info)

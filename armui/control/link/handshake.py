@@ -108,7 +108,7 @@ class Handshake:
             self._ask_after_a_pause(state, now_s)
 
     def _take_firmware(self, state: ArmState) -> None:
-        """The version, whenever it is named: it says how frames of other hosts are read."""
+        """Take the version over, whenever it is named: it says how other hosts' frames are read."""
         if state.firmware is None or self.generation is Generation.ONE:
             return
         if self.identity is None or (

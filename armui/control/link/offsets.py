@@ -116,7 +116,7 @@ class OffsetFollower:
         return self._use(Addressing(heard[0], self.addressing.control_offset), now_s, known=False)
 
     def _taken_unseen(self, requested: RequestedOffset, state: ArmState, *, came: bool) -> bool:
-        """Only the commands move: the arm takes that in standby, or when it is switched on.
+        """Tell whether commands alone moved: an arm takes that in standby, or at its next start.
 
         Nothing it sends shows that it has, so it must have said that it keeps it: a setting that
         got lost would be taken for one in use, and every motion after it would vanish.

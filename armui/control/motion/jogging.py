@@ -241,7 +241,7 @@ class Jogging(ControllerPart):
     def _begin(
         self, hold: _Hold, state: ArmState, measured_deg: Sequence[float], now_s: float
     ) -> None:
-        """Only an arm at rest is sure to rest in time again; one that moves is waited for."""
+        """Begin a jog once the arm rests: only then it is sure to rest in time again."""
         self._rest.observe(state, now_s)
         if not self._rest.at_rest:
             if now_s - hold.began_s >= _SETTLE_S:
@@ -287,7 +287,7 @@ class Jogging(ControllerPart):
             self._end(refusal or reason)
 
     def _send(self, hold: _Hold, target_deg: Sequence[float], percent: int) -> Refusal | None:
-        """The next setpoint: the first with the mode word, the others alone."""
+        """Send the next setpoint: the first with the mode word, the others alone."""
         context = self._context
         codec, command = context.connection.codec, hold.command
         if command is None or command.speed_percent != percent:
@@ -327,7 +327,7 @@ class Jogging(ControllerPart):
         self.tick()
 
     def halt(self) -> None:
-        """The arm is to stop, or has stopped."""
+        """End the jog: the arm is to stop, or has stopped."""
         self._let_go()
 
     def forget_arm(self) -> None:

@@ -70,6 +70,6 @@ class SteeredToolPath(HeldToolPath):
 
 
 def _within_one(rates: Sequence[float]) -> tuple[float, ...]:
-    """The same direction, no longer than 1."""
+    """Return the same direction, no longer than 1."""
     length = sum(rate * rate for rate in rates) ** 0.5
     return tuple(rate / max(1.0, length) for rate in rates)

@@ -74,7 +74,7 @@ def frame_values(
 
 
 def not_taken(codec: Codec, state: ArmState, wanted: Changes) -> dict[Parameter, Refusal]:
-    """Which of the parameters asked for the arm does not hold, by what was read back."""
+    """Return the parameters asked for that the arm does not hold, by what was read back."""
     return {
         parameter: SETTING_NOT_TAKEN(
             parameter=parameter.name, joint=parameter.joint, value=value, held=known.value

@@ -84,7 +84,7 @@ def as_carried(codec: Codec, parameter: Parameter, value: float) -> float:
 
 
 def step_of(codec: Codec, parameter: Parameter) -> float:
-    """The smallest difference a frame can carry, in the operator's unit."""
+    """Return the smallest difference a frame can carry, in the operator's unit."""
     kind = parameter.kind
     signal = kind.signal.format(joint=parameter.joint)
     return codec.step(kind.message, signal) * _factor(codec, parameter)

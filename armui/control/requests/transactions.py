@@ -188,13 +188,13 @@ class TransactionQueue(ControllerPart):
             self._on_overdue(task)
 
     def halt(self) -> None:
-        """Settings move nothing: a stop leaves them be, but for those that say otherwise."""
+        """Drop the transactions that end with a stop; settings move nothing and stay."""
         self._drop(lambda task: task.transaction.ends_with_stop, ENDED_BY_STOP())
         if self._task is not None and self._task.transaction.ends_with_stop:
             self._end(ENDED_BY_STOP())
 
     def forget_arm(self) -> None:
-        """The arm is gone: whatever waits will not be done."""
+        """Drop whatever waits: the arm is gone."""
         tasks = self._all()
         self._task = None
         self._commands.clear()

@@ -71,11 +71,11 @@ class Execution(QObject, ControllerPart):
             self._publish()
 
     def halt(self) -> None:
-        """An emergency stop ends it."""
+        """End the run: an emergency stop was asked for."""
         self.end_run(RUN_STOPPED())
 
     def forget_arm(self) -> None:
-        """The loss of the arm ends it."""
+        """End the run: the arm is lost."""
         self.end_run(LINK_LOST())
 
     # What each of the two does its own way ----------------------------------------------------
@@ -107,7 +107,7 @@ class Execution(QObject, ControllerPart):
         raise NotImplementedError
 
     def _end(self, phase: RunPhase) -> None:
-        """Nothing more is sent."""
+        """Send nothing more."""
         self._phase = phase
 
     # What both do the same way ----------------------------------------------------------------

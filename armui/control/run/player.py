@@ -249,7 +249,7 @@ class Player(Execution):
             self._fail(RUN_TOO_SLOW(seconds=round(limit_s)))
 
     def _keep_time(self) -> None:
-        """The time that a motion is expected to take goes by as slowly as the arm goes."""
+        """Count the time that a motion is expected to take as slowly as the arm goes."""
         now_s = self._context.clock()
         if self._phase is RunPhase.MOVING:
             self._since_s += (now_s - self._looked_s) * (1.0 - self._share)

@@ -110,7 +110,7 @@ class Recorder(QObject, ControllerPart):
             self.changed.emit()
 
     def forget_arm(self) -> None:
-        """The arm is gone: recording ends, what there is is kept."""
+        """End the recording and keep what there is: the arm is gone."""
         if self._recording:
             self._end()
 

@@ -224,7 +224,7 @@ class Replayer(Execution):
             self._fail(RUN_TOO_SLOW(seconds=round(_APPROACH_WITHIN_S)))
 
     def _begin_stream(self, now_s: float) -> None:
-        """Targets from now on are followed at full speed: the recording says how fast."""
+        """Have targets followed at full speed from now on: the recording says how fast."""
         replay = self._replay
         if replay is None:
             return
@@ -238,7 +238,7 @@ class Replayer(Execution):
     def _send_first(
         self, replay: Replay, kind: CommandKind, speed_percent: int
     ) -> MotionCommand | Refusal:
-        """The first sample as a target of all joints."""
+        """Send the first sample as a target of all joints."""
         return self._context.send_motion(
             kind,
             commands.move_joints(self._codec, replay.first_deg, speed_percent=speed_percent),

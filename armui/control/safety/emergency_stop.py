@@ -133,7 +133,7 @@ class StopWatch:
         self.holds = False
 
     def confirmed(self) -> None:
-        """The arm has confirmed a stop of the operator."""
+        """Note that the arm has confirmed a stop of the operator."""
         self.holds = True
 
     def undone(self, state: ArmState, now_s: float, *, resuming: bool) -> bool:

@@ -126,11 +126,11 @@ class ModeExitCommand(ControllerPart):
                 self._give_up(LINK_LOST())
 
     def halt(self) -> None:
-        """A stop was asked for: the arm is left as it is."""
+        """Leave the arm as it is: a stop was asked for."""
         self._question = None
 
     def forget_arm(self) -> None:
-        """The arm is gone: no answer will come."""
+        """Await no answer: the arm is gone."""
         self._question = None
 
     def _give_up(self, reason: Refusal) -> None:

@@ -136,7 +136,7 @@ class OtherCommand:
         self._void_before_s = self._left_s = -math.inf
 
     def leave_mode(self, now_s: float) -> None:
-        """The operator takes the arm out of the mode with a mode word of ours, which goes out now.
+        """Note that the operator takes the arm out of the mode by a mode word, which goes out now.
 
         If the arm stays in it, it counts again soon.
         """

@@ -252,11 +252,11 @@ class Recovery(ControllerPart):
             self._announce(step)
 
     def halt(self) -> None:
-        """A stop was asked for: it changes everything."""
+        """Take back what was begun: a stop was asked for."""
         self._give_up()
 
     def forget_arm(self) -> None:
-        """The arm is gone: no answer will come."""
+        """Await no answer: the arm is gone."""
         self._give_up()
 
     def _look(self) -> Step:

@@ -104,7 +104,7 @@ def why_not_still(state: ArmState) -> Refusal | None:
 
 
 def _speeds_deg_s(state: ArmState) -> list[float | None]:
-    """Of each joint; ``None`` where its driver has not been heard beside the newest feedback."""
+    """Return each joint's speed; ``None``: its driver was not heard beside the feedback."""
     return [
         heard.value.speed_deg_s
         if heard is not None

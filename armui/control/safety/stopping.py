@@ -105,7 +105,7 @@ class Stopping:
             self._close(self._stop_started, Ending.CUT_OFF, EventCode.STOP_WITHDRAWN)
 
     def on_connecting(self, device: Device) -> None:
-        """A stop that is outstanding holds for the device it was asked of, and no other."""
+        """Drop a stop that is outstanding, unless it was asked of this very device."""
         self._watch.reset()
         self._halted_s = None
         if (

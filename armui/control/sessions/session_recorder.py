@@ -155,7 +155,7 @@ class SessionRecorder(QObject):
     # What the operator asks for ---------------------------------------------------------------
 
     def choose(self, choices: SessionChoices) -> None:
-        """Where and how from now on; a recording under way goes on as it was begun."""
+        """Set where and how to record; a recording under way goes on as it was begun."""
         self.choices = choices
         if not choices.save_at_faults:
             self._at_faults.reset()
@@ -280,7 +280,7 @@ class SessionRecorder(QObject):
         self._timer.start()
 
     def _begin_collecting(self) -> Collector:
-        """From the first device, or the first wish, on."""
+        """Collect frames from the first device, or the first wish, on."""
         # numpy comes with the first device: the window starts without it
 
         if self._collector is None or self._ring is None:
