@@ -33,6 +33,7 @@ from armui.protocol.generation import Generation, PiperModel
 from armui.settings import Choices, Settings, SettingsStore, default_path
 from armui.start import StartOptions
 from armui.system import failures, paths
+from armui.system.exact_timers import keep_timers
 from armui.system.failures import Failure, FailureHandler
 from armui.system.helper_process import FileThread, HelperProcess
 from armui.system.log_file import log_to
@@ -291,7 +292,10 @@ def _session_choices(store: SettingsStore) -> SessionChoices:
 
 
 class _GoingFirst(QObject):
-    """Asks the system to run our threads before other programs', again with those of each bus."""
+    """Asks the system to run our threads before other programs', again with those of each bus.
+
+    While a device is open it is asked to keep our timers, too.
+    """
 
     def __init__(self, app: QApplication, controller: ArmController) -> None:
         super().__init__(app)
@@ -303,6 +307,7 @@ class _GoingFirst(QObject):
 
     def _on_operating_state(self, state: OperatingState) -> None:
         if state.link is not self._link:
+            keep_timers(kept=state.link is not LinkState.NO_DEVICE)
             self._link = state.link
             self._wait.start()
 
@@ -368,6 +373,8 @@ def _run_window(
         program.controller.connect_device(device)
     if options.replay is not None:
         program.window.open_replay(options.replay)
+    if options.file is not None:
+        program.window.open_trajectory_file(options.file)
     keep_from_collector()
     QTimer.singleShot(_CONNECTED_MS, app, system_end.watch_sleep)
     return app.exec()

@@ -71,6 +71,9 @@ def _run_window(parser: argparse.ArgumentParser, options: argparse.Namespace) ->
         parser.error("--generation belongs to --sim: a real arm says for itself which it is")
     if options.firmware is not None and (not options.sim or options.generation == 1):
         parser.error("--firmware belongs to --sim in generation 2: a real arm tells its own")
+    file = getattr(options, "file", None)
+    if file is not None and not file.is_file():
+        parser.error(f"{str(file)!r} is neither a file nor a command: see armui --help")
     if not has_display():
         print(
             "armui: no display found. Start it in a desktop session, or set DISPLAY or "
@@ -98,6 +101,7 @@ def _run_window(parser: argparse.ArgumentParser, options: argparse.Namespace) ->
             bitrate=options.bitrate,
             model=getattr(options, "model", None),
             replay=getattr(options, "replay", None),
+            file=file,
             language=options.lang,
         )
     )
@@ -140,6 +144,13 @@ def _parser() -> argparse.ArgumentParser:
         + "; replay: show a recorded CAN log as if it were live",
     )
     parser.add_argument("--version", action="version", version=f"armui {__version__}")
+    parser.add_argument(
+        "file",
+        nargs="?",
+        type=Path,
+        metavar="FILE",
+        help="a trajectory to open in the editor; nothing moves",
+    )
     parser.add_argument("--sim", action="store_true", help="connect to the simulated arm")
     parser.add_argument(
         "--generation",

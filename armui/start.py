@@ -18,6 +18,7 @@ class StartOptions:
         interface, channel, bitrate: Connect to this device.
         model: Which arm of the family that is; by default the one chosen for it the last time.
         replay: Show this log in the window 回放.
+        file: Open this trajectory in an editor.
         language: Instead of the one in the settings, for this run.
     """
 
@@ -28,4 +29,5 @@ class StartOptions:
     bitrate: int | None = None
     model: str | None = None
     replay: Path | None = None
+    file: Path | None = None
     language: Language | None = None

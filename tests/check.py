@@ -26,10 +26,16 @@ RUFF: tuple[Command, ...] = (
     (SCRIPTS / "ruff", "format", "--check"),
 )
 TYPES_AND_LAYERS: tuple[Command, ...] = (
-    *((SCRIPTS / "mypy", "--platform", system) for system in ("linux", "win32", "darwin")),
+    *(
+        (SCRIPTS / "mypy", "--platform", system, "--cache-dir", f".mypy_cache/{system}")
+        for system in ("linux", "win32", "darwin")
+    ),
     (SCRIPTS / "lint-imports",),
 )
-"""Types for every system, wherever the check runs: what only one of them has is found on all."""
+"""Types for every system, wherever the check runs: what only one of them has is found on all.
+
+Each has its own cache: with one for all, each takes what the one before has found out for old.
+"""
 COLLECTION: Command = (sys.executable, "-m", "pytest", "--collect-only", "-qq")
 """Leaves every test compiled, which each of pytest's workers would do for itself otherwise."""
 TESTS: Command = (sys.executable, "-m", "pytest", "-n", "auto", "--dist", "worksteal")

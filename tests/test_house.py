@@ -117,6 +117,7 @@ OPENED_ELSEWHERE = {
     "armui.system.presence: filelock.FileLock": "a lock of a name of its own in a private folder",
     "armui.ui.trajectory.library.library_presence: PySide6.QtCore.QLockFile": "looked at before",
     "armui.settings: filelock.FileLock": "a lock in a private folder, opened to read and write",
+    "armui.system.log_file: filelock.FileLock": "opened to read and write, which waits for no pipe",
     "armui.system.log_file: logging.handlers.RotatingFileHandler": "its _open is ours",
     "armui.system.helper_process: tempfile.NamedTemporaryFile": "made anew in a folder made anew",
     "armui.trajectory.library.bin: shutil.copy2": "checked in the line before",

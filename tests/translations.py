@@ -20,8 +20,6 @@ from functools import cache
 from pathlib import Path
 from typing import Final, NamedTuple
 
-from pypinyin import lazy_pinyin
-
 from armui.arm.refusal import Reason
 from armui.doctor.facts import OfArm, OfCan, OfProgram, OfScreen
 from armui.doctor.report import ReportText
@@ -172,6 +170,8 @@ def _synonyms() -> Iterator[str]:
 
 def _spelled(chinese: str) -> str:
     """Its syllables without tones, with spaces between; what is not Chinese only as far as said."""
+    from pypinyin import lazy_pinyin  # noqa: PLC0415 - its tables cost every collection of tests
+
     parts = ("".join(filter(str.isalnum, part)).lower() for part in lazy_pinyin(chinese))
     return " ".join(filter(None, parts))
 

@@ -45,6 +45,12 @@ BUS_DRIVER_MISSING = Reason(
     "The driver for {device} ({interface}) is missing. Install the driver of the adapter's "
     "maker; for socketcan load the kernel's modules: sudo modprobe can_raw",
 )
+BUS_LIBUSB_MISSING = Reason(
+    "bus_libusb_missing",
+    "{device} needs the library libusb, which is not on this computer. Install it in a terminal: "
+    "on Windows and macOS pip install libusb-package, "
+    "on Debian and Ubuntu sudo apt install libusb-1.0-0",
+)
 BUS_PERMISSION = Reason(
     "bus_permission",
     "You may not open {device}. On Linux add your account to the group dialout (serial "
@@ -81,6 +87,7 @@ def find_devices() -> list[Device]:
     A back-end that is not installed, or fails while it looks, has no devices.
     """
     found: list[Device] = []
+    _offer_libusb()
     with _quiet():
         for interface in sorted(can.VALID_INTERFACES - _NOT_DEVICES):
             try:
@@ -100,10 +107,23 @@ def open_bus(device: Device) -> can.BusABC:
     arguments: dict[str, Any] = {"interface": device.interface, "channel": device.channel}
     if device.bitrate is not None and bitrate_is_ours(device.interface):
         arguments["bitrate"] = device.bitrate
+    if device.interface == "gs_usb":
+        _offer_libusb()
     with _quiet():
         bus = can.Bus(**arguments, **dict(device.options))
     _keep_kernel_queue_short(bus)
     return bus
+
+
+def _offer_libusb() -> None:
+    """Have pyusb know the libusb of a Python package: Windows and macOS bring none of their own.
+
+    pyusb keeps the library it was given first.
+    """
+    with suppress(ImportError):
+        import libusb_package  # noqa: PLC0415 - of the extra `adapters`, where it is needed
+
+        libusb_package.get_libusb1_backend()
 
 
 def _keep_kernel_queue_short(bus: can.BusABC) -> None:
@@ -125,6 +145,8 @@ def explain(device: Device, error: BaseException) -> Refusal:
         code = _CODE_OF_ERRNO.get(_errno(cause) or 0)
         if code is not None:
             return Refusal(code, params)
+        if type(cause).__name__ == _NO_LIBUSB:
+            return BUS_LIBUSB_MISSING(**params)
         if isinstance(cause, can.CanInterfaceNotImplementedError | ImportError):
             package = _PACKAGES.get(device.interface, device.interface)
             return BUS_BACKEND_MISSING(**params, package=package)
@@ -138,6 +160,8 @@ def explain(device: Device, error: BaseException) -> Refusal:
     return Refusal(code, {**params, "text": text})
 
 
+_NO_LIBUSB: Final = "NoBackendError"
+"""pyusb's, a `ValueError`; pyusb itself need not be installed."""
 _CODE_OF_ERRNO: Final = {
     errno.ENODEV: BUS_GONE,
     errno.ENXIO: BUS_GONE,

@@ -24,7 +24,7 @@ from armui.protocol.generation import Generation
 from armui.session.frames import NOT_OF_THE_ARM, NotALogError
 from armui.session.log_model import detect_generation
 from armui.session.reader import SUFFIXES, LogFile
-from armui.system.command_line import detach_output
+from armui.system.command_line import detach_output, write_out
 
 if TYPE_CHECKING:
     from armui.session.frames import Channel, FrameBatch
@@ -151,10 +151,8 @@ def _decode(log: LogFile, wanted: str, firmware: FirmwareVersion | None, *, as_j
     for batch in batches:
         if generation is Generation.TWO and layout.look_at(batch):
             lines.speak(Codec(generation, firmware=layout.firmware))
-        sys.stdout.write("\n".join(lines.lines(batch)))
-        sys.stdout.write("\n")
+        write_out("\n".join(lines.lines(batch)) + "\n")
         said = _say_damages(log, said)
-    sys.stdout.flush()
     _say_damages(log, said)
     if log.damages.not_kept:
         _complain(log.path, f"{log.damages.not_kept} further places cannot be read")

@@ -25,7 +25,7 @@ from armui.session.exports.request import (
     default_target,
 )
 from armui.session.reader import SUFFIXES
-from armui.system.command_line import detach_output
+from armui.system.command_line import detach_output, write_out
 
 if TYPE_CHECKING:
     from armui.session.exports.request import ExportReport
@@ -333,8 +333,7 @@ class _SaidAsJson(_Said):
         if not self.heard:
             return
         try:
-            sys.stdout.write(json.dumps(line) + "\n")
-            sys.stdout.flush()
+            write_out(json.dumps(line) + "\n")
         except BrokenPipeError:  # the window that asked for it is gone
             self.heard = False
             detach_output()

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import os
 import sys
 from typing import TYPE_CHECKING
@@ -15,6 +16,23 @@ def add_device(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--interface", help="python-can's name of the adapter, e.g. socketcan")
     parser.add_argument("--channel", help="the adapter's channel, e.g. can0")
     parser.add_argument("--bitrate", type=int, help="bit/s, where the program sets it (1000000)")
+
+
+def write_out(text: str) -> None:
+    """Write to the output, at once.
+
+    Raises:
+        BrokenPipeError: Whoever read it has gone, as `head` that has seen enough. Windows calls
+            that an invalid argument.
+    """
+    try:
+        sys.stdout.write(text)
+        sys.stdout.flush()
+    except OSError as error:
+        system: str = sys.platform
+        if system == "win32" and error.errno == errno.EINVAL:
+            raise BrokenPipeError(errno.EPIPE, os.strerror(errno.EPIPE)) from error
+        raise
 
 
 def detach_output() -> None:

@@ -8,18 +8,25 @@ import subprocess
 import sys
 import threading
 from collections.abc import Callable, Sequence
+from pathlib import Path
 from typing import Any, Final
 
 _END_S: Final = 10.0
+NO_CONSOLE: Final[int] = getattr(subprocess, "CREATE_NO_WINDOW", 0)
+"""A command begun by a program without a console gets none of its own there: it would flash up."""
+_WITHOUT_CONSOLE: Final = "armui-window"
 
 
 def this_program() -> list[str]:
     """Return how this program is started once more; the name of a command follows.
 
-    A packaged program is its own interpreter, and knows none of an interpreter's options.
+    A packaged program is its own interpreter, and knows none of an interpreter's options. On
+    Windows the one without a console lies beside the one whose output can be read.
     """
-    frozen = getattr(sys, "frozen", False)
-    return [sys.executable] if frozen else [sys.executable, "-m", "armui"]
+    if not getattr(sys, "frozen", False):
+        return [sys.executable, "-m", "armui"]
+    program = Path(sys.executable)
+    return [str(program.with_stem("armui") if program.stem == _WITHOUT_CONSOLE else program)]
 
 
 class CommandProcess:
@@ -92,6 +99,7 @@ class CommandProcess:
                 env=dict(os.environ, PYTHONIOENCODING="utf-8"),
                 encoding="utf-8",
                 errors="replace",
+                creationflags=NO_CONSOLE,
             )
             if sys.platform != "win32" and self._nicer_by:
                 with contextlib.suppress(OSError):

@@ -1,9 +1,15 @@
-"""The program's log: a file that rotates, written by a thread that nobody waits for."""
+"""The program's log: a file that rotates, written by a thread that nobody waits for.
+
+Programs that run side by side write a file each: one that rotates the other's would fail on
+Windows, and lose lines elsewhere.
+"""
 
 from __future__ import annotations
 
 import contextlib
+import errno
 import logging
+import os
 import queue
 import threading
 from collections.abc import Iterator
@@ -11,6 +17,8 @@ from io import TextIOWrapper
 from logging.handlers import RotatingFileHandler
 from pathlib import Path
 from typing import Final
+
+from filelock import FileLock, Timeout
 
 from armui.system.failures import LOGGERS, Repeats
 from armui.system.files import open_file
@@ -44,6 +52,8 @@ class RotatingFile(RotatingFileHandler):
 
 
 NAME: Final = "armui.log"
+"""Of the first of several programs that run at a time; then armui-2.log and so on."""
+_MOST_PROGRAMS: Final = 9
 _MOST_WAITING: Final = 1000
 """Lines that wait for a slow disk; later ones are lost, never waited for."""
 _FLUSH_S: Final = 0.05
@@ -121,10 +131,9 @@ def log_to(folder: Path) -> Iterator[Path | None]:
     Yields:
         The file, or ``None``: there is none.
     """
-    path = folder / NAME
     try:
         folder.mkdir(parents=True, exist_ok=True)
-        open_file(path, "ab").close()
+        path, lock = _own_file(folder)
     except (OSError, ValueError):
         yield None
         return
@@ -147,3 +156,35 @@ def log_to(folder: Path) -> Iterator[Path | None]:
         with contextlib.suppress(queue.Full):
             handler.lines.put_nowait(None)
             thread.join()
+        _let_go(lock)
+
+
+def _let_go(lock: FileLock) -> None:
+    with contextlib.suppress(OSError):
+        lock.release()
+        Path(lock.lock_file).unlink(missing_ok=True)
+
+
+def _own_file(folder: Path) -> tuple[Path, FileLock]:
+    """The first file that no running program writes, and the lock that tells so until it ends.
+
+    Raises:
+        OSError: The folder cannot be used.
+        ValueError: Neither can its name.
+    """
+    for number in range(1, _MOST_PROGRAMS + 1):
+        path = folder / (NAME if number == 1 else NAME.replace(".", f"-{number}."))
+        lock = FileLock(folder / f".{path.name}.lock", thread_local=False)
+        try:
+            lock.acquire(blocking=False)
+        except Timeout:
+            continue
+        except NotImplementedError:  # a file system without locks: as if there were no other
+            pass
+        try:
+            open_file(path, "ab").close()
+        except (OSError, ValueError):
+            _let_go(lock)
+            raise
+        return path, lock
+    raise OSError(errno.EBUSY, os.strerror(errno.EBUSY), str(folder))

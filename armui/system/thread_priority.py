@@ -20,7 +20,7 @@ import threading
 from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, Final
+from typing import Final
 
 _LOG: Final = logging.getLogger(__name__)
 
@@ -29,10 +29,6 @@ NICE: Final = -10
 
 _ABOVE_NORMAL: Final = 0x8000
 """ABOVE_NORMAL_PRIORITY_CLASS, which processes begun by this one don't inherit."""
-_POWER_THROTTLING: Final = 4
-"""ProcessPowerThrottling of PROCESS_INFORMATION_CLASS."""
-_EXECUTION_SPEED: Final = 0x1
-_IGNORE_TIMER_RESOLUTION: Final = 0x4
 _TASKS: Final = Path("/proc/self/task")
 _ANSWER_S: Final = 2.0
 
@@ -59,35 +55,6 @@ class Rise:
 
     by: RaisedBy
     reason: str = ""
-
-
-class PowerThrottling(ctypes.Structure):
-    """PROCESS_POWER_THROTTLING_STATE: what is decided by the process, and what it decides."""
-
-    _fields_ = (
-        ("version", ctypes.c_uint32),
-        ("control_mask", ctypes.c_uint32),
-        ("state_mask", ctypes.c_uint32),
-    )
-
-
-def end_throttling(kernel: Any, process: object) -> bool:
-    """Have Windows keep the speed and the timers of this process, also behind other windows.
-
-    Windows 11 lets the timers of a window that is covered go by steps of 15.6 ms, and those of the
-    bus with them.
-
-    Args:
-        kernel: The library kernel32.
-        process: The handle of this process.
-
-    Returns:
-        Whether it was granted; Windows 10 before version 1709 knows no such thing.
-    """
-    decided = _EXECUTION_SPEED | _IGNORE_TIMER_RESOLUTION
-    state = PowerThrottling(1, decided, 0)
-    size = ctypes.sizeof(state)
-    return bool(kernel.SetProcessInformation(process, _POWER_THROTTLING, ctypes.byref(state), size))
 
 
 def raise_threads(thread_ids: Iterable[int] | None = None) -> Rise:
@@ -177,8 +144,6 @@ elif sys.platform == "win32":
         kernel = ctypes.WinDLL("kernel32", use_last_error=True)
         kernel.GetCurrentProcess.restype = ctypes.c_void_p
         process = ctypes.c_void_p(kernel.GetCurrentProcess())
-        if not end_throttling(kernel, process):
-            _LOG.info("Windows may slow the timers of covered windows: it has no switch for it")
         if kernel.SetPriorityClass(process, _ABOVE_NORMAL):
             return Rise(RaisedBy.SYSTEM)
         return Rise(RaisedBy.NOBODY, ctypes.FormatError(ctypes.get_last_error()))

@@ -336,6 +336,10 @@ class MainWindow(Translated, KeepsFocus, QWidget):
         """Show quantities in the page 曲线, by their keys (`armui.telemetry.quantities`)."""
         self._watch.show_as_curves(keys)
 
+    def open_trajectory_file(self, path: Path) -> None:
+        """Show a trajectory of a file in an editor; nothing moves."""
+        self._trajectory_pages.open_file(path)
+
     def open_replay(self, path: Path | None = None) -> None:
         """Show a log in the window 回放."""
         self._watch.open_replay(path)

@@ -122,6 +122,16 @@ DARK: Final = Colors(
     on_replay="#160b28",
 )
 
+LIGHT_CURVES: Final = (
+    *("#1763d2", "#b35c00", "#18864a", "#8a3ffc", "#00808a", "#b0257f"),
+    *("#6b6b00", "#5f6b7c", "#0b3d91", "#7a4b1e", "#3f7d20", "#5b2a86"),
+)
+_DARK_CURVES: Final = (
+    *("#5a9cff", "#f0a050", "#45c47b", "#b98cff", "#35c8d6", "#f078c0"),
+    *("#cfcf50", "#98a5b6", "#9cc4ff", "#d8a878", "#a0d878", "#d0b0ff"),
+)
+"""Red is none of them: it means stop or fault."""
+
 _CJK_FAMILIES: Final = (
     "Microsoft YaHei UI",
     "PingFang SC",
@@ -142,6 +152,11 @@ _FOLLOWER: Final = "scheme_follower"
 def colors_of(widget: QWidget) -> Colors:
     """The colours of the theme a widget is shown in."""
     return DARK if widget.palette().color(QPalette.ColorRole.Window).lightness() < 128 else LIGHT
+
+
+def curve_colors(widget: QWidget) -> tuple[str, ...]:
+    """Return the colours of curves in a widget's theme, one after the other."""
+    return _DARK_CURVES if colors_of(widget) is DARK else LIGHT_CURVES
 
 
 def ui_font() -> QFont:

@@ -27,6 +27,7 @@ HERE: Final = Path(__file__).resolve().parent
 ROOT: Final = HERE.parents[1]
 sys.path.insert(0, str(HERE))
 
+from contents import EXTRAS, NOT_HERE, imported_by  # noqa: E402 - beside this file
 from linux_package import check_libraries, make_packages  # noqa: E402 - beside this file
 from release_page import changes_of, page  # noqa: E402 - as above
 
@@ -109,12 +110,20 @@ class Build:
         if sys.platform == "linux":
             _strip(made)
             check_libraries(made)
+        self._import_all(made)
         self._call(
             self.python, HERE / "licences.py", self.work / "pyinstaller", made / "licences", ROOT
         )
         self._tell_sizes(made)
         self._steps["folder"] = made
         return made
+
+    def _import_all(self, folder: Path) -> None:
+        """Have the packed program import all that it names, and take out what does so."""
+        (program,) = folder.glob("armui-imports*")
+        names = sorted(imported_by(ROOT / "armui") - set(NOT_HERE.get(sys.platform, ())))
+        self._call(program, *names, *EXTRAS)
+        program.unlink()
 
     def _tell_sizes(self, folder: Path) -> None:
         files = [each for each in folder.rglob("*") if each.is_file() and not each.is_symlink()]

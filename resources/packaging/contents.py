@@ -5,16 +5,18 @@ Used by the recipe ``armui.spec`` while PyInstaller runs it, in the environment 
 
 from __future__ import annotations
 
+import ast
 import os
 import re
 import subprocess
 import sys
-from collections.abc import Callable, Collection, Iterable
+from collections.abc import Callable, Collection, Iterable, Iterator
 from importlib import metadata
-from pathlib import PurePath
+from pathlib import Path, PurePath
 from typing import Final
 
 EXTRAS: Final = (
+    *(() if sys.platform == "linux" else ("libusb_package",)),
     "gs_usb",
     "hid",
     "msgpack",
@@ -27,20 +29,36 @@ EXTRAS: Final = (
 )
 """Imported by what is looked up at run time: the extras adapters, gamepad and parquet."""
 
+NOT_HERE: Final = {
+    "linux": ("libusb_package",),
+    "win32": ("hidraw", "jeepney", "jeepney.io.blocking", "jeepney.wrappers"),
+}
+"""Named in imports, but not for every system."""
+
 UNUSED: Final = [
     "IPython",
-    "PIL.ImageTk",
     "PIL.ImageQt",
+    "PIL.ImageTk",
     "PIL._avif",
+    "PIL._imagingcms",
     "PIL._imagingtk",
+    "PIL._webp",
+    "PySide6.QtDBus",
+    "PySide6.QtNetwork",
     "PySide6.QtQml",
     "PySide6.QtQuick",
     "PySide6.QtTest",
     "_pytest",
+    "arrow",
+    "certifi",
     "cffi",
+    "chardet",
+    "collada",
     "contourpy",
     "cryptography",
+    "curses",
     "cyclopts",
+    "dateutil",
     "docutils",
     "embreex",
     "fontTools",
@@ -48,35 +66,67 @@ UNUSED: Final = [
     "h11",
     "httpcore",
     "httpx",
+    "idna",
     "ipywidgets",
+    "jsonschema",
+    "jsonschema_specifications",
     "keyring",
     "kiwisolver",
-    "mapbox_earcut",
+    "lark",
+    "lxml.builder",
+    "lxml.html",
+    "lxml.objectify",
+    "lxml.sax",
     "manifold3d",
+    "mapbox_earcut",
     "matplotlib",
+    "mpl_toolkits",
     "mypy",
+    "numpy._core._multiarray_tests",
     "pandas",
     "pip",
+    "pkg_resources",
     "polars",
-    "pycparser",
     "psutil",
     "pyarrow._azurefs",
+    "pyarrow._csv",
+    "pyarrow._feather",
     "pyarrow._flight",
     "pyarrow._gcsfs",
     "pyarrow._hdfs",
+    "pyarrow._json",
     "pyarrow._orc",
     "pyarrow._s3fs",
     "pyarrow._substrait",
     "pyarrow.cffi",
     "pyarrow.tests",
+    "pycparser",
+    "pydoc_data",
     "pygments",
+    "pyqtgraph.examples",
+    "pyqtgraph.jupyter",
+    "pyqtgraph.opengl",
     "pytest",
+    "readline",
+    "referencing",
+    "requests",
     "rich",
+    "rpds",
     "rtree",
+    "scipy.cluster",
+    "scipy.datasets",
+    "scipy.differentiate",
+    "scipy.fftpack",
+    "scipy.integrate",
+    "scipy.io",
+    "scipy.odr",
+    "scipy.signal",
+    "scipy.stats",
     "setuptools",
     "shapely",
     "tkinter",
     "trame",
+    "urllib3",
     "uvloop",
     "vhacdx",
     "vtkmodules.gtk",
@@ -85,8 +135,18 @@ UNUSED: Final = [
     "vtkmodules.tk",
     "vtkmodules.web",
     "vtkmodules.wx",
+    "zstandard._cffi",
+    "zstandard.backend_cffi",
 ]
-"""Plots on paper, another toolkit, rays through meshes, clouds: the program has no use for them."""
+"""Plots on paper, another toolkit, rays through meshes, clouds, statistics: nothing the program
+loads needs them. The build has the packed program import all that it names itself.
+"""
+
+HOOKS: Final = frozenset({"pyi_rth_pkgres", "pyi_rth_pyqtgraph_multiprocess", "pyi_rth_usb"})
+"""Of PyInstaller, run at every start, for what this program does not do; half of a start's time.
+
+pyi_rth_usb has pyusb look for libusb in the folder alone, where it is asked of the system instead.
+"""
 
 _PICTURE: Final = """
 import importlib, pkgutil, sys
@@ -117,6 +177,33 @@ def picture_modules() -> list[str]:
     return sorted(loaded)
 
 
+def imported_by(package: Path) -> set[str]:
+    """The modules of others that a package names in its imports, wherever in its files.
+
+    What only types are read from is left out, with what another system has.
+    """
+    found: set[str] = set()
+    for file in sorted(package.rglob("*.py")):
+        found |= set(_imports(ast.parse(file.read_text(encoding="utf-8"))))
+    return {each for each in found if each.split(".")[0] not in _OF_PYTHON | {package.name}}
+
+
+_OF_PYTHON: Final = sys.stdlib_module_names | {"_typeshed"}
+
+
+def _imports(node: ast.AST) -> Iterator[str]:
+    if isinstance(node, ast.Import):
+        yield from (each.name for each in node.names)
+    elif isinstance(node, ast.ImportFrom) and node.module and not node.level:
+        yield node.module
+    if isinstance(node, ast.If) and ast.unparse(node.test) == "TYPE_CHECKING":
+        children: Iterable[ast.AST] = node.orelse
+    else:
+        children = ast.iter_child_nodes(node)
+    for each in children:
+        yield from _imports(each)
+
+
 def metadata_of(name: str, seen: set[str] | None = None) -> set[str]:
     """The distributions that a program is made of, with its extras for operators."""
     seen = set() if seen is None else seen
@@ -143,7 +230,7 @@ def keeps_module(name: str, vtk: Collection[str]) -> bool:
     """
     if name.startswith("vtkmodules.vtk"):
         return name in vtk
-    return not re.match(r"(pyvista\.(examples|ext|trame|jupyter)|(numpy|scipy)\..*\.tests)\b", name)
+    return not re.match(r"(pyvista\.(examples|ext|trame)|(numpy|scipy)\..*\.tests)\b", name)
 
 
 def keeps_data(name: str) -> bool:
@@ -187,6 +274,11 @@ def kept_binaries(
                 kept.append(entry)
                 open_ends.append(entry)
     return kept
+
+
+def is_sdl(source: str) -> bool:
+    """Whether a library of the wheel of SDL is SDL itself; the others read pictures and music."""
+    return re.match(r"(lib)?SDL2(-2\.0)?\.", PurePath(source).name) is not None
 
 
 def kept_links(found: Iterable[Entry], kept: Iterable[Entry]) -> list[Entry]:

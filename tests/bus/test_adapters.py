@@ -1,5 +1,7 @@
 import errno
 import socket
+import sys
+from types import ModuleType
 
 import can
 import pytest
@@ -9,6 +11,7 @@ from armui.bus.adapters import (
     BUS_BACKEND_MISSING,
     BUS_BUSY,
     BUS_GONE,
+    BUS_LIBUSB_MISSING,
     explain,
     find_devices,
     open_bus,
@@ -53,6 +56,40 @@ def test_the_reason_is_found_behind_the_exception_a_backend_wraps_it_in():
 def test_a_missing_backend_names_the_package_to_install():
     error = can.CanInterfaceNotImplementedError("no serial")
     assert explain(Device("slcan", "/dev/ttyACM0"), error).params["package"] == "pyserial"
+
+
+class NoBackendError(ValueError):
+    """As of pyusb, where no libusb is found: on Windows, and in a bare Debian."""
+
+
+def test_a_missing_libusb_is_no_bad_argument():
+    error = NoBackendError("No backend available")
+    refusal = explain(Device("gs_usb", 0), error)
+    assert refusal.reason == BUS_LIBUSB_MISSING
+    wrapper = can.CanInitializationError("could not open")
+    wrapper.__cause__ = error
+    assert explain(Device("gs_usb", 0), wrapper).reason == BUS_LIBUSB_MISSING
+
+
+@pytest.mark.parametrize("is_opened", [True, False], ids=["opened", "searched"])
+def test_the_libusb_of_a_package_is_there_before_pyusb_looks_for_one(monkeypatch, is_opened):
+    done = []
+    package = ModuleType("libusb_package")
+    package.__dict__["get_libusb1_backend"] = lambda: done.append("offered")
+    monkeypatch.setitem(sys.modules, "libusb_package", package)
+
+    def asked(*_args, **_options):
+        done.append("asked")
+        return []
+
+    monkeypatch.setattr(can, "detect_available_configs", asked)
+    monkeypatch.setattr(can, "Bus", asked)
+    if is_opened:
+        open_bus(Device("gs_usb", 0))
+    else:
+        find_devices()
+    assert done[:2] == ["offered", "asked"]
+    assert done.count("offered") == 1
 
 
 def test_the_search_is_quiet_and_survives_a_backend_that_fails(monkeypatch, capfd):

@@ -7,6 +7,7 @@ import sys
 
 import pytest
 
+from armui.doctor.probes import program
 from armui.doctor.probes.can_devices import links_of, usb_adapters
 from armui.doctor.probes.program import look_at_program, satisfies
 from armui.doctor.probes.screen import look_at_screen, missing_libraries
@@ -122,3 +123,12 @@ def test_this_screen():
     assert facts.platform == "offscreen"
     assert facts.has_display
     assert facts.opengl is not None, facts.opengl_error
+
+
+@pytest.mark.parametrize(("system", "wanted"), [("linux", "jeepney"), ("win32", "libusb-package")])
+def test_what_is_wanted_on_another_system_is_not_missed_on_this_one(monkeypatch, system, wanted):
+    requirements = ['jeepney; sys_platform == "linux"', 'libusb-package; sys_platform != "linux"']
+    monkeypatch.setattr(program, "_requirements", lambda: requirements)
+    monkeypatch.setattr(sys, "platform", system)
+    of_this_one = filter(program._is_of_this_system, program._requirements())
+    assert [each.split(";")[0] for each in of_this_one] == [wanted]

@@ -168,7 +168,7 @@ def test_the_figures_stand_beside_the_words(ready):
     assert " V · since " in table.tip("Supply voltage:", 1)
     assert "°C" in table.tip("Motor temperature:", 1)
     assert " A · " in table.tip("Driver current:", 1)
-    assert "Enabled · 0.0°/s · since " in table.tip("Driver enabled:", 2)
+    assert "Enabled · 0.0 °/s · since " in table.tip("Driver enabled:", 2)
 
 
 def test_a_silent_driver_is_stale_and_the_button_names_it(ready):

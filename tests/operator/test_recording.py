@@ -2,8 +2,9 @@
 
 import math
 
+import numpy as np
 import pytest
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QWidget
 
@@ -13,6 +14,7 @@ from armui.trajectory.points.program import Trajectory
 from armui.trajectory.samples.recording import Recording
 from armui.ui.dialogs.confirm_dialog import LeaveQuestion
 from armui.ui.trajectory.library.library_page import LibraryPage
+from armui.ui.trajectory.recording.recorded_curves import drawn_curves
 from armui.ui.trajectory.recording.recording_page import RecordingPage
 
 OUT = (20.0, 40.0, -40.0, 10.0, 20.0, 15.0)
@@ -103,6 +105,72 @@ def test_it_is_trimmed(operator):
     operator.type_into("record_to", "0.7")
     operator.click("save_recording")
     assert operator.library.load("Recording").duration_s == pytest.approx(0.5, abs=0.06)
+
+
+def drag(curves, from_s, to_s):
+    """Drag the handle at a time to another one."""
+    height = curves.height() // 2
+    begin, end = (QPoint(round(curves.place_px(each)), height) for each in (from_s, to_s))
+    QTest.mousePress(curves, Qt.MouseButton.LeftButton, pos=begin)
+    QTest.mouseMove(curves, end)
+    QTest.mouseRelease(curves, Qt.MouseButton.LeftButton, pos=end)
+
+
+def shown(operator):
+    return operator.app_driver.program.view._state.preview
+
+
+def test_it_is_trimmed_by_handles_on_the_curves_and_the_picture_shows_what_is_kept(operator):
+    operator.record()
+    curves = operator.child("recorded_curves")
+    whole_s = operator.window._recording.duration_s
+    whole = shown(operator).path
+    assert math.dist(whole.marks_mm[0], whole.marks_mm[1]) > 100
+    drag(curves, 0.0, 0.3)
+    assert operator.child("record_from").value == pytest.approx(0.3, abs=0.02)
+    first = shown(operator).path.marks_mm[0]
+    drag(curves, whole_s, 0.6)
+    to_s = operator.child("record_to").value
+    assert to_s == pytest.approx(0.6, abs=0.02)
+
+    kept = shown(operator)
+    assert len(kept.path.places_mm) < len(whole.places_mm)
+    assert kept.path.marks_mm[0] == pytest.approx(first)
+    recording = operator.window._recording
+    at = int((recording.times_s <= to_s).sum()) - 1
+    assert kept.ghost_deg == pytest.approx(tuple(recording.joints_deg[at]), abs=3.0)
+    drag(curves, to_s, 0.1)  # not before the other end
+    assert operator.child("record_to").value == operator.child("record_from").value
+    operator.type_into("record_to", "0.6")
+    assert curves.place_px(0.6) == pytest.approx(curves.place_px(curves._to_s), abs=0.5)
+    operator.app_driver.heard()
+    operator.click("save_recording")
+    assert operator.library.load("Recording").duration_s == pytest.approx(0.3, abs=0.06)
+    assert operator.app_driver.heard() == []
+
+
+def test_no_peak_of_a_long_recording_is_lost_in_its_curves():
+    samples = np.zeros((50_000, 8))
+    samples[:, 0] = np.arange(50_000) / 100
+    samples[12_345, 3] = 80.0
+    curves = drawn_curves(Recording("long", samples=samples), 400)
+    assert [len(curve) for curve in curves] == pytest.approx([800] * 6, abs=4)
+    assert [curve[:, 1].max() for curve in curves] == [0.0, 0.0, 80.0, 0.0, 0.0, 0.0]
+
+
+def test_what_comes_from_a_file_is_no_recording_made_here(operator):
+    samples = np.zeros((200, 8))
+    samples[:, 0] = np.arange(200) / 100
+    operator.library.save(Recording("Seam", samples=samples))
+    operator.library.save(Recording("Own", samples=samples, taught_on="piper"))
+    for name, told in (("Seam", "Imported file, or of an unknown arm: "), ("Own", "Recorded: ")):
+        operator.window.close()
+        operator.list.refresh()
+        operator.list.open_trajectory(name)
+        operator.app_driver.run(0.1)
+        operator.window = operator.app_driver.page(RecordingPage)
+        assert operator.text("record_state") == f"{told}2.0 s, 200 samples, 13 kB"
+        assert operator.window.title == "Trim samples"
 
 
 def test_times_that_leave_nothing_are_not_saved(operator):

@@ -9,8 +9,9 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QWidget
 
 from armui.session.recording.recorded_session import RecordedSession
+from armui.ui import format as fmt
 from armui.ui.dialogs.files import FileDialog
-from armui.ui.watch.recordings.recording_card import length_text, moment_text, size_text
+from armui.ui.watch.recordings.recording_card import length_text, moment_text
 from armui.ui.watch.recordings.sessions_window import SessionColumn, SessionsWindow
 
 
@@ -254,7 +255,7 @@ def test_figures():
     assert [length_text(value) for value in (None, 0.9, 65, 3723)] == [
         "—", "0:00", "1:05", "1:02:03",
     ]  # fmt: skip
-    assert [size_text(value) for value in (0, 999_000, 3_440_000, 1_200_000_000)] == [
+    assert [fmt.size_text(value) for value in (0, 999_000, 3_440_000, 1_200_000_000)] == [
         "0 kB", "999 kB", "3.4 MB", "1.20 GB",
     ]  # fmt: skip
     assert moment_text(1e300) == "—"

@@ -4,6 +4,9 @@ Presses are given to the window system's queue of the window that holds the mous
 does it, not to the widget: with a popup open, that is the popup's.
 """
 
+import importlib.util
+import sys
+
 import pytest
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtGui import QContextMenuEvent
@@ -16,9 +19,10 @@ from armui.ui.dialogs.files import choose_file
 from armui.ui.dialogs.settings import SettingsDialog
 from armui.ui.watch.bus.bus_page import BusPage
 from armui.ui.watch.plots_area import PlotPage
+from armui.ui.widgets import stop_shortcut
 from armui.ui.widgets.halt_button import HaltButton
 from armui.ui.widgets.stop_button import StopButton
-from armui.ui.widgets.stop_shortcut import HALT_KEY
+from armui.ui.widgets.stop_shortcut import HALT_CHORD, HALT_KEY, STOP_CHORD
 
 pytestmark = pytest.mark.styled
 
@@ -257,6 +261,30 @@ def test_the_keys_act_at_the_first_press(app_driver, presses, open_it, key):
     open_it(app_driver, app_driver.find("stop_button"))
     QTest.keyPress(app_driver.window.windowHandle(), key)
     assert presses() == ((0, 1) if key == HALT_KEY else (1, 0))
+
+
+@pytest.mark.parametrize(
+    ("chord", "expected"), [(STOP_CHORD, (1, 0)), (HALT_CHORD, (0, 1))], ids=["stop", "halt"]
+)
+@pytest.mark.parametrize("on_macos", [True, False])
+def test_the_second_keys_of_macos_act_there_alone(
+    app_driver, presses, monkeypatch, chord, expected, on_macos
+):
+    monkeypatch.setattr(stop_shortcut, "_HAS_CHORDS", on_macos)
+    command_palette(app_driver, None)
+    search = app_driver.dialog(CommandPalette).search
+    QTest.keyPress(search, chord.key())
+    assert presses() == (0, 0)
+    QTest.keyPress(search, chord.key(), chord.keyboardModifiers())
+    assert presses() == (expected if on_macos else (0, 0))
+
+
+def test_the_second_keys_of_macos_stand_on_the_buttons(monkeypatch):
+    with monkeypatch.context() as macos:
+        macos.setattr(sys, "platform", "darwin")
+        there = importlib.util.module_from_spec(stop_shortcut.__spec__)
+        stop_shortcut.__loader__.exec_module(there)
+    assert (there.STOP_KEY_NAME, there.HALT_KEY_NAME) == ("F12, ⌘.", "F9, ⌘⌫")
 
 
 @pytest.mark.parametrize("key", [Qt.Key.Key_F12, Qt.Key.Key_Pause, HALT_KEY])

@@ -361,10 +361,41 @@ def test_lost_for_good_it_ends_the_run(ready):
     assert not ready.firmware.mechanics.moving
 
 
-def test_a_pause_that_is_lost_ends_the_run(ready):
-    player = started(ready, FAR)
+@pytest.mark.parametrize("percent", [80, 1])
+@pytest.mark.parametrize("what", ["run", "approach"])
+def test_a_pause_that_is_lost_is_told_again(ready, what, percent):
+    """At 1 % a joint moves at 1.8 °/s: slower than what may be the trembling of one that holds."""
+    if what == "run":
+        part = started(ready, FAR, percent=percent)
+    else:
+        part = ready.controller.replayer
+        override(ready, percent)
+        assert part.start(Replay(even_turn())) is None
     ready.run(0.5)
     ready.node.link.lose_to_arm(0x150)
+    override(ready, 0)
+    ready.run(1.5)
+    assert part.progress.phase is RunPhase.PAUSED
+    assert max(speeds_deg_s(ready, 0.5)) < 0.01
+    ready.heard()
+    ready.run(0.5)
+    assert ready.heard() == []
+
+
+def test_a_pause_that_was_gone_on_with_is_not_told_again(ready):
+    player = started(ready, FAR)
+    ready.run(0.5)
+    player.pause()
+    assert player.go_on() is None
+    ready.run(0.5)
+    assert [frame.data[1] for frame in ready.heard() if frame.arbitration_id == 0x150] == [1, 2]
+    assert ready.firmware.mechanics.moving
+
+
+def test_a_pause_that_is_lost_for_good_ends_the_run(ready):
+    player = started(ready, FAR)
+    ready.run(0.5)
+    ready.node.link.lose_to_arm(0x150, 2)
     override(ready, 0)
     ready.run_until(lambda: not player.running, seconds=3.0)
     assert "motion_too_fast" in ready.codes()

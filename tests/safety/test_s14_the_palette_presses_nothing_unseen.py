@@ -6,6 +6,7 @@ from PySide6.QtTest import QTest
 
 from armui.control.operations.operation import Consent
 from armui.control.run.progress import RunPhase
+from armui.protocol.codes import TeachingState
 from armui.ui.dialogs.confirm_dialog import ConfirmDialog
 from tests.app_driver import PANELS
 from tests.operator.test_palette import commands, open_palette, rows, targets
@@ -115,3 +116,27 @@ def test_recording_is_ended_by_the_command_that_says_so(app_driver):
     palette.close()
     choose(app_driver, "recording.stop")
     assert not app_driver.controller.recorder.recording
+
+
+def test_a_paused_replay_of_drag_teaching_is_not_set_going(app_driver):
+    app_driver.ready()
+    teach = app_driver.controller.teaching.command
+    teach(TeachingState.START_RECORDING)
+    app_driver.run(0.2)
+    app_driver.firmware.hand_guiding.lead_to((40.0, 40.0, -40.0, 0.0, 0.0, 0.0), speed_deg_s=20.0)
+    app_driver.run(2.5)
+    teach(TeachingState.STOP_RECORDING)
+    app_driver.run(0.3)
+    assert teach(TeachingState.RUN_RECORDING) is None
+    app_driver.run_until(lambda: app_driver.firmware.mechanics.moving)
+    app_driver.run(0.3)
+    assert teach(TeachingState.PAUSE) is None
+    app_driver.run_until(lambda: not app_driver.controller.operating_state.why_pending("teaching"))
+    app_driver.run(0.5)
+    app_driver.click("menu_light")
+    app_driver.heard()
+    choose(app_driver, "teaching.continue").close()
+    app_driver.run(0.5)
+    assert [frame.data[2] for frame in app_driver.heard() if frame.arbitration_id == 0x150] == []
+    assert not app_driver.firmware.mechanics.moving
+    assert targets(app_driver)["teaching.continue"].hasFocus()

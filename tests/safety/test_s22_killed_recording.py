@@ -1,5 +1,7 @@
 """S22: a recording of the arm that was not saved outlives the program, and is offered once."""
 
+import json
+import math
 import os
 import signal
 import subprocess
@@ -85,7 +87,7 @@ def test_what_another_running_program_records_is_not_offered(tmp_path):
 
 @pytest.mark.parametrize(
     ("tail", "count"),
-    [(b"\x00" * 37, 300), (bytes(64 * 5), 300), (b"\xff" * 128, 300)],
+    [(b"\x00" * 37, 300), (bytes(64 * 5), 299), (b"\xff" * 128, 299)],
     ids=["half a sample", "zeros after a power cut", "no figures"],
 )
 def test_a_damaged_end_is_cut_off(tmp_path, tail, count):
@@ -95,6 +97,23 @@ def test_a_damaged_end_is_cut_off(tmp_path, tail, count):
     library = Library(tmp_path)
     (unsaved,) = library.unsaved_recordings()
     assert len(library.load(library.keep_recording(unsaved)).samples) == count
+
+
+def test_a_sample_torn_by_a_power_cut_sends_no_joint_to_zero(tmp_path):
+    """The disk had written a block up to the middle of a sample; the rest of the file is zeros."""
+    folder = tmp_path / ".recordings" / "1-a"
+    folder.mkdir(parents=True)
+    header = {"name": "torn", "taught_on": "", "begun": "2026-01-01T00:00:00+00:00"}
+    rows = [(0.01 * row, 30.0, 40.0, -50.0, 10.0, 20.0, 5.0, math.nan) for row in range(20)]
+    whole = np.array(rows, "<f8").tobytes()
+    kept = 64 * 15 + 24  # time and two angles of the sixteenth
+    data = whole[:kept] + bytes(len(whole) - kept)
+    (folder / "samples").write_bytes(json.dumps(header).encode() + b"\n" + data)
+    library = Library(tmp_path)
+    (unsaved,) = library.unsaved_recordings()
+    recording = library.load(library.keep_recording(unsaved))
+    assert len(recording.samples) == 15
+    assert np.allclose(recording.joints_deg, rows[0][1:7])
 
 
 @pytest.mark.parametrize("data", [b"", b"\n", b"{}\n" + bytes(640), b"\xff" * 5000, b"[1]\n1234"])

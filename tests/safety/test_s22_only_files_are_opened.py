@@ -151,6 +151,12 @@ def test_the_program_log(no_file, caplog):
     assert path is None
 
 
+def test_the_lock_of_the_program_log(tmp_path):
+    make_pipe(tmp_path / f".{NAME}.lock")
+    with log_to(tmp_path):
+        logging.getLogger("armui").warning("nobody waits")
+
+
 def test_the_program_log_that_is_exchanged_while_it_runs(tmp_path):
     with log_to(tmp_path) as path:
         assert path is not None

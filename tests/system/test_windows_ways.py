@@ -1,18 +1,30 @@
-"""What Windows does otherwise, emulated: a refused replacement, throttled timers."""
+"""What Windows and macOS do otherwise, emulated: refused replacements, throttled timers."""
 
 import ctypes
+import errno
 import gc
+import io
+import logging
+import subprocess
 import sys
 import time
+from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
+from PySide6.QtCore import QObject, Signal
 
+from armui import app
+from armui.control.operating_state import LinkState, OperatingState
+from armui.doctor.probes import screen
+from armui.system import command_line, command_process
 from armui.system.atomic import write_whole
+from armui.system.exact_timers import Activity, PowerThrottling, keep_on_windows
 from armui.system.helper_process import pack, unpack
+from armui.system.log_file import log_to
 from armui.system.scratch import lives_on_windows
-from armui.system.thread_priority import PowerThrottling, end_throttling
 from armui.viewport import process_link
 
 
@@ -70,7 +82,7 @@ def test_elsewhere_a_refusal_is_meant(tmp_path, monkeypatch):
     assert scanner.slept_s == []
 
 
-def test_windows_is_told_to_keep_the_timers():
+def test_windows_is_told_to_keep_the_timers_and_takes_them_back():
     told = []
 
     class Kernel:
@@ -79,8 +91,54 @@ def test_windows_is_told_to_keep_the_timers():
             told.append((process, kind, bytes(content), size))
             return 1
 
-    assert end_throttling(Kernel(), 7)
-    assert told == [(7, 4, bytes.fromhex("01000000 05000000 00000000"), 12)]
+    assert keep_on_windows(Kernel(), 7, kept=True)
+    assert keep_on_windows(Kernel(), 7, kept=False)
+    assert told == [
+        (7, 4, bytes.fromhex("01000000 05000000 00000000"), 12),
+        (7, 4, bytes.fromhex("01000000 00000000 00000000"), 12),
+    ]
+
+
+def test_macos_does_not_let_the_program_nap_while_a_device_is_open():
+    told = []
+
+    def send(receiver, message, *arguments):
+        told.append((receiver, message, *arguments))
+        return f"{message}'s"
+
+    activity = Activity(send)
+    for kept in (False, True, True, False, False):
+        activity.keep(kept=kept)
+    asked = [each for each in told if each[1] != "processInfo"]
+    begun = "beginActivityWithOptions:reason:'s"
+    why = ("NSString", "stringWithUTF8String:", b"A robot arm is connected")
+    begin = ("processInfo's", "beginActivityWithOptions:reason:", 0xFF00EFFFFF)
+    assert asked == [
+        why,
+        (*begin, "stringWithUTF8String:'s"),
+        (begun, "retain"),
+        ("processInfo's", "endActivity:", "retain's"),
+        ("retain's", "release"),
+    ]
+
+
+@pytest.mark.parametrize("link", [each for each in LinkState if each is not LinkState.NO_DEVICE])
+def test_the_timers_are_kept_only_while_a_device_is_open(qapp, monkeypatch, link):
+    asked = []
+    monkeypatch.setattr(app, "keep_timers", lambda *, kept: asked.append(kept))
+    monkeypatch.setattr(app, "raise_in_background", lambda: None)
+    controller: Any = Announcer()
+    going_first = app._GoingFirst(qapp, controller)
+    for each in (LinkState.NO_DEVICE, link, link, LinkState.NO_DEVICE):
+        controller.operating_state_changed.emit(replace(OperatingState(), link=each))
+    going_first.deleteLater()
+    assert asked == [True, False]
+
+
+class Announcer(QObject):
+    """Tells how the program stands."""
+
+    operating_state_changed = Signal(object)
 
 
 def test_what_is_sent_without_a_limit_fits_into_a_pipe_of_windows():
@@ -137,3 +195,72 @@ def raising(error):
         raise error
 
     return fail
+
+
+class ClosedPipe(io.StringIO):
+    """The output, once whoever read it on Windows has gone."""
+
+    def flush(self):
+        raise OSError(errno.EINVAL, "Invalid argument")
+
+
+def test_an_output_that_nobody_reads_any_more_is_told_as_elsewhere(monkeypatch):
+    monkeypatch.setattr(sys, "stdout", ClosedPipe())
+    monkeypatch.setattr(sys, "platform", "win32")
+    with pytest.raises(BrokenPipeError):
+        command_line.write_out("a line\n")
+    monkeypatch.setattr(sys, "platform", "linux")
+    with pytest.raises(OSError, match="Invalid argument"):
+        command_line.write_out("a line\n")
+
+
+@pytest.mark.parametrize(
+    ("program", "command"),
+    [("armui-window.exe", "armui.exe"), ("armui.exe", "armui.exe"), ("armui", "armui")],
+)
+def test_a_command_is_begun_by_the_program_whose_output_can_be_read(
+    monkeypatch, tmp_path, program, command
+):
+    monkeypatch.setattr(sys, "frozen", True, raising=False)
+    monkeypatch.setattr(sys, "executable", str(tmp_path / program))
+    assert command_process.this_program() == [str(tmp_path / command)]
+
+
+def test_no_console_flashes_up_behind_the_window(monkeypatch):
+    begun = []
+
+    class Popen(subprocess.Popen[str]):
+        def __init__(self, words, creationflags=0, **more):
+            begun.append(creationflags)
+            super().__init__(words, **more)
+
+    monkeypatch.setattr(subprocess, "Popen", Popen)
+    monkeypatch.setattr(command_process, "NO_CONSOLE", 0x08000000)
+    monkeypatch.setattr(screen, "NO_CONSOLE", 0x08000000)
+    heard = Listened(["--version"])
+    assert heard.wait()
+    screen._try("no such trial")
+    assert begun == [0x08000000] * 2
+
+
+class Listened(command_process.CommandProcess):
+    """Reads what it says."""
+
+    def __init__(self, words):
+        super().__init__(words, lambda _answer: None)
+
+    def _listen(self, process):
+        process.communicate()
+
+
+def test_two_programs_write_and_rotate_a_log_of_their_own_each(tmp_path):
+    with log_to(tmp_path) as first:
+        with log_to(tmp_path) as second:
+            logging.getLogger("armui").warning("in both: both are of this process here")
+        with log_to(tmp_path) as again:
+            pass
+    assert first == tmp_path / "armui.log"
+    assert second == again == tmp_path / "armui-2.log"
+    assert sorted(each.name for each in tmp_path.iterdir()) == ["armui-2.log", "armui.log"]
+    with log_to(tmp_path) as next_one:
+        assert next_one == first

@@ -45,6 +45,8 @@ class JogFloor:
         self._context = context
         self._tool = tool
         self.lowest_mm: int | None = None
+        self._measured: tuple[object, ...] = ()
+        self._below_mm: int | None = None
 
     def height_mm(self, joints_deg: Sequence[float]) -> float:
         """Return the height of flange or fingertip at six angles, whichever is lower."""
@@ -61,8 +63,12 @@ class JogFloor:
         joints_deg = state.angles_deg()
         if joints_deg is None:
             return None
-        below = round(-self.height_mm(joints_deg))
-        return below if below > 0 else None
+        fit = self._context.operating_state().model_fit
+        measured = (joints_deg, fit, self._tool()[2])
+        if measured != self._measured:  # it is asked twice a tick, mostly of an arm that stands
+            below = round(-self.height_mm(joints_deg))
+            self._measured, self._below_mm = measured, below if below > 0 else None
+        return self._below_mm
 
     def why_lower(self, ahead_deg: Sequence[float], now_deg: Sequence[float]) -> Refusal | None:
         """Return why a jog does not go on to six angles; an arm below its limit may come up."""

@@ -220,6 +220,8 @@ class Player(Execution):
             self._follow_dwell()
         elif self._phase is RunPhase.STOPPING:
             self._follow_stopping()
+        elif self._phase is RunPhase.PAUSED:
+            self._follow_pause()
         self._publish()
 
     def _reason(self) -> Refusal | None:

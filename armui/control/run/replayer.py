@@ -184,6 +184,8 @@ class Replayer(Execution):
             self._follow_approach(self._watch)
         elif self._phase is RunPhase.MOVING or self._comes_to_a_stand(replay):
             self._stream(replay)
+        elif self._phase is RunPhase.PAUSED and self._watch is not None:
+            self._follow_pause()
         self._publish()
 
     def _comes_to_a_stand(self, replay: Replay) -> bool:

@@ -21,7 +21,7 @@ _REQUIREMENT: Final = re.compile(
     r"^\s*(?P<name>[A-Za-z0-9._-]+)\s*(\[[^]]*\])?\s*\(?(?P<wanted>[^;()]*)\)?\s*(;(?P<marker>.*))?$"
 )
 _EXTRA: Final = re.compile(r"extra\s*==\s*['\"]([^'\"]+)['\"]")
-_SYSTEM: Final = re.compile(r"sys_platform\s*==\s*['\"]([^'\"]+)['\"]")
+_SYSTEM: Final = re.compile(r"sys_platform\s*(==|!=)\s*['\"]([^'\"]+)['\"]")
 _CLAUSE: Final = re.compile(r"(>=|<=|==|!=|<|>|~=)\s*([0-9][0-9A-Za-z.]*)")
 _NUMBERS: Final = re.compile(r"\d+")
 
@@ -55,7 +55,7 @@ def try_priority() -> Rise:
 
 def _is_of_this_system(requirement: str) -> bool:
     system = _SYSTEM.search(requirement)
-    return system is None or system.group(1) == sys.platform
+    return system is None or (system[2] == sys.platform) is (system[1] == "==")
 
 
 def _requirements() -> list[str]:

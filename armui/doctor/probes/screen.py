@@ -16,7 +16,7 @@ from typing import Final
 
 from armui.doctor.facts import ScreenFacts
 from armui.system.command_line import has_display
-from armui.system.command_process import this_program
+from armui.system.command_process import NO_CONSOLE, this_program
 
 _PATIENCE_S: Final = 30.0
 _RENDERER: Final = re.compile(r"OpenGL renderer string:\s*(.+)")
@@ -98,6 +98,7 @@ def _try(name: str) -> tuple[str, str]:
             timeout=_PATIENCE_S,
             env=environment,
             check=False,
+            creationflags=NO_CONSOLE,
         )
     except subprocess.TimeoutExpired as error:
         said = (error.stdout or b"").decode("utf-8", "replace")

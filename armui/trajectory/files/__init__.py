@@ -43,6 +43,8 @@ _WRITERS: Final[dict[str, Callable[[Content], bytes]]] = {
     # the mark at the beginning tells a spreadsheet that this is UTF-8
     ".csv": lambda content: b"\xef\xbb\xbf" + csv_file.write(content).encode(),
     ".json": lambda content: json_file.write(content).encode(),
+    # as .log, which desktops take for any program's
+    ".armui": lambda content: log_file.write(content).encode(),
 }
 SUFFIXES: Final = tuple(_WRITERS)
 """The formats for the operator, by the end of the file's name."""

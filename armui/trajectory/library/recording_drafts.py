@@ -163,6 +163,9 @@ class RecordingDrafts:
 def read_samples(path: Path) -> Array:
     """Return the whole samples of a draft's file; a power cut may have left others behind them.
 
+    The disk knows blocks and no samples: the last one before what cannot be may be torn, with
+    zeros in the place of its angles, so it is left out as well.
+
     Raises:
         OSError: It cannot be read, or is larger than any file of ours.
     """
@@ -172,4 +175,4 @@ def read_samples(path: Path) -> Array:
     figures = np.frombuffer(data, _FIGURE, count * COLUMN_COUNT, begin)
     samples = figures.astype(np.float64).reshape(count, COLUMN_COUNT)
     fault = check_samples(samples)
-    return samples if fault is None else samples[: fault[0] - 1]
+    return samples if fault is None else samples[: max(0, fault[0] - 2)]

@@ -599,6 +599,7 @@ class Imported:
         requested: The name its content brought along.
         error: Why it is not in the library.
         is_table: Whether it is none of our formats and holds rows of figures.
+        was_there: Whether the library had the same under this name before.
     """
 
     path: Path
@@ -606,6 +607,23 @@ class Imported:
     requested: str = ""
     error: TrajectoryFileError | LibraryError | None = None
     is_table: bool = False
+    was_there: bool = False
+
+
+def find_or_import(folder: Path, path: Path) -> Imported:
+    """Take a file over, unless the same is in the library under its name: it is opened, not piled.
+
+    Args:
+        folder: Of the library.
+        path: The file; it may be one of the library's own.
+    """
+    library = Library(folder)
+    with contextlib.suppress(TrajectoryFileError, LibraryError):
+        content = files.load(path)
+        kept = library.load(content.name)
+        if replace(content, modified=kept.modified) == kept:
+            return Imported(path, kept.name, kept.name, was_there=True)
+    return _import_file(library, path)
 
 
 def import_files(folder: Path, paths: Sequence[Path]) -> list[Imported]:

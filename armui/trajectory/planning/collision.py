@@ -1,7 +1,7 @@
 """Whether parts of the arm would pass through each other: capsules along its links.
 
 Their sizes are those of the meshes in ``urdf/``, a little within the covers: what is told touches.
-InstanceRegistry are left out, their joints' limits keep them apart.
+Neighbours are left out, their joints' limits keep them apart.
 """
 
 from __future__ import annotations

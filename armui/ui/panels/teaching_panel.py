@@ -147,7 +147,7 @@ _TEACHING_TITLES: Final = (
     (TeachingState.RUN_RECORDING, Text("TeachingCommand", "Replay"), True),
     (TeachingState.MOVE_TO_START, Text("TeachingCommand", "Move to start"), True),
     (TeachingState.PAUSE, Text("TeachingCommand", "Pause"), False),
-    (TeachingState.CONTINUE, Text("TeachingCommand", "Continue"), False),
+    (TeachingState.CONTINUE, Text("TeachingCommand", "Continue"), True),
     (TeachingState.ABORT, Text("TeachingCommand", "Terminate"), False),
 )
 """Each command, its title, and whether it sets the arm moving: then it is shown first."""

@@ -83,6 +83,10 @@ class TrajectoryPages(QObject):
         elif self.editor is not None:
             self.editor.open()
 
+    def open_file(self, path: Path) -> None:
+        """Show what a file holds in an editor, or why it cannot be shown, in the library."""
+        self._made().open_file(path)
+
     def open_recorder(self) -> None:
         """Show the page that records; the way back from it leads to the library."""
         self._made().open_recorder()

@@ -12,7 +12,7 @@ from PySide6.QtWidgets import QApplication, QSizePolicy, QWidget
 
 from armui.arm.state import is_fresh
 from armui.telemetry.quantities import QUANTITIES
-from armui.ui.theme import DARK, colors_of, scaled_font
+from armui.ui.theme import LIGHT_CURVES, colors_of, curve_colors, scaled_font
 from armui.ui.watch.curve_cache import CurveBook
 from armui.ui.watch.curve_shapes import AutoHeight, together
 from armui.ui.watch.curves_item import DrawnCurve
@@ -39,16 +39,6 @@ if TYPE_CHECKING:
     from armui.ui.watch.curves_item import Missing
     from armui.ui.watch.time_frame import Shown
 
-
-_LIGHT_CURVES: Final = (
-    *("#1763d2", "#b35c00", "#18864a", "#8a3ffc", "#00808a", "#b0257f"),
-    *("#6b6b00", "#5f6b7c", "#0b3d91", "#7a4b1e", "#3f7d20", "#5b2a86"),
-)
-_DARK_CURVES: Final = (
-    *("#5a9cff", "#f0a050", "#45c47b", "#b98cff", "#35c8d6", "#f078c0"),
-    *("#cfcf50", "#98a5b6", "#9cc4ff", "#d8a878", "#a0d878", "#d0b0ff"),
-)
-"""Red is none of them: it means stop or fault."""
 
 LEAST_PX: Final = 60
 """Of the curves; the legend takes as many lines as it needs."""
@@ -322,7 +312,7 @@ class PlotPane(QWidget):
     @property
     def curve_colors(self) -> dict[str, str]:
         """The colour of each quantity, by key."""
-        palette = _DARK_CURVES if colors_of(self) is DARK else _LIGHT_CURVES
+        palette = curve_colors(self)
         return {
             each.key: palette[place % len(palette)] for place, each in enumerate(self.quantities)
         }
@@ -371,7 +361,7 @@ class PlotPane(QWidget):
             for place, (each, name) in enumerate(zip(self.quantities, short, strict=True)):
                 if each.unit == unit:
                     pieces, extent = book.curve(each, begin_s, max(end_s, begin_s), graph.width_px)
-                    colored.append((name, _LIGHT_CURVES[place % len(_LIGHT_CURVES)]))
+                    colored.append((name, LIGHT_CURVES[place % len(LIGHT_CURVES)]))
                     curves.append(pieces)
                     extents.append(extent)
             own = shown.ranges.get((self._place, unit))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 from typing import Final
 
 from PySide6.QtCore import QCoreApplication, QEvent, QObject, QPoint, Qt, QTimer, Signal
@@ -13,10 +14,15 @@ from armui.control.run.speed_override import STEP_PERCENT
 from armui.ui.widgets.press_button import PressButton
 
 STOP_KEYS: Final = frozenset({Qt.Key.Key_F12, Qt.Key.Key_Pause})
-STOP_KEY_NAME: Final = "F12, Pause"
 HALT_KEY: Final = Qt.Key.Key_F9
 """In the same group of keys as F12, and not beside it: the one must not be hit for the other."""
-HALT_KEY_NAME: Final = "F9"
+STOP_CHORD: Final = Qt.KeyboardModifier.ControlModifier | Qt.Key.Key_Period
+"""For macOS, where F9 and F12 play music and no key is Pause: ⌘, which Qt calls Control, and a dot,
+which cancels there."""
+HALT_CHORD: Final = Qt.KeyboardModifier.ControlModifier | Qt.Key.Key_Backspace
+_HAS_CHORDS: Final = sys.platform == "darwin"
+STOP_KEY_NAME: Final = "F12, ⌘." if _HAS_CHORDS else "F12, Pause"
+HALT_KEY_NAME: Final = "F9, ⌘⌫" if _HAS_CHORDS else "F9"
 SLOWER_KEY: Final = Qt.Key.Key_F8
 """Beside the halt: who misses it slows the arm."""
 
@@ -66,11 +72,12 @@ class StopShortcut(QObject):
         return False
 
     def _on_key(self, event: QKeyEvent) -> bool:
-        if event.key() in STOP_KEYS:
+        chord = event.keyCombination() if _HAS_CHORDS else None
+        if event.key() in STOP_KEYS or chord == STOP_CHORD:
             if not event.isAutoRepeat():
                 self._controller.emergency_stop()
             return True
-        if event.key() == HALT_KEY:
+        if event.key() == HALT_KEY or chord == HALT_CHORD:
             if not event.isAutoRepeat():
                 self._controller.halt_and_hold()
             return True

@@ -5,9 +5,11 @@ from PySide6.QtCore import QMimeData, QPoint, QPointF, Qt, QUrl
 from PySide6.QtGui import QDragEnterEvent, QDropEvent
 from PySide6.QtWidgets import QApplication, QFileDialog, QTableWidget, QWidget
 
+from armui.control.run.progress import RunPhase
 from armui.trajectory import files
 from armui.trajectory.points.program import Trajectory
 from armui.ui.dialogs.files import FileDialog
+from armui.ui.trajectory.editor.editor_page import EditorPage
 from armui.ui.trajectory.library.library_exchange import ImportReport
 from tests.operator.library.actions import POINT, LibraryDriver
 
@@ -53,9 +55,9 @@ def test_several_files_are_imported_and_a_broken_one_is_told(driver, tmp_path):
     assert chooser.fileMode() is QFileDialog.FileMode.ExistingFiles
     chooser.filesSelected.emit([str(path) for path in sorted(tmp_path.glob("*.*"))])
     chooser.close()
-    assert {"new", "new 2", "new 3"} <= set(driver.names())
+    assert {"new", "new 2", "new 3", "new 4"} <= set(driver.names())
     assert "bad" not in driver.names()
-    assert "Imported: new, new 2, new 3" in driver.message()
+    assert "Imported: new, new 2, new 3, new 4" in driver.message()
     assert "bad.log, line 4" in driver.message()
 
 
@@ -188,3 +190,53 @@ def test_what_is_no_file_is_not_taken(driver):
     assert not drop(driver.window, text="some text")
     assert not drop(driver.window, "https://example.org/a.log")
     assert driver.names() == ["one", "three", "two"]
+
+
+def shown_editors(driver):
+    pages = driver.app_driver.window.findChildren(EditorPage)
+    return [each for each in pages if each.isVisible()]
+
+
+def heard_by_the_arm(driver):
+    """The identifiers of what was on the bus since the last call."""
+    ear = driver.app_driver._ear
+    return {message.arbitration_id for message in iter(lambda: ear.recv(0), None)}
+
+
+def test_a_file_of_the_command_line_is_opened_and_nothing_moves(driver, tmp_path):
+    driver.app_driver.ready()
+    heard_by_the_arm(driver)
+    path = file_of(tmp_path, "x.armui", "carried here")
+    for _ in range(2):  # opened again, it is not piled up
+        driver.app_driver.window.open_trajectory_file(path)
+        (editor,) = shown_editors(driver)
+        assert editor.document.points == (POINT,) * 7
+        editor.leave()
+    assert driver.names().count("carried here") == 1
+    assert not [name for name in driver.names() if name.startswith("carried here ")]
+    driver.app_driver.run(0.3)
+    assert not heard_by_the_arm(driver) & set(range(0x150, 0x160))
+    assert driver.app_driver.controller.player.progress.phase is RunPhase.IDLE
+
+
+def test_a_file_of_the_command_line_of_a_taken_name_is_opened_beside_it(driver, tmp_path):
+    driver.app_driver.window.open_trajectory_file(file_of(tmp_path, "x.csv", "two"))
+    (editor,) = shown_editors(driver)
+    assert len(editor.document.points) == 7
+    assert {"two", "two 2"} <= set(driver.names())
+
+
+def test_the_librarys_own_file_is_opened_itself(driver):
+    before = driver.names()
+    driver.app_driver.window.open_trajectory_file(driver.library.folder / "two.log")
+    (editor,) = shown_editors(driver)
+    assert len(editor.document.points) == 3
+    assert driver.names() == before
+
+
+def test_a_file_of_the_command_line_that_is_none_is_told_in_the_library(driver, tmp_path):
+    path = tmp_path / "no.armui"
+    path.write_text("armui trajectory 1\nname: b\n\nJ 1 2 3\n")
+    driver.app_driver.window.open_trajectory_file(path)
+    assert shown_editors(driver) == []
+    assert "no.armui, line 4" in driver.message()

@@ -70,7 +70,7 @@ class World(ArmRig):
         super().__init__(channel, generation)
         # nobody asks what was heard on the bus: a queue that is never read costs copies
         self._ear.shutdown()
-        self.repeat_nothing()
+        thin_out(self.firmware)  # not together: a seed that found something finds it by its moments
         self.traffic = Traffic(self.firmware, lambda: self.time_s)
         self.other = NotedHost(self)
         self.cable = True

@@ -21,7 +21,13 @@ from armui.system.files import error_text
 from armui.trajectory import files
 from armui.trajectory.files import Content, TrajectoryFileError
 from armui.trajectory.library.file_names import file_stem
-from armui.trajectory.library.store import Imported, Library, LibraryError, import_files
+from armui.trajectory.library.store import (
+    Imported,
+    Library,
+    LibraryError,
+    find_or_import,
+    import_files,
+)
 from armui.ui import format as fmt
 from armui.ui import words
 from armui.ui.background import Background, Job
@@ -34,7 +40,7 @@ from armui.ui.widgets.table_model import plain_table
 from armui.ui.widgets.text_label import text_label
 from armui.ui.widgets.translated import Translated
 
-_PATTERNS: Final = "*.log *.csv *.json *.npz *.txt"
+_PATTERNS: Final = "*.armui *.log *.csv *.json *.npz *.txt"
 
 Problem = tuple[str, str]
 """The name of a file or trajectory, and what is wrong with it in the system's words."""
@@ -301,10 +307,12 @@ class LibraryExchange(QObject):
     Signals:
         said: A text, or what makes it in any language, and its :class:`Level`.
         imported: The names of what was taken over.
+        found: The name of what a file holds that is to be opened, now that it is in the library.
     """
 
     said = Signal(object, object)
     imported = Signal(object)
+    found = Signal(str)
 
     def __init__(
         self, controller: ArmController, background: Background, work: LibraryWork, window: QWidget
@@ -335,13 +343,29 @@ class LibraryExchange(QObject):
         Tables of another build are offered by columns.
         """
         if paths:
-            text = self.tr("Reading {names}…").format(
-                names=fmt.name_list([path.name for path in paths])
-            )
-            self.said.emit(text, Level.INFO)
+            self._say_reading(paths)
             self._background.begin(
                 Job(self._on_imported), import_files, self._library.folder, list(paths)
             )
+
+    def open_file(self, path: Path) -> None:
+        """Find what a file holds in the library, or take it over: see `found`."""
+        self._say_reading([path])
+        self._background.begin(Job(self._on_found), find_or_import, self._library.folder, path)
+
+    def _say_reading(self, paths: Sequence[Path]) -> None:
+        names = fmt.name_list([path.name for path in paths])
+        self.said.emit(self.tr("Reading {names}…").format(names=names), Level.INFO)
+
+    def _on_found(self, found: Imported | Refusal) -> None:
+        if not isValid(self):
+            return  # the program is ending
+        if isinstance(found, Imported) and found.was_there:
+            self.said.emit("", Level.INFO)
+        else:
+            self._on_imported(found if isinstance(found, Refusal) else [found])
+        if isinstance(found, Imported) and found.name:
+            self.found.emit(found.name)
 
     def _on_imported(self, imported: list[Imported] | Refusal) -> None:
         if not isValid(self):

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from functools import partial
+from pathlib import Path
 
 from PySide6.QtCore import QEvent, QModelIndex, Signal
 from PySide6.QtGui import QShowEvent
@@ -169,6 +170,7 @@ class LibraryPage(Page):
         FileDrop(self).dropped.connect(self._exchange.import_files)
         self._exchange.said.connect(self._say)
         self._exchange.imported.connect(self._on_imported)
+        self._exchange.found.connect(self.open_trajectory)
         self._exchange.by_columns.page_made.connect(self._lead_to)
         self.editors.page_made.connect(self._lead_to)
         self.editors.editor_opened.connect(self.editor_opened)
@@ -311,6 +313,11 @@ class LibraryPage(Page):
     def open_trajectory(self, name: str) -> None:
         """Open the second level of a trajectory, with what was not saved of it."""
         self.editors.open(name, unsaved=self._model.is_unsaved(name))
+
+    def open_file(self, path: Path) -> None:
+        """Open what a file holds, with a copy of it in the library; nothing moves."""
+        self.open()
+        self._exchange.open_file(path)
 
     def open_recorder(self) -> None:
         """Open the page that records."""

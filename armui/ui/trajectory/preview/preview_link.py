@@ -19,6 +19,7 @@ from armui.trajectory.planning.findings import Severity
 from armui.trajectory.points import edits
 from armui.trajectory.points.cells import VALUES
 from armui.trajectory.points.program import VALUE_COUNT, Trajectory, check_point
+from armui.ui.trajectory.recording.recording_page import RecordingPage
 from armui.ui.words.findings import finding as finding_text
 from armui.viewport.path_picture import FindingMark, PathPicture
 
@@ -32,6 +33,7 @@ if TYPE_CHECKING:
     from armui.ui.trajectory.editor.editor_page import EditorPage
     from armui.ui.trajectory.library.library_page import LibraryPage
     from armui.ui.trajectory.preview.path_preview import PathPreview
+    from armui.ui.trajectory.recording.recording_page import RecordingCut
     from armui.ui.trajectory.running.run_request import Preflight
     from armui.ui.widgets.page import Page
 
@@ -106,6 +108,42 @@ def marks_of(
     return PathPicture(np.empty((0, 3)), np.empty(0), marks, tuple(range(len(points))))
 
 
+_MOST_PLACES: Final = 2000
+"""Of the way of a recording that is trimmed: it is drawn anew while a handle is dragged."""
+
+
+def cut_picture(
+    cut: RecordingCut, geometry: Geometry, tool: Sequence[float]
+) -> tuple[PathPicture | None, tuple[float, ...] | None]:
+    """Return the way of what is kept of a recording with a mark at either end, and a pose of it.
+
+    Args:
+        cut: What is kept.
+        geometry: Of the arm.
+        tool: The tool centre point in the flange.
+
+    Returns:
+        The picture, and the six angles where the operator is; None: no sample is left.
+    """
+    times_s, angles_deg = cut.recording.times_s, cut.recording.joints_deg
+    first, last = np.searchsorted(times_s, (cut.from_s, cut.to_s + _ROUNDED_S), side="left")
+    last -= 1
+    if last < first:
+        return None, None
+    kept = np.unique(np.linspace(first, last, min(last - first + 1, _MOST_PLACES)).round())
+    rows = kept.astype(np.intp)
+    places = tool_points(flange_transforms(geometry, angles_deg[rows]), tool)
+    spans_s = np.maximum(np.diff(times_s[rows]), _LEAST_S)
+    speeds = np.linalg.norm(np.diff(places, axis=0), axis=1) / spans_s
+    speeds = np.append(speeds, speeds[-1] if len(speeds) else 0.0)
+    picture = PathPicture(places, speeds, places[[0, -1]], (0, 1), is_numbered=False)
+    here = min(max(int(np.searchsorted(times_s, cut.at_s)), first), last)
+    return picture, tuple(angles_deg[here].tolist())
+
+
+_ROUNDED_S: Final = 0.0005
+"""The fields show milliseconds: the last sample may lie a bit behind."""
+_LEAST_S: Final = 1e-6
 _ZERO: Final = (0.0,) * VALUE_COUNT
 _DECIMALS: Final = 3
 """Of what is sent, and of what stands in the table."""
@@ -222,6 +260,7 @@ class PreviewLink(QObject):
         library.preview_wanted.connect(self._on_preview)
         library.page_made.connect(self._watch)
         library.editor_opened.connect(self._follow)
+        library.editors.recorder_opened.connect(self._follow_recorder)
         preview.closed.connect(self._on_closed)
         self._watch(library)
 
@@ -276,6 +315,9 @@ class PreviewLink(QObject):
         elif page in self._targets:
             self._preview.set_seen(True)
             self._show_points()
+        elif isinstance(page, RecordingPage) and page.cut is not None:
+            self._preview.set_seen(True)
+            self._show_cut(page.cut)
         else:
             self._preview.set_seen(False)
 
@@ -333,6 +375,24 @@ class PreviewLink(QObject):
             self._marks = (key, marks_of(points, geometry, cartesian.tool))
         row = target.editor.table.current_row()
         self._preview.show_points(self._marks[1], row if row >= 0 else None, target.angles_deg())
+
+    def _follow_recorder(self, recorder: RecordingPage) -> None:
+        recorder.cut_changed.connect(partial(self._on_cut, recorder))
+
+    def _on_cut(self, recorder: RecordingPage) -> None:
+        """What is kept is another: what was checked of it is shown no more."""
+        self._checked.pop(recorder, None)
+        if recorder is self._page and recorder.isVisible():
+            self._turn_to(recorder)
+
+    def _show_cut(self, cut: RecordingCut) -> None:
+        """Show the way of what is kept, its ends, and the arm at the end that was moved last."""
+        if self._shown is not None:
+            self._shown = None
+            self._preview.show(None)
+        cartesian = self._controller.cartesian
+        picture, ghost_deg = cut_picture(cut, cartesian.kinematics().geometry, cartesian.tool)
+        self._preview.show_points(picture, None, ghost_deg)
 
     def _on_row(self, editor: EditorPage, row: int) -> None:
         if editor is not self._page:

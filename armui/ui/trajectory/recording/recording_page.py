@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from functools import partial
 from typing import TYPE_CHECKING, Final
 
@@ -26,6 +26,7 @@ from armui.ui.actions.command import Command, Target
 from armui.ui.background import Job
 from armui.ui.dialogs.confirm_dialog import LeaveQuestion
 from armui.ui.trajectory.library.library_work import LibraryWork
+from armui.ui.trajectory.recording.recorded_curves import RecordedCurves
 from armui.ui.trajectory.running.run_request import Checks, Preflight
 from armui.ui.widgets.buttons import named, push_button
 from armui.ui.widgets.figure_field import FigureField
@@ -115,6 +116,22 @@ class RecordingKeeper(QObject):
             self.failed.emit(text)
 
 
+@dataclass(frozen=True, slots=True, eq=False)
+class RecordingCut:
+    """What of a recording would be kept, as it is being trimmed.
+
+    Attributes:
+        recording: All of it.
+        from_s, to_s: What is kept of it.
+        at_s: Where the operator is: at the end that was moved last.
+    """
+
+    recording: Recording
+    from_s: float
+    to_s: float
+    at_s: float
+
+
 class RecordingPage(Page):
     """From the first sample to what is kept.
 
@@ -127,6 +144,7 @@ class RecordingPage(Page):
     Signals:
         saved: The name under which something has been put into the library.
         preview_wanted: A :class:`Preflight` of what would be saved, to be shown in 3D.
+        cut_changed: `cut` is another.
     """
 
     commands = (
@@ -138,6 +156,7 @@ class RecordingPage(Page):
     )
     saved = Signal(str)
     preview_wanted = Signal(object)
+    cut_changed = Signal()
 
     def __init__(
         self,
@@ -156,6 +175,9 @@ class RecordingPage(Page):
         self._keeper = RecordingKeeper(controller.recorder, self._work)
         self._joining = self._leaving = False
         self._recording = self._result = recording
+        self._is_kept = recording is not None
+        """It comes from the library."""
+        self._at_s = 0.0
         self._unsaved = False
         self._timer = QTimer(self, singleShot=True, interval=_AFTER_MS)
         self._timer.timeout.connect(self._work_out)
@@ -189,6 +211,7 @@ class RecordingPage(Page):
         self._tolerance = _field("record_tolerance", 3, "°")
         self._tolerance.step = 0.1
         self._kept = text_label("record_kept", rank="muted")
+        self._curves = RecordedCurves()
         self._labels = [QLabel() for _ in range(4)]
         self._message = named("record_message", MessageLine())
 
@@ -202,7 +225,7 @@ class RecordingPage(Page):
             label.setBuddy(field)
         grid.addWidget(self._kept, 3, 2)
         grid.setColumnStretch(2, 1)
-        fill(self.body, head, grid, self._message, STRETCH)
+        fill(self.body, head, (self._curves, 1), grid, self._message)
         fill(self.footer, self._preview, STRETCH, self._as_points, self._as_samples)
 
     def _connect(self) -> None:
@@ -212,6 +235,9 @@ class RecordingPage(Page):
         self._as_points.clicked.connect(self.save_points)
         for field in (self._from, self._to, self._tolerance):
             field.value_edited.connect(self._timer.start)
+        self._from.value_edited.connect(lambda: self._on_typed(self._from))
+        self._to.value_edited.connect(lambda: self._on_typed(self._to))
+        self._curves.trimmed.connect(self._on_trimmed)
         self._keeper.failed.connect(self._on_not_kept)
         self._controller.recorder.changed.connect(self._on_recorder)
         self._controller.operating_state_changed.connect(self._on_operating_state)
@@ -234,6 +260,10 @@ class RecordingPage(Page):
         else:
             self._drop_work()
             self._recording = self._result = None
+            self._is_kept = False
+            self.set_title(self.tr("Record"))
+            self._curves.show_recording(None)
+            self.cut_changed.emit()
             taught_on = self._controller.operating_state.model_fit.taught_on
             self._keeper.begin(self._wanted_name(), taught_on)
             self._say("")
@@ -292,8 +322,36 @@ class RecordingPage(Page):
         self._from.show_value(0.0)
         self._to.show_value(recording.duration_s)
         self._tolerance.show_value(_TOLERANCE_DEG)
+        self._curves.show_recording(recording)
+        self._at_s = 0.0
+        self.cut_changed.emit()
         self._work_out()
         self._show_state()
+
+    # Trimming ---------------------------------------------------------------------------------
+
+    @property
+    def cut(self) -> RecordingCut | None:
+        """What would be kept; ``None``: nothing is recorded yet, or no figure says what."""
+        from_s, to_s = self._from.value, self._to.value
+        if self._recording is None or from_s is None or to_s is None or not 0 <= from_s <= to_s:
+            return None
+        return RecordingCut(self._recording, from_s, to_s, self._at_s)
+
+    def _on_trimmed(self, from_s: float, to_s: float, at_s: float) -> None:
+        """A handle of the curves is dragged."""
+        self._from.show_value(from_s)
+        self._to.show_value(to_s)
+        self._at_s = at_s
+        self._timer.start()
+        self.cut_changed.emit()
+
+    def _on_typed(self, field: FigureField) -> None:
+        cut = self.cut
+        if cut is not None and field.value is not None:
+            self._at_s = field.value
+            self._curves.show_range(cut.from_s, cut.to_s)
+        self.cut_changed.emit()
 
     def _work_out(self, then: Callable[[Recording], object] | None = None) -> None:
         """Cut and thin what was recorded as the fields say.
@@ -344,10 +402,10 @@ class RecordingPage(Page):
         elif result is None:
             self._kept.setText(self.tr("Nothing is left: correct the marked fields."))
         else:
-            text = self.tr("Keeps {kept} of {count} samples, {time}")
+            text = self.tr("Keeps {kept} of {count} samples, {time}, {size}")
             kept, count = fmt.count(len(result.samples)), fmt.count(len(whole.samples))
-            text = text.format(kept=kept, count=count, time=fmt.duration(result.duration_s))
-            self._kept.setText(text)
+            time, size = fmt.duration(result.duration_s), fmt.size_text(result.samples.nbytes)
+            self._kept.setText(text.format(kept=kept, count=count, time=time, size=size))
         for button in (self._preview, self._as_samples, self._as_points):
             button.setEnabled(result is not None or self._job is not None)
 
@@ -438,15 +496,23 @@ class RecordingPage(Page):
         elif self._recording is None:
             text = self.tr("Lead the arm by hand, or move it by anything, while it records.")
         else:
-            text = self.tr("Recorded: {time}, {count} samples").format(
+            samples = self._recording.samples
+            text = self._told().format(
                 time=fmt.duration(self._recording.duration_s),
-                count=fmt.count(len(self._recording.samples)),
+                count=fmt.count(len(samples)),
+                size=fmt.size_text(samples.nbytes),
             )
         self._state.setText(text)
         for field in (self._from, self._to, self._tolerance):
             field.setEnabled(self._recording is not None)
         self._show_kept()
         self._show_usable(self._controller.operating_state)
+
+    def _told(self) -> str:
+        """What it is: a file that names no arm was not recorded here, or of an unknown arm."""
+        if self._recording is not None and self._is_kept and not self._recording.taught_on:
+            return self.tr("Imported file, or of an unknown arm: {time}, {count} samples, {size}")
+        return self.tr("Recorded: {time}, {count} samples, {size}")
 
     def take_focus(self) -> None:
         """The keys are for the button that records."""
@@ -480,7 +546,7 @@ class RecordingPage(Page):
 
     def retranslate_ui(self) -> None:
         """Put every word into the operator's language."""
-        self.set_title(self.tr("Record"))
+        self.set_title(self.tr("Trim samples") if self._is_kept else self.tr("Record"))
         texts = (self.tr("Name"), self.tr("From"), self.tr("To"), self.tr("Tolerance"))
         for label, text in zip(self._labels, texts, strict=True):
             label.setText(text)

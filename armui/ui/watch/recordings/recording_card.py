@@ -70,13 +70,6 @@ def length_text(seconds: float | None) -> str:
     return f"{minutes}:{rest:02}"
 
 
-def size_text(count: int) -> str:
-    """Bytes: ``12 kB``, ``3.4 MB``, ``1.20 GB``."""
-    if count < 1e6:
-        return f"{count / 1e3:.0f} kB"
-    return f"{count / 1e6:.1f} MB" if count < 1e9 else f"{count / 1e9:.2f} GB"
-
-
 def moment_text(unix_s: float) -> str:
     """A local time, to the second; of 0, which stands for one that nobody knows, none."""
     at = local_time(unix_s) if unix_s else None
@@ -203,7 +196,7 @@ class RingCard(Translated, QFrame):
         )
         self.memory_label.setText(
             self.tr("{now} of memory, {most} at most").format(
-                now=size_text(ring.bytes_kept), most=size_text(ring.most_bytes)
+                now=fmt.size_text(ring.bytes_kept), most=fmt.size_text(ring.most_bytes)
             )
         )
 
@@ -350,8 +343,8 @@ class RecordingCard(Translated, QFrame):
         text = self.tr("{length} · {frames} frames · {size} · {rate}/s").format(
             length=length_text(progress.elapsed_s),
             frames=fmt.count(progress.frames),
-            size=size_text(progress.total_bytes),
-            rate=size_text(round(self._rate)),
+            size=fmt.size_text(progress.total_bytes),
+            rate=fmt.size_text(round(self._rate)),
         )
         if progress.lost:
             text += " · " + self.tr("{count} lost").format(count=fmt.count(progress.lost))

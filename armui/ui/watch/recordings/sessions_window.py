@@ -35,7 +35,6 @@ from armui.ui.watch.recordings.recording_card import (
     RingCard,
     length_text,
     moment_text,
-    size_text,
 )
 from armui.ui.widgets.buttons import named, push_button
 from armui.ui.widgets.layouts import STRETCH, fill, in_row
@@ -204,7 +203,7 @@ class SessionsModel(TableModel):
         if column is SessionColumn.LENGTH:
             return length_text(entry.length_s)
         if column is SessionColumn.SIZE:
-            return size_text(entry.total_bytes)
+            return fmt.size_text(entry.total_bytes)
         if column is SessionColumn.FAULTS:
             return fmt.NOTHING if entry.faults is None else str(entry.faults)
         if column is SessionColumn.STOPS:
