@@ -11,8 +11,9 @@ from pathlib import Path
 from typing import Final
 
 from armui import __version__
-from armui.system.command_line import add_device, has_display
+from armui.system.command_line import HelpFormatter, add_device, has_display, name_list
 from armui.system.end_signals import end_at_once_on_ctrl_c, interrupting
+from armui.system.files import open_file
 
 _SIGNALLED: Final = 128
 """What a shell adds to the number of the signal that ended a command."""
@@ -26,6 +27,7 @@ _COMMANDS: Final = {
 """Command to its module, which has ``add_arguments(parser)`` and ``run(options)``, and its purpose.
 
 Imported only when asked for: the window starts without them."""
+_REPLAY: Final = "show a recorded CAN log in the window, as if it were live"
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -50,7 +52,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
 def _run_command(name: str, words: Sequence[str]) -> int:
     module_name, purpose = _COMMANDS[name]
     module = importlib.import_module(module_name)
-    parser = argparse.ArgumentParser(prog=f"armui {name}", description=purpose)
+    parser = argparse.ArgumentParser(
+        prog=f"armui {name}", description=purpose, formatter_class=HelpFormatter
+    )
     module.add_arguments(parser)
     options = parser.parse_args(words)
     heard: list[int] = []
@@ -71,6 +75,10 @@ def _run_window(parser: argparse.ArgumentParser, options: argparse.Namespace) ->
         parser.error("--generation belongs to --sim: a real arm says for itself which it is")
     if options.firmware is not None and (not options.sim or options.generation == 1):
         parser.error("--firmware belongs to --sim in generation 2: a real arm tells its own")
+    log = getattr(options, "replay", None)
+    if log is not None and (problem := _why_no_log(log)):
+        print(f"armui replay: {log}: {problem}", file=sys.stderr)
+        return 2
     file = getattr(options, "file", None)
     if file is not None and not file.is_file():
         parser.error(f"{str(file)!r} is neither a file nor a command: see armui --help")
@@ -100,16 +108,26 @@ def _run_window(parser: argparse.ArgumentParser, options: argparse.Namespace) ->
             channel=options.channel,
             bitrate=options.bitrate,
             model=getattr(options, "model", None),
-            replay=getattr(options, "replay", None),
+            replay=log,
             file=file,
             language=options.lang,
         )
     )
 
 
+def _why_no_log(path: Path) -> str:
+    """Return why a file cannot be replayed, before any window opens; "": it can be read."""
+    try:
+        open_file(path).close()
+    except OSError as error:
+        return error.strerror or str(error)
+    return ""
+
+
 def _replay_parser() -> argparse.ArgumentParser:
     parser = argparse.ArgumentParser(
         prog="armui replay",
+        formatter_class=HelpFormatter,
         description="Show a recorded CAN log, of this program or of another one, as if it were "
         "live: a window with 3D view, joints, curves and a time line. Nothing is sent.",
     )
@@ -136,12 +154,15 @@ def _version(text: str) -> str:
 
 
 def _parser() -> argparse.ArgumentParser:
+    commands = {name: purpose for name, (_module, purpose) in _COMMANDS.items()}
     parser = argparse.ArgumentParser(
         prog="armui",
-        description="Host program for the AgileX PiPER arm on a CAN bus.",
-        epilog="Further commands (armui COMMAND --help tells more): "
-        + "; ".join(f"{name}: {purpose}" for name, (_module, purpose) in _COMMANDS.items())
-        + "; replay: show a recorded CAN log as if it were live",
+        usage="armui [OPTION ...] [FILE]\n       armui COMMAND [OPTION ...]",
+        description="Host program for the AgileX PiPER arm on a CAN bus. Without a command it "
+        "opens its window.",
+        epilog=name_list("commands", {**commands, "replay": _REPLAY})
+        + "\n\narmui COMMAND --help tells more of one.",
+        formatter_class=HelpFormatter,
     )
     parser.add_argument("--version", action="version", version=f"armui {__version__}")
     parser.add_argument(
@@ -151,24 +172,23 @@ def _parser() -> argparse.ArgumentParser:
         metavar="FILE",
         help="a trajectory to open in the editor; nothing moves",
     )
-    parser.add_argument("--sim", action="store_true", help="connect to the simulated arm")
-    parser.add_argument(
-        "--generation",
-        type=int,
-        choices=(1, 2),
-        help="protocol of the simulated arm (2)",
-    )
-    parser.add_argument(
-        "--firmware",
-        type=_version,
-        metavar="VERSION",
-        help="firmware version of the simulated arm, as S-V1.7-3 (S-V1.8-9)",
-    )
-    add_device(parser)
-    parser.add_argument(
+    parser.add_argument("--lang", choices=("zh", "en"), help="language of the windows")
+    arm = parser.add_argument_group("the arm to connect to")
+    add_device(arm)
+    arm.add_argument(
         "--model",
         choices=("piper", "piper_h", "piper_l", "piper_x"),
         help="which arm it is (the one chosen for it the last time)",
     )
-    parser.add_argument("--lang", choices=("zh", "en"), help="language of the windows")
+    simulated = parser.add_argument_group("the simulated arm")
+    simulated.add_argument("--sim", action="store_true", help="connect to it")
+    simulated.add_argument(
+        "--generation", type=int, choices=(1, 2), help="the protocol it speaks (2)"
+    )
+    simulated.add_argument(
+        "--firmware",
+        type=_version,
+        metavar="VERSION",
+        help="its firmware version, as S-V1.7-3 (S-V1.8-9)",
+    )
     return parser

@@ -184,8 +184,7 @@ def test_the_options_of_every_command_are_listed(command: str) -> None:
         encoding="utf-8",
         check=True,
     )
-    usage = asked.stdout.partition("\n\n")[0]
-    there = set(re.findall(r"--[a-z]+[a-z-]*", usage))
+    there = set(re.findall(r"^  (--[a-z]+[a-z-]*)", asked.stdout, re.MULTILINE))
     table = (ROOT / "resources" / "docs" / "commands.md").read_text(encoding="utf-8")
     start = f"| `armui {command}".rstrip()
     rows = [line for line in table.splitlines() if line.startswith(start)]

@@ -21,6 +21,7 @@ from pathlib import Path
 from typing import Final, NamedTuple
 
 from armui.arm.refusal import Reason
+from armui.control.safety.recovery_steps import ActionText, StepText
 from armui.doctor.facts import OfArm, OfCan, OfProgram, OfScreen
 from armui.doctor.report import ReportText
 from armui.protocol.generation import Generation
@@ -38,20 +39,32 @@ LONGEST = 20
 
 
 KINDS: Final[tuple[type[Sentence], ...]] = (
-    *(Reason, FindingKind, ReportText),
+    *(Reason, FindingKind, ReportText, StepText, ActionText),
     *(OfProgram, OfScreen, OfCan, OfArm),
 )
 """What says sentences: the classes whose constants stand beside what raises them."""
 
 
 class Constant(NamedTuple):
-    """A ``NAME = Reason("name", "sentence", …)`` of the code, or of another of `KINDS`."""
+    """A ``NAME = Reason("name", "sentence", …)`` of the code, or of another of `KINDS`.
+
+    Attributes:
+        path: The file.
+        owner: The enumeration it is a member of; "" for a constant of the module.
+        name: What it is called there.
+        context: Of the translation.
+        id: As files keep it.
+        source: The sentence.
+        more: Further texts of it.
+    """
 
     path: Path
+    owner: str
     name: str
     context: str
     id: str
     source: str
+    more: tuple[str, ...]
 
 
 @cache
@@ -67,16 +80,18 @@ def constants() -> tuple[Constant, ...]:
     contexts = {kind.__name__: kind.context for kind in KINDS}
     found = []
     for path, tree in modules():
-        for node in tree.body:
-            match node:
-                case ast.Assign(
-                    targets=[ast.Name(id=name)],
-                    value=ast.Call(
-                        func=ast.Name(id=kind),
-                        args=[ast.Constant(value=str(code)), ast.Constant(value=str(source)), *_],
-                    ),
-                ) if kind in contexts:
-                    found.append(Constant(path, name, contexts[kind], code, source))
+        enums = [(each.name, each.body) for each in tree.body if isinstance(each, ast.ClassDef)]
+        for owner, body in [("", tree.body), *enums]:
+            for node in body:
+                match node:
+                    case ast.Assign(
+                        targets=[ast.Name(id=name)],
+                        value=ast.Call(func=ast.Name(id=kind), args=[_, _, *_] as given),
+                    ) if kind in contexts:
+                        texts = [each.value for each in given if isinstance(each, ast.Constant)]
+                        code, source, *more = map(str, texts)
+                        of = contexts[kind]
+                        found.append(Constant(path, owner, name, of, code, source, tuple(more)))
     return tuple(found)
 
 
@@ -94,7 +109,8 @@ def lupdate(ts: Path) -> None:
     with tempfile.TemporaryDirectory() as folder:
         tables = Path(folder) / "tables.py"
         texts = [*_of_value_tables(), *(text for _, tree in modules() for text in _of_tables(tree))]
-        texts += [(each.context, each.source) for each in constants()]
+        for each in constants():
+            texts += [(each.context, text) for text in (each.source, *each.more)]
         texts += [("Refusal", text) for text in json.loads(REFUSALS.read_text("utf-8")).values()]
         tables.write_text("\n".join(map(_marked, texts)), encoding="utf-8")
         of_code = [*(str(path) for path, _ in modules()), str(tables)]

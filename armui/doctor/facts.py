@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import enum
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import ClassVar
 
 from armui.system.sentence import Sentence
@@ -162,6 +162,8 @@ class CanFacts:
         ports: Serial ports of the USB.
         devices: What a search of all back-ends found.
         error: Why no search was possible.
+        kept: What the adapter's helper keeps at every start, by the names it was given.
+        wsl: Linux runs as a guest of Windows, which has the USB.
     """
 
     links: tuple[LinkFacts, ...] = ()
@@ -169,6 +171,8 @@ class CanFacts:
     ports: tuple[SerialPortFacts, ...] = ()
     devices: tuple[DeviceFacts, ...] = ()
     error: str = ""
+    kept: tuple[str, ...] = ()
+    wsl: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -360,12 +364,18 @@ class Diagnosis:
         severity: How grave it is.
         params: What its sentence mentions, and more for those who read the report as JSON.
         commands: The remedy, to be copied; a line each.
+        remedies: The same for the adapter's helper, which a button starts: verb and words.
     """
 
     kind: DiagnosisKind
     severity: DiagnosisLevel
     params: Mapping[str, str] = field(default_factory=dict)
     commands: tuple[str, ...] = ()
+    remedies: tuple[tuple[str, ...], ...] = ()
+
+    def mended_by(self, *remedies: tuple[str, ...]) -> Diagnosis:
+        """The same with what the adapter's helper can do about it."""
+        return replace(self, remedies=remedies)
 
     @property
     def code(self) -> str:

@@ -22,7 +22,7 @@ from armui.doctor.facts import (
     SerialPortFacts,
     UsbAdapterFacts,
 )
-from armui.doctor.judge_heard import judge_heard
+from armui.doctor.judge_heard import KNOWN_BITRATES, judge_heard, switched_on
 
 # The program.
 
@@ -160,6 +160,23 @@ SEVERAL = OfCan(
     DiagnosisLevel.NOTE,
 )
 
+KEPT = OfCan(
+    "kept",
+    "{name} has its name by its adapter's serial number, and is switched on at every start.",
+    DiagnosisLevel.NOTE,
+)
+PORT_KEPT = OfCan(
+    "port_kept",
+    "A serial adapter ({name}) may be opened by whoever sits at this computer.",
+    DiagnosisLevel.NOTE,
+)
+WSL = OfCan(
+    "wsl",
+    "This Linux is a guest of Windows (WSL): the adapter has to be handed over to it, before the "
+    "arm is powered. In a terminal of Windows, with the adapter's BUSID from the list:",
+    DiagnosisLevel.WARNING,
+)
+
 NO_DEVICE_TO_LISTEN = OfArm(
     "no_device_to_listen",
     "There is no device to listen to. A simulated arm in another process is heard with "
@@ -178,8 +195,12 @@ BY_ID: Final = {
 # From what there is of CAN devices.
 
 _USUAL_BITRATE: Final = 1_000_000
-_KNOWN_BITRATES: Final = (_USUAL_BITRATE, 500_000)
-"""Today's hardware, and what generation 1's protocol text says."""
+_USBIPD: Final = (
+    "usbipd list",
+    "usbipd bind --busid BUSID",
+    "usbipd attach --wsl --busid BUSID",
+)
+"""For a terminal of Windows: they hand a USB device to WSL."""
 _PASSIVE_COUNT: Final = 128
 _WARNING_COUNT: Final = 96
 """Error counters at which a controller warns and turns passive (ISO 11898-1)."""
@@ -190,6 +211,8 @@ def judge_can(facts: CanFacts) -> list[Diagnosis]:
     findings: list[Diagnosis] = []
     if facts.error:
         findings.append(SEARCH_FAILED(text=facts.error))
+    if facts.wsl and not facts.links and not facts.ports:
+        findings.append(WSL(*_USBIPD))
     findings += [_without_driver(each) for each in facts.usb if not each.links]
     findings += [_closed_port(each) for each in facts.ports if not each.may_open]
     for link in facts.links:
@@ -203,6 +226,7 @@ def judge_can(facts: CanFacts) -> list[Diagnosis]:
     ]
     if len(hardware) > 1:
         findings.append(_several(hardware))
+    findings += [_kept(each) for each in facts.kept]
     if not facts.links and not others and not facts.usb and not facts.ports:
         findings.append(NO_DEVICES())
     return findings
@@ -218,20 +242,22 @@ def judge_link(link: LinkFacts) -> list[Diagnosis]:
         "kind": link.kind,
     }
     if not link.up:
-        return [LINK_DOWN(*_up(link), **params)]
+        return [LINK_DOWN(*_up(link), **params).mended_by(*switched_on(link.name))]
     findings = [_state(link, params)]
-    if link.bitrate is not None and link.bitrate not in _KNOWN_BITRATES:
-        findings.append(BITRATE_ODD(*_again(link), **params))
+    usual = ("up", link.name, str(_USUAL_BITRATE))
+    anew = ("up", link.name, str(_bitrate(link)))
+    if link.bitrate is not None and link.bitrate not in KNOWN_BITRATES:
+        findings.append(BITRATE_ODD(*_again(link), **params).mended_by(usual))
     elif link.bitrate is not None and link.bitrate != _USUAL_BITRATE:
-        findings.append(BITRATE_OLD(*_again(link), **params))
+        findings.append(BITRATE_OLD(*_again(link), **params).mended_by(usual))
     if link.listen_only:
-        findings.append(LINK_LISTEN_ONLY(*_again(link), **params))
+        findings.append(LINK_LISTEN_ONLY(*_again(link), **params).mended_by(anew))
     if link.kind == "can" and not link.restart_ms:
         commands = (
             f"sudo ip link set {link.name} down",
             f"sudo ip link set {link.name} up type can restart-ms 100",
         )
-        findings.append(NO_RESTART(*commands, **params))
+        findings.append(NO_RESTART(*commands, **params).mended_by(anew))
     if link.dropped:
         findings.append(KERNEL_DROPPED(**params, count=str(link.dropped)))
     return findings
@@ -242,12 +268,14 @@ def _state(link: LinkFacts, params: dict[str, str]) -> Diagnosis:
     params = {**params, "tx": _count(link.tx_errors), "rx": _count(link.rx_errors)}
     if link.state == "BUS-OFF":
         commands = (f"sudo ip link set {link.name} type can restart",)
-        return BUS_OFF(*commands, **params)
+        return BUS_OFF(*commands, **params).mended_by(("reset", link.name))
     if link.state == "ERROR-PASSIVE" or errors >= _PASSIVE_COUNT:
-        return ERROR_PASSIVE(*_again(link), **params)
+        usual = ("up", link.name, str(_USUAL_BITRATE))
+        return ERROR_PASSIVE(*_again(link), **params).mended_by(usual)
     if link.state == "ERROR-WARNING" or errors >= _WARNING_COUNT:
         return ERROR_WARNING(**params)
-    return LINK(**params)
+    found = LINK(**params)
+    return found.mended_by(_remember(link)) if link.kind == "can" and link.serial else found
 
 
 def _count(value: int | None) -> str:
@@ -258,6 +286,20 @@ def _up(link: LinkFacts) -> tuple[str, ...]:
     if link.kind == "vcan":
         return (f"sudo ip link set {link.name} up",)
     return (f"sudo ip link set {link.name} up type can bitrate {_USUAL_BITRATE} restart-ms 100",)
+
+
+def _bitrate(link: LinkFacts) -> int:
+    found = link.bitrate
+    return found if found is not None and found in KNOWN_BITRATES else _USUAL_BITRATE
+
+
+def _remember(link: LinkFacts) -> tuple[str, ...]:
+    return ("remember", link.name, str(_bitrate(link)))
+
+
+def _kept(name: str) -> Diagnosis:
+    kind = PORT_KEPT if name.startswith("port-") else KEPT
+    return kind(name=name).mended_by(("forget", name))
 
 
 def _again(link: LinkFacts) -> tuple[str, ...]:
@@ -272,7 +314,8 @@ def _without_driver(adapter: UsbAdapterFacts) -> Diagnosis:
 
 def _closed_port(port: SerialPortFacts) -> Diagnosis:
     group = port.group or "dialout"
-    return PORT_CLOSED(f'sudo usermod -aG {group} "$USER"', path=port.path, group=group)
+    found = PORT_CLOSED(f'sudo usermod -aG {group} "$USER"', path=port.path, group=group)
+    return found.mended_by(("remember", port.path.removeprefix("/dev/")))
 
 
 def _several(links: list[LinkFacts]) -> Diagnosis:
@@ -284,7 +327,8 @@ def _several(links: list[LinkFacts]) -> Diagnosis:
         for each in links
         if each.serial
     )
-    return SEVERAL(*commands, names=names)
+    remedies = [_remember(each) for each in links if each.serial]
+    return SEVERAL(*commands, names=names).mended_by(*remedies)
 
 
 # From the program and the screen.

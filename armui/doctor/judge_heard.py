@@ -171,6 +171,8 @@ _TILT_DEG: Final = 89.0
 _LOW_V: Final = 21.0
 """The supply has 24 V."""
 _SILENT_BY_TEACHING_LEVEL: Final = 255
+KNOWN_BITRATES: Final = (1_000_000, 500_000)
+"""Today's hardware, and what generation 1's protocol text says."""
 _UDEV_RULE: Final = (
     'echo \'SUBSYSTEM=="usb", ATTRS{idVendor}=="1d50", MODE="0666"\''
     " | sudo tee /etc/udev/rules.d/90-candlelight.rules"
@@ -188,7 +190,9 @@ def judge_heard(heard: HeardFacts) -> list[Diagnosis]:
         return [_not_opened(heard, base)]
     findings: list[Diagnosis] = []
     if heard.bus_off:
-        findings.append(HEARD_BUS_OFF(*_restart(heard), **base))
+        off = HEARD_BUS_OFF(*_restart(heard), **base)
+        of_system = heard.interface == "socketcan"
+        findings.append(off.mended_by(("reset", heard.channel)) if of_system else off)
     if heard.error_frames:
         level = DiagnosisLevel.WARNING if heard.arm is not None else DiagnosisLevel.FAULT
         found = ERROR_FRAMES(**base | {"count": str(heard.error_frames)})
@@ -214,16 +218,25 @@ def _is_leader(heard: HeardFacts) -> bool:
     return heard.leader or bool(heard.shifted_feedback)
 
 
+def switched_on(interface: str) -> tuple[tuple[str, ...], ...]:
+    """How the adapter's helper switches an interface on: with each bit rate an arm may have."""
+    return tuple(("up", interface, str(each)) for each in KNOWN_BITRATES)
+
+
 def _not_opened(heard: HeardFacts, base: dict[str, str]) -> Diagnosis:
     params = {**base, "text": heard.problem_text, "package": heard.package}
     commands: tuple[str, ...] = ()
+    remedies: tuple[tuple[str, ...], ...] = ()
     if heard.problem == "bus_backend_missing":
         commands = (f"python -m pip install {heard.package}",)
     elif heard.interface == "socketcan" and heard.problem in {"bus_down", "bus_gone"}:
         commands = (f"sudo ip link set {heard.channel} up type can bitrate 1000000 restart-ms 100",)
+        remedies = () if heard.problem == "bus_gone" else switched_on(heard.channel)
     elif heard.problem == "bus_permission":
         commands = (_UDEV_RULE, "sudo udevadm control --reload && sudo udevadm trigger")
-    return _PROBLEMS.get(heard.problem, BUS_FAILED)(*commands, **params)
+        port = heard.channel.removeprefix("/dev/")
+        remedies = () if port == heard.channel else (("remember", port),)
+    return _PROBLEMS.get(heard.problem, BUS_FAILED)(*commands, **params).mended_by(*remedies)
 
 
 def _no_arm(heard: HeardFacts, base: dict[str, str]) -> Diagnosis:

@@ -7,6 +7,7 @@ import subprocess
 from collections.abc import Callable, Sequence
 from typing import Final
 
+from armui.doctor.adapter_change import helper_is_there
 from armui.doctor.facts import Diagnosis, DiagnosisLevel
 from armui.doctor.judge import NO_DEVICES, judge_can
 from armui.doctor.probes.can_devices import look_at_adapters
@@ -44,6 +45,10 @@ class DoctorProcess(CommandProcess):
         else:
             self._answer(_findings(out, err))
 
+    def _answer(self, answer: object) -> None:
+        helper_is_there()  # here, where nobody waits for the disk
+        super()._answer(answer)
+
 
 def _findings(out: str, err: str) -> list[Diagnosis] | str:
     try:
@@ -61,6 +66,7 @@ def adapter_trouble() -> list[Diagnosis]:
     No device is opened, and python-can is not asked. Takes some milliseconds, as a rule; for a
     thread that may wait. Faults come first.
     """
+    helper_is_there()  # whoever shows the findings must not wait for the disk
     findings = judge_can(look_at_adapters())
     return [
         each

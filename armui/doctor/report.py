@@ -153,6 +153,7 @@ def as_json(findings: Sequence[Diagnosis], words: Words, *, arm_answers: bool, a
                         "severity": each.severity.value,
                         "text": words.text(each),
                         "commands": list(each.commands),
+                        "remedies": [list(words) for words in each.remedies],
                         "params": dict(each.params),
                     }
                     for each in findings
@@ -177,6 +178,7 @@ def findings_of_json(text: str) -> list[Diagnosis]:
             DiagnosisLevel(each["severity"]),
             each["params"],
             tuple(each["commands"]),
+            tuple(tuple(words) for words in each["remedies"]),
         )
         for each in json.loads(text)["findings"]
     ]

@@ -21,6 +21,7 @@ from armui.sim.faults.schedule import FAULTS, Fault, FaultError, FaultParameter,
 from armui.sim.firmware import Firmware
 from armui.sim.node import Node
 from armui.sim.parameters.flash import FileFlash, Flash, MemoryFlash
+from armui.system.command_line import name_list
 
 EXIT_OK: Final = 0
 EXIT_CANNOT_BEGIN: Final = 2
@@ -35,22 +36,36 @@ _BITS_PER_FRAME: Final = 123
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Says which options the command takes."""
-    parser.add_argument(
+    bugs = {name: PURPOSES[bug] for name, bug in BUG_NAMES.items()}
+    parser.epilog = "\n\n".join(
+        (
+            name_list("faults (--fault)", {name: _fault_help(name) for name in FAULTS}),
+            name_list("bugs (--bugs)", bugs),
+        )
+    )
+    bus = parser.add_argument_group("the bus")
+    bus.add_argument(
         "--interface", default="udp_multicast", help="python-can's name of the bus (udp_multicast)"
     )
-    parser.add_argument("--channel", default="", help="the bus's channel, e.g. vcan0")
-    parser.add_argument("--bitrate", type=_bitrate, help="bit/s, where the program sets it")
-    parser.add_argument(
+    bus.add_argument("--channel", default="", help="the bus's channel, e.g. vcan0")
+    bus.add_argument("--bitrate", type=_bitrate, help="bit/s, where the program sets it")
+    bus.add_argument(
+        "--offset",
+        type=_offset,
+        help="move its feedback and motion commands by 0x10 or 0x20, for another arm on one bus",
+    )
+    arm = parser.add_argument_group("the arm")
+    arm.add_argument(
         "--generation", type=int, choices=(1, 2), default=2, help="the protocol it speaks (2)"
     )
-    parser.add_argument(
+    arm.add_argument(
         "--firmware",
         type=_version,
         metavar="VERSION",
         help="what it answers when asked for its version, and what it does as this version does: "
         f"MIT, CPV, frames, signs, scales; generation 2 only ({_VERSION})",
     )
-    parser.add_argument(
+    arm.add_argument(
         "--model",
         type=PiperModel,
         choices=list(PiperModel),
@@ -58,38 +73,32 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         metavar="MODEL",
         help=f"which arm of the family it is: {', '.join(PiperModel)} ({PiperModel.PIPER})",
     )
-    parser.add_argument(
+    arm.add_argument(
         "--flash",
         type=_flash,
         metavar="FILE",
         help="keep its settings in this file; without it they end with the command",
     )
-    parser.add_argument(
+    wrong = parser.add_argument_group("what goes wrong")
+    wrong.add_argument(
         "--fault",
         type=_fault,
         action="append",
         default=[],
         metavar="NAME[:VALUE]@START[-END]",
-        help="break something, in seconds from the start; may be given often. NAME is one of "
-        + "; ".join(map(_fault_help, FAULTS)),
+        help="break something, in seconds from the start; may be given often",
     )
-    parser.add_argument(
+    wrong.add_argument(
         "--bugs",
         type=_bugs,
         nargs="?",
         const=_OF_THE_VERSION,
         default=frozenset(),
         metavar="NAME,...",
-        help="have known bugs of firmware versions, so that a host's answers to them can be tried: "
-        "without names those reported of its version, or all, or some of "
-        + "; ".join(f"{name}: {PURPOSES[bug]}" for name, bug in BUG_NAMES.items()),
+        help="have known bugs of firmware versions, to try a host's answers to them: without names "
+        "those reported of its version, or all, or some of them",
     )
-    parser.add_argument(
-        "--offset",
-        type=_offset,
-        help="move its feedback and motion commands by 0x10 or 0x20, for another arm on one bus",
-    )
-    parser.add_argument(
+    wrong.add_argument(
         "--seed", type=int, default=0, help="of all that is left to chance: noise, lost frames (0)"
     )
 
@@ -227,7 +236,7 @@ def _fault(text: str) -> Fault:
 def _fault_help(name: str) -> str:
     kind = FAULTS[name]
     number = "" if kind.parameter is FaultParameter.NONE else f" (VALUE: {kind.parameter.meaning})"
-    return f"{name}: {kind.purpose}{number}".replace("%", "%%")
+    return f"{kind.purpose}{number}"
 
 
 def _offset(text: str) -> int:

@@ -124,6 +124,7 @@ class MainWindow(Translated, KeepsFocus, QWidget):
             self,
             open_window=self._open,
             open_page=lambda key, make: self._workspace.open_kept(key, make, self._drawer),
+            uncover=self._workspace.uncover,
             store=preferences,
             robot=lambda: self._settings.urdf_path,
         )
@@ -185,6 +186,7 @@ class MainWindow(Translated, KeepsFocus, QWidget):
 
         top = TopBar(self._controller, self.open_connect_dialog)
         recovery = RecoveryLine(self._controller, self.open_connect_dialog)
+        self._trajectory_pages.run_asks.connect(recovery.show_asking)
         self.window_actions.link(
             *(top.ask_to_resume, recovery, run, self._diagnosis, self._watch),
             buttons={

@@ -14,6 +14,13 @@ Language = Literal["zh", "en"]
 
 LANGUAGES: Final[tuple[Language, ...]] = get_args(Language)
 
+
+def shown_language() -> Language:
+    """Return the language in which texts are looked up now."""
+    # Translators: the code of the language that is shown, "zh" for Chinese
+    return "zh" if QCoreApplication.translate("GuideWindow", "en") == "zh" else "en"
+
+
 _OWN: Final = "armui"
 _QT: Final = "qtbase"
 _QT_LOCALES: Final = {"zh": "zh_CN"}

@@ -190,15 +190,15 @@
         <translation>给电机上电，电机保持当前位置。</translation>
     </message>
     <message>
-        <source>Takes the motor&apos;s power: the arm drops. Asks first.</source>
+        <source>Takes the motor's power: the arm drops. Asks first.</source>
         <translation>切断电机动力，机械臂会下落。执行前会询问。</translation>
     </message>
     <message>
-        <source>Makes the present position the joint&apos;s zero. Asks first.</source>
+        <source>Makes the present position the joint's zero. Asks first.</source>
         <translation>将关节当前位置设为零点。执行前会询问。</translation>
     </message>
     <message>
-        <source>Clears the error of the joint&apos;s driver; nothing moves.</source>
+        <source>Clears the error of the joint's driver; nothing moves.</source>
         <translation>清除关节驱动器的错误，机械臂不会运动。</translation>
     </message>
     <message>
@@ -363,6 +363,49 @@
     <message>
         <source>Own home: the targets</source>
         <translation>自定原位：输入框中的目标</translation>
+    </message>
+</context>
+<context>
+    <name>AdapterLine</name>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>The system asks for the administrator's password…</source>
+        <translation>系统正在询问管理员密码…</translation>
+    </message>
+    <message>
+        <source>Given up. What had begun is brought to its end by the system.</source>
+        <translation>已放弃。已经开始的操作由系统完成。</translation>
+    </message>
+    <message>
+        <source>Under way…</source>
+        <translation>正在执行…</translation>
+    </message>
+    <message>
+        <source>The adapter is another one than was shown: nothing was written.</source>
+        <translation>适配器与所显示的不是同一个：没有写入任何文件。</translation>
+    </message>
+    <message>
+        <source>Done; it holds from the next start of this computer.</source>
+        <translation>已完成，下次启动电脑后生效。</translation>
+    </message>
+    <message>
+        <source>Done; it holds as soon as the adapter is plugged in again.</source>
+        <translation>已完成，重新插入适配器后生效。</translation>
+    </message>
+    <message>
+        <source>{channel} is switched on; listening whether anything is heard…</source>
+        <translation>{channel} 已启用，正在监听是否收到报文…</translation>
+    </message>
+    <message>
+        <source>{channel} is switched on, and {count} frames were heard.</source>
+        <translation>{channel} 已启用，收到 {count} 个报文。</translation>
+    </message>
+    <message>
+        <source>{channel} is switched on, but nothing is heard: is the arm powered, the CAN cable plugged in, the bit rate the arm's?</source>
+        <translation>{channel} 已启用，但没有收到报文：机械臂是否上电、CAN 线是否插好、波特率是否与机械臂一致？</translation>
     </message>
 </context>
 <context>
@@ -653,7 +696,7 @@
         <translation>{count} 个参数中有 {failed} 个未恢复。</translation>
     </message>
     <message>
-        <source>No file is open; the arm&apos;s own values are shown.</source>
+        <source>No file is open; the arm's own values are shown.</source>
         <translation>未打开文件；显示的是机械臂当前的值。</translation>
     </message>
     <message>
@@ -773,7 +816,7 @@
         <translation>仲裁失败：优先级更高的帧先发出，属正常现象</translation>
     </message>
     <message>
-        <source>the adapter&apos;s CAN controller reports</source>
+        <source>the adapter's CAN controller reports</source>
         <translation>适配器的 CAN 控制器有报告</translation>
     </message>
     <message>
@@ -805,7 +848,7 @@
         <translation>收发器：请检查 CAN_H、CAN_L 是否短路或断路</translation>
     </message>
     <message>
-        <source>nobody acknowledges: check the arm&apos;s power, the cable and the bit rate</source>
+        <source>nobody acknowledges: check the arm's power, the cable and the bit rate</source>
         <translation>无人应答：请检查机械臂电源、线缆和波特率</translation>
     </message>
     <message>
@@ -876,7 +919,7 @@
         <translation>该帧的含义；下方是其中的信号</translation>
     </message>
     <message>
-        <source>By the identifier: what is not this program&apos;s and no arm sends is another host&apos;s</source>
+        <source>By the identifier: what is not this program's and no arm sends is another host's</source>
         <translation>按 ID 判断：既不是本程序发送、也不是机械臂会发送的帧，属于其他上位机</translation>
     </message>
     <message>
@@ -998,7 +1041,7 @@
         <translation>开始统计以来适配器报告的总线错误</translation>
     </message>
     <message>
-        <source>Lost by the system&apos;s queue or by the adapter since the counting began</source>
+        <source>Lost by the system's queue or by the adapter since the counting began</source>
         <translation>开始统计以来被系统队列或适配器丢失的帧</translation>
     </message>
 </context>
@@ -1301,7 +1344,7 @@
         <translation>正在打开 CAN 设备。</translation>
     </message>
     <message>
-        <source>The CAN device is open, but no arm is heard on it. Check the arm&apos;s power, the cable and the bit rate.</source>
+        <source>The CAN device is open, but no arm is heard on it. Check the arm's power, the cable and the bit rate.</source>
         <translation>CAN 设备已打开，但没有收到机械臂的反馈。请检查机械臂电源、线缆和波特率。</translation>
     </message>
     <message>
@@ -1652,7 +1695,7 @@
         <translation>{channel}（{kind}）已启用，{bitrate} bit/s，{state}，错误计数 {tx}/{rx}，序列号 {serial}。</translation>
     </message>
     <message>
-        <source>{channel} is switched off. Switch it on with the arm&apos;s bit rate.</source>
+        <source>{channel} is switched off. Switch it on with the arm's bit rate.</source>
         <translation>{channel} 未启用。请按机械臂的波特率启用。</translation>
     </message>
     <message>
@@ -1660,7 +1703,7 @@
         <translation>{channel} 已离线（bus-off）：错误过多。请检查电缆、终端电阻和波特率（{bitrate}），然后恢复。</translation>
     </message>
     <message>
-        <source>{channel} sees many errors ({state}, counters {tx}/{rx}): nobody acknowledges, or the bit rate {bitrate} is not the arm&apos;s. Is the arm switched on? CAN_H and CAN_L swapped? 120 Ω at both ends?</source>
+        <source>{channel} sees many errors ({state}, counters {tx}/{rx}): nobody acknowledges, or the bit rate {bitrate} is not the arm's. Is the arm switched on? CAN_H and CAN_L swapped? 120 Ω at both ends?</source>
         <translation>{channel} 错误很多（{state}，计数 {tx}/{rx}）：没有节点应答，或波特率 {bitrate} 与机械臂不符。机械臂是否上电？CAN_H 与 CAN_L 是否接反？两端是否有 120 Ω 终端电阻？</translation>
     </message>
     <message>
@@ -1668,11 +1711,11 @@
         <translation>{channel} 出现错误（{tx}/{rx}）：请检查电缆和终端电阻。</translation>
     </message>
     <message>
-        <source>{channel} runs at {bitrate} bit/s; arms run at 1000000 (today&apos;s) or 500000 (generation 1&apos;s text).</source>
+        <source>{channel} runs at {bitrate} bit/s; arms run at 1000000 (today's) or 500000 (generation 1's text).</source>
         <translation>{channel} 的波特率为 {bitrate} bit/s；机械臂为 1000000（当前）或 500000（第 1 代协议文本）。</translation>
     </message>
     <message>
-        <source>{channel} runs at {bitrate} bit/s, as generation 1&apos;s text says; today&apos;s arms run at 1000000.</source>
+        <source>{channel} runs at {bitrate} bit/s, as generation 1's text says; today's arms run at 1000000.</source>
         <translation>{channel} 的波特率为 {bitrate} bit/s，与第 1 代协议文本一致；当前机械臂为 1000000。</translation>
     </message>
     <message>
@@ -1700,7 +1743,7 @@
         <translation>{device}：缺少软件包 {package}。</translation>
     </message>
     <message>
-        <source>{device}: the maker&apos;s driver is missing: {text}</source>
+        <source>{device}: the maker's driver is missing: {text}</source>
         <translation>{device}：缺少厂商驱动：{text}</translation>
     </message>
     <message>
@@ -1732,7 +1775,7 @@
         <translation>监听期间 {device} 离线（bus-off）：请检查电缆、终端电阻、波特率。</translation>
     </message>
     <message>
-        <source>{device}: {count} error frames in {seconds} s. Bit rate other than the arm&apos;s, a loose plug, or no terminating resistor.</source>
+        <source>{device}: {count} error frames in {seconds} s. Bit rate other than the arm's, a loose plug, or no terminating resistor.</source>
         <translation>{device}：{seconds} s 内有 {count} 个错误帧。可能波特率与机械臂不符、插头松动或缺少终端电阻。</translation>
     </message>
     <message>
@@ -1756,11 +1799,11 @@
         <translation>固件 {firmware}{identity}。</translation>
     </message>
     <message>
-        <source>The firmware&apos;s version was not heard: the arm tells it only when asked.</source>
+        <source>The firmware's version was not heard: the arm tells it only when asked.</source>
         <translation>未收到固件版本：机械臂只在被询问时回答。</translation>
     </message>
     <message>
-        <source>The maker recommends firmware S-V1.8-9 or later; {firmware} has known faults. Updates come from the maker&apos;s support.</source>
+        <source>The maker recommends firmware S-V1.8-9 or later; {firmware} has known faults. Updates come from the maker's support.</source>
         <translation>厂家建议使用 S-V1.8-9 或更高版本固件；{firmware} 存在已知问题。更新请联系厂家支持。</translation>
     </message>
     <message>
@@ -1776,7 +1819,7 @@
         <translation>{firmware} 的关节可能在没有报错的情况下丢失基准：角度看似正常，实际位置不同。请对照 3D 画面与机械臂；只有急停后恢复（机械臂会下落）或重新上电才能修复。</translation>
     </message>
     <message>
-        <source>The arm&apos;s feedback is shifted by {offset} (0x470): the program follows it by itself.</source>
+        <source>The arm's feedback is shifted by {offset} (0x470): the program follows it by itself.</source>
         <translation>机械臂的反馈偏移为 {offset}（0x470）：程序会自动跟随。</translation>
     </message>
     <message>
@@ -1796,7 +1839,7 @@
         <translation>{device}：另一程序或主机正在控制机械臂：{frames}。从本机控制之前请先停止它。</translation>
     </message>
     <message>
-        <source>The arm&apos;s status (0x2A1) is not heard, though other feedback is.</source>
+        <source>The arm's status (0x2A1) is not heard, though other feedback is.</source>
         <translation>收到了其他反馈，但没有收到机械臂状态（0x2A1）。</translation>
     </message>
     <message>
@@ -1834,6 +1877,18 @@
     <message>
         <source>Joint {joints}: the limits kept in the arm are damaged. Set joint limits, speeds and accelerations to factory values (0x477), then read and set each.</source>
         <translation>关节 {joints}：机械臂中保存的限位已损坏。请将关节限位、速度、加速度恢复出厂值（0x477），然后逐项读取并设置。</translation>
+    </message>
+    <message>
+        <source>{name} has its name by its adapter's serial number, and is switched on at every start.</source>
+        <translation>{name} 已按适配器序列号固定名称，每次启动时自动启用。</translation>
+    </message>
+    <message>
+        <source>A serial adapter ({name}) may be opened by whoever sits at this computer.</source>
+        <translation>串口适配器（{name}）可由本机当前登录的用户打开。</translation>
+    </message>
+    <message>
+        <source>This Linux is a guest of Windows (WSL): the adapter has to be handed over to it, before the arm is powered. In a terminal of Windows, with the adapter's BUSID from the list:</source>
+        <translation>当前 Linux 运行在 Windows 的 WSL 中：请先把适配器交给 WSL，再给机械臂上电。在 Windows 终端中运行（BUSID 取自列表）：</translation>
     </message>
 </context>
 <context>
@@ -2356,6 +2411,18 @@
         <source>Copy shown events</source>
         <translation>复制所示事件</translation>
     </message>
+    <message>
+        <source>Only “{kind}”</source>
+        <translation>仅“{kind}”</translation>
+    </message>
+    <message>
+        <source>All sorts</source>
+        <translation>全部类别</translation>
+    </message>
+    <message>
+        <source>Click: show or hide. Double-click: this sort alone.</source>
+        <translation>单击：显示或隐藏。双击：仅此类别。</translation>
+    </message>
 </context>
 <context>
     <name>EventExport</name>
@@ -2576,7 +2643,7 @@
         <translation>日志中没有任何帧。未写入文件。</translation>
     </message>
     <message>
-        <source>No frame of the log is an arm&apos;s. No file was written. Another channel?</source>
+        <source>No frame of the log is an arm's. No file was written. Another channel?</source>
         <translation>日志中没有机械臂的帧。未写入文件。是否应选择其他通道？</translation>
     </message>
     <message>
@@ -2600,8 +2667,8 @@
         <translation>无法写入 {target}：{detail}</translation>
     </message>
     <message>
-        <source>Parquet needs the package pyarrow: pip install &apos;armui[parquet]&apos;. CSV has the same table without it.</source>
-        <translation>Parquet 需要 pyarrow 包：pip install &apos;armui[parquet]&apos;。CSV 无需它，内容是同一表格。</translation>
+        <source>Parquet needs the package pyarrow: pip install 'armui[parquet]'. CSV has the same table without it.</source>
+        <translation>Parquet 需要 pyarrow 包：pip install 'armui[parquet]'。CSV 无需它，内容是同一表格。</translation>
     </message>
     <message>
         <source>The export failed: {detail}</source>
@@ -3072,6 +3139,26 @@
         <source>Copy</source>
         <translation>复制</translation>
     </message>
+    <message>
+        <source>Switch on: {bitrate}</source>
+        <translation>启用：{bitrate}</translation>
+    </message>
+    <message>
+        <source>Bring back to the bus</source>
+        <translation>恢复总线</translation>
+    </message>
+    <message>
+        <source>Keep no longer…</source>
+        <translation>不再保留…</translation>
+    </message>
+    <message>
+        <source>Let me open it…</source>
+        <translation>允许我打开…</translation>
+    </message>
+    <message>
+        <source>Name and always at start: {channel}…</source>
+        <translation>固定名称并开机启用：{channel}…</translation>
+    </message>
 </context>
 <context>
     <name>FindingsPane</name>
@@ -3150,7 +3237,7 @@
         <translation>在下一个设定值到来之前关节失力：若没有设定值立即跟上，机械臂会坠落。请托住机械臂。之后只能通过复位恢复。</translation>
     </message>
     <message>
-        <source>Drives one motor past the arm&apos;s own planning and limits. With gains of 0 its joint has no strength and falls. Support the arm, keep away from it.</source>
+        <source>Drives one motor past the arm's own planning and limits. With gains of 0 its joint has no strength and falls. Support the arm, keep away from it.</source>
         <translation>绕过机械臂自身的规划和限位直接驱动一个电机。增益为 0 时该关节无力并坠落。请托住机械臂，并与其保持距离。</translation>
     </message>
     <message>
@@ -4310,7 +4397,7 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
         <translation>6 个关节的角度限位、速度和加速度都将恢复为出厂值。为现场设置的限位（包括更窄的限位）会丢失：如以后还需要，请先保存参数备份。</translation>
     </message>
     <message>
-        <source>This arm&apos;s protocol (generation 1) has no command for it. Enter the values, or restore a backup.</source>
+        <source>This arm's protocol (generation 1) has no command for it. Enter the values, or restore a backup.</source>
         <translation>该机械臂的协议（第 1 代）没有此指令。请手动输入数值，或从备份恢复。</translation>
     </message>
 </context>
@@ -4434,6 +4521,49 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
     <message>
         <source>Homed</source>
         <translation>已经回零</translation>
+    </message>
+</context>
+<context>
+    <name>KeepDialog</name>
+    <message>
+        <source>Keep at every start</source>
+        <translation>每次启动时保留</translation>
+    </message>
+    <message>
+        <source>Keep no longer</source>
+        <translation>不再保留</translation>
+    </message>
+    <message>
+        <source>Name of the adapter</source>
+        <translation>适配器名称</translation>
+    </message>
+    <message>
+        <source>Files of the system</source>
+        <translation>系统文件</translation>
+    </message>
+    <message>
+        <source>Write these files</source>
+        <translation>写入这些文件</translation>
+    </message>
+    <message>
+        <source>Take away</source>
+        <translation>移除</translation>
+    </message>
+    <message>
+        <source>The system asks for the administrator's password. The name holds for this adapter by its serial number, wherever it is plugged in.</source>
+        <translation>系统会询问管理员密码。名称按序列号固定在此适配器上，插在任何接口都有效。</translation>
+    </message>
+    <message>
+        <source>The system asks for the administrator's password.</source>
+        <translation>系统会询问管理员密码。</translation>
+    </message>
+    <message>
+        <source>Taken away: {path}</source>
+        <translation>移除：{path}</translation>
+    </message>
+    <message>
+        <source>First the files are looked at.</source>
+        <translation>正在读取文件内容。</translation>
     </message>
 </context>
 <context>
@@ -5300,7 +5430,7 @@ Lamps give no feedback: this is only what will be sent.</source>
     </message>
     <message>
         <source>The limits move with the zero, and so does every stored trajectory. With a wrong zero the arm runs into its stops.
-Set it only at the mark of the joint&apos;s zero, with the arm standing still. The arm keeps it; there is no way back but to set it again.</source>
+Set it only at the mark of the joint's zero, with the arm standing still. The arm keeps it; there is no way back but to set it again.</source>
         <translation>限位和已存轨迹会随零点一起改变；零点设错，机械臂会撞上机械限位。
 请仅在关节对准零位标记且机械臂静止时设置。机械臂会保存该零点，只能通过重新设置更改。</translation>
     </message>
@@ -5482,7 +5612,7 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>机械臂已确认急停。</translation>
     </message>
     <message>
-        <source>The arm has NOT confirmed the emergency stop; it is sent again and again. Cut the arm&apos;s power if it moves.</source>
+        <source>The arm has NOT confirmed the emergency stop; it is sent again and again. Cut the arm's power if it moves.</source>
         <translation>机械臂尚未确认急停，正在反复发送。若机械臂仍在运动，请切断其电源。</translation>
     </message>
     <message>
@@ -5582,7 +5712,7 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>6 个电机均已使能。</translation>
     </message>
     <message>
-        <source>These joints did not enable: {joints}. Press Enable again; if that fails, check their drivers and the arm&apos;s power.</source>
+        <source>These joints did not enable: {joints}. Press Enable again; if that fails, check their drivers and the arm's power.</source>
         <translation>以下关节未能使能：{joints}。请再按一次“使能”；若仍失败，请检查其驱动器和机械臂电源。</translation>
     </message>
     <message>
@@ -5638,7 +5768,7 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>末端负载未得到确认。{reason}</translation>
     </message>
     <message>
-        <source>Switching the feedback of the end&apos;s motion</source>
+        <source>Switching the feedback of the end's motion</source>
         <translation>正在切换末端速度/加速度反馈</translation>
     </message>
     <message>
@@ -5650,7 +5780,7 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>机械臂已停止上报末端速度/加速度。</translation>
     </message>
     <message>
-        <source>The feedback of the end&apos;s motion is not switched. {reason}</source>
+        <source>The feedback of the end's motion is not switched. {reason}</source>
         <translation>末端速度/加速度反馈未切换成功。{reason}</translation>
     </message>
     <message>
@@ -5814,7 +5944,7 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>回放中止。{reason}</translation>
     </message>
     <message>
-        <source>Recording the arm&apos;s motion</source>
+        <source>Recording the arm's motion</source>
         <translation>开始录制机械臂运动</translation>
     </message>
     <message>
@@ -5870,7 +6000,7 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>未读到以下关节的限位：{joints}。现按出厂限位检查；重新连接可再次读取。</translation>
     </message>
     <message>
-        <source>Joint {joint}: the limits stored in the arm cannot be true. The factory limits hold; set the joint&apos;s limits anew.</source>
+        <source>Joint {joint}: the limits stored in the arm cannot be true. The factory limits hold; set the joint's limits anew.</source>
         <translation>关节 {joint}：机械臂中保存的限位不合理。现按出厂限位检查；请重新设置该关节的限位。</translation>
     </message>
     <message>
@@ -5882,7 +6012,7 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>事件：{code}</translation>
     </message>
     <message>
-        <source>The emergency stop is NOT on the bus: no CAN device is open, or it does not take the frame. Cut the arm&apos;s power if it moves.</source>
+        <source>The emergency stop is NOT on the bus: no CAN device is open, or it does not take the frame. Cut the arm's power if it moves.</source>
         <translation>急停没有发到总线上：没有打开 CAN 设备，或设备不接收该帧。若机械臂在运动，请切断其电源。</translation>
     </message>
     <message>
@@ -5898,7 +6028,7 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>未完成的急停已撤回；机械臂没有停止。</translation>
     </message>
     <message>
-        <source>The arm on {device} has never confirmed its emergency stop, and another device is connected now. Cut that arm&apos;s power if it moves.</source>
+        <source>The arm on {device} has never confirmed its emergency stop, and another device is connected now. Cut that arm's power if it moves.</source>
         <translation>{device} 上的机械臂一直没有确认急停，而现在连接的是另一设备。若那台机械臂在运动，请切断其电源。</translation>
     </message>
     <message>
@@ -5946,7 +6076,7 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>机械臂未确认恢复出厂值。{reason}</translation>
     </message>
     <message>
-        <source>Sent by hand: {frame}. It counts as another program&apos;s command.</source>
+        <source>Sent by hand: {frame}. It counts as another program's command.</source>
         <translation>手动发送：{frame}。按其他程序的指令处理。</translation>
     </message>
     <message>
@@ -5986,7 +6116,7 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>{device} 点动 {axes}（工具坐标系）</translation>
     </message>
     <message>
-        <source>Told the arm to leave the other program&apos;s mode and to hold where it stands.</source>
+        <source>Told the arm to leave the other program's mode and to hold where it stands.</source>
         <translation>已通知机械臂退出另一程序的模式，并保持在当前位置。</translation>
     </message>
     <message>
@@ -6077,7 +6207,7 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>无法识别的报文：{kind}（最近 {id}）</translation>
     </message>
     <message>
-        <source>The arm&apos;s status frames come more rarely: {share} % fewer than before</source>
+        <source>The arm's status frames come more rarely: {share} % fewer than before</source>
         <translation>机械臂状态报文变少：比之前少 {share} %</translation>
     </message>
     <message>
@@ -6140,7 +6270,7 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>设置末端负载</translation>
     </message>
     <message>
-        <source>Switch the feedback of the end&apos;s motion</source>
+        <source>Switch the feedback of the end's motion</source>
         <translation>开关末端速度与加速度反馈</translation>
     </message>
     <message>
@@ -6156,11 +6286,11 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>夹爪失能</translation>
     </message>
     <message>
-        <source>Clear the gripper&apos;s error</source>
+        <source>Clear the gripper's error</source>
         <translation>清除夹爪错误</translation>
     </message>
     <message>
-        <source>Set the gripper&apos;s zero</source>
+        <source>Set the gripper's zero</source>
         <translation>设置夹爪零点</translation>
     </message>
     <message>
@@ -6321,7 +6451,7 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>倍率</translation>
     </message>
     <message>
-        <source>Share of the run&apos;s own speed, changed while it runs; 0 % pauses it. Slower {slower}, faster {faster}.</source>
+        <source>Share of the run's own speed, changed while it runs; 0 % pauses it. Slower {slower}, faster {faster}.</source>
         <translation>相对于本次运行自身速度的比例，运行中可随时调整；0 % 即暂停。减速 {slower}，加速 {faster}。</translation>
     </message>
     <message>
@@ -6348,16 +6478,16 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>为此机械臂保存，不运动。</translation>
     </message>
     <message>
+        <source>This arm tells no number of its own: another one without a number at this adapter would be taken for it.</source>
+        <translation>此机械臂不报自己的编号：同一适配器上另一台不报编号的机械臂会被当作它。</translation>
+    </message>
+    <message>
         <source>The measured angles</source>
         <translation>当前测得的角度</translation>
     </message>
     <message>
         <source>The targets in the fields</source>
         <translation>输入框中的目标</translation>
-    </message>
-    <message>
-        <source>This arm tells no number of its own: another one without a number at this adapter would be taken for it.</source>
-        <translation>此机械臂不报自己的编号：同一适配器上另一台不报编号的机械臂会被当作它。</translation>
     </message>
 </context>
 <context>
@@ -6548,7 +6678,7 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>出厂 {bound}</translation>
     </message>
     <message>
-        <source>{name}: {value} goes beyond the factory&apos;s {bound}.</source>
+        <source>{name}: {value} goes beyond the factory's {bound}.</source>
         <translation>{name}：{value} 超出出厂值 {bound}。</translation>
     </message>
     <message>
@@ -7125,30 +7255,6 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>末端 RZ</translation>
     </message>
     <message>
-        <source>Tool centre point X</source>
-        <translation>工具中心点 X</translation>
-    </message>
-    <message>
-        <source>Tool centre point Y</source>
-        <translation>工具中心点 Y</translation>
-    </message>
-    <message>
-        <source>Tool centre point Z</source>
-        <translation>工具中心点 Z</translation>
-    </message>
-    <message>
-        <source>Tool centre point RX</source>
-        <translation>工具中心点 RX</translation>
-    </message>
-    <message>
-        <source>Tool centre point RY</source>
-        <translation>工具中心点 RY</translation>
-    </message>
-    <message>
-        <source>Tool centre point RZ</source>
-        <translation>工具中心点 RZ</translation>
-    </message>
-    <message>
         <source>Speed percentage</source>
         <translation>速度百分比</translation>
     </message>
@@ -7297,7 +7403,7 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>{name}（本程序指令）</translation>
     </message>
     <message>
-        <source>{name}, other host&apos;s command</source>
+        <source>{name}, other host's command</source>
         <translation>{name}（其他主机指令）</translation>
     </message>
     <message>
@@ -7309,7 +7415,7 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>本程序指令</translation>
     </message>
     <message>
-        <source>other host&apos;s command</source>
+        <source>other host's command</source>
         <translation>其他主机指令</translation>
     </message>
     <message>
@@ -7375,6 +7481,30 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     <message>
         <source>no</source>
         <translation>否</translation>
+    </message>
+    <message>
+        <source>Tool centre point X</source>
+        <translation>工具中心点 X</translation>
+    </message>
+    <message>
+        <source>Tool centre point Y</source>
+        <translation>工具中心点 Y</translation>
+    </message>
+    <message>
+        <source>Tool centre point Z</source>
+        <translation>工具中心点 Z</translation>
+    </message>
+    <message>
+        <source>Tool centre point RX</source>
+        <translation>工具中心点 RX</translation>
+    </message>
+    <message>
+        <source>Tool centre point RY</source>
+        <translation>工具中心点 RY</translation>
+    </message>
+    <message>
+        <source>Tool centre point RZ</source>
+        <translation>工具中心点 RZ</translation>
     </message>
 </context>
 <context>
@@ -7519,10 +7649,6 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>没有剩余数据：请修正标记的输入框。</translation>
     </message>
     <message>
-        <source>Keeps {kept} of {count} samples, {time}, {size}</source>
-        <translation>保留 {count} 个采样中的 {kept} 个，{time}，{size}</translation>
-    </message>
-    <message>
         <source>The path is shown in the 3D view.</source>
         <translation>路径已显示在三维视图中。</translation>
     </message>
@@ -7553,10 +7679,6 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     <message>
         <source>Recording anew takes the place of what is not saved</source>
         <translation>重新录制将覆盖未保存的内容</translation>
-    </message>
-    <message>
-        <source>Trim samples</source>
-        <translation>裁剪采样</translation>
     </message>
     <message>
         <source>Name</source>
@@ -7595,20 +7717,28 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>保存为轨迹点</translation>
     </message>
     <message>
-        <source>Imported file, or of an unknown arm: {time}, {count} samples, {size}</source>
-        <translation>导入的文件，或所属机械臂未知：{time}，{count} 个采样，{size}</translation>
-    </message>
-    <message>
-        <source>Recorded: {time}, {count} samples, {size}</source>
-        <translation>已录制：{time}，{count} 个采样，{size}</translation>
-    </message>
-    <message>
         <source>The arm comes to rest in every point</source>
         <translation>机械臂会在每个点停下</translation>
     </message>
     <message>
         <source>It is in memory alone until it is saved. {reason}</source>
         <translation>保存前数据只在内存中。{reason}</translation>
+    </message>
+    <message>
+        <source>Keeps {kept} of {count} samples, {time}, {size}</source>
+        <translation>保留 {count} 个采样中的 {kept} 个，{time}，{size}</translation>
+    </message>
+    <message>
+        <source>Trim samples</source>
+        <translation>裁剪采样</translation>
+    </message>
+    <message>
+        <source>Imported file, or of an unknown arm: {time}, {count} samples, {size}</source>
+        <translation>导入的文件，或所属机械臂未知：{time}，{count} 个采样，{size}</translation>
+    </message>
+    <message>
+        <source>Recorded: {time}, {count} samples, {size}</source>
+        <translation>已录制：{time}，{count} 个采样，{size}</translation>
     </message>
 </context>
 <context>
@@ -7626,6 +7756,16 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>恢复…</translation>
     </message>
     <message>
+        <source>Resume after the emergency stop</source>
+        <translation>从急停恢复</translation>
+    </message>
+    <message>
+        <source>Resuming cuts the power of the motors: the arm will drop. Hold the arm.
+Afterwards the motors must be enabled again.</source>
+        <translation>恢复时会切断电机电源：机械臂会下落，请扶住机械臂。
+之后需要重新使能电机。</translation>
+    </message>
+    <message>
         <source>Enable</source>
         <translation>使能</translation>
     </message>
@@ -7636,6 +7776,14 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     <message>
         <source>Reset…</source>
         <translation>复位…</translation>
+    </message>
+    <message>
+        <source>Reset the arm</source>
+        <translation>复位机械臂</translation>
+    </message>
+    <message>
+        <source>First the emergency stop: the motors go limp and the arm sinks. Then Resume cuts their power: the arm will drop. Hold the arm from now on.</source>
+        <translation>先急停：电机失去保持力，机械臂会缓慢下沉；随后恢复会断电：机械臂会下落，请扶住机械臂。</translation>
     </message>
     <message>
         <source>Stop recording</source>
@@ -7650,8 +7798,36 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>拖动…</translation>
     </message>
     <message>
+        <source>Lead the arm by hand</source>
+        <translation>用手拖动机械臂</translation>
+    </message>
+    <message>
+        <source>The arm will give way to the hand and starts a new recording; the one it holds is lost. Hold the arm.
+Lead it near its rest pose, then stop recording.</source>
+        <translation>机械臂将进入拖动示教模式并开始新的记录，原有记录会丢失。请扶住机械臂。
+请拖动到零位附近，然后结束示教记录。</translation>
+    </message>
+    <message>
+        <source>Take the arm back</source>
+        <translation>收回机械臂的控制</translation>
+    </message>
+    <message>
+        <source>The arm changes back to its own control and is told to hold where it stands. Between the two its joints are limp for a moment: it may sag, and drop if the second message is lost. Hold the arm.
+The other program must have ended.</source>
+        <translation>机械臂将切回自身的控制方式，并被告知保持在当前位置。两条指令之间关节会短暂失力：机械臂可能下沉，若第二条指令丢失则会下落。请扶住机械臂。
+另一程序必须已经结束。</translation>
+    </message>
+    <message>
         <source>Take command…</source>
         <translation>待机…</translation>
+    </message>
+    <message>
+        <source>Withdraw the stop</source>
+        <translation>撤回急停</translation>
+    </message>
+    <message>
+        <source>The arm is not stopped: it goes on with whatever it is doing, and obeys again. Look at the arm before.</source>
+        <translation>机械臂不会停止：它将继续正在做的动作，并重新服从指令。请先看清机械臂。</translation>
     </message>
     <message>
         <source>Emergency stop</source>
@@ -7670,69 +7846,20 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>接管</translation>
     </message>
     <message>
-        <source>Withdraw…</source>
-        <translation>撤回…</translation>
-    </message>
-    <message>
-        <source>Take back…</source>
-        <translation>收回控制…</translation>
-    </message>
-</context>
-<context>
-    <name>RecoveryDanger</name>
-    <message>
-        <source>Resume after the emergency stop</source>
-        <translation>从急停恢复</translation>
-    </message>
-    <message>
-        <source>Reset the arm</source>
-        <translation>复位机械臂</translation>
-    </message>
-    <message>
-        <source>Lead the arm by hand</source>
-        <translation>用手拖动机械臂</translation>
-    </message>
-    <message>
         <source>Take the command</source>
         <translation>切换到待机模式</translation>
-    </message>
-    <message>
-        <source>Resuming cuts the power of the motors: the arm will drop. Hold the arm.
-Afterwards the motors must be enabled again.</source>
-        <translation>恢复时会切断电机电源：机械臂会下落，请扶住机械臂。
-之后需要重新使能电机。</translation>
-    </message>
-    <message>
-        <source>First the emergency stop: the motors go limp and the arm sinks. Then Resume cuts their power: the arm will drop. Hold the arm from now on.</source>
-        <translation>先急停：电机失去保持力，机械臂会缓慢下沉；随后恢复会断电：机械臂会下落，请扶住机械臂。</translation>
-    </message>
-    <message>
-        <source>The arm will give way to the hand and starts a new recording; the one it holds is lost. Hold the arm.
-Lead it near its rest pose, then stop recording.</source>
-        <translation>机械臂将进入拖动示教模式并开始新的记录，原有记录会丢失。请扶住机械臂。
-请拖动到零位附近，然后结束示教记录。</translation>
     </message>
     <message>
         <source>The arm will no longer follow the other control; a motion under way ends. Make sure that nobody relies on it.</source>
         <translation>机械臂将不再由其他方式控制，正在进行的运动会停止。请确认无人正在使用。</translation>
     </message>
     <message>
-        <source>Withdraw the stop</source>
-        <translation>撤回急停</translation>
+        <source>Withdraw…</source>
+        <translation>撤回…</translation>
     </message>
     <message>
-        <source>The arm is not stopped: it goes on with whatever it is doing, and obeys again. Look at the arm before.</source>
-        <translation>机械臂不会停止：它将继续正在做的动作，并重新服从指令。请先看清机械臂。</translation>
-    </message>
-    <message>
-        <source>Take the arm back</source>
-        <translation>收回机械臂的控制</translation>
-    </message>
-    <message>
-        <source>The arm changes back to its own control and is told to hold where it stands. Between the two its joints are limp for a moment: it may sag, and drop if the second message is lost. Hold the arm.
-The other program must have ended.</source>
-        <translation>机械臂将切回自身的控制方式，并被告知保持在当前位置。两条指令之间关节会短暂失力：机械臂可能下沉，若第二条指令丢失则会下落。请扶住机械臂。
-另一程序必须已经结束。</translation>
+        <source>Take back…</source>
+        <translation>收回控制…</translation>
     </message>
 </context>
 <context>
@@ -7752,6 +7879,10 @@ The other program must have ended.</source>
     <message>
         <source>Another way</source>
         <translation>另一种选择</translation>
+    </message>
+    <message>
+        <source>“{name}” has not begun: the check has something to say. Answer it on its page.</source>
+        <translation>“{name}”尚未运行：检查有提示，请在其页面上确认。</translation>
     </message>
 </context>
 <context>
@@ -7821,7 +7952,7 @@ The other program must have ended.</source>
         <translation>关节 {joints} 堵转。请解除卡阻，然后清除错误。</translation>
     </message>
     <message>
-        <source>Sensor fault, joint {joints}. Clear the error; if it comes back, check the joint&apos;s encoder.</source>
+        <source>Sensor fault, joint {joints}. Clear the error; if it comes back, check the joint's encoder.</source>
         <translation>关节 {joints} 传感器异常。请清除错误；若再次出现，请检查该关节编码器。</translation>
     </message>
     <message>
@@ -7837,7 +7968,7 @@ The other program must have ended.</source>
         <translation>机械臂报告关节状态异常。请查看关节状态，然后清除错误。</translation>
     </message>
     <message>
-        <source>A joint&apos;s brake is not released. Hold the arm, then reset it.</source>
+        <source>A joint's brake is not released. Hold the arm, then reset it.</source>
         <translation>关节抱闸未打开。请扶住机械臂，然后复位。</translation>
     </message>
     <message>
@@ -7941,7 +8072,7 @@ The other program must have ended.</source>
         <translation>机械臂发生碰撞。请移开障碍物，然后清除错误。</translation>
     </message>
     <message>
-        <source>A stop is outstanding: it goes out once the CAN device is back. Cut the arm&apos;s power if it moves.</source>
+        <source>A stop is outstanding: it goes out once the CAN device is back. Cut the arm's power if it moves.</source>
         <translation>有一次急停未完成：CAN 设备恢复后立即发出。若机械臂在运动，请切断其电源。</translation>
     </message>
     <message>
@@ -8020,7 +8151,7 @@ The other program must have ended.</source>
         <translation>以下关节的电机未使能：{joints}。请先按“使能”。</translation>
     </message>
     <message>
-        <source>Not every motor has reported yet whether it is enabled. Wait a moment; if it stays so, check the arm&apos;s power and the CAN cable.</source>
+        <source>Not every motor has reported yet whether it is enabled. Wait a moment; if it stays so, check the arm's power and the CAN cable.</source>
         <translation>尚未收到全部电机的使能状态。请稍候；若一直如此，请检查机械臂电源和 CAN 线。</translation>
     </message>
     <message>
@@ -8124,7 +8255,7 @@ The other program must have ended.</source>
         <translation>{axis}：“{value}”不是数值。请输入毫米或度的数字，例如 12.5。</translation>
     </message>
     <message>
-        <source>The target is {missing} mm out of the arm&apos;s reach. Choose one nearer to the arm, or turn the tool.</source>
+        <source>The target is {missing} mm out of the arm's reach. Choose one nearer to the arm, or turn the tool.</source>
         <translation>目标超出可达范围 {missing} mm。请选择更近的位置，或改变末端姿态。</translation>
     </message>
     <message>
@@ -8156,7 +8287,7 @@ The other program must have ended.</source>
         <translation>尚未记录：{point}。请把机械臂移到该处并按对应按钮。</translation>
     </message>
     <message>
-        <source>The pose the arm reports does not fit its joint angles: the program cannot compute its way. Check the joints&apos; zeros; the joints can still be moved one by one.</source>
+        <source>The pose the arm reports does not fit its joint angles: the program cannot compute its way. Check the joints' zeros; the joints can still be moved one by one.</source>
         <translation>机械臂上报的位姿与关节角度不符，程序无法计算路径。请检查各关节零点；仍可单独移动各关节。</translation>
     </message>
     <message>
@@ -8212,7 +8343,7 @@ The other program must have ended.</source>
         <translation>{gripper}：“{value}”不是数字，请输入 {minimum} 至 {maximum} {unit} 之间的值。</translation>
     </message>
     <message>
-        <source>Whether these joints stand still is not known: {joints}. Their drivers report no speed: check the arm&apos;s power and the CAN cable.</source>
+        <source>Whether these joints stand still is not known: {joints}. Their drivers report no speed: check the arm's power and the CAN cable.</source>
         <translation>无法确认以下关节是否静止：{joints}。其驱动器未上报速度，请检查机械臂电源和 CAN 线缆。</translation>
     </message>
     <message>
@@ -8244,11 +8375,11 @@ The other program must have ended.</source>
         <translation>设备 {device} 正被其它程序占用。请关闭该程序后重新连接。</translation>
     </message>
     <message>
-        <source>{device} is switched off in the system. Switch it on in a terminal (with your interface&apos;s name for can0): sudo ip link set can0 up type can bitrate 1000000</source>
+        <source>{device} is switched off in the system. Switch it on in a terminal (with your interface's name for can0): sudo ip link set can0 up type can bitrate 1000000</source>
         <translation>设备 {device} 在系统中未启用。请在终端中启用（将 can0 换成实际的接口名）：sudo ip link set can0 up type can bitrate 1000000</translation>
     </message>
     <message>
-        <source>You may not open {device}. On Linux add your account to the group dialout (serial adapters) or install the adapter&apos;s udev rule (USB adapters), then log in again.</source>
+        <source>You may not open {device}. On Linux add your account to the group dialout (serial adapters) or install the adapter's udev rule (USB adapters), then log in again.</source>
         <translation>没有权限打开设备 {device}。Linux 下：串口适配器请将当前用户加入 dialout 组，USB 适配器请安装其 udev 规则，然后重新登录。</translation>
     </message>
     <message>
@@ -8260,7 +8391,7 @@ The other program must have ended.</source>
         <translation>设备 {device} 需要的 Python 软件包尚未安装。请在终端中安装：pip install {package}</translation>
     </message>
     <message>
-        <source>The driver for {device} ({interface}) is missing. Install the driver of the adapter&apos;s maker; for socketcan load the kernel&apos;s modules: sudo modprobe can_raw</source>
+        <source>The driver for {device} ({interface}) is missing. Install the driver of the adapter's maker; for socketcan load the kernel's modules: sudo modprobe can_raw</source>
         <translation>缺少设备 {device}（{interface}）的驱动。请安装适配器厂家的驱动；使用 socketcan 时请加载内核模块：sudo modprobe can_raw</translation>
     </message>
     <message>
@@ -8364,7 +8495,7 @@ The other program must have ended.</source>
         <translation>{parameter}：不能设为 {value}，请从 {choices} 中选择。</translation>
     </message>
     <message>
-        <source>This arm&apos;s protocol (generation {generation}) has no such settings; generation 2 has.</source>
+        <source>This arm's protocol (generation {generation}) has no such settings; generation 2 has.</source>
         <translation>本机械臂的协议（第 {generation} 代）没有这些参数，第 2 代才有。</translation>
     </message>
     <message>
@@ -8404,7 +8535,7 @@ The other program must have ended.</source>
         <translation>未运行：检查之后机械臂又移动了 {value}°。请再次点击发送。</translation>
     </message>
     <message>
-        <source>Not run: the arm&apos;s joint limits are others than those of the check. Send again.</source>
+        <source>Not run: the arm's joint limits are others than those of the check. Send again.</source>
         <translation>未运行：机械臂的关节限位与检查时不同。请再次点击发送。</translation>
     </message>
     <message>
@@ -8496,7 +8627,7 @@ The other program must have ended.</source>
         <translation>机械臂尚未反馈末端位姿，圆弧没有起点，请稍候。</translation>
     </message>
     <message>
-        <source>Row {row}: this arm&apos;s protocol moves the gripper by other figures (generation 1 by an angle, generation 2 by an opening). Change the gripper&apos;s action.</source>
+        <source>Row {row}: this arm's protocol moves the gripper by other figures (generation 1 by an angle, generation 2 by an opening). Change the gripper's action.</source>
         <translation>第 {row} 行：本机械臂协议的夹爪参数不同（第一代用角度，第二代用开度），请修改夹爪动作。</translation>
     </message>
     <message>
@@ -8716,11 +8847,11 @@ The other program must have ended.</source>
         <translation>“{name}”未保存：{text}。原有内容未变。请检查磁盘后重新保存。</translation>
     </message>
     <message>
-        <source>Not deleted: {name}: {text}. Check the rights to the library&apos;s folder.</source>
+        <source>Not deleted: {name}: {text}. Check the rights to the library's folder.</source>
         <translation>未删除：{name}：{text}。请检查轨迹库文件夹的权限。</translation>
     </message>
     <message>
-        <source>Not brought back: {name}: {text}. Check the rights to the library&apos;s folder.</source>
+        <source>Not brought back: {name}: {text}. Check the rights to the library's folder.</source>
         <translation>未恢复：{name}：{text}。请检查轨迹库文件夹的权限。</translation>
     </message>
     <message>
@@ -8800,7 +8931,7 @@ The other program must have ended.</source>
         <translation>机械臂是否在当前标识符上接收指令尚未证实，因此不让它运动；急停和停住仍能到达。证实方法：让机械臂处于待机，在联动控制中重新设置偏移，得到应答后即生效。</translation>
     </message>
     <message>
-        <source>For half a second {device} could send nothing, because nobody on the bus acknowledges. Check the arm&apos;s power, the CAN cable, the terminating resistors and the bit rate (1 Mbit/s).</source>
+        <source>For half a second {device} could send nothing, because nobody on the bus acknowledges. Check the arm's power, the CAN cable, the terminating resistors and the bit rate (1 Mbit/s).</source>
         <translation>{device} 已有半秒发不出任何帧，因为总线上无人应答。请检查机械臂电源、CAN 线、终端电阻和波特率（1 Mbit/s）。</translation>
     </message>
     <message>
@@ -8856,11 +8987,11 @@ The other program must have ended.</source>
         <translation>数据：{count} 字节超出一帧的容量。最多输入 8 字节。</translation>
     </message>
     <message>
-        <source>{frame} is what an arm itself says: two senders of one identifier disturb the bus, and others would take it for the arm&apos;s word. Choose an identifier that hosts send.</source>
+        <source>{frame} is what an arm itself says: two senders of one identifier disturb the bus, and others would take it for the arm's word. Choose an identifier that hosts send.</source>
         <translation>{frame} 是机械臂自己发送的帧：同一 ID 有两个发送方会干扰总线，其他程序也会误以为是机械臂的反馈。请选择由上位机发送的 ID。</translation>
     </message>
     <message>
-        <source>{frame} is kept for firmware upgrades: what it does is not public, and it may leave the arm without firmware. Use the maker&apos;s upgrade program.</source>
+        <source>{frame} is kept for firmware upgrades: what it does is not public, and it may leave the arm without firmware. Use the maker's upgrade program.</source>
         <translation>{frame} 保留用于固件升级：其作用没有公开资料，可能使机械臂失去固件。请使用厂家的升级程序。</translation>
     </message>
     <message>
@@ -8912,8 +9043,8 @@ The other program must have ended.</source>
         <translation>无法在 {folder} 中记录会话：{text}。此前写入的内容可以读取。请选择其他文件夹，或重试。</translation>
     </message>
     <message>
-        <source>“{name}” cannot be the name of a recording. Leave out / \ : * ? &quot; &lt; &gt; | and a dot at the beginning or the end; 120 characters at most.</source>
-        <translation>“{name}”不能作为记录的名称。请勿使用 / \ : * ? &quot; &lt; &gt; |，首尾不能是句点，最多 120 个字符。</translation>
+        <source>“{name}” cannot be the name of a recording. Leave out / \ : * ? " &lt; &gt; | and a dot at the beginning or the end; 120 characters at most.</source>
+        <translation>“{name}”不能作为记录的名称。请勿使用 / \ : * ? " &lt; &gt; |，首尾不能是句点，最多 120 个字符。</translation>
     </message>
     <message>
         <source>There is a file called “{name}” in the folder already. Choose another name.</source>
@@ -8976,7 +9107,7 @@ The other program must have ended.</source>
         <translation>使能键按住 {seconds} 秒而设备没有任何动作。请重新按下。</translation>
     </message>
     <message>
-        <source>The arm&apos;s firmware {firmware} does not have this: it came with {since}. Updates come from the maker&apos;s support.</source>
+        <source>The arm's firmware {firmware} does not have this: it came with {since}. Updates come from the maker's support.</source>
         <translation>机械臂固件 {firmware} 不支持此功能：自 {since} 起支持。升级请联系厂家支持。</translation>
     </message>
     <message>
@@ -8984,7 +9115,7 @@ The other program must have ended.</source>
         <translation>机械臂尚未报告固件版本，而此功能自 {since} 起支持。请重新连接以查询。</translation>
     </message>
     <message>
-        <source>The arm&apos;s control mode is not known, or another one has the command: it would be changed along with this. Bring the arm to standby or CAN control first.</source>
+        <source>The arm's control mode is not known, or another one has the command: it would be changed along with this. Bring the arm to standby or CAN control first.</source>
         <translation>机械臂的控制模式未知，或由其他方控制：此操作会同时更改它。请先使机械臂进入待机或 CAN 控制模式。</translation>
     </message>
     <message>
@@ -8992,7 +9123,7 @@ The other program must have ended.</source>
         <translation>另一程序正以{other_mode}模式驱动机械臂：本程序的模式指令会使关节失力。请结束该程序、扶住机械臂，再按面板上方提示行给出的方式恢复。</translation>
     </message>
     <message>
-        <source>Not run: the arm&apos;s model or zeros are others than those of the check. Send again.</source>
+        <source>Not run: the arm's model or zeros are others than those of the check. Send again.</source>
         <translation>未运行：机械臂的型号或零点约定与检查时不同。请再次点击发送。</translation>
     </message>
     <message>
@@ -9074,6 +9205,90 @@ The other program must have ended.</source>
     <message>
         <source>{device} needs the library libusb, which is not on this computer. Install it in a terminal: on Windows and macOS pip install libusb-package, on Debian and Ubuntu sudo apt install libusb-1.0-0</source>
         <translation>{device} 需要 libusb 库，但此电脑上没有。请在终端中安装：Windows 和 macOS 用 pip install libusb-package，Debian 和 Ubuntu 用 sudo apt install libusb-1.0-0</translation>
+    </message>
+    <message>
+        <source>{text} is no bit rate of an arm: nothing was changed.</source>
+        <translation>{text} 不是机械臂的波特率：没有更改任何设置。</translation>
+    </message>
+    <message>
+        <source>This name is not possible: small letters, digits and _, 15 at most, beginning with a letter, and none that the system itself gives (can0, eth0). For example: arm_left</source>
+        <translation>名称不可用：只能用小写字母、数字和 _，以字母开头，最多 15 个字符，且不能是系统自动分配的名称（can0、eth0）。例如：arm_left</translation>
+    </message>
+    <message>
+        <source>The adapter's serial number cannot be used: {text}</source>
+        <translation>适配器的序列号无法使用：{text}</translation>
+    </message>
+    <message>
+        <source>The question for the password was closed: nothing was changed.</source>
+        <translation>密码窗口已关闭：没有更改任何设置。</translation>
+    </message>
+    <message>
+        <source>{text} is the name of another adapter already.</source>
+        <translation>{text} 已是另一个适配器的名称。</translation>
+    </message>
+    <message>
+        <source>The helper ended without a word on what it did: {text}. Look at the diagnosis again.</source>
+        <translation>辅助程序结束时没有说明结果：{text}。请重新诊断。</translation>
+    </message>
+    <message>
+        <source>{text} has no bit rate yet. Switch it on with one first.</source>
+        <translation>{text} 尚未设置波特率，请先按波特率启用。</translation>
+    </message>
+    <message>
+        <source>Which channel of its adapter {text} is, is not known.</source>
+        <translation>无法确定 {text} 是适配器的哪个通道。</translation>
+    </message>
+    <message>
+        <source>{text} is not there any more. Plug the adapter in again.</source>
+        <translation>{text} 已不存在，请重新插入适配器。</translation>
+    </message>
+    <message>
+        <source>The adapter of {text} tells no serial number: it cannot be told from another one, and nothing was kept.</source>
+        <translation>{text} 的适配器没有序列号，无法与其他适配器区分，没有保存。</translation>
+    </message>
+    <message>
+        <source>The system did not allow it: {text}. Nothing was changed; the commands below do the same in a terminal.</source>
+        <translation>系统不允许：{text}。没有更改任何设置；可在终端中运行下面的命令。</translation>
+    </message>
+    <message>
+        <source>{text} is no CAN interface: nothing was changed.</source>
+        <translation>{text} 不是 CAN 接口：没有更改任何设置。</translation>
+    </message>
+    <message>
+        <source>Nothing is kept under the name {text}.</source>
+        <translation>没有以 {text} 保存的设置。</translation>
+    </message>
+    <message>
+        <source>{text} is a file of somebody else: nothing was written.</source>
+        <translation>{text} 是其他程序的文件：没有写入。</translation>
+    </message>
+    <message>
+        <source>The system said that it is done, and it is not: {text}. Unplug the adapter, plug it in again, and try once more.</source>
+        <translation>系统称已完成，但实际没有：{text}。请拔下适配器重新插入，再试一次。</translation>
+    </message>
+    <message>
+        <source>{text} is no serial adapter on the USB: nothing was changed.</source>
+        <translation>{text} 不是 USB 串口适配器：没有更改任何设置。</translation>
+    </message>
+    <message>
+        <source>The system refused it: {text}</source>
+        <translation>系统拒绝：{text}</translation>
+    </message>
+    <message>
+        <source>The system's program {text} did not answer within 5 s. Unplug the adapter and plug it in again.</source>
+        <translation>系统程序 {text} 在 5 s 内没有响应。请拔下适配器重新插入。</translation>
+    </message>
+    <message>
+        <source>The system's program {text} is missing. Install it.</source>
+        <translation>缺少系统程序 {text}，请安装。</translation>
+    </message>
+    <message>
+        <source>The arm moves, and {interface} is the only way to it: switched off, even for a moment, the arm goes on with what it was told last, and no emergency stop reaches it. Let the motion end or stop it first.</source>
+        <translation>机械臂正在运动，而 {interface} 是与它的唯一连接：即使短暂停用，机械臂也会继续执行最后收到的指令，急停无法送达。请等运动结束，或先停止机械臂。</translation>
+    </message>
+    <message>
+        <source>{text} is still switched on, though the system said that it is off.</source>
+        <translation>系统称 {text} 已停用，但它仍处于启用状态。</translation>
     </message>
 </context>
 <context>
@@ -9316,7 +9531,7 @@ The other program must have ended.</source>
         <translation>速度</translation>
     </message>
     <message>
-        <source>Of each point&apos;s own speed</source>
+        <source>Of each point's own speed</source>
         <translation>相对于各点自身速度的百分比</translation>
     </message>
     <message>
@@ -9476,7 +9691,7 @@ The other program must have ended.</source>
         <translation>已发送：{frame}。</translation>
     </message>
     <message>
-        <source>A frame sent by hand is checked for nothing but its form, and counts as another program&apos;s: what this program is doing ends.</source>
+        <source>A frame sent by hand is checked for nothing but its form, and counts as another program's: what this program is doing ends.</source>
         <translation>手动发送的帧只检查格式，并按其他程序的指令处理：本程序正在进行的运动会结束。</translation>
     </message>
     <message>
@@ -10096,7 +10311,7 @@ The other program must have ended.</source>
         <translation>已使能</translation>
     </message>
     <message>
-        <source>Feedback of the end&apos;s motion</source>
+        <source>Feedback of the end's motion</source>
         <translation>末端运动反馈</translation>
     </message>
     <message>
@@ -10882,7 +11097,7 @@ The other program must have ended.</source>
         <translation>机械臂反馈的速度百分比</translation>
     </message>
     <message>
-        <source>Speed of motions, 0–100 % of the arm&apos;s highest; 0 % means no motion.</source>
+        <source>Speed of motions, 0–100 % of the arm's highest; 0 % means no motion.</source>
         <translation>运动速度，为最大速度的 0～100 %；0 % 时不运动。</translation>
     </message>
     <message>
@@ -11156,6 +11371,18 @@ The other program must have ended.</source>
         <source>How much each joint helps the hand; firmware from S-V1.8-1.</source>
         <translation>各关节拖动时的助力大小；固件 S-V1.8-1 起支持。</translation>
     </message>
+    <message>
+        <source>The arm will move by itself to the start of the recording it holds.</source>
+        <translation>机械臂将自行运动到其所存示教轨迹的起点。</translation>
+    </message>
+    <message>
+        <source>The arm will move by itself along the recording it holds, from where it stands.</source>
+        <translation>机械臂将从当前位置自行沿其所存示教轨迹运动。</translation>
+    </message>
+    <message>
+        <source>This program does not know its way, and has not checked it. Keep clear, the emergency stop within reach.</source>
+        <translation>本程序不知道该轨迹的路径，也未作检查。请勿靠近，急停须随时可按。</translation>
+    </message>
 </context>
 <context>
     <name>TeachingPhase</name>
@@ -11324,7 +11551,7 @@ Afterwards the motors must be enabled again.</source>
         <translation>录制</translation>
     </message>
     <message>
-        <source>reading or saving the arm&apos;s settings</source>
+        <source>reading or saving the arm's settings</source>
         <translation>读取或保存机械臂参数</translation>
     </message>
     <message>
@@ -11340,7 +11567,7 @@ Afterwards the motors must be enabled again.</source>
         <translation>设置零点</translation>
     </message>
     <message>
-        <source>clearing a joint&apos;s error</source>
+        <source>clearing a joint's error</source>
         <translation>清除关节错误</translation>
     </message>
     <message>
@@ -11524,7 +11751,7 @@ Afterwards the motors must be enabled again.</source>
         <translation>在画面中拖动目标或所选点，机械臂不会运动。Ctrl：大步进，Shift：小步进，Esc：放弃</translation>
     </message>
     <message>
-        <source>Shows what the tool centre point can reach; orange bounds what it can&apos;t within</source>
+        <source>Shows what the tool centre point can reach; orange bounds what it can't within</source>
         <translation>显示工具中心点能到达的空间；橙色是其中到不了的部分的边界</translation>
     </message>
     <message>
@@ -11578,7 +11805,7 @@ Afterwards the motors must be enabled again.</source>
         <translation>事件</translation>
     </message>
     <message>
-        <source>What happened: every command and what became of it, every change of the arm&apos;s status, every fault with its beginning and its end.</source>
+        <source>What happened: every command and what became of it, every change of the arm's status, every fault with its beginning and its end.</source>
         <translation>发生过的一切：每条指令及其结果、机械臂的每次状态变化、每个故障的开始与结束。</translation>
     </message>
     <message>

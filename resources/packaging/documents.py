@@ -73,6 +73,8 @@ def man_page(day: str) -> str:
             value = "" if each.nargs == 0 else f" \\fI{_roff(_value(each))}\\fR"
             shown = ", ".join(f"\\fB{_roff(text)}\\fR" for text in each.option_strings)
             lines += [".TP", shown + value, _help(each)]
+        if parser.epilog:
+            lines += [".PP", ".nf", *map(_roff, parser.epilog.splitlines()), ".fi"]
     lines += [".SH FILES"]
     for place, what in _FILES:
         lines += [".TP", f"\\fI{_roff(place)}\\fR", what]

@@ -18,7 +18,12 @@ from pathlib import Path
 from typing import Final
 
 _TEXT: Final = re.compile(r"(licen[cs]e|copying|notice|copyright|authors)", re.IGNORECASE)
-_QT: Final = re.compile(r"^(pyside6|shiboken6)")
+_TEXTS: Final = (
+    (re.compile(r"^(pyside6|shiboken6)"), ("GPL-3.0.txt", "LGPL-3.0.txt")),
+    # libusb, and libudev, are in their wheels
+    (re.compile(r"^(hidapi|libusb-package)$"), ("LGPL-2.1.txt",)),
+)
+"""Of what has been left out of wheels."""
 _NAMES: Final = "names.txt"
 
 
@@ -40,10 +45,10 @@ def collect(work: Path, target: Path, root: Path) -> list[str]:
         for number, file in enumerate(texts):
             found = Path(str(each.locate_file(file)))
             _copy(found, target / name / (f"{number}-{found.name}" if number else found.name))
-        if _QT.match(name):
-            for text in sorted((root / "resources" / "packaging" / "licences").iterdir()):
-                _copy(text, target / name / text.name)
-        elif not texts:
+        missing = [text for kind, own in _TEXTS if kind.match(name) for text in own]
+        for text in missing:
+            _copy(root / "resources/packaging/licences" / text, target / name / text)
+        if not texts and not missing:
             without.append(f"{name} {each.version}: {_said(each)}")
     _copy_python(target / "python")
     for package, text in _of_the_system(sources):
@@ -55,12 +60,18 @@ def collect(work: Path, target: Path, root: Path) -> list[str]:
 
 
 def _sources(work: Path) -> Iterator[str]:
-    """The files that were packed, as PyInstaller has written them down."""
-    for list_ in (work / "armui").glob("*.toc"):
+    """The files that were packed, as PyInstaller has written them down.
+
+    Its first list, of what it has found, has much that was then left out; metadata is no program.
+    """
+    lists = (
+        each for each in (work / "armui").glob("*.toc") if not each.name.startswith("Analysis")
+    )
+    for list_ in lists:
         text = list_.read_text(encoding="utf-8")
         for string in re.findall(r"'(?:[^'\\]|\\.)*'", text):
             value = ast.literal_eval(string)
-            if "/" in value or "\\" in value:
+            if ("/" in value or "\\" in value) and ".dist-info" not in value:
                 yield value
 
 

@@ -16,6 +16,7 @@ from typing import Final
 
 HERE: Final = Path(__file__).resolve().parent
 ROOT: Final = HERE.parents[1]
+_ADAPTER_HELPER: Final = "usr/libexec/armui-adapter"
 _ID: Final = "org.armui.armui"
 _ARCHITECTURES: Final = {"x86_64": "amd64", "aarch64": "arm64"}
 _FONTS: Final = "fonts-noto-cjk | fonts-wqy-microhei | fonts-wqy-zenhei | fonts-arphic-uming"
@@ -147,6 +148,12 @@ def _lay_out(folder: Path, root: Path, version: str, day: str) -> None:
     ):
         place.mkdir(parents=True)
         shutil.copyfile(linux / name, place / name)
+    for name, place in (
+        ("adapter_helper.py", root / _ADAPTER_HELPER),
+        ("org.armui.adapter.policy", share / "polkit-1/actions/org.armui.adapter.policy"),
+    ):
+        place.parent.mkdir(parents=True)
+        shutil.copyfile(linux / name, place)
     metainfo = (linux / f"{_ID}.metainfo.xml").read_text(encoding="utf-8")
     told = metainfo.replace("@VERSION@", version).replace("@DATE@", day)
     (share / "metainfo").mkdir()
@@ -177,5 +184,5 @@ def _settle_rights(root: Path) -> None:
     for each in root.rglob("*"):
         if each.is_symlink():
             continue
-        runs = each.is_dir() or each == root / "usr/lib/armui/armui"
+        runs = each.is_dir() or each in {root / "usr/lib/armui/armui", root / _ADAPTER_HELPER}
         each.chmod(0o755 if runs else 0o644)

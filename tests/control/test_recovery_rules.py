@@ -352,6 +352,17 @@ def test_faults_are_red_and_what_can_wait_is_not():
     assert step_of(arm(status(arm_status=4))).level is Level.WARNING
 
 
+def test_the_operator_is_asked_before_what_may_surprise() -> None:
+    asked = {
+        action for action in Action if Step(StepKind.READY, Level.DONE, action=action).dangerous
+    }
+    assert asked == {
+        *(Action.RESUME, Action.RESET, Action.LEAD_BY_HAND),
+        *(Action.LEAVE_MODE, Action.STANDBY, Action.WITHDRAW_STOP),
+    }
+    assert all(words.step_question(action) for action in asked)
+
+
 def test_danger_is_said_before_power_is_cut(qapp):
     for action in (Action.RESUME, Action.RESET):
         assert "the arm will drop. Hold the arm" in words.step_danger(action)

@@ -166,6 +166,48 @@ def test_after_a_long_check_the_operator_is_asked(operator, monkeypatch):
     assert operator.running
 
 
+def test_what_waits_for_the_operator_is_lit_and_said_in_the_line_above(operator, monkeypatch):
+    monkeypatch.setattr("armui.ui.trajectory.running.run_request._SURPRISING_S", -1.0)
+    accept = operator.window.findChild(QPushButton, "accept_warnings")
+    send = operator.window.findChild(QPushButton, "run_send")
+
+    def ask():
+        operator.click("run_send")
+        operator.workers.work()
+        assert (accept.property("primary"), send.property("primary")) == (True, False)
+        assert "“Test” has not begun" in operator.app_driver.read("recovery_text")
+
+    def answered():
+        assert operator.app_driver.read("recovery_text") == "Ready"
+        assert send.property("primary")
+
+    ask()
+    operator.click("findings_close")
+    answered()
+    assert not operator.running
+    ask()
+    operator.window.document.set_note("another", "Note")
+    operator.window.document.edit(operator.window.document.points[:1], "edit")
+    answered()  # what is edited was not checked
+    ask()
+    operator.window.document.stack.undo()
+    operator.window.document.stack.undo()
+    ask()
+    operator.app_driver.click(accept)
+    assert operator.running
+    assert send.property("primary")
+    assert "has not begun" not in operator.app_driver.read("recovery_text")
+
+
+def test_a_fault_is_said_before_a_run_that_waits(operator, monkeypatch):
+    monkeypatch.setattr("armui.ui.trajectory.running.run_request._SURPRISING_S", -1.0)
+    operator.click("run_send")
+    operator.workers.work()
+    operator.app_driver.controller.emergency_stop()
+    operator.app_driver.run(0.2)
+    assert "has not begun" not in operator.app_driver.read("recovery_text")
+
+
 def test_a_check_that_fails_says_so(operator):
     operator.click("run_send")
     operator.workers.break_down("out of memory")

@@ -4,8 +4,9 @@ import errno
 
 import can
 import pytest
+from shiboken6 import isValid
 
-from armui.protocol.codes import ArmStatusCode, ControlMode
+from armui.protocol.codes import ArmStatusCode, ControlMode, TeachingState
 from armui.protocol.frame import Frame
 from armui.ui.dialogs.confirm_dialog import ConfirmDialog
 from armui.ui.panels.teaching_panel import TeachingExitSteps
@@ -30,10 +31,13 @@ def usable(app_driver):
 
 
 def give(app_driver, name):
-    """Press a command that is offered; asked about before the arm is handed over."""
+    """Press a command that is offered; asked about before the arm is handed over, or moves."""
     assert name in usable(app_driver)
+    if name == "continue":
+        app_driver.hold_button("teaching_continue")
+        return
     app_driver.click(f"teaching_{name}")
-    if name == "start_recording":
+    if name in {"start_recording", "run_recording", "move_to_start"}:
         app_driver.confirm()
 
 
@@ -110,6 +114,52 @@ def test_a_replay_is_paused_continued_and_terminated(taught):
     give(taught, "abort")
     phase(taught, "nothing under way")
     assert taught.heard() == [teach(3), teach(4), teach(5), teach(6)]
+
+
+@ONE_IS_ENOUGH
+@pytest.mark.parametrize(
+    ("name", "says"), [("run_recording", "along the recording"), ("move_to_start", "to the start")]
+)
+def test_what_sets_the_arm_moving_is_asked_about_before(taught, name, says):
+    taught.click(f"teaching_{name}")
+    question = taught.dialog(ConfirmDialog)
+    assert says in question.text()
+    assert "Keep clear" in question.text()
+    taught.run(0.3)
+    assert taught.heard() == []
+    question.reject()
+    taught.run(0.3)
+    assert taught.heard() == []
+    assert taught.firmware.joints_deg == pytest.approx(THERE_DEG)
+
+
+@ONE_IS_ENOUGH
+def test_a_question_does_not_outlive_what_it_is_about(taught):
+    """The hand begins a recording at the arm meanwhile: the one asked about is lost."""
+    taught.click("teaching_run_recording")
+    question = taught.dialog(ConfirmDialog)
+    taught.firmware.teaching.command(TeachingState.START_RECORDING)
+    taught.run_until(lambda: not isValid(question) or not question.isVisible())
+    taught.run(0.2)
+    assert taught.heard() == []
+
+
+@ONE_IS_ENOUGH
+def test_a_paused_replay_goes_on_only_by_a_held_press(taught):
+    give(taught, "run_recording")
+    phase(taught, "Moving along")
+    taught.run_until(lambda: max(map(abs, taught.firmware.joints_deg)) < 1.0)
+    taught.run(0.5)
+    give(taught, "pause")
+    phase(taught, "paused")
+    taught.heard()
+    taught.click("teaching_continue")
+    taught.hold_button("teaching_continue", 0.5)
+    taught.run(0.3)
+    assert taught.heard() == []
+    give(taught, "continue")
+    phase(taught, "Moving along")
+    assert taught.heard() == [teach(5)]
 
 
 @ONE_IS_ENOUGH

@@ -1,6 +1,7 @@
 """What the recipes of the packages say fits the program."""
 
 import importlib.util
+import os
 import shutil
 import subprocess
 import sys
@@ -9,6 +10,8 @@ from pathlib import Path
 import pytest
 
 from armui import __version__
+from armui.sim.faults.bugs import NAMES as BUG_NAMES
+from armui.sim.faults.schedule import FAULTS
 
 ROOT = Path(__file__).resolve().parents[2]
 RECIPES = ROOT / "resources" / "packaging"
@@ -48,6 +51,12 @@ def test_man_page_and_completion_name_every_option_of_every_command(documents):
 
 
 @pytest.mark.skipif(shutil.which("bash") is None, reason="no bash here")
+def test_man_page_names_every_fault_of_the_simulated_arm(documents):
+    page = documents.man_page("2026-11-23")
+    for name in (*FAULTS, *BUG_NAMES):
+        assert name.replace("-", "\\-") in page, name
+
+
 def test_bash_takes_the_completion(documents, tmp_path):
     script = tmp_path / "armui"
     script.write_text(
@@ -66,7 +75,7 @@ def test_the_page_of_a_release_has_its_own_changes_only():
     with pytest.raises(ValueError, match=r"no section «## 3\.0\.0 – date»"):
         pages.changes_of(log, "3.0.0")
     text = pages.page("2.0.0", "2026-01-02", "- new", [("armui_2.deb", 12_300_000, "ab" * 32)])
-    assert "| armui_2.deb | 12.3 MB | Debian 12 or later; untried |" in text
+    assert "| armui_2.deb | 12.3 MB | Debian 12, where it was tried, or later |" in text
     assert "ab" * 32 in text
 
 
@@ -109,3 +118,65 @@ def test_a_library_that_strip_has_moved_off_its_page_is_left_as_it_was(monkeypat
     assert build._is_aligned(whole)
     assert not build._is_aligned(whole + moved)
     assert build.version() == __version__
+
+
+def test_a_licence_is_asked_for_what_is_packed_not_for_what_was_found(tmp_path):
+    lists = tmp_path / "armui"
+    lists.mkdir()
+    (lists / "Analysis-00.toc").write_text("[('a', '/site/found_only/a.py', 'PYMODULE')]")
+    (lists / "PYZ-00.toc").write_text("[('b', '/site/packed/b.py', 'PYMODULE')]")
+    (lists / "COLLECT-00.toc").write_text("[('c', '/site/asked-1.dist-info/METADATA', 'DATA')]")
+    assert list(recipe("licences")._sources(tmp_path)) == ["/site/packed/b.py"]
+
+
+def test_nothing_that_the_program_names_is_left_out():
+    contents = recipe("contents")
+    named = contents.imported_by(ROOT / "armui") | set(contents.EXTRAS)
+    assert {"numpy", "pyvista", "can", "hidraw", "sdl2"} <= named
+    left_out = [
+        each for each in named for one in contents.UNUSED if f"{each}.".startswith(f"{one}.")
+    ]
+    assert left_out == []
+
+
+def test_of_the_program_only_what_is_run_counts_as_imported(tmp_path):
+    (tmp_path / "a.py").write_text(
+        "import os, wanted.inside\n"
+        "if TYPE_CHECKING:\n    import only_for_types\nelse:\n    import otherwise\n"
+        "def later():\n    from late import x\n    from . import own\n"
+    )
+    found = recipe("contents").imported_by(tmp_path)
+    assert found == {"wanted.inside", "otherwise", "late"}
+
+
+def test_of_the_wheel_of_sdl_only_sdl_is_packed():
+    is_sdl = recipe("contents").is_sdl
+    assert is_sdl("/w/libSDL2-2.0.so")
+    assert is_sdl("C:/w/SDL2.dll")
+    assert not is_sdl("/w/libSDL2_image-2.0.so")
+    assert not is_sdl("/w/libavif.so.16")
+
+
+@pytest.mark.skipif(
+    shutil.which("gio") is None or shutil.which("update-mime-database") is None,
+    reason="not installed: gio, update-mime-database (Debian: libglib2.0-bin, shared-mime-info)",
+)
+def test_a_desktop_opens_trajectories_and_no_other_logs(tmp_path):
+    kinds = tmp_path / "mime/packages"
+    kinds.mkdir(parents=True)
+    shutil.copy(RECIPES / "linux/org.armui.armui.xml", kinds)
+    subprocess.run(["update-mime-database", tmp_path / "mime"], check=True, capture_output=True)
+    (tmp_path / "a.armui").write_text("armui trajectory 1\nname: a\n")
+    (tmp_path / "a.log").write_text("(1.0) can0 1#00\n")
+    kind = {}
+    for name in ("a.armui", "a.log"):
+        words = ["gio", "info", "-a", "standard::content-type", tmp_path / name]
+        environment = {**os.environ, "XDG_DATA_HOME": str(tmp_path)}
+        told = subprocess.run(words, env=environment, capture_output=True, text=True, check=True)
+        kind[name] = told.stdout.rpartition("content-type: ")[2].strip()
+    ours = "text/x-armui-trajectory"
+    assert kind["a.armui"] == ours
+    assert kind["a.log"] != ours
+    desktop = (RECIPES / "linux/org.armui.armui.desktop").read_text()
+    assert f"MimeType={ours};\n" in desktop
+    assert "Exec=armui %f\n" in desktop

@@ -18,7 +18,7 @@ RAISERS = {"broken", "SceneError"}
 """They take a sentence and its figures."""
 HELPS_A_FIGURE = {"joint", "parameter", "unit"}
 """Not in the sentence itself: a parameter's name says its joint, its kind says the unit."""
-BY_PLACE = {(each.path, each.name): each for each in constants()}
+BY_PLACE = {(each.path, each.name): each for each in constants() if not each.owner}
 
 
 def figures_of(source: str) -> set[str]:
@@ -92,14 +92,20 @@ def test_the_figures_given_are_those_of_the_sentence():
 
 
 def test_each_is_raised_or_asked_for():
-    used = {
+    used: set[object] = {
         known(path, tree)[node.id]
         for path, tree in modules()
         for node in ast.walk(tree)
         if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Load)
         if node.id in known(path, tree)
     }
-    assert set(constants()) - used == set()
+    used |= {
+        (node.value.id, node.attr)
+        for _, tree in modules()
+        for node in ast.walk(tree)
+        if isinstance(node, ast.Attribute) and isinstance(node.value, ast.Name)
+    }
+    assert [each for each in constants() if {each, (each.owner, each.name)}.isdisjoint(used)] == []
 
 
 def test_the_sentences_of_refusals_are_kept_by_id():

@@ -64,9 +64,10 @@ def test_every_sentence_of_the_code_reads_as_words(
     translator.set_language(language)
 
     def check_words(each: Constant) -> None:
-        text = sentence(each.context, each.source, {})
-        assert has_chinese(text) or language == "en"
-        assert "{" not in text
+        for source in (each.source, *each.more):
+            text = sentence(each.context, source, {})
+            assert has_chinese(text) or language == "en"
+            assert "{" not in text
 
     check_each(constants(), check_words)
 
@@ -85,7 +86,7 @@ def test_every_refusal_reads_as_sentences(translator: Translator, language: Lang
         assert has_chinese(text) is (language == "zh")
         assert code not in text
         assert "{" not in text
-        assert text.endswith(("。", ".", "can_raw", "1000000", "pip install —"))
+        assert text.endswith(("。", ".", "can_raw", "1000000", "pip install —", "libusb-1.0-0"))
         assert words.refusal(Refusal(Reason(code))) == text  # as a file names it
 
     check_each(sorted(REASONS), check_refusal)
@@ -350,7 +351,7 @@ def test_the_manuals_status_bar(chinese: None) -> None:
 
 
 def test_sentences_use_only_plain_placeholders() -> None:
-    said = [each.source for each in constants()]
+    said = [source for each in constants() for source in (each.source, *each.more)]
     for source in [*said, *events._NOTICES.values()]:
         for _text, name, spec, conversion in string.Formatter().parse(str(source)):
             assert name is None or name.isidentifier()

@@ -5,118 +5,307 @@ from __future__ import annotations
 import enum
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import Final
+from typing import ClassVar, Final
 
 from armui.arm.refusal import Refusal
 from armui.control.events import Level
+from armui.system.sentence import Sentence
+
+
+@dataclass(frozen=True, slots=True)
+class ActionText(Sentence):
+    """What a button of a step is called.
+
+    Attributes:
+        question: The title of the question before what may surprise.
+        danger: What will physically happen then; without one the operator is not asked.
+    """
+
+    context: ClassVar[str] = "RecoveryAction"
+    question: str = field(default="", compare=False)
+    danger: str = field(default="", compare=False)
 
 
 class Action(enum.Enum):
-    """What the one button of a step does."""
+    """What the one button of a step does, and how that is said."""
 
-    CONNECT = "connect"
-    LEAVE_TEACHING_INPUT = "leave_teaching_input"
-    RESUME = "resume"
-    ENABLE = "enable"
-    CLEAR_ERRORS = "clear_errors"
-    RESET = "reset"
+    CONNECT = ActionText("connect", "Connection…")
+    LEAVE_TEACHING_INPUT = ActionText("leave_teaching_input", "Motion output")
+    RESUME = ActionText(
+        "resume",
+        "Resume…",
+        "Resume after the emergency stop",
+        "Resuming cuts the power of the motors: the arm will drop. Hold the arm.\nAfterwards the "
+        "motors must be enabled again.",
+    )
+    ENABLE = ActionText("enable", "Enable")
+    CLEAR_ERRORS = ActionText("clear_errors", "Clear error")
+    RESET = ActionText(
+        "reset",
+        "Reset…",
+        "Reset the arm",
+        "First the emergency stop: the motors go limp and the arm sinks. Then Resume cuts their "
+        "power: the arm will drop. Hold the arm from now on.",
+    )
     """Emergency stop; the resume is the next step."""
-    STOP_RECORDING = "stop_recording"
-    ABORT_REPLAY = "abort_replay"
-    LEAD_BY_HAND = "lead_by_hand"
+    STOP_RECORDING = ActionText("stop_recording", "Stop recording")
+    ABORT_REPLAY = ActionText("abort_replay", "Terminate")
+    LEAD_BY_HAND = ActionText(
+        "lead_by_hand",
+        "Lead by hand…",
+        "Lead the arm by hand",
+        "The arm will give way to the hand and starts a new recording; the one it holds is lost. "
+        "Hold the arm.\nLead it near its rest pose, then stop recording.",
+    )
     """Drag teaching is entered again, so that the arm gives way to the hand."""
-    STOP = "stop"
+    STOP = ActionText("stop", "Emergency stop")
     """The emergency stop, at once."""
-    GO_ON = "go_on"
+    GO_ON = ActionText("go_on", "Continue")
     """The motion held back goes on."""
-    GIVE_UP = "give_up"
+    GIVE_UP = ActionText("give_up", "Give up")
     """The motion held back is dropped."""
-    TAKE_OVER = "take_over"
+    TAKE_OVER = ActionText("take_over", "Take over")
     """The arm is taken from another host."""
-    LEAVE_MODE = "leave_mode"
+    LEAVE_MODE = ActionText(
+        "leave_mode",
+        "Take back…",
+        "Take the arm back",
+        "The arm changes back to its own control and is told to hold where it stands. Between the "
+        "two its joints are limp for a moment: it may sag, and drop if the second message is "
+        "lost. Hold the arm.\nThe other program must have ended.",
+    )
     """The arm is taken out of MIT, CPV or high-follow by a mode word, and holds where it is."""
-    STANDBY = "standby"
+    STANDBY = ActionText(
+        "standby",
+        "Take command…",
+        "Take the command",
+        "The arm will no longer follow the other control; a motion under way ends. Make sure that "
+        "nobody relies on it.",
+    )
     """This host takes the command from another controller; in standby nothing moves."""
-    WITHDRAW_STOP = "withdraw_stop"
+    WITHDRAW_STOP = ActionText(
+        "withdraw_stop",
+        "Withdraw…",
+        "Withdraw the stop",
+        "The arm is not stopped: it goes on with whatever it is doing, and obeys again. Look at "
+        "the arm before.",
+    )
     """The stop button stands beside it: this is the other answer."""
 
-
-DANGEROUS: Final = frozenset(
-    {
-        Action.RESUME,
-        Action.RESET,
-        Action.LEAD_BY_HAND,
-        Action.LEAVE_MODE,
-        Action.STANDBY,
-        Action.WITHDRAW_STOP,
-    }
-)
-"""What the arm does then may surprise: the operator is asked first."""
 
 HELD: Final = frozenset({Action.GO_ON, Action.TAKE_OVER})
 """The button is held for a second: the arm moves, or another host loses it."""
 
 
-class StepKind(enum.Enum):
-    """What stands between the operator and a ready arm; the value names its sentence."""
+@dataclass(frozen=True, slots=True)
+class StepText(Sentence):
+    """What stands in the way and what to do.
 
-    NO_DEVICE = "no_device"
-    OPENING = "opening"
-    DEVICE_LOST = "device_lost"
-    STOP_WAITS_FOR_DEVICE = "stop_waits_for_device"
-    STOP_LAPSED_AWAY = "stop_lapsed_away"
-    STOP_LAPSED = "stop_lapsed"
-    TEACHING_INPUT = "teaching_input"
-    STOP_UNCONFIRMED = "stop_unconfirmed"
-    STOP_REQUESTED = "stop_requested"
-    OFFLINE = "offline"
-    LISTEN_ONLY = "listen_only"
-    WORKING = "working"  # what
-    STOPPED = "stopped"
-    HANDSHAKE = "handshake"
-    STATUS_UNKNOWN = "status_unknown"
-    COMMUNICATION = "communication"  # joints
-    COLLISION = "collision"  # joints
-    DRIVER_FAULT = "driver_fault"  # joints
-    OVERCURRENT = "overcurrent"  # joints
-    STALL = "stall"  # joints
-    SENSOR = "sensor"  # joints
-    UNDERVOLTAGE = "undervoltage"  # joints
-    OVERTEMPERATURE = "overtemperature"  # joints
-    JOINT_STATUS = "joint_status"
-    BRAKE_CLOSED = "brake_closed"
-    CONTROLLER_HOT = "controller_hot"
-    RESISTOR_HOT = "resistor_hot"
-    OTHER_FAULT = "other_fault"
-    UNKNOWN_STATUS = "unknown_status"  # status
-    RECORDING = "recording"
-    REPLAYING = "replaying"
-    REPLAY_PAUSED = "replay_paused"
-    OTHER_CONTROL = "other_control"  # mode
-    CANCEL_UNHEEDED = "cancel_unheeded"
-    OTHER_MODE = "other_mode"  # other_mode
-    OTHER_HOST = "other_host"  # frames, since, rate
-    LEADER_ARM = "leader_arm"  # frames, since, rate
-    PAUSED = "paused"  # target
-    HELD_AT_ZERO = "held_at_zero"  # target
-    MOTORS_UNKNOWN = "motors_unknown"
-    DRAG_MODE_AT_REST = "drag_mode_at_rest"
-    DRAG_MODE_WITHOUT_POWER = "drag_mode_without_power"  # joint, angle, near
-    OVERSPEED = "overspeed"  # joint, angle, near
-    DRAG_MODE = "drag_mode"  # joint, angle, near
-    OVERSPEED_REPORTED = "overspeed_reported"
-    MOTORS_MIXED = "motors_mixed"  # joints
-    MOTORS_OFF = "motors_off"
-    BEYOND_LIMIT = "beyond_limit"  # joints
-    TARGET_BEYOND_LIMIT = "target_beyond_limit"
-    NO_SOLUTION = "no_solution"
-    SINGULARITY = "singularity"
-    RUN_PAUSED = "run_paused"
-    RUN_WAITS = "run_waits"
-    RUNNING = "running"
-    BELOW_BASE = "below_base"  # value
-    MOVING = "moving"
-    READY = "ready"
+    Attributes:
+        somewhere: The same where the arm does not tell which joint it is.
+    """
+
+    context: ClassVar[str] = "RecoveryStep"
+    somewhere: str = field(default="", compare=False)
+
+
+class StepKind(enum.Enum):
+    """What stands between the operator and a ready arm, and how that is said."""
+
+    NO_DEVICE = StepText(
+        "no_device", "No arm is connected. Connect one, or the simulated arm to try everything out."
+    )
+    OPENING = StepText("opening", "The device is being opened.")
+    DEVICE_LOST = StepText(
+        "device_lost", "The CAN device is gone. Plug it in again, or choose another one."
+    )
+    STOP_WAITS_FOR_DEVICE = StepText(
+        "stop_waits_for_device",
+        "A stop is outstanding: it goes out once the CAN device is back. Cut the arm's power if "
+        "it moves.",
+    )
+    STOP_LAPSED_AWAY = StepText(
+        "stop_lapsed_away",
+        "A stop is outstanding, and the arm is away. Cut its power if it moves, or connect to it "
+        "and press the emergency stop.",
+    )
+    STOP_LAPSED = StepText(
+        "stop_lapsed",
+        "A stop is outstanding: the arm was away and has not confirmed it. Press the emergency "
+        "stop to send it now, or withdraw it.",
+    )
+    TEACHING_INPUT = StepText(
+        "teaching_input",
+        "The arm is a teaching input: it sends commands and obeys none. Make it a motion output "
+        "again.",
+    )
+    STOP_UNCONFIRMED = StepText(
+        "stop_unconfirmed",
+        "The arm has NOT confirmed the stop; it is sent again and again. Cut its power if it "
+        "moves.",
+    )
+    STOP_REQUESTED = StepText("stop_requested", "Stop sent. Waiting for the arm to confirm it.")
+    OFFLINE = StepText(
+        "offline", "Nothing is heard from the arm. Check its power, the CAN cable and the bit rate."
+    )
+    LISTEN_ONLY = StepText("listen_only", "Only listening: nothing is sent but the emergency stop.")
+    WORKING = StepText("working", "Waiting for the arm: {what}.")
+    STOPPED = StepText(
+        "stopped", "Stopped. Support the arm: power will be cut and the arm drops. Then resume."
+    )
+    HANDSHAKE = StepText("handshake", "The arm is being asked for its protocol.")
+    STATUS_UNKNOWN = StepText(
+        "status_unknown",
+        "The arm sends no complete feedback. If it stays so, check its power and connect again.",
+    )
+    COMMUNICATION = StepText(
+        "communication",
+        "No communication with joint {joints}. Check its cable; if the message stays, reset the "
+        "arm.",
+        "The arm has lost a joint. Check the cables; if the message stays, reset the arm.",
+    )
+    COLLISION = StepText(
+        "collision",
+        "Collision, joint {joints}. Remove what the arm hit, then clear the error.",
+        "The arm has hit something. Remove it, then clear the errors.",
+    )
+    DRIVER_FAULT = StepText(
+        "driver_fault",
+        "Driver error, joint {joints}: its motor is off. Hold the arm, then clear the error.",
+    )
+    OVERCURRENT = StepText(
+        "overcurrent",
+        "Overcurrent, joint {joints}: its motor may be off. Hold the arm, take the load away, "
+        "clear the error.",
+    )
+    STALL = StepText("stall", "Joint {joints} is held fast. Free it, then clear the error.")
+    SENSOR = StepText(
+        "sensor",
+        "Sensor fault, joint {joints}. Clear the error; if it comes back, check the joint's "
+        "encoder.",
+    )
+    UNDERVOLTAGE = StepText(
+        "undervoltage",
+        "Supply voltage too low, joint {joints}. Check the 24 V supply; the arm goes on by itself.",
+    )
+    OVERTEMPERATURE = StepText(
+        "overtemperature",
+        "Too hot, joint {joints}. Let the arm cool down; the message goes by itself.",
+    )
+    JOINT_STATUS = StepText(
+        "joint_status",
+        "The arm reports a joint status fault. Look at the joint status, then clear the errors.",
+    )
+    BRAKE_CLOSED = StepText(
+        "brake_closed", "A joint's brake is not released. Hold the arm, then reset it."
+    )
+    CONTROLLER_HOT = StepText(
+        "controller_hot",
+        "The main controller is too hot. Let it cool down; if the message stays, reset the arm.",
+    )
+    RESISTOR_HOT = StepText(
+        "resistor_hot",
+        "The brake resistor is too hot. Let it cool down; if the message stays, reset the arm.",
+    )
+    OTHER_FAULT = StepText(
+        "other_fault",
+        "The arm reports an unspecified fault. Look at the joint status, then reset the arm.",
+    )
+    UNKNOWN_STATUS = StepText(
+        "unknown_status",
+        "The arm reports a status this program does not know ({status}). Reset the arm.",
+    )
+    RECORDING = StepText("recording", "The arm records: lead it by hand. Stop recording when done.")
+    REPLAYING = StepText("replaying", "The arm replays what it was taught. Keep clear.")
+    REPLAY_PAUSED = StepText(
+        "replay_paused",
+        "The replay is paused. Hold “Continue” for 1 s under Teaching, or terminate it.",
+    )
+    OTHER_CONTROL = StepText(
+        "other_control", "The arm takes its commands from elsewhere: {mode}. Take the command."
+    )
+    CANCEL_UNHEEDED = StepText(
+        "cancel_unheeded",
+        "The arm was told to end its motion and still moves. Stop it, or cut its power.",
+    )
+    OTHER_MODE = StepText(
+        "other_mode",
+        "Another program drives the arm in {other_mode} mode. Nothing is sent by itself: a new "
+        "mode leaves the joints limp. Stop that program first.",
+    )
+    OTHER_HOST = StepText(
+        "other_host", "Another program controls the arm since {since} ({frames}, {rate} frames/s)."
+    )
+    LEADER_ARM = StepText(
+        "leader_arm", "A leader arm moves this arm since {since} ({frames}, {rate} frames/s)."
+    )
+    PAUSED = StepText(
+        "paused",
+        "The arm holds back a paused motion to {target}. Hold “Continue” for 1 s, or give it up.",
+    )
+    HELD_AT_ZERO = StepText(
+        "held_at_zero",
+        "The arm holds back a motion to {target} at 0 %. Set a speed and hold “Continue” for 1 s, "
+        "or give it up.",
+    )
+    MOTORS_UNKNOWN = StepText(
+        "motors_unknown",
+        "Not every motor has reported. If it stays so, check power and cable, and connect again.",
+    )
+    DRAG_MODE_AT_REST = StepText(
+        "drag_mode_at_rest",
+        "Still in drag teaching, near the rest pose. Hold the arm and reset it; if it stays, "
+        "switch it off and on.",
+    )
+    DRAG_MODE_WITHOUT_POWER = StepText(
+        "drag_mode_without_power",
+        "Still in drag teaching, joint {joint} at {angle}°. Enable the motors, then lead the arm "
+        "to its rest pose.",
+    )
+    OVERSPEED = StepText(
+        "overspeed",
+        "Dragged too fast: the recording has ended. Lead the arm slowly to within {near}° of zero "
+        "(joint {joint}: {angle}°).",
+    )
+    DRAG_MODE = StepText(
+        "drag_mode",
+        "Still in drag teaching. Lead every joint by hand to within {near}° of zero (joint "
+        "{joint}: {angle}°).",
+    )
+    OVERSPEED_REPORTED = StepText(
+        "overspeed_reported", "The arm was dragged too fast. Hold it, then reset it."
+    )
+    MOTORS_MIXED = StepText(
+        "motors_mixed", "The motors of joint {joints} are off. Hold the arm, then enable them."
+    )
+    MOTORS_OFF = StepText("motors_off", "The motors are off. Enable them to move the arm.")
+    BEYOND_LIMIT = StepText(
+        "beyond_limit",
+        "Joint {joints} beyond its limit. The arm stands still; send a target within the limits.",
+    )
+    TARGET_BEYOND_LIMIT = StepText(
+        "target_beyond_limit",
+        "The last target is beyond a limit. The arm stands still; send another target.",
+    )
+    NO_SOLUTION = StepText(
+        "no_solution",
+        "No way to the last target was found. The arm stands still; send another target.",
+    )
+    SINGULARITY = StepText(
+        "singularity",
+        "The way to the last target is singular. The arm stands still; send another target, or by "
+        "joints.",
+    )
+    RUN_PAUSED = StepText("run_paused", "Paused: hold “Continue” for 1 s")
+    RUN_WAITS = StepText("run_waits", "Waiting: press “Next step”")
+    RUNNING = StepText("running", "A trajectory is running")
+    BELOW_BASE = StepText(
+        "below_base",
+        "The fingertip is {value} mm below the plane the arm stands on. Jog upwards unless there "
+        "is nothing there. Settings have a lowest height for jogs.",
+    )
+    MOVING = StepText("moving", "The arm is moving")
+    READY = StepText("ready", "Ready")
 
 
 UNHINDERED: Final = frozenset(
@@ -174,7 +363,7 @@ class Step:
     @property
     def dangerous(self) -> bool:
         """Whether the operator is to be asked before the action is taken."""
-        return self.action in DANGEROUS
+        return self.action is not None and bool(self.action.value.danger)
 
 
 NO_DEVICE: Final = Step(StepKind.NO_DEVICE, Level.INFO, action=Action.CONNECT)

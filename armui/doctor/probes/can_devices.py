@@ -5,6 +5,7 @@ from __future__ import annotations
 import contextlib
 import json
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -29,6 +30,14 @@ _ADAPTER_IDS: Final = {
 _NET: Final = Path("/sys/class/net")
 _USB: Final = Path("/sys/bus/usb/devices")
 _DEV: Final = Path("/dev")
+_ETC: Final = Path("/etc")
+_KERNEL: Final = Path("/proc/sys/kernel/osrelease")
+_KEPT: Final = (
+    ("systemd/network", r"70-armui-([a-z][a-z0-9_]*)\.network"),
+    ("systemd/system", r"armui-can-([a-z][a-z0-9_]*)\.service"),
+    ("udev/rules.d", r"70-armui-(port-[A-Za-z0-9_-]+)\.rules"),
+)
+"""Folder and name of what the helper writes (`resources/packaging/linux/adapter_helper.py`)."""
 
 
 def look_at_can() -> CanFacts:
@@ -51,6 +60,8 @@ def look_at_can() -> CanFacts:
         ports=tuple(_serial_ports(_DEV)),
         devices=devices,
         error=error,
+        kept=tuple(kept_names(_ETC)),
+        wsl=is_wsl(_KERNEL),
     )
 
 
@@ -63,8 +74,26 @@ def look_at_adapters() -> CanFacts:
     if not _is_linux():
         return CanFacts()
     return CanFacts(
-        links=look_at_links(), usb=tuple(usb_adapters(_USB)), ports=tuple(_serial_ports(_DEV))
+        links=look_at_links(),
+        usb=tuple(usb_adapters(_USB)),
+        ports=tuple(_serial_ports(_DEV)),
+        wsl=is_wsl(_KERNEL),
     )
+
+
+def is_wsl(kernel: Path) -> bool:
+    """Whether Linux runs as a guest of Windows, by the name of its kernel."""
+    return "microsoft" in _text(kernel).lower()
+
+
+def kept_names(etc: Path) -> list[str]:
+    """What the adapter's helper keeps at every start, by the names of its files."""
+    found = set()
+    for folder, pattern in _KEPT:
+        for each in _folders(etc / folder):
+            if match := re.fullmatch(pattern, each.name):
+                found.add(match[1])
+    return sorted(found)
 
 
 def look_at_links() -> tuple[LinkFacts, ...]:

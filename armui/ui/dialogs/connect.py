@@ -30,6 +30,7 @@ from armui.doctor.process import adapter_trouble
 from armui.ui import words
 from armui.ui.actions.command import Command, Target
 from armui.ui.background import Background, Job
+from armui.ui.dialogs.adapter_line import AdapterLine
 from armui.ui.dialogs.base import ArmDialog, CloseButton
 from armui.ui.dialogs.confirm_dialog import confirm
 from armui.ui.dialogs.finding_row import FindingRow
@@ -137,6 +138,7 @@ class AdapterTrouble(Translated, QWidget):
     Args:
         background: Where it is looked for.
         look: Finds it out.
+        adapter: Sets an adapter up by a click; without, there are the commands to copy.
 
     Signals:
         told: Other findings are shown, or the same in other words: it needs other room.
@@ -145,12 +147,18 @@ class AdapterTrouble(Translated, QWidget):
     told = Signal()
 
     def __init__(
-        self, background: Background, look: Callable[[], list[Diagnosis]] = adapter_trouble
+        self,
+        background: Background,
+        look: Callable[[], list[Diagnosis]] = adapter_trouble,
+        adapter: AdapterLine | None = None,
     ) -> None:
         super().__init__()
         self.setObjectName("adapter_trouble")
         self._background = background
         self._look = look
+        self._adapter = adapter
+        if adapter is not None:
+            adapter.changed.connect(self.examine)
         self._findings: Sequence[Diagnosis] = ()
         self._rows: list[FindingRow] = []
         self._column = in_column(on=self, spacing=6, margins=(12, 0, 0, 0))
@@ -169,7 +177,7 @@ class AdapterTrouble(Translated, QWidget):
         for row in self._rows:
             self._column.removeWidget(row)
             row.deleteLater()
-        self._rows = [FindingRow(each) for each in self._findings]
+        self._rows = [FindingRow(each, self._adapter) for each in self._findings]
         for row in self._rows:
             self._column.addWidget(row)
         self.setVisible(bool(self._rows))
@@ -205,7 +213,10 @@ class ConnectDialog(ArmDialog):
         background: Background | None = None,
     ) -> None:
         super().__init__(controller, parent)
-        self._trouble = None if background is None else AdapterTrouble(background)
+        self._adapter = AdapterLine(controller)
+        self._trouble = (
+            None if background is None else AdapterTrouble(background, adapter=self._adapter)
+        )
         self._wanted: Device | None = None
         self._before_leaving = before_leaving
         self._controller = controller
@@ -227,6 +238,7 @@ class ConnectDialog(ArmDialog):
         self.model_choice.chosen.connect(self._refresh)
         if self._trouble is not None:
             self._trouble.told.connect(self._make_room)
+            self._adapter.changed.connect(controller.search_devices)
         controller.devices_found.connect(self._on_devices_found)
         controller.searching_changed.connect(self._on_searching_changed)
         controller.operating_state_changed.connect(self._on_operating_state_changed)
@@ -260,7 +272,7 @@ class ConnectDialog(ArmDialog):
         self.model_choice = ModelChoice(kept_models)
         fill(self.body, said)
         if self._trouble is not None:
-            fill(self.body, self._trouble)
+            fill(self.body, self._trouble, self._adapter)
         fill(self.body, (self._table, 1), self._progress)
         fill(self.body, self.model_choice, self._build_bitrate())
         self._manual = ManualEntry(self._controller.interfaces())

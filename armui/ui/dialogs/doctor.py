@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping
 from dataclasses import replace
 from functools import partial
-from typing import Any, Final, Protocol
+from typing import Any, Final
 
 from PySide6.QtCore import Qt, QTimer, Signal
 from PySide6.QtGui import QCloseEvent, QGuiApplication
@@ -25,6 +25,7 @@ from armui.doctor.report import as_text
 from armui.protocol.codec import Codec
 from armui.protocol.generation import Generation
 from armui.ui.actions.command import Command, Target
+from armui.ui.dialogs.adapter_line import AdapterLine, Examination, Examine
 from armui.ui.dialogs.base import ArmDialog, CloseButton
 from armui.ui.dialogs.finding_row import WORDS, FindingRow
 from armui.ui.widgets.buttons import enable_or_explain, named, push_button
@@ -75,17 +76,6 @@ def judge_connected(controller: ArmController, *, frames: int, seconds: float) -
     return findings
 
 
-class Examination(Protocol):
-    """Something under way that can be ended."""
-
-    def end(self) -> None:
-        """Nobody waits for it any more."""
-
-
-Examine = Callable[[Sequence[str], Callable[[list[Diagnosis] | str], object]], Examination]
-"""Begins an examination; see :class:`armui.doctor.process.DoctorProcess`."""
-
-
 class DoctorDialog(ArmDialog):
     """Examines at each opening, in a process of its own; an open device is left alone.
 
@@ -93,6 +83,7 @@ class DoctorDialog(ArmDialog):
         controller: Tells about the arm that is connected.
         parent: The main window.
         examine: Begins an examination.
+        adapter: Sets an adapter up by a click.
     """
 
     commands = (
@@ -106,8 +97,10 @@ class DoctorDialog(ArmDialog):
         controller: ArmController,
         parent: QWidget | None = None,
         examine: Examine = DoctorProcess,
+        adapter: AdapterLine | None = None,
     ) -> None:
         super().__init__(controller, parent)
+        self._adapter = adapter or AdapterLine(controller)
         self._controller = controller
         self._examine = examine
         self._device: Device | None = None
@@ -120,6 +113,7 @@ class DoctorDialog(ArmDialog):
         self.resize(*_SIZE_PX)
         self.copy_button.clicked.connect(self._on_copy)
         self.again_button.clicked.connect(self.examine)
+        self._adapter.changed.connect(self._on_adapter_changed)
         # queued, for an answer may come while the examination is being begun
         self._told.connect(self._on_told, Qt.ConnectionType.QueuedConnection)
         self.retranslate_ui()
@@ -141,7 +135,8 @@ class DoctorDialog(ArmDialog):
         self.again_button = push_button("doctor_again", on_enter=False)
         self.close_button = CloseButton(self)
         self.close_button.setDefault(True)
-        fill(self.body, self._message, self._progress, (self._area, 1), self._note)
+        shown = (self._message, self._progress, self._adapter, (self._area, 1), self._note)
+        fill(self.body, *shown)
         fill(self.footer, self.copy_button, STRETCH, self.again_button, self.close_button)
 
     def retranslate_ui(self) -> None:
@@ -186,6 +181,10 @@ class DoctorDialog(ArmDialog):
             return []
         bitrate = [] if device.bitrate is None else ["--bitrate", str(device.bitrate)]
         return ["--interface", device.interface, "--channel", str(device.channel), *bitrate]
+
+    def _on_adapter_changed(self) -> None:
+        if self.isVisible():
+            self.examine()
 
     def _on_copy(self) -> None:
         QGuiApplication.clipboard().setText(self.report())
@@ -255,7 +254,7 @@ class DoctorDialog(ArmDialog):
             findings = [each for each in self._findings() if each.section is section]
             if findings:
                 self._rows.append(partial(_heading, WORDS.section(section)))
-            self._rows += [partial(FindingRow, each) for each in findings]
+            self._rows += [partial(FindingRow, each, self._adapter) for each in findings]
         column = QWidget()
         layout = in_column(STRETCH, on=column, spacing=_GAP_PX, margins=(0, 0, _GAP_PX, 0))
         self._column = layout
@@ -277,12 +276,14 @@ class DoctorDialog(ArmDialog):
     def closeEvent(self, event: QCloseEvent) -> None:
         """Nobody waits for an examination any more."""
         self._end()
+        self._adapter.end()
         self._refresh()
         super().closeEvent(event)
 
     def reject(self) -> None:
         """Escape does the same."""
         self._end()
+        self._adapter.end()
         super().reject()
 
     def _end(self) -> None:

@@ -1,9 +1,9 @@
-"""One finding of the diagnosis: how grave, what, and the commands that mend it, to be copied."""
+"""One finding of the diagnosis: how grave, what, and the buttons or commands that mend it."""
 
 from __future__ import annotations
 
 from functools import partial
-from typing import Final
+from typing import Final, Protocol
 
 from PySide6.QtCore import QCoreApplication, QEvent, Qt
 from PySide6.QtGui import QFontDatabase, QGuiApplication
@@ -14,7 +14,7 @@ from armui.doctor.report import Words
 from armui.ui.theme import colors_of
 from armui.ui.widgets import icons
 from armui.ui.widgets.buttons import push_button
-from armui.ui.widgets.layouts import empty_grid, in_row
+from armui.ui.widgets.layouts import STRETCH, empty_grid, in_row
 
 _ICON_PX: Final = 18
 _GAP_PX: Final = 10
@@ -23,14 +23,47 @@ WORDS: Final = Words(QCoreApplication.translate)
 """The words of the diagnosis in the language chosen."""
 
 
+_KBIT: Final = {"1000000": "1 Mbit/s", "500000": "500 kbit/s"}
+
+Remedy = tuple[str, ...]
+"""A verb of the adapter's helper and its words, as a finding has it."""
+
+
+class SetsUpAdapters(Protocol):
+    """Who carries out remedies."""
+
+    def is_there(self) -> bool:
+        """Whether it can: the package has brought the helper."""
+
+    def choose(self, remedy: Remedy) -> None:
+        """A button was pressed."""
+
+
+def remedy_label(remedy: Remedy) -> str:
+    """What the button of a remedy says."""
+    verb, subject, *rest = remedy
+    if verb == "up":
+        said = QCoreApplication.translate("FindingRow", "Switch on: {bitrate}")
+        return said.format(bitrate=_KBIT.get(rest[0], rest[0]))
+    if verb == "reset":
+        return QCoreApplication.translate("FindingRow", "Bring back to the bus")
+    if verb == "forget":
+        return QCoreApplication.translate("FindingRow", "Keep no longer…")
+    if not rest:
+        return QCoreApplication.translate("FindingRow", "Let me open it…")
+    said = QCoreApplication.translate("FindingRow", "Name and always at start: {channel}…")
+    return said.format(channel=subject)
+
+
 class FindingRow(QWidget):
     """Shows a finding.
 
     Args:
         finding: What was found.
+        adapter: Who carries out its remedies; without, there are the commands to copy.
     """
 
-    def __init__(self, finding: Diagnosis) -> None:
+    def __init__(self, finding: Diagnosis, adapter: SetsUpAdapters | None = None) -> None:
         super().__init__()
         self._level = finding.severity
         # the mark is for those who do not see the colour
@@ -48,9 +81,22 @@ class FindingRow(QWidget):
         grid.addWidget(self._icon, 0, 0, Qt.AlignmentFlag.AlignTop)
         grid.addWidget(label, 0, 1)
         self.copy_buttons: list[QPushButton] = []
-        for row, command in enumerate(finding.commands, 1):
-            grid.addLayout(self._command(command), row, 1)
+        self.remedy_buttons: list[QPushButton] = []
+        if adapter is not None and finding.remedies and adapter.is_there():
+            grid.addLayout(self._remedies(finding, adapter), 1, 1)
+        else:
+            for row, command in enumerate(finding.commands, 1):
+                grid.addLayout(self._command(command), row, 1)
         self._draw_icon()
+
+    def _remedies(self, finding: Diagnosis, adapter: SetsUpAdapters) -> QHBoxLayout:
+        """The buttons; the commands stay in their tooltips."""
+        for remedy in finding.remedies:
+            button = push_button("adapter_remedy", remedy_label(remedy), on_enter=False)
+            button.setToolTip("\n".join(finding.commands))
+            button.clicked.connect(partial(adapter.choose, remedy))
+            self.remedy_buttons.append(button)
+        return in_row(*self.remedy_buttons, STRETCH, spacing=8)
 
     def _command(self, command: str) -> QHBoxLayout:
         field = QLineEdit(command)

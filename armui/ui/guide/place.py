@@ -27,6 +27,7 @@ _WINDOWS: Final[Mapping[str, str]] = {
     "HelpDialog": "view",
     "ImportReport": "files",
     "JointStatusDialog": "joint_status",
+    "KeepDialog": "doctor",
     "LibraryPage": "library",
     "PlotPage": "plots",
     "RecordingPage": "recording",

@@ -173,7 +173,7 @@ class Panel(Translated, QWidget):
             return
         kept_px = message.sizeHint().height() + self._gap_px
         room_px = area.height() - (kept_px if message.isHidden() else 0)
-        wanted_px = min(_least_height(card, area.viewport().width()), area.maximumHeight())
+        wanted_px = _least_height(card, area.viewport().width())
         message.setVisible(bool(message.text()) or wanted_px <= room_px)
 
     def _accepted(self, refusal: Refusal | None) -> bool:

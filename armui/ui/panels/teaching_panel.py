@@ -200,6 +200,8 @@ class TeachingPanel(Panel):
             for command in row
         }
         # a motion that was held back is never set going by a slip
+        self._buttons[TeachingState.CONTINUE] = HoldButton(self._controller)
+        self._name(self._buttons[TeachingState.CONTINUE], "teaching_continue")
         self._plan_buttons[TrajectoryCommand.CONTINUE] = HoldButton(self._controller)
         self._name(self._plan_buttons[TrajectoryCommand.CONTINUE], "plan_continue")
         self._lay_out()
@@ -254,7 +256,10 @@ class TeachingPanel(Panel):
 
     def _connect(self) -> None:
         for command, button in self._buttons.items():
-            button.clicked.connect(lambda _checked, which=command: self._on_command(which))
+            if isinstance(button, HoldButton):
+                button.held.connect(lambda which=command: self._command(which))
+            else:
+                button.clicked.connect(lambda _checked, which=command: self._on_command(which))
         for plan, button in self._plan_buttons.items():
             if isinstance(button, HoldButton):
                 button.held.connect(lambda which=plan: self._on_plan(which))
@@ -274,16 +279,41 @@ class TeachingPanel(Panel):
         self._assistance.open()
 
     def _on_command(self, command: TeachingState) -> None:
-        if command is not TeachingState.START_RECORDING:
+        label = words.teaching_command(command)
+        if command is TeachingState.START_RECORDING:
+            title = words.step_question(Action.LEAD_BY_HAND)
+            text = words.step_danger(Action.LEAD_BY_HAND)
+        elif command in _MOVES:
+            title, text = label, self._danger(command)
+        else:
             self._command(command)
             return
         confirm(
             self.window(),
             self._controller,
-            title=words.step_question(Action.LEAD_BY_HAND),
-            text=words.step_danger(Action.LEAD_BY_HAND),
-            action_label=words.teaching_command(command),
+            title=title,
+            text=text,
+            action_label=label,
             on_confirmed=lambda: self._command(command),
+            still=lambda: why_not_teach(self._controller.operating_state, command) is None,
+        )
+
+    def _danger(self, command: TeachingState) -> str:
+        """What the arm does by itself, said before it does."""
+        if command is TeachingState.MOVE_TO_START:
+            does = self.tr("The arm will move by itself to the start of the recording it holds.")
+        else:
+            does = self.tr(
+                "The arm will move by itself along the recording it holds, from where it stands."
+            )
+        return "\n".join(
+            (
+                does,
+                self.tr(
+                    "This program does not know its way, and has not checked it. Keep clear, the "
+                    "emergency stop within reach."
+                ),
+            )
         )
 
     def _command(self, command: TeachingState) -> None:

@@ -14,7 +14,7 @@ from armui.ui.actions.command import Command, Target
 from armui.ui.actions.keys import SHORTCUTS, keys_of
 from armui.ui.theme import colors_of
 from armui.ui.widgets import icons
-from armui.ui.widgets.buttons import describe, named
+from armui.ui.widgets.buttons import describe, give_menu, named
 from armui.ui.widgets.layouts import in_column
 from armui.ui.widgets.translated import Translated
 from armui.ui.words.text import Text, Texts
@@ -109,14 +109,14 @@ class ViewBar(Translated, QFrame):
         self._handles_menu = QMenu(self)
         self._handles = self._handle_actions()
         self._handles_button = named("view_handles_button", QToolButton())
-        self._handles_button.setMenu(self._handles_menu)
+        give_menu(self._handles_button, self._handles_menu)
         self._handles_button.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
         self._handles_button.setCheckable(True)
         self._last_handles = HandleKind.TOOL
         self._menu = QMenu(self)
         self._fill_menu()
         self._more = named("view_more_button", QToolButton())
-        self._more.setMenu(self._menu)
+        give_menu(self._more, self._menu)
         self._more.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
         self._lay_out()
         self._connect()

@@ -63,6 +63,7 @@ class RecoveryLine(Translated, QWidget):
         self.setObjectName("recovery_line")
         self._controller = controller
         self._open_connection = open_connection
+        self._asking = ""
         begun = controller.operating_state.link is not LinkState.NO_DEVICE
         self._step = controller.recovery.step if begun else NO_DEVICE
         self._pressed = self._step
@@ -100,6 +101,28 @@ class RecoveryLine(Translated, QWidget):
         """The button that takes the next step; ``None`` while there is none to take."""
         shown = (each for each in (self._button, self._hold_button) if each.isVisible())
         return next(shown, None)
+
+    def show_asking(self, name: str) -> None:
+        """Say that a trajectory was sent and waits for the operator to agree.
+
+        Args:
+            name: The trajectory; "": none does.
+        """
+        self._asking = name
+        self._show_step()
+
+    @property
+    def _is_calm(self) -> bool:
+        return self._step.kind in _CALM and not self._asks
+
+    @property
+    def _asks(self) -> bool:
+        """Whether a question about a run is the next step: nothing else stands in the way."""
+        return bool(self._asking) and self._step.kind is StepKind.READY
+
+    @property
+    def _level(self) -> Level:
+        return Level.INFO if self._asks else self._step.level
 
     # -- behaviour ----------------------------------------------------------------------------
 
@@ -142,10 +165,13 @@ class RecoveryLine(Translated, QWidget):
 
     def _show_step(self) -> None:
         step = self._step
-        calm = step.kind in _CALM
         text = words.step(step)
+        if self._asks:
+            text = self.tr(
+                "“{name}” has not begun: the check has something to say. Answer it on its page."
+            ).format(name=self._asking)
         self._text.setText(text)
-        self._text.setProperty("rank", "muted" if calm else None)
+        self._text.setProperty("rank", "muted" if self._is_calm else None)
         repolish(self._text)
         self.setAccessibleName(text)
         show_primary(self._button, wanted=step.level is Level.INFO)
@@ -186,14 +212,14 @@ class RecoveryLine(Translated, QWidget):
     def _recolor(self) -> None:
         colors = colors_of(self)
         ratio = self.devicePixelRatioF()
-        if self._step.kind in _CALM:
+        if self._is_calm:
             if self._step.kind is StepKind.READY:
                 self._icon.setPixmap(icons.pixmap("done", colors.ok, _ICON_PX, ratio))
             else:
                 self._icon.clear()
             return
-        _fill, ink = _paint_colors(colors, self._step.level)
-        name = "info" if self._step.level is Level.INFO else "warning"
+        _fill, ink = _paint_colors(colors, self._level)
+        name = "info" if self._level is Level.INFO else "warning"
         self._icon.setPixmap(icons.pixmap(name, ink, _ICON_PX, ratio))
 
     def retranslate_ui(self) -> None:
@@ -216,9 +242,9 @@ class RecoveryLine(Translated, QWidget):
 
     def paintEvent(self, _event: QPaintEvent) -> None:
         """Draw the ground, unless there is nothing to do."""
-        if self._step.kind in _CALM:
+        if self._is_calm:
             return
-        fill, _ink = _paint_colors(colors_of(self), self._step.level)
+        fill, _ink = _paint_colors(colors_of(self), self._level)
         painter = painting.begin(self)
         ground = QRectF(self.rect()).adjusted(_MARGIN_PX, _TOP_PX, -_MARGIN_PX, 0)
         painting.panel(painter, ground, fill, fill)

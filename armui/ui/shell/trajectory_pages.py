@@ -6,7 +6,7 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QObject
+from PySide6.QtCore import QObject, Signal
 
 from armui.system import paths
 from armui.system.helper_process import FileThread
@@ -39,7 +39,12 @@ class TrajectoryPages(QObject):
         preview: Shows the path that was checked last.
         picture: What is clicked and dragged in the 3D picture leads to a page.
         parent: The main window.
+
+    Signals:
+        run_asks: The name of what was sent and waits for the operator to agree; "": nothing does.
     """
+
+    run_asks = Signal(str)
 
     def __init__(
         self,
@@ -119,6 +124,7 @@ class TrajectoryPages(QObject):
         background = Background(self._workers, files, self)
         page = LibraryPage(self._controller, background, library)
         self._workspace.add(page, self._area)
+        page.run_asks.connect(self.run_asks)
         page.page_made.connect(partial(self._workspace.add, home=self._area))
         self._picture.link(PreviewLink(page, self._preview, self._controller))
         return page

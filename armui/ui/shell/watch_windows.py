@@ -74,6 +74,7 @@ class WatchWindows(QObject):
         window: The main window.
         open_window: How it shows a dialog.
         open_page: How it shows a page of the drawer.
+        uncover: Brings a page in front of the windows that lie over it.
         store: The operator's settings.
         robot: The operator's own robot description; ``None``: the program's.
     """
@@ -87,6 +88,7 @@ class WatchWindows(QObject):
         *,
         open_window: Opener,
         open_page: PageOpener,
+        uncover: Callable[[Page], object],
         store: SettingsStore,
         robot: Callable[[], str | None] = lambda: None,
     ) -> None:
@@ -97,6 +99,7 @@ class WatchWindows(QObject):
         self._window = window
         self._open = open_window
         self._open_page = open_page
+        self._uncover = uncover
         self._plots: PlotPage | None = None
         self._store = store
         self._robot = robot
@@ -157,8 +160,10 @@ class WatchWindows(QObject):
             page.show_entry(number)
 
     def show_moment(self, at_s: float) -> None:
-        """Show the page 曲线, its first cursor at a monotonic time."""
+        """Show the page 曲线, its first cursor at a monotonic time; no other page covers it."""
         self.show_as_curves(())
+        if self._plots is not None:
+            self._uncover(self._plots)
         self._move_cursor(at_s)
 
     def _move_cursor(self, at_s: float) -> None:

@@ -216,6 +216,14 @@ class Workspace(QObject):
         self._note(window, page.key)
         window.open()
 
+    def uncover(self, page: Page) -> None:
+        """Give a page a window if one of another page lies over it: that stays in front."""
+        stands = QRect(page.mapToGlobal(page.rect().topLeft()), page.size())
+        windows = (each for each in self._windows.values() if each.isVisible())
+        covered = any(window.geometry().intersects(stands) for window in windows)
+        if covered and page.isVisible() and page not in self._windows:
+            self.take_out(page)
+
     def put_back(self, page: Page) -> None:
         """Bring a page home; pages of its kind open there from now on."""
         self._let_go(page)

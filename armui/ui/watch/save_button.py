@@ -6,6 +6,7 @@ from PySide6.QtCore import Signal
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QMenu, QToolButton
 
+from armui.ui.widgets.buttons import give_menu
 from armui.ui.widgets.translated import Translated
 from armui.ui.words.text import Texts
 
@@ -37,7 +38,7 @@ class SaveButton(Translated, QToolButton):
             action.setObjectName(f"{room}_{name}")
             action.triggered.connect(lambda _on=False, name=name: self.wanted.emit(name))
             menu.addAction(action)
-        self.setMenu(menu)
+        give_menu(self, menu)
         self.retranslate_ui()
 
     def retranslate_ui(self) -> None:

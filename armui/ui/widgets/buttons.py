@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from typing import TypeVar
 
-from PySide6.QtCore import QObject
-from PySide6.QtGui import QKeySequence
-from PySide6.QtWidgets import QAbstractButton, QPushButton, QToolButton, QWidget
+from PySide6.QtCore import QObject, Qt, QTimer
+from PySide6.QtGui import QCursor, QKeySequence
+from PySide6.QtWidgets import QAbstractButton, QMenu, QPushButton, QToolButton, QWidget
 
 from armui.ui.widgets.painting import repolish
 
@@ -55,6 +55,22 @@ def push_button(
         button.setAutoDefault(on_enter)
         button.setDefault(on_enter)
     return button
+
+
+def give_menu(button: QPushButton | QToolButton, menu: QMenu) -> None:
+    """Have a button open a menu, and be lit no longer than the pointer is over it.
+
+    A menu takes the pointer away without a word to the button below, and what is chosen in it may
+    open a window before the pointer is back.
+    """
+    button.setMenu(menu)
+
+    def look() -> None:
+        if not button.rect().contains(button.mapFromGlobal(QCursor.pos())):
+            button.setAttribute(Qt.WidgetAttribute.WA_UnderMouse, False)
+            button.update()
+
+    menu.aboutToHide.connect(lambda: QTimer.singleShot(0, button, look))
 
 
 def show_primary(button: QPushButton, *, wanted: bool) -> None:

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import Final, TypeAlias, TypeVar
 
-from PySide6.QtCore import Qt
-from PySide6.QtGui import QShowEvent
+from PySide6.QtCore import QEvent, QObject, Qt
+from PySide6.QtGui import QResizeEvent, QShowEvent
 from PySide6.QtWidgets import (
     QBoxLayout,
     QFrame,
@@ -38,17 +38,45 @@ class CardArea(QScrollArea):
 
     Args:
         card: What scrolls.
+        tallest_px: It grows no higher, unless its card would scroll beside free room for that.
     """
 
-    def __init__(self, card: QFrame) -> None:
+    def __init__(self, card: QFrame, tallest_px: int) -> None:
         super().__init__()
         self._card = card
+        self._tallest_px = tallest_px
+        self.setMaximumHeight(tallest_px)
+
+    @property
+    def wanted_px(self) -> int:
+        """How high it must be for its card to be seen whole."""
+        card = self._card
+        least = card.minimumSizeHint().height()
+        if card.hasHeightForWidth():
+            least = max(least, card.heightForWidth(self.viewport().width()))
+        return least + 2 * self.frameWidth()
 
     def showEvent(self, event: QShowEvent) -> None:
         """Show it where it stays."""
         if self.widget() is None:
             self.setWidget(self._card)
+        self._fit()
         super().showEvent(event)
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """In another width its lines are others."""
+        super().resizeEvent(event)
+        self._fit()
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        """Other words, or parts that come and go, need other room."""
+        if watched is self._card and event.type() == QEvent.Type.LayoutRequest:
+            self._fit()
+        return super().eventFilter(watched, event)
+
+    def _fit(self) -> None:
+        if self.widget() is not None:
+            self.setMaximumHeight(max(self._tallest_px, self.wanted_px))
 
 
 def scrolled(card: QFrame, tallest_px: int) -> QScrollArea:
@@ -56,14 +84,13 @@ def scrolled(card: QFrame, tallest_px: int) -> QScrollArea:
 
     Args:
         card: What scrolls.
-        tallest_px: It grows no higher.
+        tallest_px: It grows no higher than that, or than its card needs.
     """
     card.setProperty("card", True)
-    area = CardArea(card)
+    area = CardArea(card, tallest_px)
     area.setWidgetResizable(True)
     area.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
     area.setMinimumHeight(_LOWEST_PX)
-    area.setMaximumHeight(tallest_px)
     return area
 
 

@@ -11,6 +11,7 @@ from PySide6.QtWidgets import QLabel, QSizePolicy, QWidget
 
 from armui.control.events import Level
 from armui.ui.theme import Colors, colors_of
+from armui.ui.translation import shown_language
 from armui.ui.widgets import icons, painting
 from armui.ui.widgets.layouts import in_row
 from armui.ui.widgets.text_label import text_label
@@ -26,6 +27,8 @@ _TWO_LINES: Final = "急\n急"
 """Chinese glyphs may stand higher than the others."""
 _LEAST_PX: Final = 200
 _UNBOUNDED_PX: Final = 10_000
+_OVER: Final = frozenset({Level.INFO, Level.DONE})
+"""What is said at these levels is over."""
 _ICONS: Final = {
     Level.INFO: "info",
     Level.DONE: "done",
@@ -48,6 +51,7 @@ class MessageLine(QWidget):
         self._keeps_room = keeps_room
         self._level = Level.INFO
         self._words: Words = ""
+        self._said_in = shown_language()
         self._icon = QLabel()
         self._icon.setFixedWidth(_ICON_PX)
         self._label = text_label(wraps=True, plain=True)
@@ -65,11 +69,15 @@ class MessageLine(QWidget):
     def show_message(self, words: Words, level: Level = Level.INFO) -> None:
         """Say something; an empty text says nothing.
 
+        A plain text that tells what was done goes with the language it was said in; a warning
+        stays.
+
         Args:
             words: What.
             level: How much it matters.
         """
         self._level, self._words = level, words
+        self._said_in = shown_language()
         text = words if isinstance(words, str) else words()
         self._label.setText(text)
         self.setAccessibleName(text)
@@ -112,8 +120,11 @@ class MessageLine(QWidget):
         """Follow the colours and the language."""
         if event.type() == QEvent.Type.PaletteChange:
             self._update_icon()
-        elif event.type() == QEvent.Type.LanguageChange and not isinstance(self._words, str):
-            self.show_message(self._words, self._level)
+        elif event.type() == QEvent.Type.LanguageChange:
+            if not isinstance(self._words, str):
+                self.show_message(self._words, self._level)
+            elif self._level in _OVER and self._said_in != shown_language():
+                self.show_message("")
         super().changeEvent(event)
 
     def paintEvent(self, _event: QPaintEvent) -> None:

@@ -58,6 +58,34 @@ def test_saved_points_are_in_the_library(editor):
     assert not editor.window.isVisible()
 
 
+def test_the_keys_count_wherever_the_keyboard_is_while_the_editor_is_seen(editor):
+    editor.type_into(0, PointColumn.NOTE, "changed")
+    main = editor.app_driver.window
+    for elsewhere in (main, editor.app_driver.find("menu_motion"), editor.child("trajectory_note")):
+        editor.window.document.set_note(f"note {elsewhere.objectName()}", "Note")
+        elsewhere.setFocus()
+        QTest.keyClick(elsewhere, Qt.Key.Key_S, CTRL)
+        assert editor.library.load("Test").note == f"note {elsewhere.objectName()}"
+    main.setFocus()
+    QTest.keyClick(main, Qt.Key.Key_E, CTRL)
+    assert editor.child("findings_title").isVisible()
+    editor.app_driver.click("menu_motion")  # the panel is seen now, the editor is not
+    editor.window.document.set_note("not seen", "Note")
+    QTest.keyClick(main, Qt.Key.Key_S, CTRL)
+    assert editor.library.load("Test").note != "not seen"
+
+
+def test_a_question_keeps_its_keys(editor):
+    """What is asked in a window of its own is not answered by keys of the window behind it."""
+    editor.window.document.set_note("kept", "Note")
+    editor.window.leave()
+    question = editor.app_driver.dialog(LeaveQuestion)
+    editor.app_driver.wait(question.isActiveWindow)
+    QTest.keyClick(question, Qt.Key.Key_S, CTRL)
+    assert editor.library.load("Test").note == ""
+    question.reject()
+
+
 def test_closing_with_changes_asks_and_saves(editor):
     editor.type_into(0, PointColumn.DWELL, "2")
     editor.window.close()

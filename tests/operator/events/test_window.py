@@ -6,9 +6,9 @@ import csv
 import json
 
 import pytest
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication
+from PySide6.QtWidgets import QApplication, QMenu
 
 from armui.settings import SETTINGS_IN_USE
 from armui.telemetry.event_json import from_json, to_json
@@ -105,6 +105,56 @@ def test_one_sort_less_and_one_asker_alone(events):
     events.bar.askers.setCurrentIndex(place)
     events.bar.askers.activated.emit(place)
     assert set(events.read(EventColumn.WHO)) == {"Operator"}
+
+
+def test_one_sort_alone_by_a_double_click_and_by_its_menu(events):
+    kinds = events.bar.kinds
+    fault = kinds[EventKind.FAULT]
+
+    def chosen():
+        return {kind for kind, button in kinds.items() if button.isChecked()}
+
+    def twice(button):
+        place = button.rect().center()
+        QTest.mouseClick(button, Qt.MouseButton.LeftButton, pos=place)
+        QTest.mouseDClick(button, Qt.MouseButton.LeftButton, pos=place)
+
+    twice(fault)
+    assert chosen() == {EventKind.FAULT}
+    assert HOT in events.read()
+    assert {events.model.entry(row).kind for row in range(events.model.rowCount())} == {
+        EventKind.FAULT
+    }
+    twice(fault)
+    assert chosen() == set(EventKind)
+    fault.customContextMenuRequested.emit(fault.rect().center())
+    menu = events.bar.findChild(QMenu, "event_kind_menu")
+    only, every = menu.actions()
+    assert "Double-click" in fault.toolTip()
+    only.trigger()
+    assert chosen() == {EventKind.FAULT}
+    every.trigger()
+    assert chosen() == set(EventKind)
+    menu.close()
+
+
+def test_the_curves_of_an_event_are_in_front_of_the_events(events):
+    """A window of a page always lies over the main window, and so over the drawer in it."""
+    events.driver.window.resize(1280, 800)
+    below = events.driver.window.rect().bottomLeft()
+    events.window.window().move(events.driver.window.mapToGlobal(below) - QPoint(0, 300))
+    events.double_click(events.row(HOT))
+    plots = events.driver.page(PlotPage)
+    assert plots.window() is not events.driver.window
+    assert plots.isVisible()
+    events.driver.wait(plots.window().isActiveWindow)
+
+
+def test_the_curves_stay_in_the_drawer_where_nothing_lies_over_it(events):
+    events.window.window().setGeometry(0, 0, 400, 100)
+    events.driver.window.move(0, 200)
+    events.double_click(events.row(HOT))
+    assert events.driver.page(PlotPage).window() is events.driver.window
 
 
 def test_words_are_searched_in_everything_that_is_written(events):

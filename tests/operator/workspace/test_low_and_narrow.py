@@ -1,10 +1,11 @@
 """In the smallest window no page scrolls sideways: its controls go on in another line."""
 
 import pytest
-from PySide6.QtCore import QCoreApplication
-from PySide6.QtWidgets import QScrollArea
+from PySide6.QtCore import QCoreApplication, QPoint, Qt
+from PySide6.QtWidgets import QScrollArea, QWidget
 
 from armui.ui.translation import Translator
+from tests.app_driver import PANELS
 
 pytestmark = pytest.mark.styled
 
@@ -33,3 +34,27 @@ def test_no_page_scrolls_sideways(qapp, pages, language):
         assert not any(sideways(pages))
     finally:
         translator.set_language("en")
+
+
+def free_below(panel):
+    """How much room is left under the lowest part of a panel, in pixels."""
+    parts = panel.findChildren(QWidget, options=Qt.FindChildOption.FindDirectChildrenOnly)
+    seen = [each for each in parts if each.isVisible()]
+    lowest = max(each.mapTo(panel, QPoint(0, each.height())).y() for each in seen)
+    return panel.height() - lowest
+
+
+@pytest.mark.parametrize("language", ["en", "zh"])
+def test_no_card_scrolls_beside_free_room(app_driver, language):
+    app_driver.connect()
+    app_driver.store.change(language=language)
+    scrolling = []
+    for key in PANELS:
+        app_driver.click(f"menu_{key}")
+        app_driver.run(0.1)
+        panel = app_driver.find("operation_area").currentWidget()
+        for area in panel.findChildren(QScrollArea):
+            if area.isVisible() and area.verticalScrollBar().maximum():
+                scrolling.append(key)
+                assert free_below(panel) <= 20, key
+    assert len(scrolling) < len(PANELS) / 2

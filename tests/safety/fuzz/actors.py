@@ -251,7 +251,7 @@ class Actors:
             self._oracle.stop_pressed()
             self._oracle.cancel("stop")
         else:
-            self._oracle.recovered(step.action.value)
+            self._oracle.recovered(step.action.value.id)
 
     def record(self) -> None:
         recorder = self._controller.recorder

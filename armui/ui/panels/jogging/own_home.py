@@ -16,7 +16,13 @@ from armui.control.safety.interlocks import JOINTS_UNKNOWN
 from armui.protocol.generation import Generation
 from armui.ui import format as fmt
 from armui.ui import words
-from armui.ui.widgets.buttons import caption, enable_or_explain, named, push_button
+from armui.ui.widgets.buttons import (
+    caption,
+    enable_or_explain,
+    give_menu,
+    named,
+    push_button,
+)
 from armui.ui.widgets.layouts import in_row
 from armui.ui.widgets.translated import Translated
 
@@ -77,7 +83,7 @@ class OwnHome(Translated, QWidget):
         self.set_measured = named("set_own_home_measured", QAction(self._menu))
         self.set_typed = named("set_own_home_typed", QAction(self._menu))
         self._menu.addActions([self.set_measured, self.set_typed])
-        self._set.setMenu(self._menu)
+        give_menu(self._set, self._menu)
         in_row((self.go, 1), (self._set, 1), on=self, spacing=10, margins=0)
         self.go.clicked.connect(self._on_go)
         self.set_measured.triggered.connect(lambda _checked=False: self._keep_measured())

@@ -35,6 +35,10 @@ _BAR: Final = ("save", "undo", "redo", "insert_measured", "jog", "go_to", "find"
 _EVERYWHERE: Final = "insert_measured"
 """Its key counts in every window, so that jogging and inserting need no change of place."""
 
+_OF_WINDOW: Final = frozenset({"save", "find", "jog", "check"})
+"""Their keys count wherever the keyboard is in the window that shows the editor. Undo is not among
+them: what has the keyboard may have something of its own to undo."""
+
 _OF_TABLE: Final = frozenset(name for group in _MENU for name in group) - {"find"}
 """Their keys count while the table has the focus."""
 
@@ -43,7 +47,7 @@ class EditorActions:
     """All actions by name.
 
     Args:
-        page: The editor; the keys of what concerns the whole are its.
+        page: The editor; the keys of what concerns the whole are its, or its window's.
         table: The menu is its, and the keys of what concerns rows.
         handlers: What each does.
     """
@@ -59,7 +63,11 @@ class EditorActions:
             if name != _EVERYWHERE:
                 action.setShortcut(self.keys(name))
             action.triggered.connect(lambda _checked=False, do=handlers[name]: do())
-            action.setShortcutContext(Qt.ShortcutContext.WidgetWithChildrenShortcut)
+            in_window = name in _OF_WINDOW
+            context = Qt.ShortcutContext
+            action.setShortcutContext(
+                context.WindowShortcut if in_window else context.WidgetWithChildrenShortcut
+            )
             if name not in _OF_TABLE:
                 page.addAction(action)
             self._actions[name] = action

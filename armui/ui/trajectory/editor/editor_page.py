@@ -240,6 +240,7 @@ class EditorPage(Page):
         self._jog.insert_wanted.connect(self.insert_current)
         self._jog.refused.connect(self._on_jogged)
         self._findings.row_wanted.connect(self.table.select_row)
+        self._findings.dismissed.connect(self._run_bar.drop_check)
         self.document.changed.connect(self._on_points)
 
     @property
@@ -452,6 +453,7 @@ class EditorPage(Page):
 
     def _leave(self) -> None:
         self._drafts.drop_draft()
+        self._run_bar.drop_check()
         super().leave()
 
     def take_focus(self) -> None:

@@ -30,9 +30,11 @@ class FindingsPane(Translated, QWidget):
 
     Signals:
         row_wanted: The row of the finding that was clicked.
+        dismissed: It was put away without an answer.
     """
 
     row_wanted = Signal(int)
+    dismissed = Signal()
 
     def __init__(self) -> None:
         super().__init__()
@@ -46,10 +48,10 @@ class FindingsPane(Translated, QWidget):
         self._list.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self._list.currentItemChanged.connect(self._on_current)
         self._list.itemClicked.connect(self._on_current)
-        self.accept_button = push_button("accept_warnings", on_enter=False)
+        self.accept_button = push_button("accept_warnings", primary=True, on_enter=False)
         self.accept_button.clicked.connect(self._on_accepted)
         self._close_button = push_button("findings_close", on_enter=False)
-        self._close_button.clicked.connect(self.clear)
+        self._close_button.clicked.connect(self._on_closed)
         head = in_row((self._title, 1), self.accept_button, self._close_button)
         in_column(head, self._list, on=self, spacing=6, margins=0)
         self.clear()
@@ -144,6 +146,10 @@ class FindingsPane(Translated, QWidget):
         self.clear()
         if accept is not None:
             accept()
+
+    def _on_closed(self) -> None:
+        self.clear()
+        self.dismissed.emit()
 
     def retranslate_ui(self) -> None:
         """Put every word into the operator's language."""

@@ -13,7 +13,7 @@ from PySide6.QtWidgets import QLineEdit, QMenu, QPushButton, QTableView, QWidget
 from armui.trajectory.files import SUFFIXES
 from armui.trajectory.library.store import IndexEntry
 from armui.ui.actions.keys import key_text, keys_of, listen_for
-from armui.ui.widgets.buttons import named, push_button
+from armui.ui.widgets.buttons import give_menu, named, push_button
 from armui.ui.widgets.flow import Flow
 from armui.ui.words.text import Texts
 
@@ -62,7 +62,7 @@ class LibraryBar(QWidget):
         for suffix in SUFFIXES:
             action = self._export_menu.addAction(suffix)
             action.triggered.connect(partial(self._on_export, suffix))
-        self._buttons["export"].setMenu(self._export_menu)
+        give_menu(self._buttons["export"], self._export_menu)
         layout.addWidget(self.search)
         self._flow = layout
         self.show_chosen(())
@@ -81,7 +81,7 @@ class LibraryBar(QWidget):
         """Have keys press the buttons.
 
         Args:
-            page: Most of them count everywhere in it.
+            page: Most of them count everywhere in the window that shows it.
             table: Those of what is chosen count in it alone, as does Enter.
         """
         for name in _BUTTONS:
@@ -91,7 +91,7 @@ class LibraryBar(QWidget):
                 _key(owner, keys, owner is table).triggered.connect(self._buttons[name].click)
         for keys in ("Return", "Enter"):
             _key(table, keys, True).triggered.connect(self.open_wanted)
-        listen_for("library.find", page, self._on_find)
+        listen_for("library.find", page, self._on_find, Qt.ShortcutContext.WindowShortcut)
         self._table = table
 
     def show_chosen(self, entries: Sequence[IndexEntry]) -> None:
@@ -163,12 +163,10 @@ class LibraryBar(QWidget):
 
 
 def _key(owner: QWidget, keys: str, alone: bool) -> QAction:
-    """Return an action that a key triggers, in a widget alone or in all that is in it."""
+    """Return an action that a key triggers, in a widget alone or in the window that shows it."""
     action = QAction(owner)
     action.setShortcut(QKeySequence(keys))
     context = Qt.ShortcutContext
-    action.setShortcutContext(
-        context.WidgetShortcut if alone else context.WidgetWithChildrenShortcut
-    )
+    action.setShortcutContext(context.WidgetShortcut if alone else context.WindowShortcut)
     owner.addAction(action)
     return action

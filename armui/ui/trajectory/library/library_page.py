@@ -65,6 +65,7 @@ class LibraryPage(Page):
         editor_opened: The :class:`EditorPage` of a trajectory, before it is shown: whoever shows
             previews follows its ``preview_wanted`` and ``selected_row_changed``.
         preview_wanted: A :class:`Preflight` whose path is to be shown in 3D.
+        run_asks: The name of what was sent and waits for the operator to agree; "": nothing does.
     """
 
     commands = (
@@ -81,6 +82,7 @@ class LibraryPage(Page):
     page_made = Signal(object)
     editor_opened = Signal(object)
     preview_wanted = Signal(object)
+    run_asks = Signal(str)
 
     def __init__(self, controller: ArmController, background: Background, library: Library) -> None:
         super().__init__("library")
@@ -182,6 +184,8 @@ class LibraryPage(Page):
         self._run_bar.listen(self)
         self._run_bar.checked.connect(self._show_check)
         self._run_bar.withdrawn.connect(self._findings.withdraw_question)
+        self._findings.dismissed.connect(self._run_bar.drop_check)
+        self._choices.asking.connect(self.run_asks)
         self._run_bar.refused.connect(
             lambda reason: self._say(partial(words.refusal, reason), Level.WARNING)
         )

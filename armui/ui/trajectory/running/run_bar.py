@@ -66,14 +66,26 @@ class RunChoices(QObject):
 
     Signals:
         changed: The name of a trajectory whose options, or whose first run, are others now.
+        asking: The name of what was sent and waits for the operator to agree; "": nothing does.
     """
 
     changed = Signal(str)
+    asking = Signal(str)
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._options: dict[str, RunOptions] = {}
         self._ran: set[str] = set()
+        self._asks: RunRequest | None = None
+
+    def show_request(self, request: RunRequest) -> None:
+        """Take in how far a request has come: whether it waits for the operator."""
+        if request.state is RequestState.ASKING:
+            self._asks = request
+            self.asking.emit(request.name)
+        elif request is self._asks:
+            self._asks = None
+            self.asking.emit("")
 
     def of(self, name: str) -> RunOptions:
         """Return the options of a trajectory; slow ones where it is not known to have run."""
@@ -168,6 +180,7 @@ class RunBar(Translated, QWidget):
         self._request: RunRequest | None = None
         self._recording = False
         self._nothing: Refusal | None = None
+        self._stands_back = False
         self._runner = Runner(controller, self)
         self._again: _Started | None = None
         self._make_widgets()
@@ -335,7 +348,8 @@ class RunBar(Translated, QWidget):
 
     def show_secondary(self, wanted: bool) -> None:
         """Show that something else on the page is done more often than running it."""
-        show_primary(self._send, wanted=not wanted)
+        self._stands_back = wanted
+        self._show_usable()
 
     def check(self) -> None:
         """Check what would be run; :attr:`checked` tells how it ended."""
@@ -371,6 +385,7 @@ class RunBar(Translated, QWidget):
         """Show how far a request has come."""
         if request is not self._request:
             return
+        self._shared.show_request(request)
         self._show_usable()
         checked = request.checked
         if request.state is RequestState.CHECKED:
@@ -402,6 +417,11 @@ class RunBar(Translated, QWidget):
     def is_checking(self) -> bool:
         """True while something is read or checked."""
         return self._request is not None and self._request.is_busy
+
+    @property
+    def _is_asking(self) -> bool:
+        """True while the operator has to agree, by another button, to what was sent."""
+        return self._request is not None and self._request.state is RequestState.ASKING
 
     def _options_to_resume(self) -> RunOptions:
         """As shown now, from where it ended; for as many cycles as are left, unless chosen anew."""
@@ -457,6 +477,7 @@ class RunBar(Translated, QWidget):
         self._times.setVisible(self._cycles.currentIndex() == _TIMES)
         reason = self.tr("Checking…") if checking else why_not
         enable_or_explain(self._send, reason, self.tr("Checks it and runs it"), key=_SEND_KEY)
+        show_primary(self._send, wanted=not (self._stands_back or self._is_asking))
         self._state.setText(self.tr("Checking…") if checking else "")
         self._state.setVisible(checking)
         self._call_off.setVisible(checking)

@@ -8,9 +8,9 @@ from collections.abc import Sequence
 from functools import partial
 from typing import TYPE_CHECKING, Final
 
-from PySide6.QtCore import QCoreApplication, Signal
+from PySide6.QtCore import QCoreApplication, QEvent, QObject, QPoint, Qt, Signal
 from PySide6.QtGui import QFont, QFontMetrics, QGuiApplication
-from PySide6.QtWidgets import QComboBox, QLineEdit, QWidget
+from PySide6.QtWidgets import QComboBox, QLineEdit, QMenu, QWidget
 
 from armui.arm.refusal import Refusal
 from armui.system.atomic import write_whole
@@ -147,9 +147,12 @@ class EventBar(Translated, QWidget):
         self.save.wanted.connect(self.save_wanted)
         self.saves = self.save.saves
         self._lay_out()
-        for button in self.kinds.values():
+        for kind, button in self.kinds.items():
             button.setChecked(True)
             button.toggled.connect(self._tell)
+            button.installEventFilter(self)
+            button.setContextMenuPolicy(Qt.ContextMenuPolicy.CustomContextMenu)
+            button.customContextMenuRequested.connect(partial(self._open_menu, kind))
         self.search.textChanged.connect(self._tell)
         self.levels.activated.connect(self._tell)
         self.askers.activated.connect(self._tell)
@@ -206,6 +209,29 @@ class EventBar(Translated, QWidget):
         self._quiet = False
         self._tell()
 
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        """A double click on a sort wants it alone; on the one that is alone, all of them."""
+        if event.type() != QEvent.Type.MouseButtonDblClick:
+            return super().eventFilter(watched, event)
+        kind = next(each for each, button in self.kinds.items() if button is watched)
+        # the first of the two clicks has turned it
+        others = (button for each, button in self.kinds.items() if each is not kind)
+        alone = not any(button.isChecked() for button in others)
+        self._show_kinds(None if alone else kind)
+        return True
+
+    def _open_menu(self, kind: EventKind, at: QPoint) -> None:
+        menu = named("event_kind_menu", QMenu(self))
+        menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        only = self.tr("Only “{kind}”").format(kind=event_kind(kind))
+        menu.addAction(only, partial(self._show_kinds, kind))
+        menu.addAction(self.tr("All sorts"), partial(self._show_kinds, None))
+        menu.popup(self.kinds[kind].mapToGlobal(at))
+
+    def _show_kinds(self, kind: EventKind | None) -> None:
+        """Want one sort alone, or all of them; whose they are stays as it is."""
+        self.show_only(kind, self.askers.currentData())
+
     def show_count(self, shown: int, kept: int) -> None:
         """Say how many there are."""
         text = self.tr("{shown} of {kept}").format(shown=fmt.count(shown), kept=fmt.count(kept))
@@ -241,4 +267,5 @@ class EventBar(Translated, QWidget):
         self.follow.setToolTip(self.tr("Keep the newest event in sight"))
         for kind, button in self.kinds.items():
             button.setText(event_kind(kind))
+            button.setToolTip(self.tr("Click: show or hide. Double-click: this sort alone."))
         self._fit_toggles()

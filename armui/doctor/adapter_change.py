@@ -1,0 +1,294 @@
+"""The adapter's helper of the package, started by pkexec: it alone does what only root may.
+
+`resources/packaging/linux/adapter_helper.py` is that helper. It says what it would do, and does it
+when it is told to go; so the files can be seen before, and the arm is looked at after the password.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import json
+import os
+import stat
+import subprocess
+import sys
+import threading
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field
+from functools import cache
+from pathlib import Path
+from typing import IO, Any, Final
+
+from armui.arm.refusal import Reason, Refusal
+
+HELPER: Final = Path("/usr/libexec/armui-adapter")
+POLICY: Final = Path("/usr/share/polkit-1/actions/org.armui.adapter.policy")
+PKEXEC: Final = Path("/usr/bin/pkexec")
+BY_ROOT: Final = (str(PKEXEC), "--disable-internal-agent", str(HELPER))
+BY_ANYBODY: Final = (str(HELPER),)
+_GO_S: Final = 60.0
+"""From «go» to the last word; the helper gives each of its tools 5 s."""
+_DISMISSED: Final = 126
+_NOT_AUTHORISED: Final = 127
+_PASSED_ON: Final = ("DBUS_", "DISPLAY", "HOME", "LANG", "LC_", "WAYLAND_", "XAUTH", "XDG_")
+_LAST_WORDS: Final = 300
+
+DISMISSED = Reason(
+    "adapter_dismissed", "The question for the password was closed: nothing was changed."
+)
+NOT_AUTHORISED = Reason(
+    "adapter_not_authorised",
+    "The system did not allow it: {text}. Nothing was changed; the commands below do the same in a "
+    "terminal.",
+)
+NO_ANSWER = Reason(
+    "adapter_no_answer",
+    "The helper ended without a word on what it did: {text}. Look at the diagnosis again.",
+)
+
+
+_NO_INTERFACE = Reason(
+    "adapter_no_interface", "{text} is not there any more. Plug the adapter in again."
+)
+_NOT_CAN = Reason("adapter_not_can", "{text} is no CAN interface: nothing was changed.")
+_BAD_BITRATE = Reason(
+    "adapter_bad_bitrate", "{text} is no bit rate of an arm: nothing was changed."
+)
+_BAD_NAME = Reason(
+    "adapter_bad_name",
+    "This name is not possible: small letters, digits and _, 15 at most, beginning with a "
+    "letter, and none that the system itself gives (can0, eth0). For example: arm_left",
+)
+_NAME_TAKEN = Reason("adapter_name_taken", "{text} is the name of another adapter already.")
+_NO_SERIAL = Reason(
+    "adapter_no_serial",
+    "The adapter of {text} tells no serial number: it cannot be told from another one, and "
+    "nothing was kept.",
+)
+_BAD_SERIAL = Reason("adapter_bad_serial", "The adapter's serial number cannot be used: {text}")
+_NO_CHANNEL = Reason("adapter_no_channel", "Which channel of its adapter {text} is, is not known.")
+_NOT_USB = Reason("adapter_not_usb", "{text} is no serial adapter on the USB: nothing was changed.")
+_NOT_OURS = Reason("adapter_not_ours", "{text} is a file of somebody else: nothing was written.")
+_NOT_KEPT = Reason("adapter_not_kept", "Nothing is kept under the name {text}.")
+_NO_BITRATE = Reason(
+    "adapter_no_bitrate", "{text} has no bit rate yet. Switch it on with one first."
+)
+_NOT_UP = Reason(
+    "adapter_not_up",
+    "The system said that it is done, and it is not: {text}. Unplug the adapter, plug it "
+    "in again, and try once more.",
+)
+_NOT_DOWN = Reason(
+    "adapter_not_down", "{text} is still switched on, though the system said that it is off."
+)
+_TOOL_MISSING = Reason(
+    "adapter_tool_missing", "The system's program {text} is missing. Install it."
+)
+_TOOL_HANGS = Reason(
+    "adapter_tool_hangs",
+    "The system's program {text} did not answer within 5 s. Unplug the adapter and plug it "
+    "in again.",
+)
+_TOOL_FAILED = Reason("adapter_tool_failed", "The system refused it: {text}")
+_SYSTEM = Reason("adapter_system", "The system refused it: {text}")
+_SENTENCES: Final = {
+    each.id: each
+    for each in (
+        _NO_INTERFACE,
+        _NOT_CAN,
+        _BAD_BITRATE,
+        _BAD_NAME,
+        _NAME_TAKEN,
+        _NO_SERIAL,
+        _BAD_SERIAL,
+        _NO_CHANNEL,
+        _NOT_USB,
+        _NOT_OURS,
+        _NOT_KEPT,
+        _NO_BITRATE,
+        _NOT_UP,
+        _NOT_DOWN,
+        _TOOL_MISSING,
+        _TOOL_HANGS,
+        _TOOL_FAILED,
+        _SYSTEM,
+    )
+}
+"""What the helper refuses by, by its code."""
+
+
+@dataclass(frozen=True, slots=True)
+class Planned:
+    """What the helper is going to do.
+
+    Attributes:
+        files: What it writes, by path.
+        removed: What it takes away.
+    """
+
+    files: Mapping[str, str] = field(default_factory=dict)
+    removed: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Done:
+    """It is done.
+
+    Attributes:
+        told: What the helper found afterwards.
+    """
+
+    told: Mapping[str, Any]
+
+
+Answer = Planned | Done | Refusal
+
+
+@cache
+def helper_is_there() -> bool:
+    """Whether the package has put the helper there, and nobody but root can change it.
+
+    It is looked for once, by whoever may wait for the disk.
+    """
+    return are_owned((HELPER, POLICY, PKEXEC))
+
+
+def are_owned(files: Sequence[Path], owner: int = 0) -> bool:
+    """Whether files are there, and nobody but their owner can change or replace them."""
+    if sys.platform != "linux":
+        return False
+    try:
+        found = [each.lstat() for each in (*files, *(each.parent for each in files))]
+    except OSError:
+        return False
+    others = stat.S_IWGRP | stat.S_IWOTH
+    return all(each.st_uid == owner and not each.st_mode & others for each in found)
+
+
+class AdapterChange:
+    """One verb; the helper begins at once, in a thread of its own that listens to it.
+
+    Args:
+        words: Verb and words.
+        tell: Told the plan, and, after `go`, what came of it; or at once why it is not done. In
+            that thread, until it is ended.
+        command: How the helper is started: as root, or as who runs this program, to plan only.
+    """
+
+    def __init__(
+        self,
+        words: Sequence[str],
+        tell: Callable[[Answer], object],
+        command: Sequence[str] = BY_ROOT,
+    ) -> None:
+        self._command = [*command, *words]
+        self._tell = tell
+        self._lock = threading.Lock()
+        self._process: subprocess.Popen[str] | None = None
+        self._late: threading.Timer | None = None
+        self.is_ended = False
+        self._thread = threading.Thread(target=self._run, name="armui-adapter", daemon=True)
+        self._thread.start()
+
+    def go(self) -> None:
+        """Have it done as planned."""
+        process = self._process
+        if self.is_ended or process is None or process.stdin is None:
+            return
+        self._late = threading.Timer(_GO_S, self._on_late)
+        self._late.daemon = True
+        self._late.start()
+        with contextlib.suppress(OSError, ValueError):  # it has ended: its last word says why
+            process.stdin.write("go\n")
+            process.stdin.flush()
+
+    def end(self) -> None:
+        """Nobody wants it any more: without «go» it does nothing; what is being done is done."""
+        with self._lock:
+            self.is_ended = True
+            process = self._process
+        if self._late is not None:
+            self._late.cancel()
+        if process is not None:
+            with contextlib.suppress(OSError):  # root's, once the password was given
+                process.kill()
+            if process.stdin is not None:
+                with contextlib.suppress(OSError, ValueError):
+                    process.stdin.close()  # which a helper that waits for «go» takes for a no
+
+    def wait(self, within_s: float) -> bool:
+        """Whether it has ended, after a time at most."""
+        self._thread.join(within_s)
+        return not self._thread.is_alive()
+
+    def _on_late(self) -> None:
+        self._answer(_TOOL_HANGS(text=self._command[-1]))
+        self.end()
+
+    def _answer(self, answer: Answer) -> None:
+        with self._lock:
+            if self.is_ended:
+                return
+            self.is_ended = not isinstance(answer, Planned)
+        if self._late is not None and self.is_ended:
+            self._late.cancel()
+        self._tell(answer)
+
+    def _run(self) -> None:
+        try:
+            with self._lock:
+                if self.is_ended:
+                    return
+                self._process = process = subprocess.Popen(  # noqa: S603 - the package's own
+                    self._command,
+                    stdin=subprocess.PIPE,
+                    stdout=subprocess.PIPE,
+                    stderr=subprocess.PIPE,
+                    encoding="utf-8",
+                    errors="replace",
+                    env=_environment(),
+                )
+        except OSError as error:
+            self._answer(NOT_AUTHORISED(text=error.strerror or str(error)))
+            return
+        self._listen(process)
+
+    def _listen(self, process: subprocess.Popen[str]) -> None:
+        for line in _lines(process.stdout):
+            answer = _understood(line)
+            if answer is not None:
+                self._answer(answer)
+        said = "".join(_lines(process.stderr)).strip()[-_LAST_WORDS:]
+        code = process.wait()
+        if code == _DISMISSED:
+            self._answer(DISMISSED())
+        elif code == _NOT_AUTHORISED:
+            self._answer(NOT_AUTHORISED(text=said.splitlines()[0] if said else "pkexec"))
+        self._answer(NO_ANSWER(text=said or str(code)))
+        for pipe in (process.stdin, process.stdout, process.stderr):
+            with contextlib.suppress(OSError, ValueError):
+                if pipe is not None:
+                    pipe.close()
+
+
+def _lines(pipe: IO[str] | None) -> Sequence[str] | IO[str]:
+    return () if pipe is None else pipe
+
+
+def _understood(line: str) -> Answer | None:
+    try:
+        ((word, content),) = json.loads(line).items()
+        if word == "plan":
+            return Planned(content.get("files", {}), tuple(content.get("removed", ())))
+        if word == "done":
+            return Done(content)
+        reason = _SENTENCES.get(f"adapter_{content['code']}", _SYSTEM)
+        return reason(text=str(content["text"]))
+    except (ValueError, AttributeError, KeyError, TypeError):
+        return None
+
+
+def _environment() -> dict[str, str]:
+    """What a program of the system is told: nothing of our own libraries and Python."""
+    kept = {name: value for name, value in os.environ.items() if name.startswith(_PASSED_ON)}
+    return {**kept, "PATH": "/usr/sbin:/usr/bin:/sbin:/bin"}

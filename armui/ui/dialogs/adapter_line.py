@@ -1,0 +1,405 @@
+"""The adapter set up by a click: what is under way, and what came of it; the window never waits."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import Final, Protocol
+
+from PySide6.QtCore import Qt, QTimer, Signal
+from PySide6.QtWidgets import QLabel, QLineEdit, QPlainTextEdit, QWidget
+
+from armui.arm.refusal import Refusal
+from armui.control.arm_controller import ArmController
+from armui.control.events import Level
+from armui.control.link.adapter_use import why_not_switch
+from armui.doctor.adapter_change import (
+    BY_ANYBODY,
+    BY_ROOT,
+    NOT_AUTHORISED,
+    AdapterChange,
+    Answer,
+    Done,
+    Planned,
+    helper_is_there,
+)
+from armui.doctor.facts import Diagnosis, Section
+from armui.doctor.judge_heard import ARM
+from armui.doctor.process import DoctorProcess
+from armui.ui import words
+from armui.ui.dialogs.base import ArmDialog, CloseButton
+from armui.ui.dialogs.finding_row import WORDS, Remedy
+from armui.ui.widgets.buttons import enable_or_explain, named, push_button
+from armui.ui.widgets.layouts import STRETCH, fill, in_row
+from armui.ui.widgets.message_line import MessageLine
+from armui.ui.widgets.text_label import text_label
+from armui.ui.widgets.translated import Translated
+
+_LISTEN_MS: Final = 2000
+_TYPED_MS: Final = 300
+_SIZE_PX: Final = (720, 520)
+
+
+class HelperRun(Protocol):
+    """Something under way that is told to go, and can be ended."""
+
+    def go(self) -> None:
+        """Have it done."""
+
+    def end(self) -> None:
+        """Nobody wants it any more."""
+
+
+Begin = Callable[[Sequence[str], Callable[[Answer], object], Sequence[str]], HelperRun]
+"""Begins a change; see :class:`armui.doctor.adapter_change.AdapterChange`."""
+
+
+class Examination(Protocol):
+    """Something under way that can be ended."""
+
+    def end(self) -> None:
+        """Nobody waits for it any more."""
+
+
+Examine = Callable[[Sequence[str], Callable[[list[Diagnosis] | str], object]], Examination]
+"""Begins an examination; see :class:`armui.doctor.process.DoctorProcess`."""
+
+
+class AdapterLine(Translated, QWidget):
+    """There while the adapter's helper is at work, and until its outcome was read.
+
+    Args:
+        controller: Knows whether an arm moves on that adapter.
+        begin: Begins a change.
+        examine: Listens to the adapter afterwards: a success is not believed.
+        is_there: Whether the helper can be used at all; asked after an examination, whose thread
+            has looked at the disk.
+
+    Signals:
+        changed: The helper has done something: what was found before is outdated.
+    """
+
+    changed = Signal()
+    _told = Signal(object, object)
+    _heard = Signal(object, object)
+
+    def __init__(
+        self,
+        controller: ArmController,
+        begin: Begin = AdapterChange,
+        examine: Examine = DoctorProcess,
+        is_there: Callable[[], bool] = helper_is_there,
+    ) -> None:
+        super().__init__()
+        self._controller = controller
+        self._begin = begin
+        self._examine = examine
+        self._helper_is_there = is_there
+        self._forbidden = False
+        self._number = 0
+        self._remedy: Remedy = ()
+        self._shown: Planned | None = None
+        self._change: HelperRun | None = None
+        self._listening: Examination | None = None
+        self._frames = 0
+        self._line = named("adapter_message", MessageLine())
+        self.cancel_button = push_button("adapter_cancel", on_enter=False)
+        in_row((self._line, 1), self.cancel_button, on=self, spacing=8, margins=0)
+        self.cancel_button.clicked.connect(self.cancel)
+        # queued: an answer comes in another thread
+        self._told.connect(self._on_told, Qt.ConnectionType.QueuedConnection)
+        self._heard.connect(self._on_heard, Qt.ConnectionType.QueuedConnection)
+        self.retranslate_ui()
+        self.hide()
+
+    def retranslate_ui(self) -> None:
+        """Put every word into the operator's language."""
+        self.cancel_button.setText(self.tr("Cancel"))
+
+    def text(self) -> str:
+        """What it says now."""
+        return self._line.text()
+
+    def is_there(self) -> bool:
+        """Whether a button is of use; where the system forbids it, there are the commands."""
+        return not self._forbidden and self._helper_is_there()
+
+    # What the operator does -------------------------------------------------------------------
+
+    def choose(self, remedy: Remedy) -> None:
+        """A button was pressed: files are shown before; anything else is begun."""
+        if remedy[0] in {"remember", "forget"}:
+            KeepDialog(self._controller, self.window(), remedy, self.start, self._begin).open()
+        else:
+            self.start(remedy)
+
+    def start(self, remedy: Remedy, shown: Planned | None = None) -> None:
+        """Begin; the system asks for the password.
+
+        Args:
+            remedy: Verb and words.
+            shown: What the operator has seen of it: anything else is not done.
+        """
+        if self._change is not None:
+            return
+        self._end_listening()
+        refusal = why_not_switch(remedy[0], remedy[1], self._controller.operating_state)
+        if refusal is not None:
+            self._say(words.refusal(refusal), Level.WARNING)
+            return
+        self._number += 1
+        number = self._number
+        self._remedy, self._shown = remedy, shown
+        self._say(self.tr("The system asks for the administrator's password…"), busy=True)
+        self._change = self._begin(remedy, lambda answer: self._told.emit(number, answer), BY_ROOT)
+
+    def cancel(self) -> None:
+        """Nobody waits any more: what has not begun is not done."""
+        if self._change is not None:
+            self._change.end()
+            self._change = None
+            self._say(self.tr("Given up. What had begun is brought to its end by the system."))
+        self._end_listening()
+        self._number += 1
+        self.cancel_button.hide()
+
+    # What comes back --------------------------------------------------------------------------
+
+    def _on_told(self, number: int, answer: Answer) -> None:
+        if number != self._number or self._change is None:
+            return
+        if isinstance(answer, Planned):
+            self._on_planned(answer)
+            return
+        self._change = None
+        if isinstance(answer, Refusal):
+            self._forbidden = answer.reason == NOT_AUTHORISED
+            self._say(words.refusal(answer), Level.FAULT)
+            self.changed.emit()
+            return
+        self._on_done(answer)
+
+    def _on_planned(self, planned: Planned) -> None:
+        """The password is given: look at the arm once more, and at what was shown."""
+        verb, subject = self._remedy[:2]
+        refusal = why_not_switch(verb, subject, self._controller.operating_state)
+        changed = self._shown is not None and self._shown != planned
+        if refusal is None and not changed and self._change is not None:
+            self._say(self.tr("Under way…"), busy=True)
+            self._change.go()
+            return
+        self.cancel()
+        if refusal is not None:
+            self._say(words.refusal(refusal), Level.WARNING)
+        else:
+            said = self.tr("The adapter is another one than was shown: nothing was written.")
+            self._say(said, Level.WARNING)
+
+    def _on_done(self, done: Done) -> None:
+        verb, subject = self._remedy[:2]
+        if verb in {"up", "reset"}:
+            self._listen(subject)
+        elif done.told.get("not_told"):
+            said = self.tr("Done; it holds from the next start of this computer.")
+            self._say(said, Level.DONE)
+        else:
+            said = self.tr("Done; it holds as soon as the adapter is plugged in again.")
+            self._say(said, Level.DONE)
+        self.changed.emit()
+
+    def _listen(self, interface: str) -> None:
+        """Success is what is heard, not what the system says."""
+        said = self.tr("{channel} is switched on; listening whether anything is heard…")
+        self._say(said.format(channel=interface), busy=True)
+        number = self._number
+        device = self._controller.operating_state.device
+        if device is not None and str(device.channel) == interface:
+            self._frames = self._controller.state.frames
+            QTimer.singleShot(_LISTEN_MS, self, lambda: self._count(number, interface))
+            return
+        self._listening = self._examine(
+            ["--interface", "socketcan", "--channel", interface],
+            lambda findings: self._heard.emit(number, findings),
+        )
+
+    def _count(self, number: int, interface: str) -> None:
+        if number != self._number:
+            return
+        count = self._controller.state.frames - self._frames
+        if count > 0:
+            said = self.tr("{channel} is switched on, and {count} frames were heard.")
+            self._say(said.format(channel=interface, count=count), Level.DONE)
+            return
+        said = self.tr(
+            "{channel} is switched on, but nothing is heard: is the arm powered, the CAN cable "
+            "plugged in, the bit rate the arm's?"
+        )
+        self._say(said.format(channel=interface), Level.WARNING)
+
+    def _on_heard(self, number: int, findings: list[Diagnosis] | str) -> None:
+        if number != self._number:
+            return
+        self._listening = None
+        if isinstance(findings, str):
+            self._say(findings, Level.FAULT)
+            return
+        of_arm = [each for each in findings if each.section is Section.ARM]
+        good = any(each.kind == ARM for each in of_arm)
+        said = " ".join(WORDS.text(each) for each in of_arm[:1])
+        self._say(said, Level.DONE if good else Level.WARNING)
+
+    # How it looks -----------------------------------------------------------------------------
+
+    def _say(self, text: str, level: Level = Level.INFO, *, busy: bool = False) -> None:
+        self._line.show_message(text, level)
+        self.cancel_button.setVisible(busy)
+        self.setVisible(bool(text))
+
+    def _end_listening(self) -> None:
+        if self._listening is not None:
+            self._listening.end()
+            self._listening = None
+
+    def end(self) -> None:
+        """The window closes."""
+        self.cancel()
+        self._forbidden = False
+        self._say("")
+
+
+class KeepDialog(ArmDialog):
+    """Shows the files before they are written, or taken away; the adapter gets its name here.
+
+    Args:
+        controller: Whom the emergency stop tells.
+        parent: The window that asks.
+        remedy: ``remember`` an interface with its bit rate, or a port; or ``forget`` a name.
+        agreed: Called with the helper's words and what was shown.
+        begin: Begins a change; here only its plan is asked for, without being root.
+    """
+
+    _told = Signal(object, object)
+
+    def __init__(
+        self,
+        controller: ArmController,
+        parent: QWidget | None,
+        remedy: Remedy,
+        agreed: Callable[[Remedy, Planned], object],
+        begin: Begin = AdapterChange,
+    ) -> None:
+        super().__init__(controller, parent)
+        self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        self._remedy = remedy
+        self._agreed = agreed
+        self._begin = begin
+        self._number = 0
+        self._change: HelperRun | None = None
+        self._planned: Planned | None = None
+        self._name_label = QLabel()
+        self.name_edit = named("adapter_name", QLineEdit())
+        self._name_label.setBuddy(self.name_edit)
+        self._line = MessageLine(keeps_room=False)
+        self.files = named("adapter_files", QPlainTextEdit())
+        self.files.setReadOnly(True)
+        self._note = text_label(rank="muted", wraps=True, plain=True)
+        self.agree_button = push_button("adapter_agree", primary=True, on_enter=False)
+        self._build()
+        self.agree_button.clicked.connect(self._on_agree)
+        self._told.connect(self._on_told, Qt.ConnectionType.QueuedConnection)
+        self._timer = QTimer(self)
+        self._timer.setSingleShot(True)
+        self._timer.setInterval(_TYPED_MS)
+        self._timer.timeout.connect(self._plan)
+        self.name_edit.textChanged.connect(self._on_typed)
+        self.retranslate_ui()
+        self.resize(*_SIZE_PX)
+        self._plan()
+
+    def _build(self) -> None:
+        if self._names_it():
+            fill(self.body, in_row(self._name_label, (self.name_edit, 1), spacing=8))
+            self.name_edit.setText(f"arm_{self._remedy[1]}"[:15].lower())
+        fill(self.body, self._line, (self.files, 1), self._note)
+        fill(self.footer, STRETCH, self.agree_button, CloseButton(self))
+
+    def _names_it(self) -> bool:
+        return self._remedy[0] == "remember" and len(self._remedy) > 2
+
+    def retranslate_ui(self) -> None:
+        """Put every word into the operator's language."""
+        keeps = self._remedy[0] == "remember"
+        self.set_title(self.tr("Keep at every start") if keeps else self.tr("Keep no longer"))
+        self._name_label.setText(self.tr("Name of the adapter"))
+        self.files.setAccessibleName(self.tr("Files of the system"))
+        self.agree_button.setText(self.tr("Write these files") if keeps else self.tr("Take away"))
+        self._note.setText(
+            self.tr(
+                "The system asks for the administrator's password. The name holds for this adapter "
+                "by its serial number, wherever it is plugged in."
+            )
+            if self._names_it()
+            else self.tr("The system asks for the administrator's password.")
+        )
+        self._refresh()
+
+    def _words(self) -> Remedy:
+        if not self._names_it():
+            return self._remedy
+        verb, interface, bitrate = self._remedy
+        return (verb, interface, self.name_edit.text().strip(), bitrate)
+
+    def _on_typed(self) -> None:
+        self._forget_plan()
+        self._timer.start()
+        self._refresh()
+
+    def _plan(self) -> None:
+        self._forget_plan()
+        number = self._number
+        self._change = self._begin(
+            self._words(), lambda answer: self._told.emit(number, answer), BY_ANYBODY
+        )
+
+    def _forget_plan(self) -> None:
+        self._number += 1
+        self._planned = None
+        if self._change is not None:
+            self._change.end()
+            self._change = None
+
+    def _on_told(self, number: int, answer: Answer) -> None:
+        if number != self._number:
+            return
+        if self._change is not None:
+            self._change.end()
+        if isinstance(answer, Planned):
+            self._planned = answer
+            self._line.show_message("")
+            self.files.setPlainText(self._as_text(answer))
+        elif isinstance(answer, Refusal):
+            self.files.setPlainText("")
+            self._line.show_message(words.refusal(answer), Level.WARNING)
+        self._refresh()
+
+    def _as_text(self, planned: Planned) -> str:
+        parts = [f"{path}\n\n{text}" for path, text in planned.files.items()]
+        taken = self.tr("Taken away: {path}")
+        parts += [taken.format(path=each) for each in planned.removed]
+        return "\n".join(parts)
+
+    def _refresh(self) -> None:
+        nothing = "" if self._planned else self.tr("First the files are looked at.")
+        enable_or_explain(self.agree_button, nothing)
+
+    def _on_agree(self) -> None:
+        planned = self._planned
+        if planned is not None:
+            wanted = self._words()
+            self.close()
+            self._agreed(wanted, planned)
+
+    def done(self, result: int) -> None:
+        """Nobody waits for a plan any more."""
+        self._timer.stop()
+        self._forget_plan()
+        super().done(result)
