@@ -190,15 +190,15 @@
         <translation>给电机上电，电机保持当前位置。</translation>
     </message>
     <message>
-        <source>Takes the motor's power: the arm drops. Asks first.</source>
+        <source>Takes the motor&apos;s power: the arm drops. Asks first.</source>
         <translation>切断电机动力，机械臂会下落。执行前会询问。</translation>
     </message>
     <message>
-        <source>Makes the present position the joint's zero. Asks first.</source>
+        <source>Makes the present position the joint&apos;s zero. Asks first.</source>
         <translation>将关节当前位置设为零点。执行前会询问。</translation>
     </message>
     <message>
-        <source>Clears the error of the joint's driver; nothing moves.</source>
+        <source>Clears the error of the joint&apos;s driver; nothing moves.</source>
         <translation>清除关节驱动器的错误，机械臂不会运动。</translation>
     </message>
     <message>
@@ -372,7 +372,7 @@
         <translation>取消</translation>
     </message>
     <message>
-        <source>The system asks for the administrator's password…</source>
+        <source>The system asks for the administrator&apos;s password…</source>
         <translation>系统正在询问管理员密码…</translation>
     </message>
     <message>
@@ -404,7 +404,7 @@
         <translation>{channel} 已启用，收到 {count} 个报文。</translation>
     </message>
     <message>
-        <source>{channel} is switched on, but nothing is heard: is the arm powered, the CAN cable plugged in, the bit rate the arm's?</source>
+        <source>{channel} is switched on, but nothing is heard: is the arm powered, the CAN cable plugged in, the bit rate the arm&apos;s?</source>
         <translation>{channel} 已启用，但没有收到报文：机械臂是否上电、CAN 线是否插好、波特率是否与机械臂一致？</translation>
     </message>
 </context>
@@ -696,7 +696,7 @@
         <translation>{count} 个参数中有 {failed} 个未恢复。</translation>
     </message>
     <message>
-        <source>No file is open; the arm's own values are shown.</source>
+        <source>No file is open; the arm&apos;s own values are shown.</source>
         <translation>未打开文件；显示的是机械臂当前的值。</translation>
     </message>
     <message>
@@ -816,7 +816,7 @@
         <translation>仲裁失败：优先级更高的帧先发出，属正常现象</translation>
     </message>
     <message>
-        <source>the adapter's CAN controller reports</source>
+        <source>the adapter&apos;s CAN controller reports</source>
         <translation>适配器的 CAN 控制器有报告</translation>
     </message>
     <message>
@@ -848,7 +848,7 @@
         <translation>收发器：请检查 CAN_H、CAN_L 是否短路或断路</translation>
     </message>
     <message>
-        <source>nobody acknowledges: check the arm's power, the cable and the bit rate</source>
+        <source>nobody acknowledges: check the arm&apos;s power, the cable and the bit rate</source>
         <translation>无人应答：请检查机械臂电源、线缆和波特率</translation>
     </message>
     <message>
@@ -919,7 +919,7 @@
         <translation>该帧的含义；下方是其中的信号</translation>
     </message>
     <message>
-        <source>By the identifier: what is not this program's and no arm sends is another host's</source>
+        <source>By the identifier: what is not this program&apos;s and no arm sends is another host&apos;s</source>
         <translation>按 ID 判断：既不是本程序发送、也不是机械臂会发送的帧，属于其他上位机</translation>
     </message>
     <message>
@@ -1041,7 +1041,7 @@
         <translation>开始统计以来适配器报告的总线错误</translation>
     </message>
     <message>
-        <source>Lost by the system's queue or by the adapter since the counting began</source>
+        <source>Lost by the system&apos;s queue or by the adapter since the counting began</source>
         <translation>开始统计以来被系统队列或适配器丢失的帧</translation>
     </message>
 </context>
@@ -1344,7 +1344,7 @@
         <translation>正在打开 CAN 设备。</translation>
     </message>
     <message>
-        <source>The CAN device is open, but no arm is heard on it. Check the arm's power, the cable and the bit rate.</source>
+        <source>The CAN device is open, but no arm is heard on it. Check the arm&apos;s power, the cable and the bit rate.</source>
         <translation>CAN 设备已打开，但没有收到机械臂的反馈。请检查机械臂电源、线缆和波特率。</translation>
     </message>
     <message>
@@ -1695,7 +1695,7 @@
         <translation>{channel}（{kind}）已启用，{bitrate} bit/s，{state}，错误计数 {tx}/{rx}，序列号 {serial}。</translation>
     </message>
     <message>
-        <source>{channel} is switched off. Switch it on with the arm's bit rate.</source>
+        <source>{channel} is switched off. Switch it on with the arm&apos;s bit rate.</source>
         <translation>{channel} 未启用。请按机械臂的波特率启用。</translation>
     </message>
     <message>
@@ -1703,7 +1703,7 @@
         <translation>{channel} 已离线（bus-off）：错误过多。请检查电缆、终端电阻和波特率（{bitrate}），然后恢复。</translation>
     </message>
     <message>
-        <source>{channel} sees many errors ({state}, counters {tx}/{rx}): nobody acknowledges, or the bit rate {bitrate} is not the arm's. Is the arm switched on? CAN_H and CAN_L swapped? 120 Ω at both ends?</source>
+        <source>{channel} sees many errors ({state}, counters {tx}/{rx}): nobody acknowledges, or the bit rate {bitrate} is not the arm&apos;s. Is the arm switched on? CAN_H and CAN_L swapped? 120 Ω at both ends?</source>
         <translation>{channel} 错误很多（{state}，计数 {tx}/{rx}）：没有节点应答，或波特率 {bitrate} 与机械臂不符。机械臂是否上电？CAN_H 与 CAN_L 是否接反？两端是否有 120 Ω 终端电阻？</translation>
     </message>
     <message>
@@ -1711,11 +1711,11 @@
         <translation>{channel} 出现错误（{tx}/{rx}）：请检查电缆和终端电阻。</translation>
     </message>
     <message>
-        <source>{channel} runs at {bitrate} bit/s; arms run at 1000000 (today's) or 500000 (generation 1's text).</source>
+        <source>{channel} runs at {bitrate} bit/s; arms run at 1000000 (today&apos;s) or 500000 (generation 1&apos;s text).</source>
         <translation>{channel} 的波特率为 {bitrate} bit/s；机械臂为 1000000（当前）或 500000（第 1 代协议文本）。</translation>
     </message>
     <message>
-        <source>{channel} runs at {bitrate} bit/s, as generation 1's text says; today's arms run at 1000000.</source>
+        <source>{channel} runs at {bitrate} bit/s, as generation 1&apos;s text says; today&apos;s arms run at 1000000.</source>
         <translation>{channel} 的波特率为 {bitrate} bit/s，与第 1 代协议文本一致；当前机械臂为 1000000。</translation>
     </message>
     <message>
@@ -1743,7 +1743,7 @@
         <translation>{device}：缺少软件包 {package}。</translation>
     </message>
     <message>
-        <source>{device}: the maker's driver is missing: {text}</source>
+        <source>{device}: the maker&apos;s driver is missing: {text}</source>
         <translation>{device}：缺少厂商驱动：{text}</translation>
     </message>
     <message>
@@ -1775,7 +1775,7 @@
         <translation>监听期间 {device} 离线（bus-off）：请检查电缆、终端电阻、波特率。</translation>
     </message>
     <message>
-        <source>{device}: {count} error frames in {seconds} s. Bit rate other than the arm's, a loose plug, or no terminating resistor.</source>
+        <source>{device}: {count} error frames in {seconds} s. Bit rate other than the arm&apos;s, a loose plug, or no terminating resistor.</source>
         <translation>{device}：{seconds} s 内有 {count} 个错误帧。可能波特率与机械臂不符、插头松动或缺少终端电阻。</translation>
     </message>
     <message>
@@ -1799,11 +1799,11 @@
         <translation>固件 {firmware}{identity}。</translation>
     </message>
     <message>
-        <source>The firmware's version was not heard: the arm tells it only when asked.</source>
+        <source>The firmware&apos;s version was not heard: the arm tells it only when asked.</source>
         <translation>未收到固件版本：机械臂只在被询问时回答。</translation>
     </message>
     <message>
-        <source>The maker recommends firmware S-V1.8-9 or later; {firmware} has known faults. Updates come from the maker's support.</source>
+        <source>The maker recommends firmware S-V1.8-9 or later; {firmware} has known faults. Updates come from the maker&apos;s support.</source>
         <translation>厂家建议使用 S-V1.8-9 或更高版本固件；{firmware} 存在已知问题。更新请联系厂家支持。</translation>
     </message>
     <message>
@@ -1819,7 +1819,7 @@
         <translation>{firmware} 的关节可能在没有报错的情况下丢失基准：角度看似正常，实际位置不同。请对照 3D 画面与机械臂；只有急停后恢复（机械臂会下落）或重新上电才能修复。</translation>
     </message>
     <message>
-        <source>The arm's feedback is shifted by {offset} (0x470): the program follows it by itself.</source>
+        <source>The arm&apos;s feedback is shifted by {offset} (0x470): the program follows it by itself.</source>
         <translation>机械臂的反馈偏移为 {offset}（0x470）：程序会自动跟随。</translation>
     </message>
     <message>
@@ -1839,7 +1839,7 @@
         <translation>{device}：另一程序或主机正在控制机械臂：{frames}。从本机控制之前请先停止它。</translation>
     </message>
     <message>
-        <source>The arm's status (0x2A1) is not heard, though other feedback is.</source>
+        <source>The arm&apos;s status (0x2A1) is not heard, though other feedback is.</source>
         <translation>收到了其他反馈，但没有收到机械臂状态（0x2A1）。</translation>
     </message>
     <message>
@@ -1879,7 +1879,7 @@
         <translation>关节 {joints}：机械臂中保存的限位已损坏。请将关节限位、速度、加速度恢复出厂值（0x477），然后逐项读取并设置。</translation>
     </message>
     <message>
-        <source>{name} has its name by its adapter's serial number, and is switched on at every start.</source>
+        <source>{name} has its name by its adapter&apos;s serial number, and is switched on at every start.</source>
         <translation>{name} 已按适配器序列号固定名称，每次启动时自动启用。</translation>
     </message>
     <message>
@@ -1887,7 +1887,7 @@
         <translation>串口适配器（{name}）可由本机当前登录的用户打开。</translation>
     </message>
     <message>
-        <source>This Linux is a guest of Windows (WSL): the adapter has to be handed over to it, before the arm is powered. In a terminal of Windows, with the adapter's BUSID from the list:</source>
+        <source>This Linux is a guest of Windows (WSL): the adapter has to be handed over to it, before the arm is powered. In a terminal of Windows, with the adapter&apos;s BUSID from the list:</source>
         <translation>当前 Linux 运行在 Windows 的 WSL 中：请先把适配器交给 WSL，再给机械臂上电。在 Windows 终端中运行（BUSID 取自列表）：</translation>
     </message>
 </context>
@@ -2643,7 +2643,7 @@
         <translation>日志中没有任何帧。未写入文件。</translation>
     </message>
     <message>
-        <source>No frame of the log is an arm's. No file was written. Another channel?</source>
+        <source>No frame of the log is an arm&apos;s. No file was written. Another channel?</source>
         <translation>日志中没有机械臂的帧。未写入文件。是否应选择其他通道？</translation>
     </message>
     <message>
@@ -2667,8 +2667,8 @@
         <translation>无法写入 {target}：{detail}</translation>
     </message>
     <message>
-        <source>Parquet needs the package pyarrow: pip install 'armui[parquet]'. CSV has the same table without it.</source>
-        <translation>Parquet 需要 pyarrow 包：pip install 'armui[parquet]'。CSV 无需它，内容是同一表格。</translation>
+        <source>Parquet needs the package pyarrow: pip install &apos;armui[parquet]&apos;. CSV has the same table without it.</source>
+        <translation>Parquet 需要 pyarrow 包：pip install &apos;armui[parquet]&apos;。CSV 无需它，内容是同一表格。</translation>
     </message>
     <message>
         <source>The export failed: {detail}</source>
@@ -3237,7 +3237,7 @@
         <translation>在下一个设定值到来之前关节失力：若没有设定值立即跟上，机械臂会坠落。请托住机械臂。之后只能通过复位恢复。</translation>
     </message>
     <message>
-        <source>Drives one motor past the arm's own planning and limits. With gains of 0 its joint has no strength and falls. Support the arm, keep away from it.</source>
+        <source>Drives one motor past the arm&apos;s own planning and limits. With gains of 0 its joint has no strength and falls. Support the arm, keep away from it.</source>
         <translation>绕过机械臂自身的规划和限位直接驱动一个电机。增益为 0 时该关节无力并坠落。请托住机械臂，并与其保持距离。</translation>
     </message>
     <message>
@@ -4397,7 +4397,7 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
         <translation>6 个关节的角度限位、速度和加速度都将恢复为出厂值。为现场设置的限位（包括更窄的限位）会丢失：如以后还需要，请先保存参数备份。</translation>
     </message>
     <message>
-        <source>This arm's protocol (generation 1) has no command for it. Enter the values, or restore a backup.</source>
+        <source>This arm&apos;s protocol (generation 1) has no command for it. Enter the values, or restore a backup.</source>
         <translation>该机械臂的协议（第 1 代）没有此指令。请手动输入数值，或从备份恢复。</translation>
     </message>
 </context>
@@ -4550,11 +4550,11 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
         <translation>移除</translation>
     </message>
     <message>
-        <source>The system asks for the administrator's password. The name holds for this adapter by its serial number, wherever it is plugged in.</source>
+        <source>The system asks for the administrator&apos;s password. The name holds for this adapter by its serial number, wherever it is plugged in.</source>
         <translation>系统会询问管理员密码。名称按序列号固定在此适配器上，插在任何接口都有效。</translation>
     </message>
     <message>
-        <source>The system asks for the administrator's password.</source>
+        <source>The system asks for the administrator&apos;s password.</source>
         <translation>系统会询问管理员密码。</translation>
     </message>
     <message>
@@ -5430,7 +5430,7 @@ Lamps give no feedback: this is only what will be sent.</source>
     </message>
     <message>
         <source>The limits move with the zero, and so does every stored trajectory. With a wrong zero the arm runs into its stops.
-Set it only at the mark of the joint's zero, with the arm standing still. The arm keeps it; there is no way back but to set it again.</source>
+Set it only at the mark of the joint&apos;s zero, with the arm standing still. The arm keeps it; there is no way back but to set it again.</source>
         <translation>限位和已存轨迹会随零点一起改变；零点设错，机械臂会撞上机械限位。
 请仅在关节对准零位标记且机械臂静止时设置。机械臂会保存该零点，只能通过重新设置更改。</translation>
     </message>
@@ -5612,7 +5612,7 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>机械臂已确认急停。</translation>
     </message>
     <message>
-        <source>The arm has NOT confirmed the emergency stop; it is sent again and again. Cut the arm's power if it moves.</source>
+        <source>The arm has NOT confirmed the emergency stop; it is sent again and again. Cut the arm&apos;s power if it moves.</source>
         <translation>机械臂尚未确认急停，正在反复发送。若机械臂仍在运动，请切断其电源。</translation>
     </message>
     <message>
@@ -5712,7 +5712,7 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>6 个电机均已使能。</translation>
     </message>
     <message>
-        <source>These joints did not enable: {joints}. Press Enable again; if that fails, check their drivers and the arm's power.</source>
+        <source>These joints did not enable: {joints}. Press Enable again; if that fails, check their drivers and the arm&apos;s power.</source>
         <translation>以下关节未能使能：{joints}。请再按一次“使能”；若仍失败，请检查其驱动器和机械臂电源。</translation>
     </message>
     <message>
@@ -5768,7 +5768,7 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>末端负载未得到确认。{reason}</translation>
     </message>
     <message>
-        <source>Switching the feedback of the end's motion</source>
+        <source>Switching the feedback of the end&apos;s motion</source>
         <translation>正在切换末端速度/加速度反馈</translation>
     </message>
     <message>
@@ -5780,7 +5780,7 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>机械臂已停止上报末端速度/加速度。</translation>
     </message>
     <message>
-        <source>The feedback of the end's motion is not switched. {reason}</source>
+        <source>The feedback of the end&apos;s motion is not switched. {reason}</source>
         <translation>末端速度/加速度反馈未切换成功。{reason}</translation>
     </message>
     <message>
@@ -5944,7 +5944,7 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>回放中止。{reason}</translation>
     </message>
     <message>
-        <source>Recording the arm's motion</source>
+        <source>Recording the arm&apos;s motion</source>
         <translation>开始录制机械臂运动</translation>
     </message>
     <message>
@@ -6000,7 +6000,7 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>未读到以下关节的限位：{joints}。现按出厂限位检查；重新连接可再次读取。</translation>
     </message>
     <message>
-        <source>Joint {joint}: the limits stored in the arm cannot be true. The factory limits hold; set the joint's limits anew.</source>
+        <source>Joint {joint}: the limits stored in the arm cannot be true. The factory limits hold; set the joint&apos;s limits anew.</source>
         <translation>关节 {joint}：机械臂中保存的限位不合理。现按出厂限位检查；请重新设置该关节的限位。</translation>
     </message>
     <message>
@@ -6012,7 +6012,7 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>事件：{code}</translation>
     </message>
     <message>
-        <source>The emergency stop is NOT on the bus: no CAN device is open, or it does not take the frame. Cut the arm's power if it moves.</source>
+        <source>The emergency stop is NOT on the bus: no CAN device is open, or it does not take the frame. Cut the arm&apos;s power if it moves.</source>
         <translation>急停没有发到总线上：没有打开 CAN 设备，或设备不接收该帧。若机械臂在运动，请切断其电源。</translation>
     </message>
     <message>
@@ -6028,7 +6028,7 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>未完成的急停已撤回；机械臂没有停止。</translation>
     </message>
     <message>
-        <source>The arm on {device} has never confirmed its emergency stop, and another device is connected now. Cut that arm's power if it moves.</source>
+        <source>The arm on {device} has never confirmed its emergency stop, and another device is connected now. Cut that arm&apos;s power if it moves.</source>
         <translation>{device} 上的机械臂一直没有确认急停，而现在连接的是另一设备。若那台机械臂在运动，请切断其电源。</translation>
     </message>
     <message>
@@ -6076,7 +6076,7 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>机械臂未确认恢复出厂值。{reason}</translation>
     </message>
     <message>
-        <source>Sent by hand: {frame}. It counts as another program's command.</source>
+        <source>Sent by hand: {frame}. It counts as another program&apos;s command.</source>
         <translation>手动发送：{frame}。按其他程序的指令处理。</translation>
     </message>
     <message>
@@ -6116,7 +6116,7 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>{device} 点动 {axes}（工具坐标系）</translation>
     </message>
     <message>
-        <source>Told the arm to leave the other program's mode and to hold where it stands.</source>
+        <source>Told the arm to leave the other program&apos;s mode and to hold where it stands.</source>
         <translation>已通知机械臂退出另一程序的模式，并保持在当前位置。</translation>
     </message>
     <message>
@@ -6207,7 +6207,7 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>无法识别的报文：{kind}（最近 {id}）</translation>
     </message>
     <message>
-        <source>The arm's status frames come more rarely: {share} % fewer than before</source>
+        <source>The arm&apos;s status frames come more rarely: {share} % fewer than before</source>
         <translation>机械臂状态报文变少：比之前少 {share} %</translation>
     </message>
     <message>
@@ -6270,7 +6270,7 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>设置末端负载</translation>
     </message>
     <message>
-        <source>Switch the feedback of the end's motion</source>
+        <source>Switch the feedback of the end&apos;s motion</source>
         <translation>开关末端速度与加速度反馈</translation>
     </message>
     <message>
@@ -6286,11 +6286,11 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>夹爪失能</translation>
     </message>
     <message>
-        <source>Clear the gripper's error</source>
+        <source>Clear the gripper&apos;s error</source>
         <translation>清除夹爪错误</translation>
     </message>
     <message>
-        <source>Set the gripper's zero</source>
+        <source>Set the gripper&apos;s zero</source>
         <translation>设置夹爪零点</translation>
     </message>
     <message>
@@ -6451,7 +6451,7 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>倍率</translation>
     </message>
     <message>
-        <source>Share of the run's own speed, changed while it runs; 0 % pauses it. Slower {slower}, faster {faster}.</source>
+        <source>Share of the run&apos;s own speed, changed while it runs; 0 % pauses it. Slower {slower}, faster {faster}.</source>
         <translation>相对于本次运行自身速度的比例，运行中可随时调整；0 % 即暂停。减速 {slower}，加速 {faster}。</translation>
     </message>
     <message>
@@ -6678,7 +6678,7 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>出厂 {bound}</translation>
     </message>
     <message>
-        <source>{name}: {value} goes beyond the factory's {bound}.</source>
+        <source>{name}: {value} goes beyond the factory&apos;s {bound}.</source>
         <translation>{name}：{value} 超出出厂值 {bound}。</translation>
     </message>
     <message>
@@ -7403,7 +7403,7 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>{name}（本程序指令）</translation>
     </message>
     <message>
-        <source>{name}, other host's command</source>
+        <source>{name}, other host&apos;s command</source>
         <translation>{name}（其他主机指令）</translation>
     </message>
     <message>
@@ -7415,7 +7415,7 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>本程序指令</translation>
     </message>
     <message>
-        <source>other host's command</source>
+        <source>other host&apos;s command</source>
         <translation>其他主机指令</translation>
     </message>
     <message>
@@ -7952,7 +7952,7 @@ The other program must have ended.</source>
         <translation>关节 {joints} 堵转。请解除卡阻，然后清除错误。</translation>
     </message>
     <message>
-        <source>Sensor fault, joint {joints}. Clear the error; if it comes back, check the joint's encoder.</source>
+        <source>Sensor fault, joint {joints}. Clear the error; if it comes back, check the joint&apos;s encoder.</source>
         <translation>关节 {joints} 传感器异常。请清除错误；若再次出现，请检查该关节编码器。</translation>
     </message>
     <message>
@@ -7968,7 +7968,7 @@ The other program must have ended.</source>
         <translation>机械臂报告关节状态异常。请查看关节状态，然后清除错误。</translation>
     </message>
     <message>
-        <source>A joint's brake is not released. Hold the arm, then reset it.</source>
+        <source>A joint&apos;s brake is not released. Hold the arm, then reset it.</source>
         <translation>关节抱闸未打开。请扶住机械臂，然后复位。</translation>
     </message>
     <message>
@@ -8072,7 +8072,7 @@ The other program must have ended.</source>
         <translation>机械臂发生碰撞。请移开障碍物，然后清除错误。</translation>
     </message>
     <message>
-        <source>A stop is outstanding: it goes out once the CAN device is back. Cut the arm's power if it moves.</source>
+        <source>A stop is outstanding: it goes out once the CAN device is back. Cut the arm&apos;s power if it moves.</source>
         <translation>有一次急停未完成：CAN 设备恢复后立即发出。若机械臂在运动，请切断其电源。</translation>
     </message>
     <message>
@@ -8151,7 +8151,7 @@ The other program must have ended.</source>
         <translation>以下关节的电机未使能：{joints}。请先按“使能”。</translation>
     </message>
     <message>
-        <source>Not every motor has reported yet whether it is enabled. Wait a moment; if it stays so, check the arm's power and the CAN cable.</source>
+        <source>Not every motor has reported yet whether it is enabled. Wait a moment; if it stays so, check the arm&apos;s power and the CAN cable.</source>
         <translation>尚未收到全部电机的使能状态。请稍候；若一直如此，请检查机械臂电源和 CAN 线。</translation>
     </message>
     <message>
@@ -8255,7 +8255,7 @@ The other program must have ended.</source>
         <translation>{axis}：“{value}”不是数值。请输入毫米或度的数字，例如 12.5。</translation>
     </message>
     <message>
-        <source>The target is {missing} mm out of the arm's reach. Choose one nearer to the arm, or turn the tool.</source>
+        <source>The target is {missing} mm out of the arm&apos;s reach. Choose one nearer to the arm, or turn the tool.</source>
         <translation>目标超出可达范围 {missing} mm。请选择更近的位置，或改变末端姿态。</translation>
     </message>
     <message>
@@ -8287,7 +8287,7 @@ The other program must have ended.</source>
         <translation>尚未记录：{point}。请把机械臂移到该处并按对应按钮。</translation>
     </message>
     <message>
-        <source>The pose the arm reports does not fit its joint angles: the program cannot compute its way. Check the joints' zeros; the joints can still be moved one by one.</source>
+        <source>The pose the arm reports does not fit its joint angles: the program cannot compute its way. Check the joints&apos; zeros; the joints can still be moved one by one.</source>
         <translation>机械臂上报的位姿与关节角度不符，程序无法计算路径。请检查各关节零点；仍可单独移动各关节。</translation>
     </message>
     <message>
@@ -8343,7 +8343,7 @@ The other program must have ended.</source>
         <translation>{gripper}：“{value}”不是数字，请输入 {minimum} 至 {maximum} {unit} 之间的值。</translation>
     </message>
     <message>
-        <source>Whether these joints stand still is not known: {joints}. Their drivers report no speed: check the arm's power and the CAN cable.</source>
+        <source>Whether these joints stand still is not known: {joints}. Their drivers report no speed: check the arm&apos;s power and the CAN cable.</source>
         <translation>无法确认以下关节是否静止：{joints}。其驱动器未上报速度，请检查机械臂电源和 CAN 线缆。</translation>
     </message>
     <message>
@@ -8375,11 +8375,11 @@ The other program must have ended.</source>
         <translation>设备 {device} 正被其它程序占用。请关闭该程序后重新连接。</translation>
     </message>
     <message>
-        <source>{device} is switched off in the system. Switch it on in a terminal (with your interface's name for can0): sudo ip link set can0 up type can bitrate 1000000</source>
+        <source>{device} is switched off in the system. Switch it on in a terminal (with your interface&apos;s name for can0): sudo ip link set can0 up type can bitrate 1000000</source>
         <translation>设备 {device} 在系统中未启用。请在终端中启用（将 can0 换成实际的接口名）：sudo ip link set can0 up type can bitrate 1000000</translation>
     </message>
     <message>
-        <source>You may not open {device}. On Linux add your account to the group dialout (serial adapters) or install the adapter's udev rule (USB adapters), then log in again.</source>
+        <source>You may not open {device}. On Linux add your account to the group dialout (serial adapters) or install the adapter&apos;s udev rule (USB adapters), then log in again.</source>
         <translation>没有权限打开设备 {device}。Linux 下：串口适配器请将当前用户加入 dialout 组，USB 适配器请安装其 udev 规则，然后重新登录。</translation>
     </message>
     <message>
@@ -8391,7 +8391,7 @@ The other program must have ended.</source>
         <translation>设备 {device} 需要的 Python 软件包尚未安装。请在终端中安装：pip install {package}</translation>
     </message>
     <message>
-        <source>The driver for {device} ({interface}) is missing. Install the driver of the adapter's maker; for socketcan load the kernel's modules: sudo modprobe can_raw</source>
+        <source>The driver for {device} ({interface}) is missing. Install the driver of the adapter&apos;s maker; for socketcan load the kernel&apos;s modules: sudo modprobe can_raw</source>
         <translation>缺少设备 {device}（{interface}）的驱动。请安装适配器厂家的驱动；使用 socketcan 时请加载内核模块：sudo modprobe can_raw</translation>
     </message>
     <message>
@@ -8495,7 +8495,7 @@ The other program must have ended.</source>
         <translation>{parameter}：不能设为 {value}，请从 {choices} 中选择。</translation>
     </message>
     <message>
-        <source>This arm's protocol (generation {generation}) has no such settings; generation 2 has.</source>
+        <source>This arm&apos;s protocol (generation {generation}) has no such settings; generation 2 has.</source>
         <translation>本机械臂的协议（第 {generation} 代）没有这些参数，第 2 代才有。</translation>
     </message>
     <message>
@@ -8535,7 +8535,7 @@ The other program must have ended.</source>
         <translation>未运行：检查之后机械臂又移动了 {value}°。请再次点击发送。</translation>
     </message>
     <message>
-        <source>Not run: the arm's joint limits are others than those of the check. Send again.</source>
+        <source>Not run: the arm&apos;s joint limits are others than those of the check. Send again.</source>
         <translation>未运行：机械臂的关节限位与检查时不同。请再次点击发送。</translation>
     </message>
     <message>
@@ -8627,7 +8627,7 @@ The other program must have ended.</source>
         <translation>机械臂尚未反馈末端位姿，圆弧没有起点，请稍候。</translation>
     </message>
     <message>
-        <source>Row {row}: this arm's protocol moves the gripper by other figures (generation 1 by an angle, generation 2 by an opening). Change the gripper's action.</source>
+        <source>Row {row}: this arm&apos;s protocol moves the gripper by other figures (generation 1 by an angle, generation 2 by an opening). Change the gripper&apos;s action.</source>
         <translation>第 {row} 行：本机械臂协议的夹爪参数不同（第一代用角度，第二代用开度），请修改夹爪动作。</translation>
     </message>
     <message>
@@ -8847,11 +8847,11 @@ The other program must have ended.</source>
         <translation>“{name}”未保存：{text}。原有内容未变。请检查磁盘后重新保存。</translation>
     </message>
     <message>
-        <source>Not deleted: {name}: {text}. Check the rights to the library's folder.</source>
+        <source>Not deleted: {name}: {text}. Check the rights to the library&apos;s folder.</source>
         <translation>未删除：{name}：{text}。请检查轨迹库文件夹的权限。</translation>
     </message>
     <message>
-        <source>Not brought back: {name}: {text}. Check the rights to the library's folder.</source>
+        <source>Not brought back: {name}: {text}. Check the rights to the library&apos;s folder.</source>
         <translation>未恢复：{name}：{text}。请检查轨迹库文件夹的权限。</translation>
     </message>
     <message>
@@ -8931,7 +8931,7 @@ The other program must have ended.</source>
         <translation>机械臂是否在当前标识符上接收指令尚未证实，因此不让它运动；急停和停住仍能到达。证实方法：让机械臂处于待机，在联动控制中重新设置偏移，得到应答后即生效。</translation>
     </message>
     <message>
-        <source>For half a second {device} could send nothing, because nobody on the bus acknowledges. Check the arm's power, the CAN cable, the terminating resistors and the bit rate (1 Mbit/s).</source>
+        <source>For half a second {device} could send nothing, because nobody on the bus acknowledges. Check the arm&apos;s power, the CAN cable, the terminating resistors and the bit rate (1 Mbit/s).</source>
         <translation>{device} 已有半秒发不出任何帧，因为总线上无人应答。请检查机械臂电源、CAN 线、终端电阻和波特率（1 Mbit/s）。</translation>
     </message>
     <message>
@@ -8987,11 +8987,11 @@ The other program must have ended.</source>
         <translation>数据：{count} 字节超出一帧的容量。最多输入 8 字节。</translation>
     </message>
     <message>
-        <source>{frame} is what an arm itself says: two senders of one identifier disturb the bus, and others would take it for the arm's word. Choose an identifier that hosts send.</source>
+        <source>{frame} is what an arm itself says: two senders of one identifier disturb the bus, and others would take it for the arm&apos;s word. Choose an identifier that hosts send.</source>
         <translation>{frame} 是机械臂自己发送的帧：同一 ID 有两个发送方会干扰总线，其他程序也会误以为是机械臂的反馈。请选择由上位机发送的 ID。</translation>
     </message>
     <message>
-        <source>{frame} is kept for firmware upgrades: what it does is not public, and it may leave the arm without firmware. Use the maker's upgrade program.</source>
+        <source>{frame} is kept for firmware upgrades: what it does is not public, and it may leave the arm without firmware. Use the maker&apos;s upgrade program.</source>
         <translation>{frame} 保留用于固件升级：其作用没有公开资料，可能使机械臂失去固件。请使用厂家的升级程序。</translation>
     </message>
     <message>
@@ -9043,8 +9043,8 @@ The other program must have ended.</source>
         <translation>无法在 {folder} 中记录会话：{text}。此前写入的内容可以读取。请选择其他文件夹，或重试。</translation>
     </message>
     <message>
-        <source>“{name}” cannot be the name of a recording. Leave out / \ : * ? " &lt; &gt; | and a dot at the beginning or the end; 120 characters at most.</source>
-        <translation>“{name}”不能作为记录的名称。请勿使用 / \ : * ? " &lt; &gt; |，首尾不能是句点，最多 120 个字符。</translation>
+        <source>“{name}” cannot be the name of a recording. Leave out / \ : * ? &quot; &lt; &gt; | and a dot at the beginning or the end; 120 characters at most.</source>
+        <translation>“{name}”不能作为记录的名称。请勿使用 / \ : * ? &quot; &lt; &gt; |，首尾不能是句点，最多 120 个字符。</translation>
     </message>
     <message>
         <source>There is a file called “{name}” in the folder already. Choose another name.</source>
@@ -9107,7 +9107,7 @@ The other program must have ended.</source>
         <translation>使能键按住 {seconds} 秒而设备没有任何动作。请重新按下。</translation>
     </message>
     <message>
-        <source>The arm's firmware {firmware} does not have this: it came with {since}. Updates come from the maker's support.</source>
+        <source>The arm&apos;s firmware {firmware} does not have this: it came with {since}. Updates come from the maker&apos;s support.</source>
         <translation>机械臂固件 {firmware} 不支持此功能：自 {since} 起支持。升级请联系厂家支持。</translation>
     </message>
     <message>
@@ -9115,7 +9115,7 @@ The other program must have ended.</source>
         <translation>机械臂尚未报告固件版本，而此功能自 {since} 起支持。请重新连接以查询。</translation>
     </message>
     <message>
-        <source>The arm's control mode is not known, or another one has the command: it would be changed along with this. Bring the arm to standby or CAN control first.</source>
+        <source>The arm&apos;s control mode is not known, or another one has the command: it would be changed along with this. Bring the arm to standby or CAN control first.</source>
         <translation>机械臂的控制模式未知，或由其他方控制：此操作会同时更改它。请先使机械臂进入待机或 CAN 控制模式。</translation>
     </message>
     <message>
@@ -9123,7 +9123,7 @@ The other program must have ended.</source>
         <translation>另一程序正以{other_mode}模式驱动机械臂：本程序的模式指令会使关节失力。请结束该程序、扶住机械臂，再按面板上方提示行给出的方式恢复。</translation>
     </message>
     <message>
-        <source>Not run: the arm's model or zeros are others than those of the check. Send again.</source>
+        <source>Not run: the arm&apos;s model or zeros are others than those of the check. Send again.</source>
         <translation>未运行：机械臂的型号或零点约定与检查时不同。请再次点击发送。</translation>
     </message>
     <message>
@@ -9215,7 +9215,7 @@ The other program must have ended.</source>
         <translation>名称不可用：只能用小写字母、数字和 _，以字母开头，最多 15 个字符，且不能是系统自动分配的名称（can0、eth0）。例如：arm_left</translation>
     </message>
     <message>
-        <source>The adapter's serial number cannot be used: {text}</source>
+        <source>The adapter&apos;s serial number cannot be used: {text}</source>
         <translation>适配器的序列号无法使用：{text}</translation>
     </message>
     <message>
@@ -9275,11 +9275,11 @@ The other program must have ended.</source>
         <translation>系统拒绝：{text}</translation>
     </message>
     <message>
-        <source>The system's program {text} did not answer within 5 s. Unplug the adapter and plug it in again.</source>
+        <source>The system&apos;s program {text} did not answer within 5 s. Unplug the adapter and plug it in again.</source>
         <translation>系统程序 {text} 在 5 s 内没有响应。请拔下适配器重新插入。</translation>
     </message>
     <message>
-        <source>The system's program {text} is missing. Install it.</source>
+        <source>The system&apos;s program {text} is missing. Install it.</source>
         <translation>缺少系统程序 {text}，请安装。</translation>
     </message>
     <message>
@@ -9531,7 +9531,7 @@ The other program must have ended.</source>
         <translation>速度</translation>
     </message>
     <message>
-        <source>Of each point's own speed</source>
+        <source>Of each point&apos;s own speed</source>
         <translation>相对于各点自身速度的百分比</translation>
     </message>
     <message>
@@ -9691,7 +9691,7 @@ The other program must have ended.</source>
         <translation>已发送：{frame}。</translation>
     </message>
     <message>
-        <source>A frame sent by hand is checked for nothing but its form, and counts as another program's: what this program is doing ends.</source>
+        <source>A frame sent by hand is checked for nothing but its form, and counts as another program&apos;s: what this program is doing ends.</source>
         <translation>手动发送的帧只检查格式，并按其他程序的指令处理：本程序正在进行的运动会结束。</translation>
     </message>
     <message>
@@ -10311,7 +10311,7 @@ The other program must have ended.</source>
         <translation>已使能</translation>
     </message>
     <message>
-        <source>Feedback of the end's motion</source>
+        <source>Feedback of the end&apos;s motion</source>
         <translation>末端运动反馈</translation>
     </message>
     <message>
@@ -11097,7 +11097,7 @@ The other program must have ended.</source>
         <translation>机械臂反馈的速度百分比</translation>
     </message>
     <message>
-        <source>Speed of motions, 0–100 % of the arm's highest; 0 % means no motion.</source>
+        <source>Speed of motions, 0–100 % of the arm&apos;s highest; 0 % means no motion.</source>
         <translation>运动速度，为最大速度的 0～100 %；0 % 时不运动。</translation>
     </message>
     <message>
@@ -11551,7 +11551,7 @@ Afterwards the motors must be enabled again.</source>
         <translation>录制</translation>
     </message>
     <message>
-        <source>reading or saving the arm's settings</source>
+        <source>reading or saving the arm&apos;s settings</source>
         <translation>读取或保存机械臂参数</translation>
     </message>
     <message>
@@ -11567,7 +11567,7 @@ Afterwards the motors must be enabled again.</source>
         <translation>设置零点</translation>
     </message>
     <message>
-        <source>clearing a joint's error</source>
+        <source>clearing a joint&apos;s error</source>
         <translation>清除关节错误</translation>
     </message>
     <message>
@@ -11751,7 +11751,7 @@ Afterwards the motors must be enabled again.</source>
         <translation>在画面中拖动目标或所选点，机械臂不会运动。Ctrl：大步进，Shift：小步进，Esc：放弃</translation>
     </message>
     <message>
-        <source>Shows what the tool centre point can reach; orange bounds what it can't within</source>
+        <source>Shows what the tool centre point can reach; orange bounds what it can&apos;t within</source>
         <translation>显示工具中心点能到达的空间；橙色是其中到不了的部分的边界</translation>
     </message>
     <message>
@@ -11805,7 +11805,7 @@ Afterwards the motors must be enabled again.</source>
         <translation>事件</translation>
     </message>
     <message>
-        <source>What happened: every command and what became of it, every change of the arm's status, every fault with its beginning and its end.</source>
+        <source>What happened: every command and what became of it, every change of the arm&apos;s status, every fault with its beginning and its end.</source>
         <translation>发生过的一切：每条指令及其结果、机械臂的每次状态变化、每个故障的开始与结束。</translation>
     </message>
     <message>
