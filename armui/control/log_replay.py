@@ -251,7 +251,7 @@ class LogReplay(QObject):
         self._worker.want_history(on=back_s > FILLED_S)
 
     def set_speed(self, speed: float) -> None:
-        """From 0.1 to 20 times as fast as it was."""
+        """Set the speed of the replay, from 0.1 to 20 times as fast as it was."""
         if self._worker is not None:
             self._worker.speed = min(max(speed, SLOWEST), FASTEST)
             self.moved.emit()

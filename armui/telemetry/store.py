@@ -130,7 +130,7 @@ class Telemetry(Listener):
         self._counted_s = -math.inf
 
     def now_s(self) -> float:
-        """The present, by the clock of the samples."""
+        """Return the present, by the clock of the samples."""
         return self._clock()
 
     @property
@@ -174,7 +174,7 @@ class Telemetry(Listener):
             series.adopt(other.series[name])
 
     def find(self, key: str) -> tuple[Quantity, Series]:
-        """A quantity and where it is kept.
+        """Return a quantity and where it is kept.
 
         Raises:
             KeyError: There is none of this name.
@@ -183,7 +183,7 @@ class Telemetry(Listener):
         return quantity, self.series[quantity.series]
 
     def latest(self, key: str) -> tuple[float, float] | None:
-        """When a quantity was last told, and its value; ``None`` if it never was."""
+        """Return when a quantity was last told, and its value; ``None`` if it never was."""
         quantity, series = self.find(key)
         return series.latest(quantity.field)
 
